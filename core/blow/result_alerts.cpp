@@ -61,7 +61,7 @@ void addClosedForm(const Scenario& scenario, const ImpactSummary& summary, std::
     alerts.push_back(
         {AlertLevel::information,
          AlertCode::closedFormInvalid,
-         obstacle->name,
+         std::string(obstacle->name),
          {*obstacle, {"closed_form_cor", closed}, {"difference", std::abs(closed - summary.cor)}}});
 }
 
@@ -111,7 +111,7 @@ std::optional<Alert> overload(const Scenario& scenario, const Load& load, const 
     if (stress <= *strength.limit) return std::nullopt;
     return Alert{load.level,
                  strength.code,
-                 strength.key,
+                 std::string(strength.key),
                  {{load.kind, stress, Quantity::stress},
                   {"place", load.force.section * scenario.rod.length, Quantity::length},
                   {"time", load.force.time * scalesOf(scenario).time, Quantity::time},

@@ -65,14 +65,11 @@ bool hasStressesAfter(const Impact& impact) {
 
 namespace {
 
-/// The key of a strength of a section, for which a parameter is kept for ever.
-std::string_view strengthKey(const DrillString& drill, std::size_t j, std::string_view field) {
+/// The key of a strength of a section.
+std::string strengthKey(const DrillString& drill, std::size_t j, std::string_view field) {
     const std::size_t ofHammer = drill.hammer.sections.size();
-    const std::string key = j < ofHammer
-                                ? "hammer." + std::to_string(j + 1) + "." + std::string(field)
-                                : "string." + std::to_string(j - ofHammer + 1) + "." + std::string(field);
-    const Parameter* parameter = findParameter(key);
-    return parameter ? parameter->key : std::string_view();
+    return j < ofHammer ? sectionKey(SectionAddress::Chain::hammer, j + 1, field)
+                        : sectionKey(SectionAddress::Chain::string, j - ofHammer + 1, field);
 }
 
 void addOverloads(const Scenario& scenario, const Impact& impact, std::vector<Alert>& alerts) {

@@ -28,7 +28,7 @@ void addImplausibleValues(const Scenario& scenario, std::vector<Alert>& alerts) 
         if (!value || parameter.plausible.contains(*value)) continue;
         alerts.push_back({AlertLevel::warning,
                           AlertCode::implausibleValue,
-                          parameter.key,
+                          std::string(parameter.key),
                           {{"value", *value, parameter.quantity}}});
     }
 }
@@ -38,10 +38,9 @@ void addImplausibleSection(SectionAddress::Chain chain, std::uint64_t place, con
     for (const SectionField& field : sectionFields()) {
         const std::optional<double> value = field.value(section);
         if (!value || field.plausible.contains(*value)) continue;
-        const std::string key = sectionKey(chain, place) + "." + std::string(field.key);
         alerts.push_back({AlertLevel::warning,
                           AlertCode::implausibleValue,
-                          findParameter(key)->key,
+                          sectionKey(chain, place, field.key),
                           {{"value", *value, field.quantity}}});
     }
 }

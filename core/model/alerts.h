@@ -49,7 +49,7 @@ struct AlertArgument {
 struct Alert {
     AlertLevel level = AlertLevel::information;
     AlertCode code = AlertCode::implausibleValue;
-    std::string_view parameter;  ///< of static storage: the key of what it is about, may be empty
+    std::string parameter;  ///< key of what it is about, may be empty
     std::vector<AlertArgument> arguments;
     bool operator==(const Alert&) const = default;
 

@@ -5,6 +5,7 @@
 #include <array>
 #include <cassert>
 #include <tuple>
+#include <utility>
 
 #include "core/model/section_parameter.h"
 
@@ -19,48 +20,54 @@ using Rank = std::tuple<std::ptrdiff_t, int, std::ptrdiff_t>;
 /// The repeat decides which places there are; what is set at a place is more particular than what is set by
 /// name.
 Rank rankOfSection(const Parameter& parameter) {
-    const std::ptrdiff_t before = findParameter("end_time") - parameters().data() + 1;
+    const std::ptrdiff_t before = &*findParameter("end_time") - parameters().data() + 1;
     if (!parameter.address) return {before, 1, 0};
     return {before, parameter.address->place == 0 ? 2 : 3, parameter.address->field - sectionFields().data()};
 }
 
 /// Place in the table of parameters, from 1; 0 for what is not in it.
-Rank rankOf(std::string_view key) {
-    const Parameter* parameter = findParameter(key);
+Rank rankOf(const KeptParameter& parameter) {
     if (!parameter) return {};
     if (parameter->scope == Scope::section) return rankOfSection(*parameter);
-    return {parameter - parameters().data() + 1, 0, 0};
+    return {&*parameter - parameters().data() + 1, 0, 0};
 }
 
-bool setTheSameOfSections(std::string_view a, std::string_view b) {
-    const Parameter* one = findParameter(a);
-    const Parameter* other = findParameter(b);
-    return one && other && one->address && other->address && one->address->hasSameSections(*other->address) &&
-           areRivals(*one->address->field, *other->address->field);
+AssignedKey assigned(std::string_view key) {
+    return {key, findParameter(key)};
 }
 
-bool mayMeet(std::string_view a, std::string_view b) {
-    const Parameter* one = findParameter(a);
-    const Parameter* other = findParameter(b);
-    return one && other && drillwave::mayMeet(*one, *other);
+bool setTheSameOfSections(const Parameter& one, const Parameter& other) {
+    return one.address && other.address && one.address->hasSameSections(*other.address) &&
+           areRivals(*one.address->field, *other.address->field);
 }
 
-bool namesAsRival(std::string_view a, std::string_view b) {
-    const Parameter* parameter = findParameter(a);
-    return parameter && !b.empty() && parameter->rules.rival == b;
+bool namesAsRival(const AssignedKey& one, std::string_view other) {
+    return one.parameter && !other.empty() && one.parameter->rules.rival == other;
+}
+
+bool areRivals(const AssignedKey& a, const AssignedKey& b) {
+    return a.key == b.key || namesAsRival(a, b.key) || namesAsRival(b, a.key) ||
+           (a.parameter && b.parameter && setTheSameOfSections(*a.parameter, *b.parameter));
+}
+
+bool mayMeet(const AssignedKey& a, const AssignedKey& b) {
+    return a.parameter && b.parameter && mayMeet(*a.parameter, *b.parameter);
+}
+
+std::string rivalProblem(const AssignedKey& a, const Scenario& ofA, const AssignedKey& b,
+                         const Scenario& ofB) {
+    if (areRivals(a, b)) return std::string(sameThing);
+    return a.parameter && b.parameter ? meetingProblem(*a.parameter, ofA, *b.parameter, ofB) : std::string();
 }
 
 }  // namespace
 
 bool areRivals(std::string_view a, std::string_view b) {
-    return a == b || namesAsRival(a, b) || namesAsRival(b, a) || setTheSameOfSections(a, b);
+    return areRivals(assigned(a), assigned(b));
 }
 
 std::string rivalProblem(std::string_view a, const Scenario& ofA, std::string_view b, const Scenario& ofB) {
-    if (areRivals(a, b)) return std::string(sameThing);
-    const Parameter* one = findParameter(a);
-    const Parameter* other = findParameter(b);
-    return one && other ? meetingProblem(*one, ofA, *other, ofB) : std::string();
+    return rivalProblem(assigned(a), ofA, assigned(b), ofB);
 }
 
 Assignments::Assignments(const std::vector<std::string_view>& keys) {
@@ -68,15 +75,16 @@ Assignments::Assignments(const std::vector<std::string_view>& keys) {
 }
 
 void Assignments::add(std::string_view key) {
-    const auto later = std::ranges::upper_bound(m_order, rankOf(key), {},
-                                                [this](std::size_t i) { return rankOf(*m_keys[i]); });
+    AssignedKey added = assigned(key);
+    const auto later = std::ranges::upper_bound(
+        m_order, rankOf(added.parameter), {}, [this](std::size_t i) { return rankOf(m_keys[i]->parameter); });
     m_order.insert(later, m_keys.size());
     for (std::size_t before = 0; before < m_keys.size(); ++before) {
         if (!m_keys[before]) continue;
-        if (areRivals(*m_keys[before], key)) m_rivals.emplace_back(before, m_keys.size());
-        if (mayMeet(*m_keys[before], key)) m_mayMeet.emplace_back(before, m_keys.size());
+        if (areRivals(*m_keys[before], added)) m_rivals.emplace_back(before, m_keys.size());
+        if (mayMeet(*m_keys[before], added)) m_mayMeet.emplace_back(before, m_keys.size());
     }
-    m_keys.emplace_back(key);
+    m_keys.emplace_back(std::move(added));
 }
 
 void Assignments::skip() {
@@ -100,7 +108,8 @@ std::optional<RivalPair> Assignments::meeting(const Scenario& scenario, const Is
 
 bool Assignments::movesPulse(std::size_t number) const {
     assert(number < m_keys.size());
-    const std::string_view key = m_keys[number].value_or("");
+    if (!m_keys[number]) return false;
+    const std::string_view key = m_keys[number]->key;
     return std::ranges::any_of(std::array{"pulse.", "rod.", "hammer.", "material.", "string."},
                                [&](const char* section) { return key.starts_with(section); });
 }

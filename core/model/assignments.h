@@ -10,6 +10,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/model/kept_parameter.h"
 #include "core/model/scenario.h"
 
 namespace drillwave {
@@ -27,6 +28,12 @@ std::string rivalProblem(std::string_view a, const Scenario& ofA, std::string_vi
 struct RivalPair {
     std::size_t one = 0, other = 0;  ///< one < other
     std::string problem;             ///< rivalProblem()
+};
+
+/// A key, and the parameter that it names, if any.
+struct AssignedKey {
+    std::string_view key;
+    KeptParameter parameter;
 };
 
 /// Keys that are set together, numbered as they were added. What each is set to stays with who asks: a word
@@ -61,7 +68,7 @@ class Assignments {
     bool movePulse() const;
 
   private:
-    std::vector<std::optional<std::string_view>> m_keys;  // none: sets nothing
+    std::vector<std::optional<AssignedKey>> m_keys;  // none: sets nothing
     std::vector<std::size_t> m_order;
     using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
     Pairs m_rivals;

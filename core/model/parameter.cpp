@@ -323,9 +323,9 @@ std::span<const Parameter> parameters() {
     return parameterTable;
 }
 
-const Parameter* findParameter(std::string_view key) {
+KeptParameter findParameter(std::string_view key) {
     const auto found = std::ranges::find(parameterTable, key, &Parameter::key);
-    return found == parameterTable.end() ? findSectionParameter(key) : &*found;
+    return found == parameterTable.end() ? findSectionParameter(key) : KeptParameter(*found);
 }
 
 std::string Range::problem(double value, const Unit& si) const {

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/model/kept_parameter.h"
 #include "core/model/scenario.h"
 #include "core/text/units.h"
 
@@ -134,8 +135,8 @@ std::span<const Parameter> parameters();
 
 /// The parameter of that key, be it of the table, "string.repeat", or a number of a section
 /// ("string.adapter.length", "hammer.1.diameter", see section_parameter.h), whether there is such a section
-/// or not; otherwise nullptr. What is returned lives as long as the program.
-const Parameter* findParameter(std::string_view key);
+/// or not; otherwise none. May be called from several threads.
+KeptParameter findParameter(std::string_view key);
 
 /// Whether the parameter is what the user gave, and not what follows from something else (the groups of a
 /// dimensional scenario; the impulse where the mean force was given).

@@ -135,18 +135,23 @@ std::string nearestKey(std::string_view key) {
 std::string assignText(Scenario& scenario, std::string_view key, std::string_view text, const Unit* unit) {
     if (key == pulseShapeKey) return assignShapeNamed(scenario, text);
     if (key == restrikeKey) return assignRestrike(scenario, text);
-    const Parameter* parameter = findParameter(key);
-    if (!parameter) return unknownKey(key);
-    const std::string inapplicable = whyNotApplicable(*parameter, scenario);
+    const KeptParameter parameter = findParameter(key);
+    return parameter ? assignText(scenario, *parameter, text, unit) : unknownKey(key);
+}
+
+std::string assignText(Scenario& scenario, const Parameter& parameter, std::string_view text,
+                       const Unit* unit) {
+    const std::string_view key = parameter.key;
+    const std::string inapplicable = whyNotApplicable(parameter, scenario);
     if (!inapplicable.empty()) return refusal(key, text, inapplicable);
     const BareNumber bare = unit ? BareNumber::inDefaultUnit : BareNumber::refused;
     const TypedQuantity typed =
-        parseQuantity(text, parameter->quantity, bare, unit ? unit : &parameter->displayUnit());
+        parseQuantity(text, parameter.quantity, bare, unit ? unit : &parameter.displayUnit());
     if (!typed.valid()) return refusal(key, text, typed.problem);
-    const std::string problem = rangeProblem(*parameter, typed.si);
+    const std::string problem = rangeProblem(parameter, typed.si);
     if (!problem.empty()) return refusal(key, text, problem);
-    parameter->assign(scenario, typed.si);
-    const std::string lost = readBackProblem(*parameter, scenario, typed.si);
+    parameter.assign(scenario, typed.si);
+    const std::string lost = readBackProblem(parameter, scenario, typed.si);
     return lost.empty() ? std::string() : refusal(key, text, lost);
 }
 

@@ -36,5 +36,8 @@ std::string nearestKey(std::string_view key);
 /// (0, 1])"), or an empty string when done; after a reason the scenario is not to be used.
 std::string assignText(Scenario& scenario, std::string_view key, std::string_view text,
                        const Unit* unit = nullptr);
+/// Likewise of a parameter.
+std::string assignText(Scenario& scenario, const Parameter& parameter, std::string_view text,
+                       const Unit* unit = nullptr);
 
 }  // namespace drillwave

@@ -2,6 +2,8 @@
 #include "core/model/scenario_difference.h"
 
 #include <algorithm>
+#include <set>
+#include <string_view>
 
 #include "core/model/section_parameter.h"
 
@@ -11,22 +13,24 @@ std::optional<double> valueIn(const Scenario& scenario, const Parameter& paramet
     return parameter.applies(scenario) ? parameter.value(scenario) : std::nullopt;
 }
 
-std::vector<const Parameter*> differingParameters(std::span<const Scenario* const> scenarios) {
-    std::vector<const Parameter*> differing;
-    const auto look = [&](const Parameter& parameter) {
+std::vector<KeptParameter> differingParameters(std::span<const Scenario* const> scenarios) {
+    std::vector<KeptParameter> differing;
+    const auto look = [&](const KeptParameter& kept) {
+        const Parameter& parameter = *kept;
         const auto gives = [&](const Scenario* each) { return isGiven(parameter, *each); };
         const auto isOther = [&](const Scenario* each) {
             return valueIn(*each, parameter) != valueIn(*scenarios.front(), parameter);
         };
         if (std::ranges::any_of(scenarios, gives) && std::ranges::any_of(scenarios, isOther))
-            differing.push_back(&parameter);
+            differing.push_back(kept);
     };
     for (const Parameter& parameter : parameters()) look(parameter);
-    std::vector<const Parameter*> ofSections;
+    std::vector<KeptParameter> ofSections;
+    std::set<std::string_view> keys;
     for (const Scenario* scenario : scenarios)
-        for (const Parameter* parameter : sectionParameters(*scenario))
-            if (std::ranges::find(ofSections, parameter) == ofSections.end()) ofSections.push_back(parameter);
-    for (const Parameter* parameter : ofSections) look(*parameter);
+        for (const KeptParameter& parameter : sectionParameters(*scenario))
+            if (keys.insert(parameter->key).second) ofSections.push_back(parameter);
+    for (const KeptParameter& parameter : ofSections) look(parameter);
     return differing;
 }
 

@@ -16,6 +16,6 @@ std::optional<double> valueIn(const Scenario& scenario, const Parameter& paramet
 /// The parameters that at least one of the scenarios gives (isGiven()) and that have not the same value in
 /// all of them, in the order of the table, and of sections after it by place. What only follows from others,
 /// such as the groups of a scenario in physical units, is not among them.
-std::vector<const Parameter*> differingParameters(std::span<const Scenario* const> scenarios);
+std::vector<KeptParameter> differingParameters(std::span<const Scenario* const> scenarios);
 
 }  // namespace drillwave

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <string>
+#include <utility>
 
 #include "core/model/section_parameter.h"
 
@@ -24,29 +25,30 @@ std::string spelled(std::string name) {
 }
 
 /// The parameter of all sections of that name, where there is one and they agree in it.
-const Parameter* byName(Chain chain, const Section& section, const SectionField& field,
-                        const Scenario& scenario) {
+KeptParameter byName(Chain chain, const Section& section, const SectionField& field,
+                     const Scenario& scenario) {
     if (section.name.empty() || section.name.find('=') != std::string::npos) return nullptr;
-    const Parameter* found = findParameter((chain == Chain::hammer ? "hammer." : "string.") +
-                                           spelled(section.name) + "." + std::string(field.key));
+    KeptParameter found = findParameter((chain == Chain::hammer ? "hammer." : "string.") +
+                                        spelled(section.name) + "." + std::string(field.key));
     return found && found->applies(scenario) && found->value(scenario) ? found : nullptr;
 }
 
-void addSection(std::vector<const Parameter*>& parameters, Chain chain, const PlacedSection& placed,
+void addSection(std::vector<KeptParameter>& parameters, Chain chain, const PlacedSection& placed,
                 const Scenario& scenario) {
     for (const SectionField& field : sectionFields()) {
         if (!isVariable(field, chain) || !field.value(*placed.section)) continue;
-        const Parameter* parameter = byName(chain, *placed.section, field, scenario);
+        KeptParameter parameter = byName(chain, *placed.section, field, scenario);
         if (!parameter)
-            parameter = findParameter(sectionKey(chain, placed.place) + "." + std::string(field.key));
-        if (std::ranges::find(parameters, parameter) == parameters.end()) parameters.push_back(parameter);
+            parameters.push_back(findParameter(sectionKey(chain, placed.place, field.key)));
+        else if (std::ranges::find(parameters, parameter) == parameters.end())
+            parameters.push_back(std::move(parameter));
     }
 }
 
 }  // namespace
 
-std::vector<const Parameter*> variableSectionParameters(const Scenario& scenario) {
-    std::vector<const Parameter*> parameters;
+std::vector<KeptParameter> variableSectionParameters(const Scenario& scenario) {
+    std::vector<KeptParameter> parameters;
     if (!isString(scenario)) return parameters;
     const std::vector<Section>& hammer = scenario.drillString.hammer.sections;
     for (std::size_t i = 0; i < hammer.size(); ++i)
@@ -57,7 +59,7 @@ std::vector<const Parameter*> variableSectionParameters(const Scenario& scenario
     return parameters;
 }
 
-const Parameter* typicalSize(const Scenario& scenario) {
+KeptParameter typicalSize(const Scenario& scenario) {
     if (!isString(scenario)) return nullptr;
     const std::vector<PlacedSection> all = placedSections(scenario.drillString);
     auto found = std::ranges::find(all, "coupling", [](const PlacedSection& p) { return p.section->name; });
@@ -65,9 +67,8 @@ const Parameter* typicalSize(const Scenario& scenario) {
         found = std::ranges::find(all, &repeated->sections.front(), &PlacedSection::section);
     if (found == all.end()) found = all.begin();
     const SectionField& field = *findSectionField(found->section->area ? "area" : "diameter");
-    const Parameter* named = byName(Chain::string, *found->section, field, scenario);
-    return named ? named
-                 : findParameter(sectionKey(Chain::string, found->place) + "." + std::string(field.key));
+    KeptParameter named = byName(Chain::string, *found->section, field, scenario);
+    return named ? named : findParameter(sectionKey(Chain::string, found->place, field.key));
 }
 
 }  // namespace drillwave

@@ -5,9 +5,7 @@
 #include <charconv>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <memory>
-#include <mutex>
 
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"
@@ -228,21 +226,20 @@ bool SectionAddress::hasSameSections(const SectionAddress& other) const {
     return chain == other.chain && place == other.place && spoken(name) == spoken(other.name);
 }
 
-const Parameter* findSectionParameter(std::string_view key) {
-    static std::mutex mutex;
-    static std::map<std::string, std::unique_ptr<OwnedParameter>, std::less<>> known;
-    if (key == repeatKey) return &repeatParameter();
+KeptParameter findSectionParameter(std::string_view key) {
+    if (key == repeatKey) return repeatParameter();
     const std::optional<SectionAddress> address = addressOf(key);
     if (!address) return nullptr;
-    const std::lock_guard lock(mutex);
-    const auto found = known.find(key);
-    if (found != known.end()) return &found->second->parameter;
-    auto owned = std::make_unique<OwnedParameter>(key, *address);
-    return &known.emplace(std::string(key), std::move(owned)).first->second->parameter;
+    const auto owned = std::make_shared<const OwnedParameter>(key, *address);
+    return KeptParameter(std::shared_ptr<const Parameter>(owned, &owned->parameter));
 }
 
 std::string sectionKey(Chain chain, std::uint64_t place) {
     return (chain == Chain::hammer ? "hammer." : "string.") + std::to_string(place);
+}
+
+std::string sectionKey(Chain chain, std::uint64_t place, std::string_view field) {
+    return sectionKey(chain, place) + "." + std::string(field);
 }
 
 bool hasSectionFor(const Parameter& parameter, const Scenario& scenario) {
@@ -303,18 +300,17 @@ std::string nearestSectionKey(std::string_view key) {
     return near == key || !addressOf(near) ? std::string() : near;
 }
 
-std::vector<const Parameter*> sectionParameters(const Scenario& scenario) {
-    std::vector<const Parameter*> parameters;
+std::vector<KeptParameter> sectionParameters(const Scenario& scenario) {
+    std::vector<KeptParameter> parameters;
     if (!isString(scenario)) return parameters;
     const auto add = [&](Chain chain, std::uint64_t place, const Section& section) {
         for (const SectionField& field : sectionFields())
             if (field.value(section))
-                parameters.push_back(
-                    findSectionParameter(sectionKey(chain, place) + "." + std::string(field.key)));
+                parameters.push_back(findSectionParameter(sectionKey(chain, place, field.key)));
     };
     const std::vector<Section>& hammer = scenario.drillString.hammer.sections;
     for (std::size_t i = 0; i < hammer.size(); ++i) add(Chain::hammer, i + 1, hammer[i]);
-    if (firstRepeat(scenario.drillString)) parameters.push_back(&repeatParameter());
+    if (firstRepeat(scenario.drillString)) parameters.emplace_back(repeatParameter());
     for (const PlacedSection& placed : placedSections(scenario.drillString))
         add(Chain::string, placed.place, *placed.section);
     return parameters;

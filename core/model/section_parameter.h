@@ -27,11 +27,13 @@ struct SectionAddress {
     bool hasSameSections(const SectionAddress& other) const;
 };
 
-/// The parameter of such a key, or nullptr where it is none. May be called from several threads.
-const Parameter* findSectionParameter(std::string_view key);
+/// The parameter of such a key, or none. May be called from several threads.
+KeptParameter findSectionParameter(std::string_view key);
 
-/// "string.3" and "length" are "string.3.length".
+/// "string.3", the section of that place.
 std::string sectionKey(SectionAddress::Chain chain, std::uint64_t place);
+/// "string.3.length", its number of that key.
+std::string sectionKey(SectionAddress::Chain chain, std::uint64_t place, std::string_view field);
 
 /// Whether the scenario has sections, or a repeat, that the parameter of the scope `section` is about.
 bool hasSectionFor(const Parameter& parameter, const Scenario& scenario);
@@ -54,7 +56,7 @@ std::string whyNoSection(const Parameter& parameter, const Scenario& scenario);
 std::string nearestSectionKey(std::string_view key);
 
 /// Every number that a section of a string scenario has, by place, in the order of a file; and the repeat.
-std::vector<const Parameter*> sectionParameters(const Scenario& scenario);
+std::vector<KeptParameter> sectionParameters(const Scenario& scenario);
 
 /// What the section is called that a parameter is about; empty where it is about none or one without a name.
 std::string sectionName(const Parameter& parameter, const Scenario& scenario);

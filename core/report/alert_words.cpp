@@ -34,11 +34,11 @@ std::string nameOf(const Parameter& parameter) {
 }
 
 std::string implausible(const Alert& alert, const ReadingStyle& style) {
-    const Parameter& parameter = *findParameter(alert.parameter);
-    const auto end = [&](double value) { return style.quantity(value, parameter.quantity, 4); };
-    return "The " + nameOf(parameter) + " = " + inUnit(alert, "value", style) +
-           " is outside the usual range, " + end(parameter.plausible.low) + " to " +
-           end(parameter.plausible.high) + ".";
+    const KeptParameter parameter = findParameter(alert.parameter);
+    const auto end = [&](double value) { return style.quantity(value, parameter->quantity, 4); };
+    return "The " + nameOf(*parameter) + " = " + inUnit(alert, "value", style) +
+           " is outside the usual range, " + end(parameter->plausible.low) + " to " +
+           end(parameter->plausible.high) + ".";
 }
 
 std::string longPulse(const Alert& alert, const ReadingStyle& style) {
@@ -54,10 +54,10 @@ std::string defaultHammer(const Alert& alert, const ReadingStyle& style) {
                "its blow is one step.";
     std::string values;
     for (const AlertArgument& argument : alert.arguments) {
-        const Parameter& parameter = *findParameter(argument.name);
-        values += (values.empty() ? "" : ", ") + std::string(parameter.localKey()) + " " +
+        const KeptParameter parameter = findParameter(argument.name);
+        values += (values.empty() ? "" : ", ") + std::string(parameter->localKey()) + " " +
                   (style.keepsUnitsOfFile()
-                       ? formatQuantity(argument.value, argument.quantity, parameter.displayUnit())
+                       ? formatQuantity(argument.value, argument.quantity, parameter->displayUnit())
                        : style.quantity(argument.value, argument.quantity, 4));
     }
     return "The hammer is the one assumed where none is given (" + values +

@@ -169,7 +169,7 @@ class Page {
         return bounded(isRead ? m_style.quantity(*input.si, *quantity, digits) : input.value);
     }
     static std::optional<Quantity> quantityOf(const ReportInput& input) {
-        const Parameter* parameter = findParameter(input.key);
+        const KeptParameter parameter = findParameter(input.key);
         return parameter ? std::optional(parameter->quantity) : std::nullopt;
     }
 

@@ -154,7 +154,7 @@ bool isAboutTheFile(SectionReader& reader, const InputProblem& problem) {
 
 /// Where a group comes from in a dimensional scenario.
 std::string_view originOf(std::string_view key) {
-    const Parameter* parameter = findParameter(key);
+    const KeptParameter parameter = findParameter(key);
     return parameter && parameter->isGroup() ? parameter->rules.rival : key;
 }
 

@@ -129,7 +129,7 @@ QByteArray Document::text() const {
 }
 
 QString Document::assign(const Parameter& parameter, double si, int gesture) {
-    return assign({{&parameter, si}}, gesture);
+    return assign({{parameter, si}}, gesture);
 }
 
 QString Document::assign(const std::vector<ParameterValue>& values, int gesture) {

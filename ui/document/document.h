@@ -20,7 +20,7 @@ namespace drillwave {
 
 /// What a parameter is to be set to.
 struct ParameterValue {
-    const Parameter* parameter;
+    KeptParameter parameter;
     double si;
 };
 

@@ -57,10 +57,10 @@ QuantityField::QuantityField(Quantity quantity, const Unit& unit, QWidget* paren
     if (unitsOf(quantity).size() > 1) createUnitButton(parent);
 }
 
-QuantityField::QuantityField(const Parameter& parameter, const UnitChoice& units, QWidget* parent)
-    : QuantityField(parameter.quantity, units.fieldUnit(parameter), parent) {
+QuantityField::QuantityField(const KeptParameter& parameter, const UnitChoice& units, QWidget* parent)
+    : QuantityField(parameter->quantity, units.fieldUnit(*parameter), parent) {
     connect(&units, &UnitChoice::changed, this,
-            [this, &parameter, &units] { setUnit(units.fieldUnit(parameter)); });
+            [this, parameter, &units] { setUnit(units.fieldUnit(*parameter)); });
 }
 
 QuantityField::~QuantityField() {

@@ -10,6 +10,7 @@
 #include <functional>
 #include <optional>
 
+#include "core/model/kept_parameter.h"
 #include "core/text/units.h"
 
 class QAction;
@@ -31,7 +32,7 @@ class QuantityField : public QAbstractSpinBox {
     QuantityField(Quantity quantity, const Unit& unit, QWidget* parent = nullptr);
     /// Of values of a parameter, in the unit that its fields have, and follows that. The units must outlive
     /// it.
-    QuantityField(const Parameter& parameter, const UnitChoice& units, QWidget* parent = nullptr);
+    QuantityField(const KeptParameter& parameter, const UnitChoice& units, QWidget* parent = nullptr);
     ~QuantityField() override;
 
     /// The value in SI; nothing where an optional quantity is not given.

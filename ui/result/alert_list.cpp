@@ -16,7 +16,7 @@ namespace {
 constexpr std::chrono::milliseconds shorterListRest{1500};
 
 QString fieldName(std::string_view key) {
-    const Parameter* parameter = findParameter(key);
+    const KeptParameter parameter = findParameter(key);
     return fromView(parameter ? parameter->label : key);
 }
 

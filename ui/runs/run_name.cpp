@@ -59,7 +59,7 @@ QString changeWords(const Scenario& before, const Scenario& after, const UnitCho
     if (before.pulse.shape != after.pulse.shape || !(before.pulse.tablePoints == after.pulse.tablePoints))
         changes << blowWords(after.pulse);
     const Scenario* const both[] = {&before, &after};
-    for (const Parameter* parameter : differingParameters(both))
+    for (const KeptParameter& parameter : differingParameters(both))
         if (parameter->applies(after)) changes << valueWords(*parameter, after, units);
     changes.removeDuplicates();  // of sections with one name
     if (changes.size() > mostChanges) changes = changes.mid(0, mostChanges) << QStringLiteral("…");

@@ -58,7 +58,7 @@ UnitChoice::UnitChoice()
         if (const Unit* unit = keptUnit(row.quantity, keyOf(row))) m_chosen[row.kind] = unit;
     for (const Parameter& parameter : parameters())
         if (const Unit* unit = keptUnit(parameter.quantity, keyOf(parameter.key)))
-            m_ofFields[parameter.key] = unit;
+            m_ofFields[std::string(parameter.key)] = unit;
 }
 
 const Unit& UnitChoice::fieldUnit(const Parameter& parameter) const {
@@ -110,13 +110,16 @@ void UnitChoice::choose(UnitKind kind, const Unit* unit) {
         settings.remove(keyOf(rowOf(kind)));
     }
     for (const Parameter& parameter : parameters())
-        if (kindOf(parameter) == kind && m_ofFields.erase(parameter.key) > 0)
+        if (const auto own = m_ofFields.find(parameter.key);
+            own != m_ofFields.end() && kindOf(parameter) == kind) {
+            m_ofFields.erase(own);
             settings.remove(keyOf(parameter.key));
+        }
     emit changed();
 }
 
 void UnitChoice::chooseForField(const Parameter& parameter, const Unit& unit) {
-    m_ofFields[parameter.key] = &unit;
+    m_ofFields[std::string(parameter.key)] = &unit;
     Settings().setValue(keyOf(parameter.key), fromView(unit.name));
 }
 

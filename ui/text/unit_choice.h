@@ -47,7 +47,7 @@ class UnitChoice : public QObject {
     UnitSystem m_system;
     UnitSystem m_physical;
     ChosenUnits m_chosen;
-    std::map<std::string_view, const Unit*> m_ofFields;  // by key of the parameter
+    std::map<std::string, const Unit*, std::less<>> m_ofFields;  // by key of the parameter
 };
 
 }  // namespace drillwave

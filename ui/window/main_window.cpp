@@ -312,7 +312,7 @@ void MainWindow::goToPlace(double section, double time) {
 
 // Numbers of sections are in the table of the page String, all others in the scenario.
 void MainWindow::goToParameter(const QString& key) {
-    const Parameter* parameter = findParameter(key.toStdString());
+    const KeptParameter parameter = findParameter(key.toStdString());
     if (!parameter || !parameter->address) return m_scenarioPanel->goTo(key);
     if (!isString(m_document.scenario())) return;
     m_pages->setCurrentWidget(m_stringPage);

@@ -17,8 +17,8 @@ namespace drillwave {
 struct SweepAxis {
     enum class Kind { linear, logarithmic, list, shapes };
 
-    const Parameter* parameter = nullptr;  ///< nullptr for pulse.shape
-    const Unit* unit = nullptr;            ///< of the column: as typed, SI where several were typed
+    KeptParameter parameter = {};  ///< none for pulse.shape
+    const Unit* unit = nullptr;    ///< of the column: as typed, SI where several were typed
     Kind kind = Kind::list;
     double start = 0;                ///< SI
     double stop = 0;                 ///< SI

@@ -32,17 +32,16 @@ std::string bare(std::string_view name) {
 }
 
 /// The key that is meant by a name that is almost it; empty when there is none.
-std::string_view meantKey(std::string_view name) {
+std::string meantKey(std::string_view name) {
     const std::string wanted = bare(name);
-    if (wanted == bare(pulseShapeKey)) return pulseShapeKey;
+    if (wanted == bare(pulseShapeKey)) return std::string(pulseShapeKey);
     const auto found =
         std::ranges::find_if(parameters(), [&](const Parameter& p) { return bare(p.key) == wanted; });
-    if (found != parameters().end()) return found->key;
+    if (found != parameters().end()) return std::string(found->key);
     // Of a section: names keep their blanks.
     std::string small(name);
     for (char& c : small) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-    const Parameter* ofSection = findParameter(small);
-    return ofSection ? ofSection->key : std::string_view();
+    return findParameter(small) ? small : std::string();
 }
 
 /// The character that holds keys together in one cell, as spreadsheets of some countries write it.
@@ -87,12 +86,12 @@ std::string misnamed(std::string_view cell, std::string_view name) {
     if (const auto separator = otherSeparator(cell)) return wrongSeparator(*separator);
     if (name == restrikeKey)
         return "`" + std::string(name) + "` is no number; give it with --set for all rows";
-    const std::string_view key = meantKey(name);
+    const std::string key = meantKey(name);
     if (const std::string_view group = groupOf(name); key.empty() && !group.empty())
         return misspelt(name, group);
     if (key.empty()) return {};
     const bool unitInParentheses = name.find('(') != std::string_view::npos;
-    return "`" + shortened(name) + "` is not a parameter; write `" + std::string(key) +
+    return "`" + shortened(name) + "` is not a parameter; write `" + key +
            (unitInParentheses ? "`, with its unit in square brackets" : "`") +
            ", or another name for a column that is only to be passed through";
 }

@@ -16,8 +16,8 @@ namespace drillwave {
 struct CaseColumn {
     std::string text;  ///< header cell as written
     enum class Kind { parameter, shape, other } kind = Kind::other;
-    const Parameter* parameter = nullptr;  ///< Kind::parameter
-    const Unit* unit = nullptr;            ///< of cells without one, from "rod.length [mm]"; may be nullptr
+    KeptParameter parameter = {};  ///< Kind::parameter
+    const Unit* unit = nullptr;    ///< of cells without one, from "rod.length [mm]"; may be nullptr
 
     std::string_view key() const;  ///< empty for other columns, which are passed through
 };

@@ -74,7 +74,8 @@ std::vector<std::string> TableRowAssigner::assignCells(const CsvRecord& row, int
 
 std::string TableRowAssigner::assignCell(const CaseColumn& column, const std::string& cell) {
     if (std::string problem = unitProblem(column, cell); !problem.empty()) return problem;
-    return assignText(m_scenario, column.key(), cell, column.unit);
+    return column.parameter ? assignText(m_scenario, *column.parameter, cell, column.unit)
+                            : assignText(m_scenario, column.key(), cell);
 }
 
 std::string TableRowAssigner::rivalText(const RivalPair& pair) const {

@@ -100,7 +100,7 @@ void TestAssignments::settingOneRivalUndoesTheOther() {
     // The table's own words, proved by what assigning does.
     int pairs = 0;
     for (const Parameter& parameter : parameters()) {
-        const Parameter* rival = findParameter(parameter.rules.rival);
+        const KeptParameter rival = findParameter(parameter.rules.rival);
         if (!rival) continue;
         ++pairs;
         Scenario scenario;

@@ -60,7 +60,7 @@ void TestParameter::everyKeyIsThereOnce() {
     std::set<std::string_view> keys;
     for (const Parameter& parameter : parameters()) {
         QVERIFY2(keys.insert(parameter.key).second, std::string(parameter.key).c_str());
-        QCOMPARE(findParameter(parameter.key), &parameter);
+        QCOMPARE(&*findParameter(parameter.key), &parameter);
     }
     for (const char* key : {"rod.length", "rod.bore", "pulse.impedance_ratio", "bit_rock.stiffness",
                             "drill.thrust", "beta", "gamma", "tau", "delta"})

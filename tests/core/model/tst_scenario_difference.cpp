@@ -11,7 +11,7 @@ namespace {
 
 QStringList keys(const std::vector<const Scenario*>& scenarios) {
     QStringList keys;
-    for (const Parameter* parameter : differingParameters(scenarios))
+    for (const KeptParameter& parameter : differingParameters(scenarios))
         keys << QString::fromUtf8(parameter->key.data(), qsizetype(parameter->key.size()));
     return keys;
 }

@@ -17,13 +17,14 @@ Scenario example(const char* name) {
     return parseScenario(findExample(name)->text, name).scenario;
 }
 
-std::vector<std::string_view> keysOf(const Scenario& scenario) {
-    std::vector<std::string_view> keys;
-    for (const Parameter* parameter : variableSectionParameters(scenario)) keys.push_back(parameter->key);
+std::vector<std::string> keysOf(const Scenario& scenario) {
+    std::vector<std::string> keys;
+    for (const KeptParameter& parameter : variableSectionParameters(scenario))
+        keys.emplace_back(parameter->key);
     return keys;
 }
 
-bool has(const std::vector<std::string_view>& keys, std::string_view key) {
+bool has(const std::vector<std::string>& keys, std::string_view key) {
     return std::ranges::find(keys, key) != keys.end();
 }
 
@@ -57,7 +58,7 @@ void TestSectionChoice::eachNumberIsThereOnceAndApplies() {
         const auto keys = keysOf(scenario);
         QVERIFY(keys.size() > 20);
         QCOMPARE(std::set(keys.begin(), keys.end()).size(), keys.size());
-        for (const Parameter* parameter : variableSectionParameters(scenario)) {
+        for (const KeptParameter& parameter : variableSectionParameters(scenario)) {
             QVERIFY(parameter->applies(scenario));
             QVERIFY2(parameter->value(scenario), std::string(parameter->key).c_str());
         }

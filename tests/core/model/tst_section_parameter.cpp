@@ -199,16 +199,16 @@ void TestSectionParameter::whatIsNotThereIsRefusedWithItsNeighbour() {
 }
 
 void TestSectionParameter::keysAreTheSameParameterFromEveryThread() {
-    std::vector<const Parameter*> found(8);
+    std::vector<KeptParameter> found(8);
     {
         std::vector<std::jthread> threads;
-        for (const Parameter*& each : found)
+        for (KeptParameter& each : found)
             threads.emplace_back([&each] {
                 for (int i = 1; i <= 200; ++i)
                     each = findParameter("string." + std::to_string(i) + ".density");
             });
     }
-    for (const Parameter* each : found) QCOMPARE(each, findParameter("string.200.density"));
+    for (const KeptParameter& each : found) QCOMPARE(each, findParameter("string.200.density"));
     QCOMPARE(QString::fromUtf8(found[0]->key.data()), QString("string.200.density"));
     QCOMPARE(QString::fromStdString(std::string(found[0]->label)), QString("density of section 200"));
     for (const char* key : {"string.rod", "string..length", "string.rod.name", "hammer.0.length",
@@ -292,9 +292,9 @@ void TestSectionParameter::placesAreThoseOfTheirOwnScenario() {
 
 void TestSectionParameter::everyNumberOfEverySectionIsListed() {
     const Scenario scenario = threeRods();
-    std::set<std::string_view> keys;
-    for (const Parameter* parameter : sectionParameters(scenario)) {
-        QVERIFY(keys.insert(parameter->key).second);
+    std::set<std::string, std::less<>> keys;
+    for (const KeptParameter& parameter : sectionParameters(scenario)) {
+        QVERIFY(keys.emplace(parameter->key).second);
         QVERIFY(parameter->applies(scenario) && parameter->value(scenario));
         QVERIFY(!parameter->label.empty() && !parameter->meaning.empty());
         QVERIFY(parameter->section() == "string" || parameter->section() == "hammer");
@@ -309,7 +309,7 @@ void TestSectionParameter::everyNumberOfEverySectionIsListed() {
     set(other, "string.5.length", "3 m");
     set(other, "hammer.velocity", "9 m/s");
     const Scenario* const both[] = {&scenario, &other};
-    const std::vector<const Parameter*> differing = differingParameters(both);
+    const std::vector<KeptParameter> differing = differingParameters(both);
     QCOMPARE(differing.size(), std::size_t(2));
     QVERIFY(differing[0]->key == "hammer.velocity" && differing[1]->key == "string.3.length");
 }
@@ -372,10 +372,10 @@ void TestSectionParameter::everyHardRangeIsHeld() {
     const Scenario base = threeRods();
     QVERIFY(validate(base).empty());
     int held = 0;
-    std::vector<const Parameter*> all = sectionParameters(base);
+    std::vector<KeptParameter> all = sectionParameters(base);
     for (const Parameter& parameter : parameters())
-        if (isGiven(parameter, base)) all.push_back(&parameter);
-    for (const Parameter* parameter : all) {
+        if (isGiven(parameter, base)) all.emplace_back(parameter);
+    for (const KeptParameter& parameter : all) {
         for (const double wrong : {parameter->hard.low - 1, std::nan(""), HUGE_VAL}) {
             Scenario scenario = base;
             parameter->assign(scenario, wrong);
@@ -429,8 +429,7 @@ void TestSectionParameter::implausibleSectionsAreRemarkedOn() {
     const auto keys = [&] {
         QStringList list;
         for (const Alert& alert : alertsFor(scenario))
-            if (alert.code == AlertCode::implausibleValue)
-                list << QString::fromStdString(std::string(alert.parameter));
+            if (alert.code == AlertCode::implausibleValue) list << QString::fromStdString(alert.parameter);
         return list;
     };
     QCOMPARE(keys(), QStringList());

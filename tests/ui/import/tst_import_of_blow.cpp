@@ -134,7 +134,7 @@ void TestImportOfBlow::theDialogFollowsTheRod() {
     QVERIFY(settle(dialog));
     const double before = dialog.result()->peak;
     Document& document = m_window->document();
-    const Parameter* stiffness = findParameter("rod.youngs_modulus");
+    const KeptParameter stiffness = findParameter("rod.youngs_modulus");
     document.assign(*stiffness, 2 * document.scenario().rod.youngsModulus, document.newGesture());
     QVERIFY(settle(dialog));
     QVERIFY(std::abs(dialog.result()->peak / before - 2) < 1e-6);

@@ -100,7 +100,7 @@ void TestShownUnits::fieldsHaveCustomaryUnits_data() {
 
 void TestShownUnits::fieldsHaveCustomaryUnits() {
     QFETCH(QString, key);
-    const Parameter* parameter = findParameter(key.toStdString());
+    const KeptParameter parameter = findParameter(key.toStdString());
     QVERIFY(parameter);
     QTEST(QString::fromStdString(std::string(customaryUnit(*parameter, UnitSystem::us).name)), "unit");
 }

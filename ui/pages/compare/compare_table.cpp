@@ -69,7 +69,7 @@ QString nameIn(const Parameter& parameter, const std::vector<const Scenario*>& s
 void addParameters(CompareTable& table, const Columns& columns, const UnitChoice& fields) {
     std::vector<const Scenario*> scenarios;
     for (const CompareColumn& each : columns) scenarios.push_back(each.scenario);
-    for (const Parameter* parameter : differingParameters(scenarios)) {
+    for (const KeptParameter& parameter : differingParameters(scenarios)) {
         const Unit& unit = fields.fieldUnit(*parameter);
         CompareRow row{.kind = CompareRow::Kind::parameter,
                        .name = nameIn(*parameter, scenarios),

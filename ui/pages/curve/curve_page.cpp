@@ -110,7 +110,7 @@ void CurvePage::varyGap() {
     const double d0 = hasUnits(scenario()) ? scalesOf(scenario()).penetration : 1;
     m_axis->present(scenario());
     m_axis->setRange(
-        {&gap, 0, readableNear(gap, std::max(blows * d0, 2 * gap.value(scenario()).value_or(0))), false});
+        {gap, 0, readableNear(gap, std::max(blows * d0, 2 * gap.value(scenario()).value_or(0))), false});
 }
 
 // The paper's curves and its family of elasticities are of uniform rods.
@@ -136,7 +136,7 @@ std::string CurvePage::axisText() const {
     return range.text() + ":" + std::to_string(range.pointsWithin(most)) + range.tail();
 }
 
-std::optional<double> CurvePage::hereOf(const Parameter* parameter) const {
+std::optional<double> CurvePage::hereOf(const KeptParameter& parameter) const {
     if (!parameter || !parameter->applies(scenario())) return std::nullopt;
     return parameter->value(scenario());
 }

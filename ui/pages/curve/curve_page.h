@@ -69,7 +69,7 @@ class CurvePage : public StudyPage {
     std::string axisText() const;
     Wish wish() const;
     StudyFamily askedFamily() const;
-    std::optional<double> hereOf(const Parameter* parameter) const;
+    std::optional<double> hereOf(const KeptParameter& parameter) const;
     /// Requires a study and a blow.
     Shown wanted() const;
     void refuse(const QString& problem);

@@ -35,7 +35,7 @@ double readable(double shown) {
 
 /// All there is of it.
 StudyRange wholeElasticity(const Parameter& gamma) {
-    return {&gamma, 0.01, 1, false};
+    return {gamma, 0.01, 1, false};
 }
 
 }  // namespace
@@ -127,9 +127,9 @@ MapStudy MapPage::study() const {
 // Of a parameter that the fields have chosen themselves: all there is of the elasticity, two periods of the
 // gap.
 void MapPage::offer(AxisFields& fields) {
-    const Parameter* before = fields.range().parameter;
+    const KeptParameter before = fields.range().parameter;
     fields.present(scenario());
-    const Parameter* parameter = fields.range().parameter;
+    const KeptParameter parameter = fields.range().parameter;
     if (!parameter || parameter == before) return;
     if (parameter->key.ends_with("gamma")) fields.setRange(wholeElasticity(*parameter));
     if (parameter->key == "delta") fields.setRange({parameter, 0, 2, false});

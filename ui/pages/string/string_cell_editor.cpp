@@ -13,10 +13,10 @@ namespace drillwave {
 namespace {
 
 // Why a document would not take the number.
-QString objection(const Document& document, const Parameter& parameter, double si) {
+QString objection(const Document& document, const KeptParameter& parameter, double si) {
     try {
         ScenarioDocument changed;
-        return document.contentsWith({{&parameter, si}}, changed);
+        return document.contentsWith({{parameter, si}}, changed);
     } catch (const ScenarioError& error) {
         return QString::fromUtf8(error.what());
     }
@@ -39,30 +39,30 @@ QWidget* StringCellEditor::createEditor(QWidget* parent, const QStyleOptionViewI
 }
 
 QWidget* StringCellEditor::newField(QWidget* parent, const QModelIndex& index) const {
-    const Parameter& parameter = *m_model.parameterAt(index);
-    const std::string ofColumn = "string.1." + std::string(parameter.address->field->key);
-    auto* field = new QuantityField(*findParameter(ofColumn), m_document.units(), parent);
+    const KeptParameter parameter = m_model.parameterAt(index);
+    auto* field =
+        new QuantityField(StringModel::ofColumn(parameter->address->field->key), m_document.units(), parent);
     field->setFrame(false);
     field->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    field->setAccessibleName(fromView(parameter.label));
-    field->setToolTip(fromView(parameter.meaning));
+    field->setAccessibleName(fromView(parameter->label));
+    field->setToolTip(fromView(parameter->meaning));
     field->setAutoFillBackground(true);
     if (field->unitButton()) field->unitButton()->hide();
-    if (mayBeMissing(*parameter.address->field)) field->setOptional(tr("not given"));
-    field->setTaker([this, &parameter](double si) { return objection(m_document, parameter, si); });
+    if (mayBeMissing(*parameter->address->field)) field->setOptional(tr("not given"));
+    field->setTaker([this, parameter](double si) { return objection(m_document, parameter, si); });
     auto* plate = new ProblemPlate(field);
     connect(field, &QObject::destroyed, plate, &QObject::deleteLater);
-    connect(field, &QuantityField::problemShown, plate, [plate, &parameter](const QString& problem) {
+    connect(field, &QuantityField::problemShown, plate, [plate, parameter](const QString& problem) {
         if (problem.isEmpty())
             plate->hide();
         else
-            plate->say(QStringLiteral("⚠ %1: %2").arg(fromView(parameter.label), problem));
+            plate->say(QStringLiteral("⚠ %1: %2").arg(fromView(parameter->label), problem));
     });
     return field;
 }
 
 void StringCellEditor::setEditorData(QWidget* editor, const QModelIndex& index) const {
-    const Parameter* parameter = m_model.parameterAt(index);
+    const KeptParameter parameter = m_model.parameterAt(index);
     auto* field = qobject_cast<QuantityField*>(editor);
     if (!field || !parameter) return QStyledItemDelegate::setEditorData(editor, index);
     field->setValue(parameter->value(m_document.scenario()));
@@ -89,7 +89,7 @@ void StringCellEditor::setModelData(QWidget* editor, QAbstractItemModel* model,
         emit leftOut(field->problem());
         return;
     }
-    const Parameter* parameter = m_model.parameterAt(index);
+    const KeptParameter parameter = m_model.parameterAt(index);
     const bool isNew =
         parameter && field->value() && field->value() != parameter->value(m_document.scenario());
     if (isNew) model->setData(index, *field->value());

@@ -36,7 +36,7 @@ std::optional<StringEnd> endOf(std::string_view name) {
 
 // "rod, 3660 × 39/14.5 mm".
 QString describe(const Section& section, const UnitChoice& units) {
-    const Unit& unit = units.fieldUnit(*findParameter("string.1.diameter"));
+    const Unit& unit = units.fieldUnit(*StringModel::ofColumn("diameter"));
     const auto sizeText = [&](double si) { return fieldText(si, Quantity::length, unit, QLocale()); };
     QString size = sizeText(section.length) + QStringLiteral(" × ") + sizeText(section.diameter);
     if (section.bore > 0) size += QLatin1Char('/') + sizeText(section.bore);

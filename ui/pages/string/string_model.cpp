@@ -56,11 +56,6 @@ bool isOfStringAlone(int column) {
     return column == StringModel::loss || column == StringModel::attenuation;
 }
 
-/// One unit for all rows of a column: that of the first section's field.
-const Unit& columnUnit(std::string_view field, const UnitChoice& units) {
-    return units.fieldUnit(*findParameter("string.1." + std::string(field)));
-}
-
 // The label of the parameter, in two lines where it is long.
 QString columnTitle(int column) {
     if (column == StringModel::massAfter) return StringModel::tr("mass\nbehind");
@@ -74,6 +69,10 @@ QString withUnit(const QString& words, const QString& unit) {
 }
 
 }  // namespace
+
+KeptParameter StringModel::ofColumn(std::string_view field) {
+    return findParameter(sectionKey(SectionAddress::Chain::string, 1, field));
+}
 
 StringModel::StringModel(Document& document, QObject* parent)
     : QAbstractTableModel(parent), m_document(document) {
@@ -116,13 +115,13 @@ bool StringModel::isUsed(int column) const {
            });
 }
 
-const Parameter* StringModel::parameterAt(const QModelIndex& index) const {
+KeptParameter StringModel::parameterAt(const QModelIndex& index) const {
     const std::string_view field = fieldKey(index.column());
     if (field.empty() || !index.isValid()) return nullptr;
     const StringRow& row = m_rows[static_cast<std::size_t>(index.row())];
     if (row.spot.inHammer && isOfStringAlone(index.column())) return nullptr;
     const auto chain = row.spot.inHammer ? SectionAddress::Chain::hammer : SectionAddress::Chain::string;
-    const Parameter* parameter = findParameter(sectionKey(chain, row.place) + "." + std::string(field));
+    KeptParameter parameter = findParameter(sectionKey(chain, row.place, field));
     return parameter && parameter->applies(m_document.scenario()) ? parameter : nullptr;
 }
 
@@ -143,8 +142,9 @@ Qt::ItemFlags StringModel::flags(const QModelIndex& index) const {
     Qt::ItemFlags flags = QAbstractTableModel::flags(index);
     if (!index.isValid()) return flags;
     const StringRow& row = m_rows[static_cast<std::size_t>(index.row())];
-    const bool editable = index.column() == repeat ? row.repeat.has_value()
-                                                   : index.column() == sectionName || parameterAt(index);
+    const bool editable = index.column() == repeat
+                              ? row.repeat.has_value()
+                              : index.column() == sectionName || bool(parameterAt(index));
     return editable ? flags | Qt::ItemIsEditable : flags;
 }
 
@@ -177,7 +177,7 @@ QVariant StringModel::shown(const QModelIndex& index) const {
     if (index.column() == repeat) return repeatCell(row);
     if (index.column() == sectionName) return row.name();
     if (index.column() >= compression) return resultCell(index.row(), index.column());
-    const Parameter* parameter = parameterAt(index);
+    const KeptParameter parameter = parameterAt(index);
     return parameter ? numberCell(row, *parameter) : none;
 }
 
@@ -188,7 +188,7 @@ QString StringModel::numberCell(const StringRow& /*row*/, const Parameter& param
     // Most sections have none of these.
     const bool isUsual = *si == 0 && (field == "loss" || field == "mass_after" || field == "attenuation");
     if (isUsual) return none;
-    return fieldText(*si, parameter.quantity, columnUnit(field, m_document.units()), QLocale());
+    return fieldText(*si, parameter.quantity, m_document.units().fieldUnit(*ofColumn(field)), QLocale());
 }
 
 // A bracket over the rows of the repeat, with its number at the first.
@@ -252,7 +252,7 @@ QString StringModel::toolTip(const QModelIndex& index) const {
         return after.size > 0 ? during + tr("\nof the waves that the blow leaves: %1").arg(text(after))
                               : during;
     }
-    if (const Parameter* parameter = parameterAt(index)) return fromView(parameter->meaning);
+    if (const KeptParameter parameter = parameterAt(index)) return fromView(parameter->meaning);
     if (isOfStringAlone(column)) return tr("The hammer loses nothing inside");
     return tr("The section is given by its cross-section, not by diameters");
 }
@@ -291,7 +291,7 @@ QVariant StringModel::headerData(int section, Qt::Orientation orientation, int r
             break;
     }
     return withUnit(columnTitle(section),
-                    shownUnitName(columnUnit(fieldKey(section), m_document.units()).name));
+                    shownUnitName(m_document.units().fieldUnit(*ofColumn(fieldKey(section))).name));
 }
 
 bool StringModel::setData(const QModelIndex& index, const QVariant& value, int role) {
@@ -301,7 +301,7 @@ bool StringModel::setData(const QModelIndex& index, const QVariant& value, int r
     if (role != Qt::EditRole || !(flags(index) & Qt::ItemIsEditable)) return false;
     const StringRow row = m_rows[static_cast<std::size_t>(index.row())];
     if (index.column() == sectionName) return rename(row, value.toString().trimmed());
-    const Parameter* parameter = parameterAt(index);
+    const KeptParameter parameter = parameterAt(index);
     if (!value.isValid() && parameter && parameter->address->field->clear) {
         m_document.clear(*parameter, m_document.newGesture());
         return told({});

@@ -39,6 +39,9 @@ class StringModel : public QAbstractTableModel {
         columns
     };
 
+    /// For whose units numbers of that key are shown, "bore", of whichever section.
+    static KeptParameter ofColumn(std::string_view field);
+
     /// The document must outlive the model.
     explicit StringModel(Document& document, QObject* parent = nullptr);
 
@@ -54,7 +57,7 @@ class StringModel : public QAbstractTableModel {
     const std::optional<StringResults>& results() const { return m_results; }
     const SolvedBlowPtr& blow() const { return m_blow; }
     /// The number that a cell is; nullptr where it is a word, a result, or nothing of that section.
-    const Parameter* parameterAt(const QModelIndex& index) const;
+    KeptParameter parameterAt(const QModelIndex& index) const;
     /// Stress, place and time of a peak as the results are shown: "362.2 MPa at 0.12 m, 3.28 ms".
     QString peakText(const RowPeak& peak) const;
     /// Where a spot is in the table; −1 where there is none.

@@ -82,7 +82,7 @@ void AxisFields::widen() {
 }
 
 void AxisFields::choose() {
-    if (const Parameter* parameter = chosenParameter(*m_parameters))
+    if (const KeptParameter parameter = chosenParameter(*m_parameters))
         setRange(rangeAround(*parameter, m_scenario));
 }
 
@@ -120,12 +120,12 @@ QuantityField* AxisFields::addField(QWidget& part, const QString& words, const Q
         before->widget()->deleteLater();
         delete before;
     }
-    const Parameter& parameter = *m_range.parameter;
+    const KeptParameter parameter = m_range.parameter;
     auto* row = new QWidget(&part);
     QHBoxLayout* layout = rowIn(*row);
     auto* field = new QuantityField(parameter, m_units, row);
     field->setObjectName(name);
-    field->setAccessibleName(QStringLiteral("%1: %2 %3").arg(m_words, parameterName(parameter), words));
+    field->setAccessibleName(QStringLiteral("%1: %2 %3").arg(m_words, parameterName(*parameter), words));
     field->setTaker([this, end](double si) { return take(end, si); });
     auto* label = new QLabel(words, row);
     label->setBuddy(field);

@@ -30,7 +30,7 @@ class AxisFields : public QWidget {
     /// Offers what applies to the scenario; takes a first choice, with a range around its value, or another
     /// one where the last does not apply any more. Tells changed() where the range has changed.
     void present(const Scenario& scenario);
-    /// Its parameter is nullptr before the first scenario.
+    /// Without a parameter before the first scenario.
     const StudyRange& range() const { return m_range; }
     /// Shows that range, and tells changed() where it is another one.
     void setRange(const StudyRange& range);

@@ -65,7 +65,7 @@ void FamilyFields::present(const Scenario& scenario) {
 void FamilyFields::setFamily(const StudyFamily& family) {
     m_chosen = true;
     chooseParameter(*m_parameters, family.parameter);
-    m_values->setEnabled(family.parameter);
+    m_values->setEnabled(bool(family.parameter));
     if (family == m_family) return;
     m_family = family;
     showValues();
@@ -74,7 +74,7 @@ void FamilyFields::setFamily(const StudyFamily& family) {
 
 // Around the present value, until others are typed.
 void FamilyFields::choose() {
-    const Parameter* parameter = chosenParameter(*m_parameters);
+    const KeptParameter parameter = chosenParameter(*m_parameters);
     if (!parameter) return setFamily({});
     const auto known = std::ranges::find(m_preferred, parameter, &StudyFamily::parameter);
     if (known != m_preferred.end()) return setFamily(*known);

@@ -25,7 +25,7 @@ QString parameterName(const Parameter& parameter) {
 
 void offerParameters(QComboBox& box, const Scenario& scenario) {
     const QSignalBlocker quiet(&box);
-    const Parameter* chosen = chosenParameter(box);
+    const KeptParameter chosen = chosenParameter(box);
     // Parameters, and the separators between them, which have no text.
     for (int i = box.count() - 1; i >= 0; --i)
         if (!box.itemData(i).toString().isEmpty() || box.itemText(i).isEmpty()) box.removeItem(i);
@@ -37,7 +37,7 @@ void offerParameters(QComboBox& box, const Scenario& scenario) {
     };
     for (const Parameter& parameter : parameters())
         if (parameter.applies(scenario)) offer(parameter, fromView(parameter.section()));
-    for (const Parameter* parameter : variableSectionParameters(scenario))
+    for (const KeptParameter& parameter : variableSectionParameters(scenario))
         offer(*parameter, sectionsOf(*parameter));
     // A number of a section may be asked for by another key than the one that is offered.
     if (chosen && chosen->applies(scenario) && box.findData(fromView(chosen->key)) < 0)
@@ -45,11 +45,11 @@ void offerParameters(QComboBox& box, const Scenario& scenario) {
     chooseParameter(box, chosen);
 }
 
-const Parameter* chosenParameter(const QComboBox& box) {
+KeptParameter chosenParameter(const QComboBox& box) {
     return findParameter(box.currentData().toString().toStdString());
 }
 
-void chooseParameter(QComboBox& box, const Parameter* parameter) {
+void chooseParameter(QComboBox& box, const KeptParameter& parameter) {
     const QSignalBlocker quiet(&box);
     const int found = parameter ? box.findData(fromView(parameter->key)) : -1;
     box.setCurrentIndex(found >= 0 ? found : 0);

@@ -17,10 +17,10 @@ QString parameterName(const Parameter& parameter);
 /// parameter; what is chosen stays chosen where it still applies. Tells nobody.
 void offerParameters(QComboBox& box, const Scenario& scenario);
 
-/// What is chosen; nullptr for none.
-const Parameter* chosenParameter(const QComboBox& box);
+/// What is chosen, or none.
+KeptParameter chosenParameter(const QComboBox& box);
 
-/// Chooses a parameter, or none by nullptr. Tells nobody.
-void chooseParameter(QComboBox& box, const Parameter* parameter);
+/// Chooses a parameter, or none. Tells nobody.
+void chooseParameter(QComboBox& box, const KeptParameter& parameter);
 
 }  // namespace drillwave

@@ -12,7 +12,7 @@ namespace {
 
 bool sets(const Preset& preset, const Parameter& parameter) {
     return std::ranges::any_of(preset.values, [&](const PresetValue& value) {
-        return value.parameter == &parameter || areRivals(value.parameter->key, parameter.key);
+        return areRivals(value.parameter->key, parameter.key);
     });
 }
 

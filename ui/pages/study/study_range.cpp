@@ -25,7 +25,7 @@ bool isValidAt(const Parameter& parameter, Scenario scenario, double si) {
 /// bore does not leave room for; what there is usually none of goes up to a tenth of what is plausible.
 StudyRange rangeAroundSection(const Parameter& parameter, const Scenario& scenario) {
     const double value = parameter.value(scenario).value_or(0);
-    if (!(value > 0)) return {&parameter, 0, parameter.plausible.high / 10, false};
+    if (!(value > 0)) return {parameter, 0, parameter.plausible.high / 10, false};
     const auto end = [&](double sign) {
         for (const double share : {0.5, 0.4, 0.3, 0.2, 0.1}) {
             const double si = readableNear(parameter, value * (1 + sign * share));
@@ -33,7 +33,7 @@ StudyRange rangeAroundSection(const Parameter& parameter, const Scenario& scenar
         }
         return value * (1 + sign / 100);
     };
-    return {&parameter, end(-1), end(1), false};
+    return {parameter, end(-1), end(1), false};
 }
 
 }  // namespace
@@ -59,7 +59,7 @@ StudyRange rangeAround(const Parameter& parameter, const Scenario& scenario) {
     const Range& usual = parameter.plausible;
     const double value = parameter.value(scenario).value_or(0);
     const bool logarithmic = parameter.slider == SliderScale::logarithmic;
-    StudyRange range{&parameter, usual.low, usual.high, logarithmic};
+    StudyRange range{parameter, usual.low, usual.high, logarithmic};
     if (value > 0) {
         range.start = logarithmic ? value / 10 : std::min(usual.low, value);
         range.stop = logarithmic ? value * 10 : value * 2;

@@ -13,7 +13,7 @@ namespace drillwave {
 
 /// A parameter from `start` to `stop` (SI), in even steps or in even ratios.
 struct StudyRange {
-    const Parameter* parameter = nullptr;
+    KeptParameter parameter = {};
     double start = 0;
     double stop = 0;
     bool logarithmic = false;
@@ -38,7 +38,7 @@ StudyRange rangeAround(const Parameter& parameter, const Scenario& scenario);
 
 /// A parameter with each of some values (SI).
 struct StudyFamily {
-    const Parameter* parameter = nullptr;  ///< nullptr for none
+    KeptParameter parameter = {};  ///< or none
     std::vector<double> values;
     bool operator==(const StudyFamily&) const = default;
 

@@ -17,24 +17,24 @@ MissingFields::MissingFields(const std::vector<std::string_view>& keys, const Un
     auto* layout = new FlowLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     for (const std::string_view key : keys) {
-        const Parameter& parameter = *findParameter(key);
-        auto* label = new QLabel(tr("enter the %1:").arg(parameterName(parameter)), this);
+        const KeptParameter parameter = findParameter(key);
+        auto* label = new QLabel(tr("enter the %1:").arg(parameterName(*parameter)), this);
         auto* field = new QuantityField(parameter, units, this);
         field->setObjectName(QStringLiteral("missing.") + fromView(key));
-        field->setAccessibleName(parameterName(parameter));
-        field->setToolTip(fromView(parameter.meaning));
+        field->setAccessibleName(parameterName(*parameter));
+        field->setToolTip(fromView(parameter->meaning));
         field->setOptional(tr("not given"));
         label->setBuddy(field);
         // A value is taken when it is complete: the first digit of it would already take the field away.
         field->setTaker(
-            [&parameter](double si) { return QString::fromStdString(rangeProblem(parameter, si)); });
-        connect(field, &QuantityField::editsEnded, this, [this, &parameter, field] {
-            if (field->value() && field->problem().isEmpty()) emit entered(&parameter, *field->value());
+            [parameter](double si) { return QString::fromStdString(rangeProblem(*parameter, si)); });
+        connect(field, &QuantityField::editsEnded, this, [this, parameter, field] {
+            if (field->value() && field->problem().isEmpty()) emit entered(parameter, *field->value());
         });
         for (QWidget* part : {static_cast<QWidget*>(label), static_cast<QWidget*>(field),
                               static_cast<QWidget*>(field->unitButton())})
             layout->addWidget(part);
-        m_fields.push_back({&parameter, label, field, field->unitButton()});
+        m_fields.push_back({parameter, label, field, field->unitButton()});
     }
     hide();  // until something is missing: a page keeps no room for it
 }

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/model/kept_parameter.h"
 #include "core/model/scenario.h"
 
 class QLabel;
@@ -14,7 +15,6 @@ namespace drillwave {
 
 class QuantityField;
 class UnitChoice;
-struct Parameter;
 
 /// A field for each of some optional parameters, shown while the scenario might have it and does not.
 class MissingFields : public QWidget {
@@ -29,11 +29,11 @@ class MissingFields : public QWidget {
 
   signals:
     /// The user has entered a value (SI) to the end.
-    void entered(const drillwave::Parameter* parameter, double si);
+    void entered(const drillwave::KeptParameter& parameter, double si);
 
   private:
     struct Field {
-        const Parameter* parameter;
+        KeptParameter parameter;
         QLabel* label;
         QuantityField* field;
         QWidget* unit;

@@ -52,7 +52,7 @@ ThrustPage::ThrustPage(Document& document, QWidget* parent)
     useFrame(*m_plot, tr("Needs of the thrust"));
     watch(m_study.job());
     connect(m_axis, &AxisFields::changed, this, &ThrustPage::askSoon);
-    connect(m_missing, &MissingFields::entered, this, [this](const Parameter* parameter, double si) {
+    connect(m_missing, &MissingFields::entered, this, [this](const KeptParameter& parameter, double si) {
         load({{parameter, si}});
     });
     connect(widget, &PlotWidget::clicked, this,

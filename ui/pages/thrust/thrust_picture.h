@@ -32,7 +32,7 @@ struct ThrustPicture {
 
     ThrustUnits units;
     QString along;  ///< name of the parameter
-    std::string_view key;
+    std::string key;
     bool isLogarithmic = false;
     double from = 0;  ///< ends of the parameter, from < to
     double to = 1;

@@ -72,7 +72,7 @@ Rows rowsOf(const std::string& csv) {
 void setCell(Scenario& scenario, const std::string& heading, const std::string& cell) {
     const std::size_t bracket = heading.find(" [");
     const std::string key = heading.substr(0, bracket);
-    const Parameter* parameter = findParameter(key);
+    const KeptParameter parameter = findParameter(key);
     if (parameter && !parameter->applies(scenario)) return;
     const std::string unit = bracket == std::string::npos
                                  ? std::string()

@@ -636,7 +636,7 @@ void TestCurvePage::rangesAroundSectionsAreOnesThatTheyCanTake() {
     for (const char* name : {"t38_string", "r32_string", "t51_string"}) {
         openExample(name);
         const Scenario& scenario = m_document->scenario();
-        for (const Parameter* parameter : variableSectionParameters(scenario)) {
+        for (const KeptParameter& parameter : variableSectionParameters(scenario)) {
             const StudyRange range = rangeAround(*parameter, scenario);
             QVERIFY2(range.start < range.stop, std::string(parameter->key).c_str());
             const double value = *parameter->value(scenario);

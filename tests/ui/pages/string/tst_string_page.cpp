@@ -691,7 +691,7 @@ void TestStringPage::switchingBetweenRodAndStringDoesNoHarm() {
                 const QList<QAction*>& actions = page().edits()->actions();
                 QAction* action = actions[random.bounded(int(actions.size()))];
                 if (action->isEnabled() && !action->menu()) action->trigger();
-                const std::vector<const Parameter*> numbers = sectionParameters(document().scenario());
+                const std::vector<KeptParameter> numbers = sectionParameters(document().scenario());
                 const Parameter& number = *numbers[std::size_t(random.bounded(int(numbers.size())))];
                 if (const auto si = number.value(document().scenario()))
                     document().assign(number, *si * (0.8 + 0.4 * random.generateDouble()),

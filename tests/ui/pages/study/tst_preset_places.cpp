@@ -14,8 +14,8 @@ Preset rock(const char* name, double stiffness, double gamma) {
             .name = name,
             .shape = {},
             .shapeSource = {},
-            .values = {{findParameter("bit_rock.stiffness"), stiffness, "assumed"},
-                       {findParameter("bit_rock.gamma"), gamma, "assumed"}}};
+            .values = {{&*findParameter("bit_rock.stiffness"), stiffness, "assumed"},
+                       {&*findParameter("bit_rock.gamma"), gamma, "assumed"}}};
 }
 
 const std::vector<Preset> rocks{rock("hard", 5e8, 0.2), rock("soft", 5e7, 0.1), rock("weak", 5e7, 0.3)};

@@ -65,7 +65,7 @@ void TestStudyControls::everyRangeAroundAValueCanBeVaried() {
 }
 
 void TestStudyControls::aRangeReadsBackAsTheSameDoubles() {
-    const Parameter* stiffness = findParameter("bit_rock.stiffness");
+    const KeptParameter stiffness = findParameter("bit_rock.stiffness");
     const StudyRange range{stiffness, 1.2345678901e7, 1e9 / 3, true};
     const ParsedAxis parsed = parseAxis(range.text() + ":7" + range.tail());
     QVERIFY2(parsed.problem.empty(), parsed.problem.c_str());
