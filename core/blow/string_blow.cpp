@@ -9,7 +9,7 @@
 
 #include "core/contact/bilinear_law.h"
 #include "core/model/scales.h"
-#include "core/model/section_parameter.h"
+#include "core/model/section_address.h"
 #include "core/model/section_pieces.h"
 #include "core/wave/problem.h"
 

@@ -9,7 +9,7 @@
 #include "core/model/parameter.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
-#include "core/model/section_parameter.h"
+#include "core/model/section_address.h"
 #include "core/text/enum_names.h"
 
 namespace drillwave {

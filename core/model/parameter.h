@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one table of parameters: scenario files, --set, sweep axes, CSV headers, form rows, tooltips and
-// messages all take keys, symbols, units, ranges and meanings from here (files §2).
+// A row of the one table of parameters: scenario files, --set, sweep axes, CSV headers, form rows, tooltips
+// and messages all take keys, symbols, units, ranges and meanings from here (files §2).
 #pragma once
 
 #include <concepts>
 #include <cstddef>
 #include <optional>
-#include <span>
 #include <string>
 #include <string_view>
 
 #include "core/model/kept_parameter.h"
+#include "core/model/parameter_table.h"
 #include "core/model/scenario.h"
 #include "core/text/units.h"
 
@@ -34,7 +34,7 @@ enum class SliderScale { linear, logarithmic };
 
 struct SectionAddress;
 
-/// A function of a scenario, for a parameter of a section also of which one (section_parameter.h).
+/// A function of a scenario, for a parameter of a section also of which one (section_address.h).
 template <class Result, class Scene, class... Values>
 class ParameterFunction {
   public:
@@ -129,12 +129,8 @@ struct Parameter {
 inline constexpr std::string_view pulseShapeKey = "pulse.shape";
 inline constexpr std::string_view restrikeKey = "hammer.restrike";
 
-/// All numeric parameters but those of sections, physical ones first, the groups last, in the order of
-/// scenario files.
-std::span<const Parameter> parameters();
-
 /// The parameter of that key, be it of the table, "string.repeat", or a number of a section
-/// ("string.adapter.length", "hammer.1.diameter", see section_parameter.h), whether there is such a section
+/// ("string.adapter.length", "hammer.1.diameter", see section_address.h), whether there is such a section
 /// or not; otherwise none. May be called from several threads.
 KeptParameter findParameter(std::string_view key);
 

@@ -2,14 +2,10 @@
 #include "core/model/section_parameter.h"
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <limits>
 #include <memory>
 
 #include "core/text/decimal_text.h"
-#include "core/text/name_text.h"
-#include "core/text/nearest_name.h"
 
 namespace drillwave {
 namespace {
@@ -17,53 +13,11 @@ namespace {
 using Chain = SectionAddress::Chain;
 
 constexpr std::string_view repeatKey = "string.repeat";
-constexpr std::size_t maximumNameBytes = 100;
-constexpr std::size_t maximumPlaceDigits = 9;
-
-bool isWholeNumber(std::string_view text) {
-    return !text.empty() && std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
-}
-
-/// A name whose blanks may be written `_`, which needs no quotes on a command line.
-std::string spoken(std::string_view name) {
-    std::string text(name);
-    std::ranges::replace(text, '_', ' ');
-    return text;
-}
-
-/// Calls `visit` with every section that the address names, and which of its chain it is in a file, from 0.
-template <class String, class Visit>
-void visitNumbered(const SectionAddress& address, String& drillString, const Visit& visit) {
-    std::size_t first = 0;  // of the list
-    const auto visitList = [&](auto& sections, std::uint64_t before, std::uint64_t repeat) {
-        const std::uint64_t count = sections.size();
-        for (std::uint64_t i = 0; i < count; ++i) {
-            const bool inside = address.place > before && address.place - before <= repeat * count;
-            const bool here = address.place == 0 ? spoken(sections[i].name) == spoken(address.name)
-                                                 : inside && (address.place - before - 1) % count == i;
-            if (here) visit(sections[i], first + i);
-        }
-        first += count;
-        return before + repeat * count;
-    };
-    if (address.chain == Chain::hammer) {
-        visitList(drillString.hammer.sections, 0, 1);
-        return;
-    }
-    std::uint64_t before = 0;
-    for (auto& part : drillString.parts)
-        before = visitList(part.sections, before, static_cast<std::uint64_t>(std::max(part.repeat, 0)));
-}
-
-template <class String, class Visit>
-void visitSections(const SectionAddress& address, String& drillString, const Visit& visit) {
-    visitNumbered(address, drillString, [&](auto& section, std::size_t) { visit(section); });
-}
 
 std::vector<std::size_t> numbersOf(const SectionAddress& address, const Scenario& scenario) {
     std::vector<std::size_t> numbers;
-    visitNumbered(address, scenario.drillString,
-                  [&](const Section&, std::size_t number) { numbers.push_back(number); });
+    visitNumberedSections(address, scenario.drillString,
+                          [&](const Section&, std::size_t number) { numbers.push_back(number); });
     return numbers;
 }
 
@@ -122,13 +76,6 @@ const Parameter& repeatParameter() {
     return parameter;
 }
 
-/// "adapter", "section 3", "hammer section 1".
-std::string wordsFor(const SectionAddress& address) {
-    const std::string_view hammer = address.chain == Chain::hammer ? "hammer " : "";
-    return std::string(hammer) +
-           (address.place == 0 ? spoken(address.name) : "section " + std::to_string(address.place));
-}
-
 /// A parameter with the texts it refers to.
 struct OwnedParameter {
     std::string key;
@@ -138,7 +85,7 @@ struct OwnedParameter {
 
     OwnedParameter(std::string_view itsKey, const SectionAddress& itsAddress)
         : key(itsKey),
-          label(std::string(itsAddress.field->label) + " of " + wordsFor(itsAddress)),
+          label(std::string(itsAddress.field->label) + " of " + itsAddress.words()),
           address(itsAddress),
           parameter{key,
                     label,
@@ -160,86 +107,14 @@ struct OwnedParameter {
     OwnedParameter& operator=(const OwnedParameter&) = delete;
 };
 
-/// The three pieces of "string.bit skirt.length".
-struct KeyPieces {
-    std::string_view chain, sections, field;
-};
-std::optional<KeyPieces> piecesOf(std::string_view key) {
-    const std::size_t first = key.find('.'), last = key.rfind('.');
-    if (first == last || last == first + 1) return std::nullopt;
-    return KeyPieces{key.substr(0, first), key.substr(first + 1, last - first - 1), key.substr(last + 1)};
-}
-
-std::optional<SectionAddress> addressOf(std::string_view key) {
-    const std::optional<KeyPieces> pieces = piecesOf(key);
-    if (!pieces || (pieces->chain != "string" && pieces->chain != "hammer")) return std::nullopt;
-    SectionAddress address;
-    address.chain = pieces->chain == "hammer" ? Chain::hammer : Chain::string;
-    address.field = findSectionField(pieces->field);
-    if (!address.field || pieces->sections.size() > maximumNameBytes) return std::nullopt;
-    if (!isWholeNumber(pieces->sections)) {
-        address.name = pieces->sections;
-        return address;
-    }
-    if (pieces->sections.size() > maximumPlaceDigits || pieces->sections.front() == '0') return std::nullopt;
-    std::from_chars(pieces->sections.data(), pieces->sections.data() + pieces->sections.size(),
-                    address.place);
-    return address;
-}
-
-std::vector<std::string_view> namesIn(const SectionAddress& address, const DrillString& drillString) {
-    std::vector<std::string_view> names;
-    const auto add = [&](const Section& section) {
-        if (!section.name.empty() && std::ranges::find(names, section.name) == names.end())
-            names.push_back(section.name);
-    };
-    if (address.chain == Chain::hammer)
-        for (const Section& section : drillString.hammer.sections) add(section);
-    else
-        for (const PlacedSection& placed : placedSections(drillString)) add(*placed.section);
-    return names;
-}
-
-std::string noSuchName(const SectionAddress& address, const DrillString& drillString) {
-    const std::vector<std::string_view> names = namesIn(address, drillString);
-    const std::string_view near = nearestName(spoken(address.name), names);
-    std::string list;
-    for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
-    const std::string chain = address.chain == Chain::hammer ? "hammer" : "string";
-    return "no section of the " + chain + " is called `" + shortened(address.name) + "`; " +
-           (!near.empty()  ? "did you mean `" + std::string(near) + "`?"
-            : list.empty() ? "its sections have no names, give a place: `" + chain + ".1." +
-                                 std::string(address.field->key) + "`"
-                           : "its names: " + shortened(list));
-}
-
-std::string noSuchPlace(const SectionAddress& address, const DrillString& drillString) {
-    const bool hammer = address.chain == Chain::hammer;
-    const std::uint64_t count = hammer ? drillString.hammer.sections.size() : sectionCount(drillString);
-    return std::string("the ") + (hammer ? "hammer" : "string") + " has only " + std::to_string(count) +
-           (count == 1 ? " section" : " sections");
-}
-
 }  // namespace
-
-bool SectionAddress::hasSameSections(const SectionAddress& other) const {
-    return chain == other.chain && place == other.place && spoken(name) == spoken(other.name);
-}
 
 KeptParameter findSectionParameter(std::string_view key) {
     if (key == repeatKey) return repeatParameter();
-    const std::optional<SectionAddress> address = addressOf(key);
+    const std::optional<SectionAddress> address = findSectionAddress(key);
     if (!address) return nullptr;
     const auto owned = std::make_shared<const OwnedParameter>(key, *address);
     return KeptParameter(std::shared_ptr<const Parameter>(owned, &owned->parameter));
-}
-
-std::string sectionKey(Chain chain, std::uint64_t place) {
-    return (chain == Chain::hammer ? "hammer." : "string.") + std::to_string(place);
-}
-
-std::string sectionKey(Chain chain, std::uint64_t place, std::string_view field) {
-    return sectionKey(chain, place) + "." + std::string(field);
 }
 
 bool hasSectionFor(const Parameter& parameter, const Scenario& scenario) {
@@ -282,22 +157,7 @@ std::string whyNoSection(const Parameter& parameter, const Scenario& scenario) {
     if (found && address.field->with == SectionField::With::area)
         return "goes with an area, and the section is given by its diameter";
     if (found) return "goes with a diameter, and the section is given by its area";
-    return address.place == 0 ? noSuchName(address, scenario.drillString)
-                              : noSuchPlace(address, scenario.drillString);
-}
-
-std::string nearestSectionKey(std::string_view key) {
-    const std::optional<KeyPieces> pieces = piecesOf(key);
-    if (!pieces) return {};
-    constexpr std::string_view chains[] = {"string", "hammer"};
-    std::vector<std::string_view> fields;
-    for (const SectionField& field : sectionFields()) fields.push_back(field.key);
-    const std::string_view chain = nearestName(pieces->chain, chains);
-    const std::string_view field = nearestName(pieces->field, fields);
-    if (chain.empty() || field.empty()) return {};
-    const std::string near =
-        std::string(chain) + "." + std::string(pieces->sections) + "." + std::string(field);
-    return near == key || !addressOf(near) ? std::string() : near;
+    return whyNoneThere(address, scenario.drillString);
 }
 
 std::vector<KeptParameter> sectionParameters(const Scenario& scenario) {
@@ -322,14 +182,6 @@ std::string sectionName(const Parameter& parameter, const Scenario& scenario) {
     visitSections(*parameter.address, scenario.drillString,
                   [&](const Section& section) { found = section.name; });
     return found;
-}
-
-std::string sectionNameProblem(std::string_view name) {
-    if (isWholeNumber(name)) return "must not be a whole number: numbers are the places of sections";
-    if (name != trimmed(name)) return "must not begin or end with a blank";
-    if (name.size() > maximumNameBytes)
-        return "must have at most " + std::to_string(maximumNameBytes) + " bytes";
-    return name.empty() ? std::string() : nameProblem(name);
 }
 
 }  // namespace drillwave

@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/parameter.h"
 #include "core/model/scales.h"
-#include "core/model/section_parameter.h"
+#include "core/model/section_address.h"
 #include "core/model/section_pieces.h"
 
 namespace drillwave {

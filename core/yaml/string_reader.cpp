@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "core/model/parameter.h"
 #include "core/model/parameter_text.h"
-#include "core/model/section_parameter.h"
+#include "core/model/section_address.h"
 
 namespace drillwave {
 namespace {

@@ -26,7 +26,7 @@ expect() {
     fi
 }
 
-sed -n 's/^ *Parameter{"\([^"]*\)",.*/\1/p' core/model/parameter.cpp | expect files.md parameter 25
+sed -n 's/^ *Parameter{"\([^"]*\)",.*/\1/p' core/model/parameter_table.cpp | expect files.md parameter 25
 sed -n 's/^ *SectionField{"\([^"]*\)",.*/\1/p' core/model/section_field.cpp | expect files.md section 11
 # "choose from all, cor, …": what a wrong one is answered with, whole and on one line.
 "$program" sweep paper_fig4a --vary beta=1:2:2 --outputs none_such -o - 2>&1 | sed -n 's/.*; choose from all, //p' | tr -d ',' |

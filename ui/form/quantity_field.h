@@ -18,7 +18,6 @@ class QAction;
 namespace drillwave {
 
 class UnitChoice;
-struct Parameter;
 
 /// Holds a double in SI that only an edit changes: showing it in another unit or with fewer digits does not.
 /// Text that cannot be taken stays as it is, marked with the reason, and the old value is kept.

@@ -2,7 +2,7 @@
 // Hammer and string: drawn to scale with the stresses of the blow, and as a table to be edited.
 #pragma once
 
-#include "core/model/section_parameter.h"
+#include "core/model/section_address.h"
 #include "ui/document/document.h"
 #include "ui/pages/page.h"
 
