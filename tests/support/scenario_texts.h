@@ -32,6 +32,27 @@ drill:                            # optional
   thrust: 8 kN                    # installed feed force
 )";
 
+/// The same values as the program writes them, some left out.
+inline constexpr const char* plainT38 = R"(drillwave: 1
+title: T38
+rod:
+  length: 3.66 m
+  diameter: 38 mm
+  bore: 14.5 mm
+  youngs_modulus: 210 GPa
+  density: 7850 kg/m^3
+pulse:
+  shape: rectangular
+  duration: 200 us
+  impulse: 51 N s
+bit_rock:
+  stiffness: 105 MN/m
+  gamma: 0.1
+  gap: 0 mm
+drill:
+  thrust: 8 kN
+)";
+
 inline constexpr const char* figure4b = R"(drillwave: 1
 title: Fig. 4 (b) of the paper
 dimensionless: {beta: 0.5, gamma: 0.1, tau: 10, delta: 0}

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "core/yaml/scenario_file.h"
+#include "tests/support/scenario_texts.h"
 
 using namespace drillwave;
 
@@ -13,34 +14,13 @@ namespace {
 
 using Kind = ScenarioError::Kind;
 
-const std::string good = R"(drillwave: 1
-title: T38
-rod:
-  length: 3.66 m
-  diameter: 38 mm
-  bore: 14.5 mm
-  youngs_modulus: 210 GPa
-  density: 7850 kg/m^3
-pulse:
-  shape: rectangular
-  duration: 200 us
-  impulse: 51 N s
-bit_rock:
-  stiffness: 105 MN/m
-  gamma: 0.1
-  gap: 0 mm
-drill:
-  thrust: 8 kN
-)";
+const std::string good = test::plainT38;
 
 const std::string groups = "drillwave: 1\ndimensionless: {beta: 0.5, gamma: 0.1, tau: 10, delta: 0}\n";
 
 /// The good file with one part exchanged.
 std::string with(const std::string& from, const std::string& to) {
-    std::string text = good;
-    const std::size_t at = text.find(from);
-    if (at == std::string::npos) throw std::logic_error("the good file does not hold " + from);
-    return text.replace(at, from.size(), to);
+    return test::replaced(good, from, to);
 }
 
 std::string repeated(const std::string& part, int times) {
