@@ -11,6 +11,7 @@
 #include "core/yaml/examples.h"
 #include "core/yaml/preset_file.h"
 #include "core/yaml/yaml_tree.h"
+#include "tests/support/scenario_texts.h"
 
 using namespace drillwave;
 
@@ -35,10 +36,7 @@ rocks:
 )";
 
 std::string with(const std::string& from, const std::string& to) {
-    std::string text = good;
-    const std::size_t at = text.find(from);
-    if (at == std::string::npos) throw std::logic_error("the good file does not hold " + from);
-    return text.replace(at, from.size(), to);
+    return test::replaced(good, from, to);
 }
 
 const Preset& preset(std::string_view name) {

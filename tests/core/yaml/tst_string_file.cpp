@@ -9,8 +9,10 @@
 #include "core/model/section_field.h"
 #include "core/yaml/scenario_file.h"
 #include "core/yaml/scenario_text.h"
+#include "tests/support/scenario_texts.h"
 
 using namespace drillwave;
+using test::replaced;
 
 namespace {
 
@@ -72,12 +74,6 @@ QStringList problemsOf(const std::string& text) {
         return lines;
     }
     return {};
-}
-
-std::string replaced(std::string text, const std::string& from, const std::string& to) {
-    const std::size_t at = text.find(from);
-    if (at == std::string::npos) throw std::logic_error("not there: " + from);
-    return text.replace(at, from.size(), to);
 }
 
 void compareText(const std::string& text, const std::string& expected) {
