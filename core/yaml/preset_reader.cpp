@@ -61,18 +61,11 @@ bool PresetReader::readFormat(const YamlNode& root) {
 }
 
 void PresetReader::readList(const YamlNode& list, const Section& section) {
-    m_names.clear();
-    if (list.kind == YamlKind::sequence)
-        for (const YamlNode& item : list.children) readPreset(item, section);
-    else if (list.kind != YamlKind::null)
-        m_reader.problems().reportKey(list.offset, section.list, "must be a list of presets, `- name: …`");
+    PresetList presets(m_reader, section.list);
+    presets.readItems(list, [&](const YamlNode& item) { readPreset(presets, item, section); });
 }
 
-void PresetReader::readPreset(const YamlNode& item, const Section& section) {
-    if (item.kind != YamlKind::map) {
-        m_reader.problems().reportKey(item.offset, section.list, "each preset must begin with `name: …`");
-        return;
-    }
+void PresetReader::readPreset(PresetList& list, const YamlNode& item, const Section& section) {
     std::vector<std::string_view> known{"name"};
     if (section.kind == PresetKind::hammer) known.push_back("shape");
     for (const Parameter& parameter : parameters())
@@ -85,29 +78,12 @@ void PresetReader::readPreset(const YamlNode& item, const Section& section) {
     m_reader.setPlace(section.section, item.offset);
     Preset preset;
     preset.kind = section.kind;
-    preset.name = readName(entries, item, section);
+    preset.name = list.nameOf(entries, item);
     readShape(preset, values, entries);
     readValues(preset, values, entries, section);
     requireKeys(preset, entries, item);
     checkPhysics(item, section);
     m_presets.push_back(std::move(preset));
-}
-
-std::string PresetReader::readName(const YamlEntries& entries, const YamlNode& item, const Section& section) {
-    const auto found = entries.find("name");
-    const std::string key = joinedKey(section.list, "name");
-    if (found == entries.end()) {
-        m_reader.problems().reportKey(item.offset, key, "is missing");
-        return {};
-    }
-    const YamlNode& value = *found->second.value;
-    if (value.kind != YamlKind::scalar || value.text.empty())
-        m_reader.problems().reportKey(found->second.place(), key, "must be text");
-    else if (const std::string problem = nameProblem(value.text); !problem.empty())
-        m_reader.problems().reportValue(value.offset, key, value.text, problem);
-    else if (!m_names.insert(value.text).second)
-        m_reader.problems().reportValue(value.offset, key, value.text, "is the name of another preset too");
-    return value.text;
 }
 
 /// The values without their sources, as a scenario would have them. Pairs that are none are reported.
@@ -194,11 +170,9 @@ void PresetReader::requireKeys(const Preset& preset, const YamlEntries& entries,
 void PresetReader::checkPhysics(const YamlNode& item, const Section& section) {
     if (!m_reader.problems().empty()) return;
     for (InputProblem& problem : validate(m_reader.scenario())) {
-        const TextPosition at =
-            m_reader.problems().position(m_reader.placeOf(problem.key).value_or(item.offset));
-        problem.line = at.line;
-        problem.column = at.column;
-        if (problem.key.starts_with(section.section)) m_reader.problems().report(std::move(problem));
+        if (!problem.key.starts_with(section.section)) continue;
+        const std::size_t place = m_reader.placeOf(problem.key).value_or(item.offset);
+        m_reader.problems().reportAt(place, std::move(problem));
     }
 }
 

@@ -2,13 +2,13 @@
 // From the tree of a YAML text to presets, with every problem and its place.
 #pragma once
 
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/model/preset.h"
 #include "core/model/section_preset.h"
+#include "core/yaml/preset_list.h"
 #include "core/yaml/section_reader.h"
 #include "core/yaml/yaml_tree.h"
 
@@ -29,8 +29,7 @@ class PresetReader {
 
     bool readFormat(const YamlNode& root);
     void readList(const YamlNode& list, const Section& section);
-    void readPreset(const YamlNode& item, const Section& section);
-    std::string readName(const YamlEntries& entries, const YamlNode& item, const Section& section);
+    void readPreset(PresetList& list, const YamlNode& item, const Section& section);
     YamlEntries valuesOf(const YamlEntries& entries, const Section& section);
     void readValues(Preset& preset, const YamlEntries& values, const YamlEntries& entries,
                     const Section& section);
@@ -41,7 +40,6 @@ class PresetReader {
     SectionReader m_reader;
     std::vector<Preset> m_presets;
     std::vector<SectionPreset> m_sectionPresets;
-    std::set<std::string> m_names;  // of the list being read
 };
 
 }  // namespace drillwave

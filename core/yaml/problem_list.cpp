@@ -28,6 +28,13 @@ void ProblemList::reportKey(std::size_t offset, std::string_view key, std::strin
     report({std::string(key), shortened(key) + " (" + std::string(reason) + ")", at.line, at.column});
 }
 
+void ProblemList::reportAt(std::size_t offset, InputProblem problem) {
+    const TextPosition at = position(offset);
+    problem.line = at.line;
+    problem.column = at.column;
+    report(std::move(problem));
+}
+
 void ProblemList::report(InputProblem problem) {
     m_keys.insert(problem.key);
     if (m_problems.size() < maximumProblems)

@@ -25,6 +25,8 @@ class ProblemList {
     void reportKey(std::size_t offset, std::string_view key, std::string_view reason);
     /// A problem as it is, its place being known already.
     void report(InputProblem problem);
+    /// A problem of what was read, at a byte of the text.
+    void reportAt(std::size_t offset, InputProblem problem);
 
     bool empty() const { return m_problems.empty(); }
     /// Line and column of a byte of the text.

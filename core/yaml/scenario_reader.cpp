@@ -164,10 +164,7 @@ void checkWhole(SectionReader& reader) {
         if (!clean && !isAboutTheFile(reader, problem)) continue;
         const std::optional<std::size_t> place =
             reader.placeOf(hasUnits(reader.scenario()) ? originOf(problem.key) : problem.key);
-        const TextPosition at = reader.problems().position(place.value_or(0));
-        problem.line = at.line;
-        problem.column = at.column;
-        reader.problems().report(std::move(problem));
+        reader.problems().reportAt(place.value_or(0), std::move(problem));
     }
 }
 

@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/yaml/section_preset_reader.h"
 
-#include <set>
-
 #include "core/model/parameter_text.h"
 #include "core/model/string_validation.h"
 #include "core/text/enum_names.h"
-#include "core/text/name_text.h"
+#include "core/yaml/preset_list.h"
 #include "core/yaml/string_reader.h"
 
 namespace drillwave {
@@ -20,55 +18,27 @@ constexpr EnumNames<SectionPresetKind> listNames{{{SectionPresetKind::piston, "p
 class ListReader {
   public:
     ListReader(SectionReader& reader, SectionPresetKind kind, std::string_view list)
-        : m_reader(reader), m_kind(kind), m_list(list) {}
+        : m_reader(reader), m_kind(kind), m_key(list), m_list(reader, list) {}
 
     std::vector<SectionPreset> read(const YamlNode& list) {
-        if (list.kind == YamlKind::sequence)
-            for (const YamlNode& item : list.children) readPreset(item);
-        else if (list.kind != YamlKind::null)
-            m_reader.problems().reportKey(list.offset, m_list, "must be a list of presets, `- name: …`");
+        m_list.readItems(list, [this](const YamlNode& item) { readPreset(item); });
         return std::move(m_presets);
     }
 
   private:
-    std::string key(std::string_view local) const { return joinedKey(m_list, local); }
+    std::string key(std::string_view local) const { return joinedKey(m_key, local); }
 
     void readPreset(const YamlNode& item) {
-        if (item.kind != YamlKind::map) {
-            m_reader.problems().reportKey(item.offset, m_list, "each preset must begin with `name: …`");
-            return;
-        }
         std::vector<std::string_view> known{"name", "source", "sections"};
         if (m_kind == SectionPresetKind::piston) known.push_back("velocity");
-        const YamlEntries entries = m_reader.entriesOf(item, m_list, known);
+        const YamlEntries entries = m_reader.entriesOf(item, m_key, known);
         SectionPreset preset;
         preset.kind = m_kind;
-        preset.name = readText(entries, item, "name");
-        if (!preset.name.empty() && !m_names.insert(preset.name).second)
-            m_reader.problems().reportValue(entries.at("name").place(), key("name"), preset.name,
-                                            "is the name of another preset too");
-        preset.source = readText(entries, item, "source");
+        preset.name = m_list.nameOf(entries, item);
+        preset.source = m_list.textOf(entries, item, "source", "is missing: `assumed` where there is none");
         readVelocity(preset, entries);
         readSectionsOf(preset, entries, item);
         m_presets.push_back(std::move(preset));
-    }
-
-    std::string readText(const YamlEntries& entries, const YamlNode& item, std::string_view local) {
-        const auto found = entries.find(local);
-        if (found == entries.end()) {
-            m_reader.problems().reportKey(
-                item.offset, key(local),
-                local == "source" ? "is missing: `assumed` where there is none" : "is missing");
-            return {};
-        }
-        const YamlNode& value = *found->second.value;
-        const bool isText = value.kind == YamlKind::scalar && !value.text.empty();
-        const std::string problem = isText ? nameProblem(value.text) : std::string();
-        if (!isText)
-            m_reader.problems().reportKey(found->second.place(), key(local), "must be text");
-        else if (!problem.empty())
-            m_reader.problems().reportValue(found->second.place(), key(local), value.text, problem);
-        return problem.empty() && isText ? value.text : std::string();
     }
 
     void readVelocity(SectionPreset& preset, const YamlEntries& entries) {
@@ -110,18 +80,15 @@ class ListReader {
             if (!problem.key.starts_with(prefix)) continue;
             if (problem.text.starts_with(prefix)) problem.text.replace(0, prefix.size(), key("sections"));
             problem.key.replace(0, prefix.size(), key("sections"));
-            const TextPosition at = m_reader.problems().position(place);
-            problem.line = at.line;
-            problem.column = at.column;
-            m_reader.problems().report(std::move(problem));
+            m_reader.problems().reportAt(place, std::move(problem));
         }
     }
 
     SectionReader& m_reader;
     SectionPresetKind m_kind;
-    std::string_view m_list;
+    std::string_view m_key;
+    PresetList m_list;
     std::vector<SectionPreset> m_presets;
-    std::set<std::string> m_names;
 };
 
 }  // namespace
