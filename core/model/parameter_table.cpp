@@ -8,6 +8,7 @@
 #include "core/model/parameter.h"
 #include "core/model/scales.h"
 #include "core/model/string_ranges.h"
+#include "core/model/usual_ranges.h"
 
 namespace drillwave {
 namespace {
@@ -118,17 +119,17 @@ constexpr std::array parameterTable{
               [](const S& s) { return Value(s.rod.bore); }, [](S& s, double v) { s.rod.bore = v; },
               {.presence = Presence::unusual, .rival = "rod.area"}},
     Parameter{"rod.youngs_modulus", "Young's modulus", "E", "Young's modulus of the rod; sets its wave speed with the density",
-              Quantity::stress, "GPa", positive, {60e9, 250e9}, linear, Scope::dimensional,
+              Quantity::stress, "GPa", positive, usual_ranges::modulus, linear, Scope::dimensional,
               [](const S& s) { return Value(s.rod.youngsModulus); }, [](S& s, double v) { s.rod.youngsModulus = v; }},
     Parameter{"rod.density", "density", "ρ", "Density of the rod",
-              Quantity::density, "kg/m^3", positive, {2500, 9000}, linear, Scope::dimensional,
+              Quantity::density, "kg/m^3", positive, usual_ranges::density, linear, Scope::dimensional,
               [](const S& s) { return Value(s.rod.density); }, [](S& s, double v) { s.rod.density = v; }},
     Parameter{"rod.yield_strength", "yield strength", "", "Stress up to which the rod is elastic; a blow that exceeds it raises a warning",
-              Quantity::stress, "MPa", positive, {200e6, 2000e6}, linear, Scope::dimensional,
+              Quantity::stress, "MPa", positive, usual_ranges::yieldStrength, linear, Scope::dimensional,
               [](const S& s) { return s.rod.yieldStrength; }, [](S& s, double v) { s.rod.yieldStrength = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.rod.yieldStrength.reset(); }}},
     Parameter{"rod.fatigue_strength", "fatigue strength", "", "Tensile stress that the rod bears in blow after blow; more raises a warning",
-              Quantity::stress, "MPa", positive, {50e6, 1500e6}, linear, Scope::dimensional,
+              Quantity::stress, "MPa", positive, usual_ranges::fatigueStrength, linear, Scope::dimensional,
               [](const S& s) { return s.rod.fatigueStrength; }, [](S& s, double v) { s.rod.fatigueStrength = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.rod.fatigueStrength.reset(); }}},
 
@@ -164,11 +165,11 @@ constexpr std::array parameterTable{
               [](const S& s) { return Value(s.pulse.piston.velocity); }, [](S& s, double v) { s.pulse.piston.velocity = v; },
               {.shortLabel = "velocity"}},
     Parameter{"pulse.youngs_modulus", "hammer Young's modulus", "", "Young's modulus of the elastic hammer, the rod's if not given",
-              Quantity::stress, "GPa", positive, {60e9, 250e9}, linear, Scope::pistonInSi,
+              Quantity::stress, "GPa", positive, usual_ranges::modulus, linear, Scope::pistonInSi,
               [](const S& s) { return s.pulse.piston.youngsModulus; }, [](S& s, double v) { s.pulse.piston.youngsModulus = v; },
               {.presence = Presence::optional, .shortLabel = "Young's modulus", .clear = [](S& s) { s.pulse.piston.youngsModulus.reset(); }}},
     Parameter{"pulse.density", "hammer density", "", "Density of the elastic hammer, the rod's if not given",
-              Quantity::density, "kg/m^3", positive, {2500, 9000}, linear, Scope::pistonInSi,
+              Quantity::density, "kg/m^3", positive, usual_ranges::density, linear, Scope::pistonInSi,
               [](const S& s) { return s.pulse.piston.density; }, [](S& s, double v) { s.pulse.piston.density = v; },
               {.presence = Presence::optional, .shortLabel = "density", .clear = [](S& s) { s.pulse.piston.density.reset(); }}},
     Parameter{"pulse.impedance_ratio", "impedance ratio", "", "Impedance of the elastic hammer over that of the rod",
@@ -176,11 +177,11 @@ constexpr std::array parameterTable{
               [](const S& s) { return Value(s.pulse.piston.impedanceRatio); }, [](S& s, double v) { s.pulse.piston.impedanceRatio = v; }},
 
     Parameter{"material.youngs_modulus", "Young's modulus", "E", "Young's modulus of every section that has none of its own",
-              Quantity::stress, "GPa", string_ranges::modulus, {60e9, 250e9}, linear, Scope::string,
+              Quantity::stress, "GPa", string_ranges::modulus, usual_ranges::modulus, linear, Scope::string,
               [](const S& s) { return Value(s.drillString.material.youngsModulus); }, [](S& s, double v) { s.drillString.material.youngsModulus = v; },
               {.presence = Presence::assumed}},
     Parameter{"material.density", "density", "ρ", "Density of every section that has none of its own",
-              Quantity::density, "kg/m^3", string_ranges::density, {2500, 9000}, linear, Scope::string,
+              Quantity::density, "kg/m^3", string_ranges::density, usual_ranges::density, linear, Scope::string,
               [](const S& s) { return Value(s.drillString.material.density); }, [](S& s, double v) { s.drillString.material.density = v; },
               {.presence = Presence::assumed}},
     Parameter{"hammer.velocity", "hammer velocity", "v0", "Velocity of the hammer when it strikes the string",

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "core/model/string_ranges.h"
+#include "core/model/usual_ranges.h"
 
 namespace drillwave {
 namespace {
@@ -49,11 +50,11 @@ constexpr std::array fieldTable{
                  [](const Section& s) { return s.area ? s.endArea : std::nullopt; }, [](Section& s, double v) { s.endArea = v; },
                  [](Section& s) { s.endArea.reset(); }, With::area},
     SectionField{"youngs_modulus", "Young's modulus", "E", "Young's modulus, that of the material if not given",
-                 Quantity::stress, "GPa", ranges::modulus, {60e9, 250e9}, linear, Presence::optional,
+                 Quantity::stress, "GPa", ranges::modulus, usual_ranges::modulus, linear, Presence::optional,
                  [](const Section& s) { return s.youngsModulus; }, [](Section& s, double v) { s.youngsModulus = v; },
                  [](Section& s) { s.youngsModulus.reset(); }},
     SectionField{"density", "density", "ρ", "Density, that of the material if not given",
-                 Quantity::density, "kg/m^3", ranges::density, {2500, 9000}, linear, Presence::optional,
+                 Quantity::density, "kg/m^3", ranges::density, usual_ranges::density, linear, Presence::optional,
                  [](const Section& s) { return s.density; }, [](Section& s, double v) { s.density = v; },
                  [](Section& s) { s.density.reset(); }},
     SectionField{"mass_after", "mass behind it", "M", "Mass lumped at the end towards the rock; of the last section of a string a mass of the bit",
@@ -66,11 +67,11 @@ constexpr std::array fieldTable{
                  Quantity::attenuation, "1/m", ranges::attenuation, {0, 0.1}, linear, Presence::unusual,
                  [](const Section& s) { return Value(s.attenuation); }, [](Section& s, double v) { s.attenuation = v; }},
     SectionField{"yield_strength", "yield strength", "", "Stress up to which the section is elastic; a blow that exceeds it raises a warning",
-                 Quantity::stress, "MPa", ranges::strength, {200e6, 2000e6}, linear, Presence::optional,
+                 Quantity::stress, "MPa", ranges::strength, usual_ranges::yieldStrength, linear, Presence::optional,
                  [](const Section& s) { return s.yieldStrength; }, [](Section& s, double v) { s.yieldStrength = v; },
                  [](Section& s) { s.yieldStrength.reset(); }},
     SectionField{"fatigue_strength", "fatigue strength", "", "Tensile stress that the section bears in blow after blow; more raises a warning",
-                 Quantity::stress, "MPa", ranges::strength, {50e6, 1500e6}, linear, Presence::optional,
+                 Quantity::stress, "MPa", ranges::strength, usual_ranges::fatigueStrength, linear, Presence::optional,
                  [](const Section& s) { return s.fatigueStrength; }, [](Section& s, double v) { s.fatigueStrength = v; },
                  [](Section& s) { s.fatigueStrength.reset(); }},
 };
