@@ -23,6 +23,7 @@ enum class Measure {
     error,        ///< a number of which only the size matters
     work,         ///< W0: a plain number in SI, too
     share,        ///< W, the work of the hammer: a plain number in SI, too
+    energy,       ///< such a share that in SI is told in J, and in columns as the share
     time,         ///< t0
     impulse,      ///< I0
     force,        ///< F0
@@ -37,6 +38,18 @@ enum class Measure {
 /// Under which heading the window lists an output.
 enum class OutputGroup { none, impact, energy, stress };
 
+/// Of which blows an output is a number at all, be it given or not.
+enum class OutputOf { anyBlow, uniformRod, drillString, hammer, elasticFaces };
+
+/// Where the work of the hammer goes, in the order of a bar; of a hammer that is followed, its energy.
+enum class EnergyPart {
+    rock,
+    rebound,
+    waves,   ///< left in the rod or the string
+    hammer,  ///< of a drill string: still in the hammer, moving and in waves
+    losses,  ///< of a drill string: in joints, on the way, and between the faces
+};
+
 /// What outputs are taken from: parts of a Blow.
 struct OutputSource {
     const ImpactSummary& summary;
@@ -50,22 +63,30 @@ struct Output {
     std::string_view meaning;  ///< one line
     Measure measure;
     Detail detail;  ///< what the solver must be asked for
-    /// In the measure; nothing where there is none: without the waves, or where problem() says why.
-    std::optional<double> (*value)(const OutputSource&);
+    /// Of what the output is of; without the waves nothing.
+    std::optional<double> (*number)(const OutputSource&);
+    std::string_view title;  ///< in reports: "peak force"
+    OutputOf of = OutputOf::anyBlow;
     OutputGroup group = OutputGroup::none;
-    std::string_view label = {};           ///< in the window: "peak force"
-    std::string_view note = {};            ///< there, what it is in a sentence without its end
+    std::string_view note = {};            ///< in the window, what it is in a sentence without its end
+    std::optional<EnergyPart> part = {};   ///< what it belongs to, or is
     RodForce RodForces::*force = nullptr;  ///< which one, where it is a largest force in the rod
-    /// problem(), for what not every scenario has.
+    /// problem(), for what not every blow of those has.
     std::string (*lack)(const Scenario&) = nullptr;
+    std::string_view shortTitle = {};  ///< in the window, where it is another one
 
     /// Why such a scenario has none and what to do; empty when it has.
     std::string problem(const Scenario& scenario) const;
+    /// In the measure; nothing where there is none: without the waves, or where problem() says why.
+    std::optional<double> value(const OutputSource& source) const {
+        return concerns(source.scenario) ? number(source) : std::nullopt;
+    }
     /// Whether it is a number of such scenarios at all, be it given or not: a uniform rod has no energy lost
     /// in joints.
     bool concerns(const Scenario& scenario) const;
-    bool isOnlySi() const;          ///< there is no dimensionless number
-    bool needsThrustStudy() const;  ///< whether OutputSource::thrustMargin must be there
+    std::string_view label() const;  ///< in the window: "peak force"; empty where it lists none
+    bool isOnlySi() const;           ///< there is no dimensionless number
+    bool needsThrustStudy() const;   ///< whether OutputSource::thrustMargin must be there
     /// `ratio` where SI is the same number.
     Quantity quantity() const;
     /// SI = value · scale.

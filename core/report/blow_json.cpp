@@ -31,20 +31,6 @@ JsonObject dimensionlessJson(const Blow& blow) {
     return object;
 }
 
-/// Energies, which are told in shares of that of the hammer: in SI [J].
-bool isEnergy(std::string_view output) {
-    constexpr std::string_view energies[] = {"rock_work",
-                                             "rebound_energy",
-                                             "residual_wave_energy",
-                                             "hammer_rebound_energy",
-                                             "hammer_wave_energy",
-                                             "string_energy",
-                                             "face_energy",
-                                             "joint_loss",
-                                             "rod_loss"};
-    return std::ranges::find(energies, output) != std::end(energies);
-}
-
 /// All that the scenario has, and the SI unit of each, "1" for what has none.
 void addSi(JsonObject& report, const Blow& blow) {
     JsonObject si, units;
@@ -53,7 +39,7 @@ void addSi(JsonObject& report, const Blow& blow) {
         std::optional<double> value = valueOf(blow, output);
         if (value) value = inSi(output, *value, blow);
         si[output.name] = numberJson(value);
-        units[output.name] = isEnergy(output.name) ? Json("J") : unitJson(output.quantity());
+        units[output.name] = output.measure == Measure::energy ? Json("J") : unitJson(output.quantity());
     }
     report["si"] = si;
     report["units"] = units;
@@ -136,8 +122,8 @@ JsonArray sectionsJson(const Blow& blow) {
 }  // namespace
 
 double inSi(const Output& output, double value, const Blow& blow) {
-    return value *
-           (isEnergy(output.name) ? blow.drivenEnergy() * blow.scales.energy : output.scale(blow.scales));
+    return value * (output.measure == Measure::energy ? blow.drivenEnergy() * blow.scales.energy
+                                                      : output.scale(blow.scales));
 }
 
 std::string blowJson(const Blow& blow, const std::string& scenarioText) {

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/report_numbers.h"
 
-#include <array>
 #include <cmath>
-#include <utility>
 
 #include "core/blow/outputs.h"
 #include "core/report/blow_json.h"
@@ -18,27 +16,6 @@ constexpr int reportDigits = 5;
 
 bool isDimensional(const Blow& blow) {
     return hasUnits(blow.scenario);
-}
-
-/// What a report calls those outputs that the window has no row for.
-std::string labelOf(const Output& output) {
-    constexpr auto own = std::to_array<std::pair<std::string_view, std::string_view>>({
-        {"cor", "restitution e"},
-        {"efficiency", "efficiency"},
-        {"momentum_residual", "error of the momentum balance"},
-        {"energy_residual", "error of the energy balance"},
-        {"cor_error", "bound on the error of e"},
-        {"thrust", "thrust needed by this blow"},
-        {"thrust_margin", "margin of the thrust at every gap"},
-        {"efficiency_error", "bound on the error of the efficiency"},
-        {"string_momentum", "momentum of the string to the rock"},
-        {"end_time", "followed to"},
-        {"efficiency_recovered", "rock and what the hammer takes back"},
-        {"string_energy", "all that the string keeps"},
-    });
-    for (const auto& [name, label] : own)
-        if (name == output.name) return std::string(label);
-    return std::string(output.label.empty() ? output.name : output.label);
 }
 
 /// What an output is a multiple of.
@@ -70,7 +47,7 @@ std::string multipleText(const Output& output, double value, const Blow& blow, c
                (isForced(blow.scenario) ? " % of W" : " % of E₀");
     if (output.measure == Measure::error) return style.bound(std::abs(value));
     // Shares are known to 1e-12: what is smaller is rounding.
-    if (output.measure == Measure::share)
+    if (output.measure == Measure::share || output.measure == Measure::energy)
         return style.number(std::abs(value) < 1e-12 ? 0 : 100 * value, reportDigits) +
                (isForced(blow.scenario) ? " % of W" : " % of E₀");
     return style.number(value, reportDigits) +
@@ -90,6 +67,7 @@ ReportCell siCell(const Output& output, double value, const Blow& blow, const Re
         case Measure::work:
             return energyCell(value, blow, style);
         case Measure::share:
+        case Measure::energy:
             return {energyCell(std::abs(value) < 1e-12 ? 0 : value * blow.drivenEnergy(), blow, style).text,
                     inSi(output, value, blow)};
         default:
@@ -167,7 +145,7 @@ std::vector<ReportRow> resultRows(const Blow& blow, const ReadingStyle& style) {
         if (!output.problem(blow.scenario).empty()) continue;
         const std::optional<double> value = output.value({blow.summary, blow.scenario, blow.thrustMargin()});
         if (!value) continue;
-        ReportRow row{std::string(output.name), labelOf(output), {}};
+        ReportRow row{std::string(output.name), std::string(output.title), {}};
         row.cells.push_back(output.isOnlySi() ? ReportCell()
                                               : ReportCell{multipleText(output, *value, blow, style), value});
         if (isDimensional(blow)) row.cells.push_back(siCell(output, *value, blow, style));

@@ -5,18 +5,11 @@
 #include <QWidget>
 #include <array>
 
-#include "core/blow/impact_summary.h"
+#include "core/blow/outputs.h"
 
 namespace drillwave {
 
-/// Where the work of the hammer goes, in the order of the bar; of a drill string, the energy of the hammer.
-enum class EnergyPart {
-    rock,
-    rebound,
-    waves,   ///< left in the rod or the string
-    hammer,  ///< of a drill string: still in the hammer, moving and in waves
-    losses,  ///< of a drill string: in joints, on the way, and between the faces
-};
+/// In the order of the bar.
 inline constexpr std::array energyParts{EnergyPart::rock, EnergyPart::rebound, EnergyPart::waves,
                                         EnergyPart::hammer, EnergyPart::losses};
 

@@ -53,6 +53,7 @@ QString outputText(const Output& output, const SolvedBlow& blow) {
         case Measure::work:
             return shown(value, blow.units.energy);
         case Measure::share:
+        case Measure::energy:
             return percent(value);
         default:
             return shown(value, outputUnit(output, blow.units, value));

@@ -11,6 +11,7 @@ ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size)
         case Measure::error:
         case Measure::work:
         case Measure::share:
+        case Measure::energy:
             return {};
         case Measure::time:
             return units.time;
@@ -43,7 +44,7 @@ std::optional<double> comparableNumber(const Output& output, const SolvedBlow& b
     if (!blow.fault.isEmpty()) return std::nullopt;
     const std::optional<double> value = output.value({blow.summary, blow.scenario, blow.thrustMargin()});
     if (!value || !std::isfinite(*value)) return std::nullopt;
-    if (output.measure == Measure::share) return 100 * *value;
+    if (output.measure == Measure::share || output.measure == Measure::energy) return 100 * *value;
     const bool isPlain = output.isOnlySi() || output.measure == Measure::number;
     if (isPlain || units == UnitSystem::dimensionless) return value;
     if (blow.scenario.form == ScenarioForm::dimensionless) return std::nullopt;

@@ -13,18 +13,6 @@
 namespace drillwave {
 namespace {
 
-// Its swatch in the bar of the energy.
-std::optional<EnergyPart> partOf(const Output& output) {
-    if (output.name == "rock_work") return EnergyPart::rock;
-    if (output.name == "rebound_energy") return EnergyPart::rebound;
-    if (output.name == "residual_wave_energy") return EnergyPart::waves;
-    if (output.name == "hammer_rebound_energy" || output.name == "hammer_wave_energy")
-        return EnergyPart::hammer;
-    if (output.name == "joint_loss" || output.name == "rod_loss" || output.name == "face_energy")
-        return EnergyPart::losses;
-    return std::nullopt;
-}
-
 QString labelWords(std::string_view text) {
     return tr(std::string(text).c_str());
 }
@@ -56,10 +44,10 @@ QList<ResultEntry> outputEntries(const std::function<bool(const Output&)>& wante
     for (const Output& output : outputs()) {
         if (output.group == OutputGroup::none || !wanted(output)) continue;
         const auto concerns = [&output](const Scenario& scenario) { return output.concerns(scenario); };
-        entries.append({.name = labelWords(output.label),
+        entries.append({.name = labelWords(output.label()),
                         .meaning = labelWords(output.note),
                         .text = textOf(output),
-                        .part = partOf(output),
+                        .part = output.part,
                         .number = numberOf(output),
                         .concerns = concerns,
                         .output = &output});

@@ -34,7 +34,8 @@ constexpr std::string_view notSmooth = "not smooth within the work permitted";
 constexpr std::string_view isRounding = "an error, which has no smooth course";
 
 bool isRatio(Measure measure) {
-    return measure == Measure::number || measure == Measure::share || measure == Measure::work;
+    return measure == Measure::number || measure == Measure::share || measure == Measure::energy ||
+           measure == Measure::work;
 }
 
 /// Leaves open what is too rough and too wide for a sliver around a kink.

@@ -189,7 +189,7 @@ void TestOutputs::theMarginNeedsAnInstalledThrust() {
 
 void TestOutputs::theWindowListsWhatHasAGroup() {
     for (const Output& output : outputs()) {
-        QCOMPARE(output.label.empty(), output.group == OutputGroup::none);
+        QCOMPARE(output.label().empty(), output.group == OutputGroup::none);
         QCOMPARE(output.note.empty(), output.group == OutputGroup::none);
         QCOMPARE(output.force != nullptr, output.measure == Measure::stress);
     }

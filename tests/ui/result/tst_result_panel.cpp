@@ -98,10 +98,10 @@ class TestResultPanel : public QObject {
         double sum = 0;
         int shares = 0;
         for (const Output& output : outputs()) {
-            const bool isShown = output.group == OutputGroup::energy && output.measure == Measure::share;
+            const bool isShown = output.group == OutputGroup::energy && output.measure == Measure::energy;
             if (!isShown || !output.concerns(blow->scenario)) continue;
             const QString text =
-                valueOf(panel, "Energy: " + QString::fromStdString(std::string(output.label)));
+                valueOf(panel, "Energy: " + QString::fromStdString(std::string(output.label())));
             QVERIFY2(text.endsWith(" %"), qPrintable(QString::fromStdString(std::string(output.name))));
             sum += text.chopped(2).toDouble();
             ++shares;

@@ -86,7 +86,8 @@ void addParameters(CompareTable& table, const Columns& columns, const UnitChoice
 
 /// From those numbers to the ones on show, whose scale `base` has.
 ShownUnit unitOf(const Output& output, const ShownUnits& units, const Scales& base, double size) {
-    if (output.measure == Measure::share) return {1, QStringLiteral("%"), false};
+    if (output.measure == Measure::share || output.measure == Measure::energy)
+        return {1, QStringLiteral("%"), false};
     if (output.measure == Measure::number) return {};
     ShownUnit unit = output.measure == Measure::work ? units.energy : outputUnit(output, units, size);
     if (output.isOnlySi() || unit.dimensionless) return unit;

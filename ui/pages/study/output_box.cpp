@@ -47,7 +47,7 @@ void OutputBox::setOutput(const Output& output) {
 
 QString outputName(const Output& output) {
     if (output.name == "cor") return OutputBox::tr("COR e");
-    if (!output.label.empty() && !output.label.starts_with("…")) return fromView(output.label);
+    if (!output.label().empty()) return fromView(output.label());
     return fromView(output.name).replace(QLatin1Char('_'), QLatin1Char(' '));
 }
 
