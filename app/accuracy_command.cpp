@@ -10,10 +10,8 @@
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
 #include "core/archive/result_scenario.h"
-#include "core/report/accuracy_json.h"
-#include "core/report/accuracy_text.h"
+#include "core/report/accuracy_report.h"
 #include "core/report/blow_csv.h"
-#include "core/report/string_accuracy_report.h"
 #include "core/text/decimal_text.h"
 #include "core/text/number_text.h"
 
@@ -64,14 +62,6 @@ void checkWork(const Arguments& arguments, const std::vector<int>& ladder) {
                            ", permits (half a minute is some 1e9); take fewer or permit more");
 }
 
-/// With progress on a terminal.
-Accuracy measure(const Scenario& scenario, const std::vector<int>& ladder, const Interruption& interruption) {
-    ShareBar bar;
-    Accuracy accuracy = measureAccuracy(scenario, ladder, interruption.token(), bar.progress());
-    interruption.check();
-    return accuracy;
-}
-
 /// What is written of a study: the CSV in place of its words or into a folder, with pictures.
 struct AccuracyFiles {
     std::string csv;
@@ -79,33 +69,30 @@ struct AccuracyFiles {
     std::vector<NamedFile> pictures;
 };
 
-AccuracyFiles filesOfRod(const Arguments& arguments, const std::string& path,
-                         const ScenarioDocument& document, const std::vector<int>& ladder,
-                         const StudyPlots& plots, const Drawing* drawing, const Interruption& interruption) {
-    const Accuracy accuracy = measure(document.scenario, ladder, interruption);
-    if (accuracy.exact.outcome != Outcome::rebounded)
-        throw CommandError(ExitCode::unsolvedOrFailed,
-                           path + ": could not be solved: " + accuracy.exact.reason);
-    return {accuracyCsv(accuracy),
-            arguments.has("json") ? accuracyJson(document.scenario, completeScenarioText(document), accuracy)
-                                  : accuracyText(document.scenario, accuracy),
-            plots.draw(&accuracy, drawing, interruption)};
-}
-
-AccuracyFiles filesOfString(const Arguments& arguments, const std::string& path,
-                            const ScenarioDocument& document, const StudyPlots& plots, const Drawing* drawing,
-                            const Interruption& interruption) {
+/// Measures with progress on a terminal.
+AccuracyFiles measure(const Arguments& arguments, const ScenarioDocument& document,
+                      const std::vector<int>& ladder, const StudyPlots& plots, const Drawing* drawing,
+                      const Interruption& interruption) {
+    const Scenario& scenario = document.scenario;
+    const auto told = [&](const auto& accuracy, bool isSolved, const std::string& reason) -> AccuracyFiles {
+        interruption.check();
+        if (!isSolved)
+            throw CommandError(ExitCode::unsolvedOrFailed,
+                               arguments.operands().front() + ": could not be solved: " + reason);
+        return {accuracyCsv(accuracy),
+                arguments.has("json") ? accuracyJson(scenario, completeScenarioText(document), accuracy)
+                                      : accuracyText(scenario, accuracy),
+                plots.draw(&accuracy, drawing, interruption)};
+    };
     ShareBar bar;
-    const StringAccuracy accuracy =
-        measureStringAccuracy(document.scenario, interruption.token(),
-                              [&](const StringAccuracy&, double done) { bar.progress()(done); });
-    interruption.check();
-    if (!accuracy.reason.empty())
-        throw CommandError(ExitCode::unsolvedOrFailed, path + ": could not be solved: " + accuracy.reason);
-    return {stringAccuracyCsv(accuracy),
-            arguments.has("json") ? stringAccuracyJson(completeScenarioText(document), accuracy)
-                                  : stringAccuracyText(document.scenario, accuracy),
-            plots.draw(&accuracy, drawing, interruption)};
+    if (isString(scenario)) {
+        const StringAccuracy accuracy =
+            measureStringAccuracy(scenario, interruption.token(),
+                                  [&](const StringAccuracy&, double done) { bar.progress()(done); });
+        return told(accuracy, accuracy.reason.empty(), accuracy.reason);
+    }
+    const Accuracy accuracy = measureAccuracy(scenario, ladder, interruption.token(), bar.progress());
+    return told(accuracy, accuracy.exact.outcome == Outcome::rebounded, accuracy.exact.reason);
 }
 
 ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
@@ -131,9 +118,7 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
     checkStandardOutput();
     const Interruption interruption;
     remarkOnValues(document.scenario, path);
-    AccuracyFiles files = isString(document.scenario)
-                              ? filesOfString(arguments, path, document, plots, drawing, interruption)
-                              : filesOfRod(arguments, path, document, ladder, plots, drawing, interruption);
+    AccuracyFiles files = measure(arguments, document, ladder, plots, drawing, interruption);
     files.csv.insert(0, scenarioHeader(completeScenarioText(document)));
     if (directory == "-") {
         printText(files.csv);

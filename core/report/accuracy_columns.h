@@ -1,26 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The numbers of a row of the accuracy study, named once for its table, JSON and CSV.
+// The numbers of a row of the accuracy study, of a rod and of a drill string: once for table, JSON and CSV.
 #pragma once
 
 #include <array>
-#include <string>
 #include <string_view>
 
+#include "core/report/study_column.h"
 #include "core/study/proof/accuracy.h"
+#include "core/study/proof/string_accuracy.h"
 
 namespace drillwave {
 
-/// How a number is shown in the table.
-enum class NumberStyle { error, time, count, factor, order };
-
-struct AccuracyColumn {
-    std::string_view key;    ///< JSON key and CSV column
-    std::string_view title;  ///< in the table; empty: not in the table
-    NumberStyle style;
-    double (*value)(const AccuracyRow&);  ///< NaN: none
-};
-
-inline constexpr auto accuracyColumns = std::to_array<AccuracyColumn>({
+inline constexpr auto accuracyColumns = std::to_array<StudyColumn<AccuracyRow>>({
     {"error_cor", "error of e", NumberStyle::error, [](const AccuracyRow& r) { return r.corError; }},
     {"cor_error", "estimate", NumberStyle::error, [](const AccuracyRow& r) { return r.corEstimate; }},
     {"order", "order", NumberStyle::order, [](const AccuracyRow& r) { return r.observedOrder; }},
@@ -36,6 +27,18 @@ inline constexpr auto accuracyColumns = std::to_array<AccuracyColumn>({
     {"min_s", "minimum", NumberStyle::time, [](const AccuracyRow& r) { return r.time.least; }},
     {"runs", "runs", NumberStyle::count, [](const AccuracyRow& r) { return double(r.time.runs); }},
     {"speed", "speed", NumberStyle::factor, [](const AccuracyRow& r) { return r.speed; }},
+});
+
+inline constexpr auto stringAccuracyColumns = std::to_array<StudyColumn<StringAccuracyRow>>({
+    {"cell_s", "cell", NumberStyle::time, [](const StringAccuracyRow& r) { return r.cell; }},
+    {"error_efficiency", "error", NumberStyle::error, [](const StringAccuracyRow& r) { return r.error; }},
+    {"efficiency_error", "stated", NumberStyle::error, [](const StringAccuracyRow& r) { return r.stated; }},
+    {"error_impulse", "impulse", NumberStyle::error,
+     [](const StringAccuracyRow& r) { return r.impulseError; }},
+    {"cells", "cells x nodes", NumberStyle::count,
+     [](const StringAccuracyRow& r) { return double(r.cells); }},
+    {"median_s", "median", NumberStyle::time, [](const StringAccuracyRow& r) { return r.time.median; }},
+    {"min_s", "minimum", NumberStyle::time, [](const StringAccuracyRow& r) { return r.time.least; }},
 });
 
 /// "moved" or "ring"; empty for what is no lattice.

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 
+#include "core/report/study_column.h"
 #include "core/text/csv.h"
 #include "core/text/handy_text.h"
 #include "core/text/json.h"
@@ -16,26 +18,27 @@ namespace drillwave {
 
 namespace {
 
-/// A column of the CSV and a key of the JSON; no number where the check does not apply.
-struct StabilityColumn {
-    const char* name;
-    std::optional<double> (*value)(const StabilityRow&);
-};
+constexpr double none = std::numeric_limits<double>::quiet_NaN();  // where a check does not apply
 
-constexpr StabilityColumn stabilityColumns[] = {
-    {"cor", [](const StabilityRow& r) { return std::optional(r.cor); }},
-    {"cor_error", [](const StabilityRow& r) { return std::optional(r.corError); }},
-    {"pieces", [](const StabilityRow& r) { return std::optional(static_cast<double>(r.pieces)); }},
-    {"seconds", [](const StabilityRow& r) { return std::optional(r.seconds); }},
-    {"momentum_residual", [](const StabilityRow& r) { return std::optional(r.momentumResidual); }},
-    {"energy_residual", [](const StabilityRow& r) { return std::optional(r.energyResidual); }},
-    {"least_force", [](const StabilityRow& r) { return r.leastForce; }},
-    {"reach_after_end", [](const StabilityRow& r) { return r.reach; }},
-    {"change_over_1e-10", [](const StabilityRow& r) { return std::optional(r.change); }},
-    {"limit_distance", [](const StabilityRow& r) { return r.limitDistance; }},
-    {"lattice_distance", [](const StabilityRow& r) { return r.latticeDistance; }},
-    {"bound_distance", [](const StabilityRow& r) { return r.boundDistance; }},
-};
+/// Columns of the CSV and keys of the JSON.
+constexpr auto stabilityColumns = std::to_array<StudyColumn<StabilityRow>>({
+    {"cor", "", NumberStyle::error, [](const StabilityRow& r) { return r.cor; }},
+    {"cor_error", "", NumberStyle::error, [](const StabilityRow& r) { return r.corError; }},
+    {"pieces", "", NumberStyle::error, [](const StabilityRow& r) { return double(r.pieces); }},
+    {"seconds", "", NumberStyle::error, [](const StabilityRow& r) { return r.seconds; }},
+    {"momentum_residual", "", NumberStyle::error, [](const StabilityRow& r) { return r.momentumResidual; }},
+    {"energy_residual", "", NumberStyle::error, [](const StabilityRow& r) { return r.energyResidual; }},
+    {"least_force", "", NumberStyle::error,
+     [](const StabilityRow& r) { return r.leastForce.value_or(none); }},
+    {"reach_after_end", "", NumberStyle::error, [](const StabilityRow& r) { return r.reach.value_or(none); }},
+    {"change_over_1e-10", "", NumberStyle::error, [](const StabilityRow& r) { return r.change; }},
+    {"limit_distance", "", NumberStyle::error,
+     [](const StabilityRow& r) { return r.limitDistance.value_or(none); }},
+    {"lattice_distance", "", NumberStyle::error,
+     [](const StabilityRow& r) { return r.latticeDistance.value_or(none); }},
+    {"bound_distance", "", NumberStyle::error,
+     [](const StabilityRow& r) { return r.boundDistance.value_or(none); }},
+});
 
 std::string describe(const StabilityRow& row) {
     const Groups& g = row.stabilityCase.groups;
@@ -62,10 +65,7 @@ JsonObject jsonOf(const StabilityRow& row) {
                       {"solved", row.outcome == Outcome::rebounded},
                       {"passed", row.passed()},
                       {"failures", failuresOf(row)}};
-    for (const StabilityColumn& column : stabilityColumns) {
-        const std::optional<double> value = column.value(row);
-        object[column.name] = row.outcome == Outcome::rebounded ? Json(value) : Json();
-    }
+    addMembers(object, stabilityColumns, row, row.outcome == Outcome::rebounded);
     return object;
 }
 
@@ -192,16 +192,13 @@ std::string stabilityJson(const StabilityReport& report) {
 
 std::string stabilityCsv(const StabilityReport& report) {
     std::string csv = "case,pulse.shape,beta,gamma,tau,delta";
-    for (const StabilityColumn& column : stabilityColumns) csv += std::string(",") + column.name;
+    appendKeys(csv, stabilityColumns);
     csv += ",failures\n";
     for (const StabilityRow& row : report.rows) {
         const Groups& g = row.stabilityCase.groups;
         csv += csvCell(row.stabilityCase.name) + "," + std::string(name(row.stabilityCase.shape));
         for (const double group : {g.beta, g.gamma, g.tau, g.delta}) csv += "," + formatNumber(group);
-        for (const StabilityColumn& column : stabilityColumns) {
-            const std::optional<double> value = column.value(row);
-            csv += value && row.outcome == Outcome::rebounded ? "," + formatNumber(*value) : ",";
-        }
+        appendCells(csv, stabilityColumns, row, row.outcome == Outcome::rebounded);
         csv += "," + csvCell(failuresOf(row)) + "\n";
     }
     return csv;

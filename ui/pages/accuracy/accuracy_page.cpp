@@ -8,10 +8,9 @@
 #include <QVBoxLayout>
 
 #include "core/archive/result_scenario.h"
-#include "core/report/accuracy_json.h"
+#include "core/report/accuracy_report.h"
 #include "core/report/blow_csv.h"
 #include "core/report/stability_report.h"
-#include "core/report/string_accuracy_report.h"
 #include "ui/pages/accuracy/proof_picture.h"
 #include "ui/pages/accuracy/proof_plot.h"
 #include "ui/pages/accuracy/proof_table.h"
@@ -224,7 +223,7 @@ QByteArray AccuracyPage::csv() const {
     if (proof() == Proof::stability) return QByteArray::fromStdString(stabilityCsv(*m_stability));
     return QByteArray::fromStdString(
         scenarioHeader(completeScenarioText(document().contents())) +
-        (m_stringAccuracy ? stringAccuracyCsv(*m_stringAccuracy) : accuracyCsv(*m_accuracy)));
+        (m_stringAccuracy ? accuracyCsv(*m_stringAccuracy) : accuracyCsv(*m_accuracy)));
 }
 
 QStringList AccuracyPage::commandWords() const {

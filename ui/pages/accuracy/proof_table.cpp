@@ -7,7 +7,6 @@
 #include <numeric>
 
 #include "core/report/accuracy_columns.h"
-#include "core/report/string_accuracy_columns.h"
 #include "ui/pages/accuracy/proof_picture.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
@@ -33,9 +32,9 @@ QString numberCell(double value, NumberStyle style) {
 }
 
 // Those of the table of the command.
-std::vector<const AccuracyColumn*> shownColumns() {
-    std::vector<const AccuracyColumn*> columns;
-    for (const AccuracyColumn& column : accuracyColumns)
+std::vector<const StudyColumn<AccuracyRow>*> shownColumns() {
+    std::vector<const StudyColumn<AccuracyRow>*> columns;
+    for (const StudyColumn<AccuracyRow>& column : accuracyColumns)
         if (!column.title.empty()) columns.push_back(&column);
     return columns;
 }
@@ -90,14 +89,14 @@ void ProofTable::take(const QStringList& titles, std::vector<std::size_t> order,
 
 void ProofTable::present(std::shared_ptr<const Accuracy> accuracy) {
     QStringList titles{tr("method")};
-    for (const AccuracyColumn* column : shownColumns()) titles << fromView(column->title);
+    for (const StudyColumn<AccuracyRow>* column : shownColumns()) titles << fromView(column->title);
     const std::size_t rows = accuracy->rows.size();
     take(titles, numbered(rows), [accuracy, columns = shownColumns()](std::size_t i, int column) {
         const AccuracyRow& row = accuracy->rows[i];
         if (column == 0) return rowName(row);
         if (row.outcome != Outcome::rebounded)
             return column == 1 ? QString::fromStdString(row.reason) : QString();
-        const AccuracyColumn& shown = *columns[static_cast<std::size_t>(column - 1)];
+        const StudyColumn<AccuracyRow>& shown = *columns[static_cast<std::size_t>(column - 1)];
         // What follows from all rows is there when they are.
         const bool isMissing = !accuracy->isRelated && (shown.key == "order" || shown.key == "speed");
         return isMissing ? QStringLiteral("–") : numberCell(shown.value(row), shown.style);
@@ -106,12 +105,14 @@ void ProofTable::present(std::shared_ptr<const Accuracy> accuracy) {
 
 void ProofTable::present(std::shared_ptr<const StringAccuracy> accuracy) {
     QStringList titles{tr("method")};
-    for (const StringAccuracyColumn& column : stringAccuracyColumns) titles << fromView(column.title);
+    for (const StudyColumn<StringAccuracyRow>& column : stringAccuracyColumns)
+        titles << fromView(column.title);
     const std::size_t rows = accuracy->rows.size();
     take(titles, numbered(rows), [accuracy](std::size_t i, int column) {
         const StringAccuracyRow& row = accuracy->rows[i];
         if (column == 0) return rowName(row);
-        const StringAccuracyColumn& shown = stringAccuracyColumns[static_cast<std::size_t>(column - 1)];
+        const StudyColumn<StringAccuracyRow>& shown =
+            stringAccuracyColumns[static_cast<std::size_t>(column - 1)];
         return numberCell(shown.value(row), shown.style);
     });
 }

@@ -7,7 +7,6 @@
 #include <QTest>
 
 #include "core/report/accuracy_columns.h"
-#include "core/report/string_accuracy_columns.h"
 #include "tests/support/program.h"
 #include "ui/pages/accuracy/accuracy_page.h"
 #include "ui/pages/accuracy/proof_picture.h"
@@ -172,7 +171,7 @@ void TestAccuracyPage::theTableShowsTheColumnsOfTheCommand() {
     rows.present(std::make_shared<const Accuracy>(m_measured));
     QCOMPARE(rows.rowCount(), int(m_measured.rows.size()));
     int column = 1;
-    for (const AccuracyColumn& each : accuracyColumns) {
+    for (const auto& each : accuracyColumns) {
         if (each.title.empty()) continue;
         QCOMPARE(rows.headerData(column, Qt::Horizontal).toString().toStdString(), std::string(each.title));
         ++column;

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Error against run time, of a rod and of a drill string, told to people and to programs.
+#pragma once
+
+#include <string>
+
+#include "core/model/scenario.h"
+#include "core/study/proof/accuracy.h"
+#include "core/study/proof/string_accuracy.h"
+
+namespace drillwave {
+
+/// A table for people, with what its columns mean and what the checks show.
+std::string accuracyText(const Scenario& scenario, const Accuracy& accuracy);
+std::string accuracyText(const Scenario& scenario, const StringAccuracy& accuracy);
+
+/// One JSON object, with the text that gives the scenario again; numbers that there are none of are null.
+std::string accuracyJson(const Scenario& scenario, const std::string& scenarioText, const Accuracy& accuracy);
+std::string accuracyJson(const Scenario& scenario, const std::string& scenarioText,
+                         const StringAccuracy& accuracy);
+
+/// One row for each method and resolution; empty cells where there is no number.
+std::string accuracyCsv(const Accuracy& accuracy);
+std::string accuracyCsv(const StringAccuracy& accuracy);
+
+}  // namespace drillwave

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The columns of a table of a study, named once, and how its rows are written for people, as CSV and as JSON.
+#pragma once
+
+#include <cmath>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/text/json.h"
+#include "core/text/number_text.h"
+
+namespace drillwave {
+
+/// How a number is shown in the table.
+enum class NumberStyle { error, time, count, factor, order };
+
+/// For people; "-" for none.
+std::string shownNumber(double value, NumberStyle style);
+
+template <class Row>
+struct StudyColumn {
+    std::string_view key;    ///< JSON key and CSV column
+    std::string_view title;  ///< in a table for people; empty: not there
+    NumberStyle style;
+    double (*value)(const Row&);  ///< not a number: none
+};
+
+/// Behind the heading of what comes first.
+std::vector<std::string> withTitles(std::string first, const auto& columns) {
+    std::vector<std::string> titles{std::move(first)};
+    for (const auto& column : columns)
+        if (!column.title.empty()) titles.emplace_back(column.title);
+    return titles;
+}
+
+/// Behind what the row is called.
+std::vector<std::string> withCells(std::string first, const auto& columns, const auto& row) {
+    std::vector<std::string> cells{std::move(first)};
+    for (const auto& column : columns)
+        if (!column.title.empty()) cells.push_back(shownNumber(column.value(row), column.style));
+    return cells;
+}
+
+/// Each behind a comma.
+void appendKeys(std::string& csv, const auto& columns) {
+    for (const auto& column : columns) csv.append(",").append(column.key);
+}
+
+/// Likewise; empty where there is no number, as all are of what was not solved.
+void appendCells(std::string& csv, const auto& columns, const auto& row, bool isSolved = true) {
+    for (const auto& column : columns) {
+        csv += ',';
+        if (isSolved) appendNumber(csv, column.value(row));
+    }
+}
+
+/// Likewise; null.
+void addMembers(JsonObject& object, const auto& columns, const auto& row, bool isSolved = true) {
+    for (const auto& column : columns) object[column.key] = isSolved ? Json(column.value(row)) : Json();
+}
+
+}  // namespace drillwave
