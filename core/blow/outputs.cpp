@@ -34,26 +34,10 @@ Number number(const From& from) {
     return from.summary.*member;
 }
 
-bool isOneOf(OutputOf which, const Scenario& scenario) {
-    switch (which) {
-        case OutputOf::anyBlow:
-            return true;
-        case OutputOf::uniformRod:
-            return !isString(scenario);
-        case OutputOf::drillString:
-            return isString(scenario);
-        case OutputOf::hammer:
-            return !isForced(scenario);
-        case OutputOf::elasticFaces:
-            return !isForced(scenario) && scenario.drillString.hammer.faceStiffness;
-    }
-    return false;
-}
-
 /// Of a scenario that is none of them.
 std::string whyNone(OutputOf which, const Scenario& scenario) {
     if (which == OutputOf::uniformRod) return "only a uniform rod has it (`drillwave: 1`)";
-    if (!isOneOf(OutputOf::drillString, scenario)) return "only a drill string has it (`drillwave: 2`)";
+    if (!concerns(OutputOf::drillString, scenario)) return "only a drill string has it (`drillwave: 2`)";
     return isForced(scenario)
                ? "only a hammer of sections has it (`hammer`), this string is driven by a force"
                : "only faces with a stiffness have it (`hammer.face_stiffness`)";
@@ -200,13 +184,29 @@ constexpr auto outputTable = std::to_array<Output>({
 
 }  // namespace
 
+bool concerns(OutputOf which, const Scenario& scenario) {
+    switch (which) {
+        case OutputOf::anyBlow:
+            return true;
+        case OutputOf::uniformRod:
+            return !isString(scenario);
+        case OutputOf::drillString:
+            return isString(scenario);
+        case OutputOf::hammer:
+            return !isForced(scenario);
+        case OutputOf::elasticFaces:
+            return !isForced(scenario) && scenario.drillString.hammer.faceStiffness;
+    }
+    return false;
+}
+
 std::string Output::problem(const Scenario& scenario) const {
     if (!concerns(scenario)) return whyNone(of, scenario);
     return lack ? lack(scenario) : std::string();
 }
 
 bool Output::concerns(const Scenario& scenario) const {
-    return isOneOf(of, scenario);
+    return drillwave::concerns(of, scenario);
 }
 
 std::string_view Output::label() const {

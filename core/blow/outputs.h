@@ -40,6 +40,7 @@ enum class OutputGroup { none, impact, energy, stress };
 
 /// Of which blows an output is a number at all, be it given or not.
 enum class OutputOf { anyBlow, uniformRod, drillString, hammer, elasticFaces };
+bool concerns(OutputOf which, const Scenario& scenario);
 
 /// Where the work of the hammer goes, in the order of a bar; of a hammer that is followed, its energy.
 enum class EnergyPart {

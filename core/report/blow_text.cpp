@@ -1,72 +1,110 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/blow_text.h"
 
+#include <array>
 #include <cmath>
 #include <optional>
+#include <string_view>
+#include <vector>
 
 #include "core/blow/outputs.h"
 #include "core/report/alert_words.h"
 #include "core/report/feed_words.h"
 #include "core/report/report_numbers.h"
 #include "core/report/report_text.h"
-#include "core/report/string_text.h"
+#include "core/report/section_grid.h"
 #include "core/text/number_text.h"
 
 namespace drillwave {
 
 namespace {
 
-/// One line of results: what is multiplied with the scale is also given in SI.
-class ResultRows {
-  public:
-    explicit ResultRows(const Scenario& scenario) : m_dimensional(hasUnits(scenario)) {}
-
-    void add(const char* label, double value, const char* unit, double scale, Quantity quantity) {
-        const std::string shown = rounded(value) + " " + unit;
-        if (m_dimensional)
-            m_grid.add({label, shown, inHandyUnit(value * scale, quantity)});
-        else
-            m_grid.add({label, shown});
-    }
-    /// The same with where and when.
-    void add(const char* label, const RodForce& force, const Blow& blow) {
-        std::vector<std::string> cells{label, rounded(force.size) + " F0/A"};
-        if (m_dimensional) cells.push_back(inHandyUnit(force.size * blow.scales.stress, Quantity::stress));
-        if (force.size > 0) cells.push_back(placeText(force, blow));
-        m_grid.add(std::move(cells));
-    }
-    void addText(const char* label, std::string text) { m_grid.add({label, std::move(text)}); }
-    std::string text() const { return m_grid.text(); }
-
-  private:
-    bool m_dimensional;
-    TextGrid m_grid{CellAlignment::left};
+/// A line of the summary: an output under the words of the summary.
+struct SummaryLine {
+    std::string_view output;
+    std::string_view label;
+    OutputOf of = OutputOf::anyBlow;
+    std::string_view remark = {};  ///< behind the number; of multiples what they are of
+    bool afterContact = false;     ///< only where bit and rock have met
 };
 
-/// Shares of the energy are known to 1e-12: what is smaller is rounding.
-double share(double fraction) {
-    return std::abs(fraction) < 1e-12 ? 0 : fraction;
+/// Of uniform rods as multiples and in SI, of drill strings in SI alone; what comes before and behind them is
+/// added by hand.
+constexpr auto summaryLines = std::to_array<SummaryLine>({
+    {"efficiency_recovered", "  and what the hammer takes back", OutputOf::hammer},
+    {"rock_work", "work on the rock", OutputOf::drillString},
+    {"impulse", "impulse 1 + e", OutputOf::uniformRod},
+    {"impulse", "impulse on the rock", OutputOf::drillString, "of the hammer's"},
+    {"cor", "restitution e of the string", OutputOf::drillString},
+    {"peak_force", "peak force", OutputOf::uniformRod},
+    {"peak_force", "peak force on the rock", OutputOf::drillString},
+    {"max_penetration", "largest penetration"},
+    {"residual_penetration", "residual penetration", OutputOf::uniformRod},
+    {"residual_penetration", "penetration that stays", OutputOf::drillString},
+    {"peak_compression", "largest compression", OutputOf::uniformRod},
+    {"peak_tension", "largest tension", OutputOf::uniformRod},
+    {"peak_compression_after", "  compression after", OutputOf::uniformRod},
+    {"peak_tension_after", "  tension after", OutputOf::uniformRod},
+    {"percussion_power", "percussion power", OutputOf::uniformRod},
+    {"penetration_rate", "penetration rate", OutputOf::uniformRod, "at most "},
+    {"first_contact_time", "first contact", OutputOf::anyBlow, "", true},
+    {"separation_time", "last separation", OutputOf::anyBlow, "", true},
+    {"contact_duration", "time in contact", OutputOf::anyBlow, "", true},
+    {"piston_separation_time", "hammer leaves", OutputOf::hammer},
+    {"hammer_rebound_velocity", "hammer rebound", OutputOf::hammer, "away from the rock"},
+    {"work_ratio", "hammer work W", OutputOf::uniformRod},
+    {"rock_work", "  in the rock", OutputOf::uniformRod},
+    {"rebound_energy", "  in the rebound", OutputOf::uniformRod},
+    {"residual_wave_energy", "  in waves", OutputOf::uniformRod},
+});
+
+int digitsOf(const Blow& blow) {
+    return blow.isOfString() ? 5 : 6;
 }
 
-void addStresses(ResultRows& rows, const Blow& blow) {
-    if (!blow.summary.rodForces) return;
-    const RodForces& forces = *blow.summary.rodForces;
-    rows.add("largest compression", forces.compression, blow);
-    rows.add("largest tension", forces.tension, blow);
-    rows.add("  compression after", forces.compressionAfter, blow);
-    rows.add("  tension after", forces.tensionAfter, blow);
+/// As a multiple, in SI, and of a largest stress where and when.
+std::vector<std::string> cellsOfRod(const SummaryLine& line, const Output& output, double value,
+                                    const Blow& blow) {
+    std::vector<std::string> cells{std::string(line.label)};
+    if (output.isOnlySi()) {
+        cells.push_back(std::string(line.remark) + inHandyUnit(value, output.quantity(), 4));
+        return cells;
+    }
+    cells.push_back(rounded(value) + " " + std::string(multipleName(output.measure, blow.scenario)));
+    if (hasUnits(blow.scenario)) cells.push_back(siText(output, value, blow, plainStyle(), digitsOf(blow)));
+    if (output.force && value > 0) cells.push_back(placeText((*blow.summary.rodForces).*output.force, blow));
+    return cells;
 }
 
-/// What there is where blows have a frequency.
-void addRate(ResultRows& rows, const Blow& blow) {
-    const auto add = [&](const char* label, const char* name, const char* bound) {
-        const Output& output = *findOutput(name);
-        if (!output.problem(blow.scenario).empty()) return;
-        if (const auto value = output.value({blow.summary, blow.scenario}))
-            rows.addText(label, bound + inHandyUnit(*value, output.quantity(), 4));
-    };
-    add("percussion power", "percussion_power", "");
-    add("penetration rate", "penetration_rate", "at most ");
+/// In SI where there is a unit; empty where there is no such time.
+std::vector<std::string> cellsOfString(const SummaryLine& line, const Output& output, double value,
+                                       const Blow& blow) {
+    if (output.measure == Measure::time && std::isnan(value)) return {};
+    const bool isPlain = output.measure == Measure::number || output.measure == Measure::share;
+    std::vector<std::string> cells{std::string(line.label),
+                                   isPlain ? rounded(value) : siText(output, value, blow)};
+    const std::string remark(isForced(blow.scenario) && output.measure == Measure::impulse ? "of the force's"
+                                                                                           : line.remark);
+    if (output.measure == Measure::impulse)
+        cells.push_back(rounded(value) + " " + remark);
+    else if (!remark.empty())
+        cells.push_back(remark);
+    return cells;
+}
+
+void addSummary(TextGrid& grid, const Blow& blow) {
+    for (const SummaryLine& line : summaryLines) {
+        if (!concerns(line.of, blow.scenario)) continue;
+        const Output& output = *findOutput(line.output);
+        if (!output.problem(blow.scenario).empty()) continue;
+        const std::optional<double> value = output.value({blow.summary, blow.scenario});
+        if (!value) continue;
+        if (!blow.isOfString())
+            grid.add(cellsOfRod(line, output, shareOrZero(output, *value), blow));
+        else if (!line.afterContact || blow.summary.contacts > 0)
+            if (std::vector<std::string> cells = cellsOfString(line, output, *value, blow); !cells.empty())
+                grid.add(std::move(cells));
+    }
 }
 
 /// Of the margin over the largest of the four needs.
@@ -80,44 +118,45 @@ std::string marginText(double margin, double effective) {
                              ") to spare");
 }
 
-void addFeed(ResultRows& rows, const Blow& blow) {
+void addFeed(TextGrid& grid, const Blow& blow) {
     if (!blow.feed) return;
     const std::optional<FeedForce>& force = blow.feed->force;
-    std::string needed = inHandyUnit(blow.feed->fullRate, Quantity::force);
-    if (force) needed += ", installed " + inHandyUnit(force->thrust, Quantity::force);
-    if (force && force->weight) needed += ", effective " + inHandyUnit(force->effective(), Quantity::force);
-    rows.addText("thrust needed", needed);
+    const auto newton = [&](double thrust) { return inHandyUnit(thrust, Quantity::force, digitsOf(blow)); };
+    std::string needed = newton(blow.feed->fullRate);
+    if (force) needed += ", installed " + newton(force->thrust);
+    if (force && force->weight) needed += ", effective " + newton(force->effective());
+    grid.add({"thrust needed", needed});
     if (const std::optional<double> margin = blow.thrustMargin())
-        rows.addText("  at every gap", marginText(*margin, force->effective()));
-    if (force) rows.addText("  feed", std::string(feedWord(blow.feed->feed)));
+        grid.add({"  at every gap", marginText(*margin, force->effective())});
+    if (force) grid.add({"  feed", std::string(feedWord(blow.feed->feed))});
+}
+
+/// What a blow is judged by first, with its error.
+std::string mainText(double value, double error, bool isEstimate = false) {
+    return rounded(value, 12) + (isEstimate ? "  (error estimated as " : "  (error below ") +
+           boundText(error) + ")";
 }
 
 std::string resultText(const Blow& blow) {
     const ImpactSummary& summary = blow.summary;
-    const Scales& scales = blow.scales;
-    const double work = summary.workRatio * scales.energy;
-    ResultRows rows(blow.scenario);
-    rows.addText("restitution e",
-                 rounded(summary.cor, 12) +
-                     (blow.method.method == Method::lattice ? "  (error estimated as " : "  (error below ") +
-                     boundText(summary.corError) + ")");
-    rows.add("impulse 1 + e", summary.impulse, "I0", scales.impulse, Quantity::impulse);
-    rows.add("peak force", summary.peakForce, "F0", scales.force, Quantity::force);
-    rows.add("largest penetration", summary.maxPenetration, "d0", scales.penetration, Quantity::length);
-    rows.add("residual penetration", summary.residualPenetration, "d0", scales.penetration, Quantity::length);
-    addStresses(rows, blow);
-    addRate(rows, blow);
-    rows.add("first contact", summary.firstContactTime, "t0", scales.time, Quantity::time);
-    rows.add("last separation", summary.separationTime, "t0", scales.time, Quantity::time);
-    rows.add("time in contact", summary.contactDuration, "t0", scales.time, Quantity::time);
-    rows.add("hammer work W", summary.workRatio, "W0", scales.energy, Quantity::energy);
-    rows.add("  in the rock", share(summary.energy.rockWork), "W", work, Quantity::energy);
-    rows.add("  in the rebound", share(summary.energy.reboundEnergy), "W", work, Quantity::energy);
-    rows.add("  in waves", share(summary.energy.residualWaveEnergy), "W", work, Quantity::energy);
-    rows.addText("balance errors", rounded(summary.momentumResidual, 2) + " of I0, " +
-                                       rounded(summary.energy.residual, 2) + " of W");
-    addFeed(rows, blow);
-    return rows.text();
+    TextGrid grid(CellAlignment::left);
+    if (blow.isOfString())
+        grid.add({"efficiency", mainText(summary.energy.rockWork, summary.efficiencyError)});
+    else
+        grid.add({"restitution e",
+                  mainText(summary.cor, summary.corError, blow.method.method == Method::lattice)});
+    addSummary(grid, blow);
+    if (!blow.isOfString())
+        grid.add({"balance errors", rounded(summary.momentumResidual, 2) + " of I0, " +
+                                        rounded(summary.energy.residual, 2) + " of W"});
+    addFeed(grid, blow);
+    if (!blow.isOfString()) return grid.text();
+    std::string text = grid.text() + "\n" + energyGrid(blow).text();
+    // a thousand lines are for a file
+    constexpr std::size_t mostLines = 60;
+    if (!blow.impact.sections.empty() && blow.impact.sections.size() <= mostLines)
+        text += "\n" + sectionGrid(blow).text();
+    return text;
 }
 
 std::string methodText(const MethodChoice& choice) {
@@ -132,7 +171,7 @@ std::string blowText(const Blow& blow) {
     const Impact& impact = blow.impact;
     std::string text = titleLine(blow.scenario) + paragraph(feedDecisionText(blow.decision())) +
                        groupsLine(blow.scenario) + "\n";
-    text += blow.isOfString() ? stringResultText(blow) : resultText(blow);
+    text += resultText(blow);
     text += "\n  method " + (blow.isOfString() ? "polynomial cells" : methodText(blow.method)) + ", " +
             std::to_string(impact.contacts) + (impact.contacts == 1 ? " contact, " : " contacts, ") +
             std::to_string(impact.pieces) +

@@ -12,7 +12,7 @@
 #include "core/report/html_text.h"
 #include "core/report/paper_text.h"
 #include "core/report/report_numbers.h"
-#include "core/report/string_text.h"
+#include "core/report/section_grid.h"
 #include "core/text/json.h"
 
 namespace drillwave {
@@ -268,7 +268,7 @@ class Page {
         if (!blow().isOfString()) return {};
         return heading("Where the energy went") +
                tableOf("energies", htmlRows(printedUnits(titled({"", "share of E₀", "energy"},
-                                                                stringEnergyGrid(blow(), m_style).rows()))));
+                                                                energyGrid(blow(), m_style).rows()))));
     }
 
     static std::vector<std::vector<std::string>> titled(std::vector<std::string> titles,
@@ -279,7 +279,7 @@ class Page {
 
     std::string stresses() const {
         if (!blow().isOfString() || blow().impact.sections.empty()) return {};
-        std::vector<std::vector<std::string>> rows = stringSectionGrid(blow(), m_style).rows();
+        std::vector<std::vector<std::string>> rows = sectionGrid(blow(), m_style).rows();
         const std::size_t sections = rows.size() - 1;
         if (!isScreen()) rows.resize(std::min(sections, mostSectionsOnPaper) + 1);
         return heading("Largest stresses of every section") +

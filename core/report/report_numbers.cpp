@@ -5,7 +5,7 @@
 
 #include "core/blow/outputs.h"
 #include "core/report/blow_json.h"
-#include "core/report/string_text.h"
+#include "core/report/section_grid.h"
 #include "core/text/handy_text.h"
 
 namespace drillwave {
@@ -18,63 +18,35 @@ bool isDimensional(const Blow& blow) {
     return hasUnits(blow.scenario);
 }
 
-/// What an output is a multiple of.
-std::string_view measureText(Measure measure, bool ofString) {
-    switch (measure) {
-        case Measure::work:
-            return ofString ? " E₀" : " W₀";
-        case Measure::time:
-            return " t₀";
-        case Measure::impulse:
-            return ofString ? " p₀" : " I₀";
-        case Measure::force:
-            return " F₀";
-        case Measure::penetration:
-            return " d₀";
-        case Measure::stress:
-            return " F₀/A";
-        case Measure::velocity:
-            return " v₀";
-        default:
-            return "";
-    }
+/// " I₀".
+std::string multipleUnit(Measure measure, const Scenario& scenario) {
+    std::string unit(multipleName(measure, scenario));
+    if (const std::size_t zero = unit.find('0'); zero != unit.npos) unit.replace(zero, 1, "₀");
+    return unit.empty() ? unit : " " + unit;
+}
+
+/// " % of W".
+std::string shareUnit(const Scenario& scenario) {
+    return " % of" + multipleUnit(Measure::energy, scenario);
 }
 
 std::string multipleText(const Output& output, double value, const Blow& blow, const ReadingStyle& style) {
     if (output.name == "cor") return style.number(value, 6) + " ± " + style.bound(blow.summary.corError);
     if (output.name == "efficiency" && blow.isOfString())
         return style.number(100 * value, 6) + " ± " + style.bound(100 * blow.summary.efficiencyError) +
-               (isForced(blow.scenario) ? " % of W" : " % of E₀");
+               shareUnit(blow.scenario);
     if (output.measure == Measure::error) return style.bound(std::abs(value));
-    // Shares are known to 1e-12: what is smaller is rounding.
     if (output.measure == Measure::share || output.measure == Measure::energy)
-        return style.number(std::abs(value) < 1e-12 ? 0 : 100 * value, reportDigits) +
-               (isForced(blow.scenario) ? " % of W" : " % of E₀");
-    return style.number(value, reportDigits) +
-           std::string(measureText(output.measure, !isForced(blow.scenario)));
-}
-
-/// In joules.
-ReportCell energyCell(double ofW0, const Blow& blow, const ReadingStyle& style) {
-    return {style.quantity(ofW0 * blow.scales.energy, Quantity::energy, reportDigits), {}};
+        return style.number(100 * shareOrZero(output, value), reportDigits) + shareUnit(blow.scenario);
+    return style.number(value, reportDigits) + multipleUnit(output.measure, blow.scenario);
 }
 
 ReportCell siCell(const Output& output, double value, const Blow& blow, const ReadingStyle& style) {
-    switch (output.measure) {
-        case Measure::number:
-        case Measure::error:
-            return {};
-        case Measure::work:
-            return energyCell(value, blow, style);
-        case Measure::share:
-        case Measure::energy:
-            return {energyCell(std::abs(value) < 1e-12 ? 0 : value * blow.drivenEnergy(), blow, style).text,
-                    inSi(output, value, blow)};
-        default:
-            break;
-    }
-    const double si = inSi(output, value, blow);
-    return {style.quantity(si, output.quantity(), reportDigits), si};
+    if (output.measure == Measure::number || output.measure == Measure::error) return {};
+    std::string text = siText(output, shareOrZero(output, value), blow, style);
+    // of the work people read joules, and programs the number of JSON
+    return output.measure == Measure::work ? ReportCell{text, {}}
+                                           : ReportCell{text, inSi(output, value, blow)};
 }
 
 /// "in 7 rod, 1.2 m from its rear end, at 3.4 ms".
@@ -129,6 +101,49 @@ void addStringScales(const Blow& blow, const Add& add) {
 }
 
 }  // namespace
+
+std::string_view multipleName(Measure measure, const Scenario& scenario) {
+    const bool ofForce = isForced(scenario);
+    switch (measure) {
+        case Measure::work:
+            return ofForce ? "W0" : "E0";
+        case Measure::energy:
+            return ofForce ? "W" : "E0";
+        case Measure::time:
+            return "t0";
+        case Measure::impulse:
+            return ofForce ? "I0" : "p0";
+        case Measure::force:
+            return "F0";
+        case Measure::penetration:
+            return "d0";
+        case Measure::stress:
+            return "F0/A";
+        case Measure::velocity:
+            return "v0";
+        default:
+            return "";
+    }
+}
+
+double shareOrZero(const Output& output, double value) {
+    const bool isShare = output.measure == Measure::share || output.measure == Measure::energy;
+    return isShare && std::abs(value) < 1e-12 ? 0 : value;
+}
+
+std::string siText(const Output& output, double value, const Blow& blow, const ReadingStyle& style,
+                   int digits) {
+    switch (output.measure) {
+        case Measure::work:
+            return style.quantity(value * blow.scales.energy, Quantity::energy, digits);
+        case Measure::share:
+        case Measure::energy:
+            return style.quantity(value * (blow.drivenEnergy() * blow.scales.energy), Quantity::energy,
+                                  digits);
+        default:
+            return style.quantity(inSi(output, value, blow), output.quantity(), digits);
+    }
+}
 
 std::string placeText(const RodForce& found, const Blow& blow, const ReadingStyle& style) {
     if (!(found.size > 0)) return {};

@@ -4,9 +4,11 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/blow/blow.h"
+#include "core/blow/outputs.h"
 #include "core/text/handy_text.h"
 
 namespace drillwave {
@@ -23,6 +25,17 @@ struct ReportRow {
     std::string label;
     std::vector<ReportCell> cells;
 };
+
+/// What an output is a multiple of: "I0"; empty for a plain number. Energies of a blow by a force are shares
+/// of its work W.
+std::string_view multipleName(Measure measure, const Scenario& scenario);
+
+/// Shares are known to 1e-12: what is smaller is rounding, and 0.
+double shareOrZero(const Output& output, double value);
+
+/// The value of an output in its unit, of work and of its shares in joules.
+std::string siText(const Output& output, double value, const Blow& blow,
+                   const ReadingStyle& style = plainStyle(), int digits = 5);
 
 /// Where in the rod and when a largest force is: "1.2 m from the hammer, at 300 us"; empty for one of size 0.
 std::string placeText(const RodForce& found, const Blow& blow, const ReadingStyle& style = plainStyle());

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The summary of a blow on a drill string for people.
+// Energy and stresses of the sections of hammer and string, for people.
 #pragma once
 
 #include <string>
@@ -9,16 +9,12 @@
 
 namespace drillwave {
 
-/// Results, where the energy of the hammer went, and the largest stresses of each section. Of a solved blow
-/// on a drill string.
-std::string stringResultText(const Blow& blow);
-
 /// Where the energy of the hammer went, in shares and in J.
-TextGrid stringEnergyGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
+TextGrid energyGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 /// Titles, then for every section its largest stresses with place and time, in shares of its strengths where
 /// sections have them, and what the joint at its far end throws back. Requires the forces.
-TextGrid stringSectionGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
+TextGrid sectionGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 /// "hammer 2", "3 rod": the section of that number of those of hammer and string.
 std::string sectionLabel(const DrillString& drillString, std::size_t section);

@@ -1,64 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/report/string_text.h"
+#include "core/report/section_grid.h"
 
 #include <algorithm>
 #include <cmath>
 #include <vector>
 
-#include "core/model/scales.h"
-#include "core/report/feed_words.h"
-#include "core/text/handy_text.h"
+#include "core/blow/outputs.h"
 
 namespace drillwave {
 
 namespace {
 
-std::string si(double value, Quantity quantity, int digits = 5) {
-    return inHandyUnit(value, quantity, digits);
-}
-
 std::string percent(double share, const ReadingStyle& style) {
     return style.number(100 * (std::abs(share) < 1e-12 ? 0 : share), 4) + " %";
-}
-
-/// Numbers with what they are in SI.
-std::string resultGrid(const Blow& blow) {
-    const ImpactSummary& summary = blow.summary;
-    const Scales& scales = blow.scales;
-    TextGrid grid(CellAlignment::left);
-    grid.add({"efficiency", rounded(summary.energy.rockWork, 12) + "  (error below " +
-                                boundText(summary.efficiencyError) + ")"});
-    const bool forced = isForced(blow.scenario);
-    if (!forced) grid.add({"  and what the hammer takes back", rounded(summary.efficiencyRecovered())});
-    grid.add({"work on the rock",
-              si(summary.energy.rockWork * blow.drivenEnergy() * scales.energy, Quantity::energy)});
-    grid.add({"impulse on the rock", si(summary.impulse * scales.impulse, Quantity::impulse),
-              rounded(summary.impulse) + (forced ? " of the force's" : " of the hammer's")});
-    grid.add({"restitution e of the string", rounded(summary.cor)});
-    grid.add({"peak force on the rock", si(summary.peakForce * scales.force, Quantity::force)});
-    grid.add({"largest penetration", si(summary.maxPenetration * scales.penetration, Quantity::length)});
-    grid.add(
-        {"penetration that stays", si(summary.residualPenetration * scales.penetration, Quantity::length)});
-    if (summary.contacts > 0) {
-        grid.add({"first contact", si(summary.firstContactTime * scales.time, Quantity::time)});
-        if (!std::isnan(summary.separationTime))
-            grid.add({"last separation", si(summary.separationTime * scales.time, Quantity::time)});
-        grid.add({"time in contact", si(summary.contactDuration * scales.time, Quantity::time)});
-    }
-    if (!forced && !std::isnan(summary.faceSeparationTime))
-        grid.add({"hammer leaves", si(summary.faceSeparationTime * scales.time, Quantity::time)});
-    if (!forced)
-        grid.add({"hammer rebound", si(summary.hammerReboundVelocity * scales.velocity, Quantity::velocity),
-                  "away from the rock"});
-    if (blow.feed) {
-        std::string needed = si(blow.feed->fullRate, Quantity::force);
-        const std::optional<FeedForce>& force = blow.feed->force;
-        if (force) needed += ", installed " + si(force->thrust, Quantity::force);
-        if (force && force->weight) needed += ", effective " + si(force->effective(), Quantity::force);
-        grid.add({"thrust needed", needed});
-        if (force) grid.add({"  feed", std::string(feedWord(blow.feed->feed))});
-    }
-    return grid.text();
 }
 
 /// Zero in the unit of small lengths.
@@ -80,25 +34,30 @@ std::string shareOf(double stress, const std::optional<double>& strength, const 
 
 }  // namespace
 
-TextGrid stringEnergyGrid(const Blow& blow, const ReadingStyle& style) {
+TextGrid energyGrid(const Blow& blow, const ReadingStyle& style) {
+    struct Line {
+        const char *output, *label;
+        bool whereAny = false;  ///< only where there is some of it
+    };
+    constexpr Line lines[] = {{"rock_work", "  in the rock"},
+                              {"hammer_rebound_energy", "  hammer moving back"},
+                              {"hammer_wave_energy", "  waves in the hammer"},
+                              {"rebound_energy", "  string moving back"},
+                              {"residual_wave_energy", "  waves in the string"},
+                              {"joint_loss", "  lost in joints", true},
+                              {"rod_loss", "  lost in sections", true},
+                              {"face_energy", "  between the faces", true}};
     const ImpactSummary& summary = blow.summary;
     TextGrid grid(CellAlignment::left);
     const double unit = blow.drivenEnergy() * blow.scales.energy;
     const auto add = [&](const char* label, double share) {
         grid.add({label, percent(share, style), style.quantity(share * unit, Quantity::energy, 4)});
     };
-    const bool forced = isForced(blow.scenario);
-    add(forced ? "work of the force" : "energy of the hammer", 1);
-    add("  in the rock", summary.energy.rockWork);
-    if (!forced) {
-        add("  hammer moving back", summary.hammerReboundEnergy);
-        add("  waves in the hammer", summary.hammerWaveEnergy);
+    add(isForced(blow.scenario) ? "work of the force" : "energy of the hammer", 1);
+    for (const Line& line : lines) {
+        const std::optional<double> share = findOutput(line.output)->value({summary, blow.scenario});
+        if (share && (!line.whereAny || *share > 0)) add(line.label, *share);
     }
-    add("  string moving back", summary.energy.reboundEnergy);
-    add("  waves in the string", summary.energy.residualWaveEnergy);
-    if (summary.jointLoss > 0) add("  lost in joints", summary.jointLoss);
-    if (summary.rodLoss > 0) add("  lost in sections", summary.rodLoss);
-    if (summary.faceEnergy > 0) add("  between the faces", summary.faceEnergy);
     grid.add({"balance errors", style.number(summary.momentumResidual, 2) + " of the momentum, " +
                                     style.number(summary.energy.residual, 2) + " of the energy"});
     return grid;
@@ -112,7 +71,7 @@ std::string sectionLabel(const DrillString& drillString, std::size_t section) {
     return (isHammer ? "hammer " : "") + number + (name.empty() ? "" : " " + name);
 }
 
-TextGrid stringSectionGrid(const Blow& blow, const ReadingStyle& style) {
+TextGrid sectionGrid(const Blow& blow, const ReadingStyle& style) {
     const DrillString& drill = blow.scenario.drillString;
     const std::vector<const Section*> sections = allSections(drill);
     const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, blow.impact);
@@ -143,15 +102,6 @@ TextGrid stringSectionGrid(const Blow& blow, const ReadingStyle& style) {
         grid.add(std::move(cells));
     }
     return grid;
-}
-
-std::string stringResultText(const Blow& blow) {
-    std::string text = resultGrid(blow) + "\n" + stringEnergyGrid(blow).text();
-    // a thousand lines are for a file
-    constexpr std::size_t mostLines = 60;
-    if (!blow.impact.sections.empty() && blow.impact.sections.size() <= mostLines)
-        text += "\n" + stringSectionGrid(blow).text();
-    return text;
 }
 
 }  // namespace drillwave
