@@ -55,6 +55,10 @@ class TestOutputs : public QObject {
     void powerAndRateAreThoseOfOneBlowTimesTheFrequency();
     void theMarginNeedsAnInstalledThrust();
     void theWindowListsWhatHasAGroup();
+    void anOutputIsOfTheBlowsThatItsRowSays_data();
+    void anOutputIsOfTheBlowsThatItsRowSays();
+    void reportsCallEveryOutputByAName();
+    void whatIsToldInJoulesIsAShare();
 };
 
 void TestOutputs::everyOutputIsFoundByItsName() {
@@ -192,6 +196,55 @@ void TestOutputs::theWindowListsWhatHasAGroup() {
         QCOMPARE(output.label().empty(), output.group == OutputGroup::none);
         QCOMPARE(output.note.empty(), output.group == OutputGroup::none);
         QCOMPARE(output.force != nullptr, output.measure == Measure::stress);
+    }
+}
+
+void TestOutputs::anOutputIsOfTheBlowsThatItsRowSays_data() {
+    QTest::addColumn<Scenario>("scenario");
+    QTest::addColumn<bool>("ofString");
+    QTest::addColumn<bool>("ofHammer");
+    QTest::addColumn<bool>("ofFaces");
+    Scenario forced;
+    forced.form = ScenarioForm::string;
+    forced.drillString.parts.resize(1);
+    forced.drillString.parts.front().sections.resize(1);
+    Scenario struck = forced;
+    struck.drillString.hammer.sections.resize(1);
+    Scenario elastic = struck;
+    elastic.drillString.hammer.faceStiffness = 1e9;
+    QTest::newRow("rod") << Scenario() << false << false << false;
+    QTest::newRow("groups") << groupsCase({}) << false << false << false;
+    QTest::newRow("string under a force") << forced << true << false << false;
+    QTest::newRow("string under a hammer") << struck << true << true << false;
+    QTest::newRow("hammer with elastic faces") << elastic << true << true << true;
+}
+
+void TestOutputs::anOutputIsOfTheBlowsThatItsRowSays() {
+    QFETCH(const Scenario, scenario);
+    QFETCH(const bool, ofString);
+    QFETCH(const bool, ofHammer);
+    QFETCH(const bool, ofFaces);
+    QCOMPARE(concerns(OutputOf::uniformRod, scenario), !ofString);
+    QCOMPARE(concerns(OutputOf::drillString, scenario), ofString);
+    QCOMPARE(concerns(OutputOf::hammer, scenario), ofHammer);
+    QCOMPARE(concerns(OutputOf::elasticFaces, scenario), ofFaces);
+    const ImpactSummary summary;
+    for (const Output& output : outputs()) {
+        QCOMPARE(output.concerns(scenario), concerns(output.of, scenario));
+        if (output.concerns(scenario)) continue;
+        QVERIFY(!output.problem(scenario).empty());
+        QVERIFY(!output.value({summary, scenario}));
+    }
+}
+
+void TestOutputs::reportsCallEveryOutputByAName() {
+    for (const Output& output : outputs()) QVERIFY(!output.title.empty());
+}
+
+void TestOutputs::whatIsToldInJoulesIsAShare() {
+    for (const Output& output : outputs()) {
+        QVERIFY(!output.part || output.measure == Measure::energy);
+        if (output.measure == Measure::energy) QCOMPARE(output.quantity(), Quantity::ratio);
     }
 }
 
