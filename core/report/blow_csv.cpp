@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cassert>
+#include <vector>
 
+#include "core/blow/outputs.h"
 #include "core/contact/bilinear_law.h"
 #include "core/report/result_remarks.h"
 #include "core/text/enum_names.h"
@@ -21,13 +23,45 @@ std::string heading(std::string_view name, Quantity quantity, OutputUnits units)
     return std::string(name) + " [" + std::string(unitsOf(quantity).front().name) + "]";
 }
 
-std::string historyHeading(OutputUnits units) {
-    return heading("time", Quantity::time, units) + "," + heading("impact_force", Quantity::force, units) +
-           "," + heading("impulse", Quantity::impulse, units) + "," +
-           heading("momentum", Quantity::impulse, units) + "," +
-           heading("incident_wave", Quantity::force, units) + "," +
-           heading("penetration", Quantity::length, units) + "," +
-           heading("front_velocity", Quantity::velocity, units) + "\n";
+/// A column of histories.
+struct HistoryColumn {
+    std::string_view name;
+    Quantity quantity;
+    double StringInstant::*value;
+    double Scales::*scale;
+    OutputOf of = OutputOf::anyBlow;
+};
+
+constexpr HistoryColumn historyTable[] = {
+    {"time", Quantity::time, &StringInstant::time, &Scales::time},
+    {"impact_force", Quantity::force, &StringInstant::impactForce, &Scales::force},
+    {"impulse", Quantity::impulse, &StringInstant::impulse, &Scales::impulse},
+    {"momentum", Quantity::impulse, &StringInstant::momentum, &Scales::impulse},
+    {"incident_wave", Quantity::force, &StringInstant::positiveWave, &Scales::force, OutputOf::uniformRod},
+    {"penetration", Quantity::length, &StringInstant::penetration, &Scales::penetration},
+    {"front_velocity", Quantity::velocity, &StringInstant::frontVelocity, &Scales::velocity},
+    {"face_force", Quantity::force, &StringInstant::faceForce, &Scales::force, OutputOf::drillString},
+    {"normal_force", Quantity::force, &StringInstant::normalForce, &Scales::force, OutputOf::drillString},
+    {"positive_wave", Quantity::force, &StringInstant::positiveWave, &Scales::force, OutputOf::drillString},
+    {"negative_wave", Quantity::force, &StringInstant::negativeWave, &Scales::force, OutputOf::drillString},
+    {"velocity", Quantity::velocity, &StringInstant::velocity, &Scales::velocity, OutputOf::drillString}};
+
+/// The columns of rods or of strings.
+std::string historyCsv(OutputOf which, const std::vector<StringInstant>& instants, OutputUnits units,
+                       const Scales& scale) {
+    const auto row = [&](std::string& csv, const auto& appendCell) {
+        for (const HistoryColumn& column : historyTable) {
+            if (column.of != OutputOf::anyBlow && column.of != which) continue;
+            if (&column != historyTable) csv += ',';
+            appendCell(column);
+        }
+        csv += '\n';
+    };
+    std::string csv;
+    row(csv, [&](const HistoryColumn& c) { csv += heading(c.name, c.quantity, units); });
+    for (const StringInstant& now : instants)
+        row(csv, [&](const HistoryColumn& c) { appendNumber(csv, now.*c.value * scale.*c.scale); });
+    return csv;
 }
 
 /// Where the bit is, from the first time to the last.
@@ -91,27 +125,22 @@ std::string scenarioFromHeader(std::string_view csv) {
 std::string historiesCsv(const Impact& impact, const Problem& problem, OutputUnits units,
                          const Scales& scales) {
     assert(impact.hasHistories());
-    const Scales scale = units == OutputUnits::si ? scales : Scales{};
+    Scales scale = units == OutputUnits::si ? scales : Scales{};
+    scale.velocity = scale.penetration / scale.time;  // in which those of a rod are
     const SampledHistory history = sampleHistory(impact);
-    std::string csv = historyHeading(units);
+    std::vector<StringInstant> instants(history.time.size());
     FrontEnd front(impact, problem);
     for (std::size_t i = 0; i < history.time.size(); ++i) {
-        const double force = history.force[i], incident = history.incident[i];
-        const double cells[] = {
-            history.time[i] * scale.time,
-            force * scale.force,
-            history.impulse[i] * scale.impulse,
-            rodMomentum(problem.force(), history.time[i], history.impulse[i]) * scale.impulse,
-            (incident == 0 ? 0 : -incident) * scale.force,
-            front.penetration(history.time[i], force) * scale.penetration,
-            (incident - force / 2) * (scale.penetration / scale.time)};
-        for (const double& cell : cells) {
-            if (&cell != cells) csv += ',';
-            appendNumber(csv, cell);
-        }
-        csv += '\n';
+        const double time = history.time[i], force = history.force[i], incident = history.incident[i];
+        instants[i] = {.time = time,
+                       .impactForce = force,
+                       .impulse = history.impulse[i],
+                       .momentum = rodMomentum(problem.force(), time, history.impulse[i]),
+                       .penetration = front.penetration(time, force),
+                       .frontVelocity = incident - force / 2,
+                       .positiveWave = incident == 0 ? 0 : -incident};
     }
-    return csv;
+    return historyCsv(OutputOf::uniformRod, instants, units, scale);
 }
 
 std::string historyColumns(OutputUnits units) {
@@ -126,36 +155,8 @@ std::string historyColumns(OutputUnits units) {
 
 std::string stringHistoriesCsv(const Blow& blow, const StringPlace& place, OutputUnits units,
                                const Scales& scales) {
-    const Scales scale = units == OutputUnits::si ? scales : Scales{};
-    const auto forces = [&](std::string_view name) { return "," + heading(name, Quantity::force, units); };
-    const auto velocities = [&](std::string_view name) {
-        return "," + heading(name, Quantity::velocity, units);
-    };
-    std::string csv = heading("time", Quantity::time, units) + forces("impact_force") + "," +
-                      heading("impulse", Quantity::impulse, units) + "," +
-                      heading("momentum", Quantity::impulse, units) + "," +
-                      heading("penetration", Quantity::length, units) + velocities("front_velocity") +
-                      forces("face_force") + forces("normal_force") + forces("positive_wave") +
-                      forces("negative_wave") + velocities("velocity") + "\n";
-    for (const StringInstant& now : StringHistory(blow.impact, blow.problem, place).sampled()) {
-        const double cells[] = {now.time * scale.time,
-                                now.impactForce * scale.force,
-                                now.impulse * scale.impulse,
-                                now.momentum * scale.impulse,
-                                now.penetration * scale.penetration,
-                                now.frontVelocity * scale.velocity,
-                                now.faceForce * scale.force,
-                                now.normalForce * scale.force,
-                                now.positiveWave * scale.force,
-                                now.negativeWave * scale.force,
-                                now.velocity * scale.velocity};
-        for (const double& cell : cells) {
-            if (&cell != cells) csv += ',';
-            appendNumber(csv, cell);
-        }
-        csv += '\n';
-    }
-    return csv;
+    return historyCsv(OutputOf::drillString, StringHistory(blow.impact, blow.problem, place).sampled(), units,
+                      units == OutputUnits::si ? scales : Scales{});
 }
 
 std::string stringHistoryColumns(const Scenario& scenario, const StringPlace& place, OutputUnits units) {
