@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/blow/feed_force.h"
+#include "core/model/blow_traits.h"
 
 namespace drillwave {
 
@@ -36,7 +37,7 @@ FeedDecision decideFeed(const Scenario& scenario, const std::optional<FeedVerdic
         decision.kind = hasUnits(scenario) ? Kind::noFrequency : Kind::noUnits;
         return decision;
     }
-    if (!widest && isString(scenario)) {
+    if (!widest && !gapHasPeriod(scenario)) {
         const double rigid = 2 * verdict->balance;  // f I0 (1+e), e = 1
         const bool isRigid = rigid >= verdict->fullRate;
         widest = WidestNeed{.which = isRigid ? ThrustCase::rigidRock : ThrustCase::scenario,

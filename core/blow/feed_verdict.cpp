@@ -6,6 +6,7 @@
 #include "core/blow/thrust.h"
 #include "core/blow/undamped_motion.h"
 #include "core/model/blow_interval.h"
+#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/text/enum_names.h"
 
@@ -68,8 +69,8 @@ std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor, double 
     const double velocity =
         isForced(scenario) ? scales.velocity : transferred * scales.impulse / chainProperties(scenario).mass;
     found.gap = found.motion.gap * velocity / *scenario.drill.blowFrequency;  // (T37)
-    found.inD0 =
-        isString(scenario) ? found.gap / scales.penetration : found.motion.gap * found.roundTrips;  // (T37)
+    found.inD0 = gapHasPeriod(scenario) ? found.motion.gap * found.roundTrips
+                                        : found.gap / scales.penetration;  // (T37)
     return found;
 }
 

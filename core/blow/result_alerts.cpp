@@ -6,6 +6,7 @@
 
 #include "core/blow/feed_verdict.h"
 #include "core/model/alerts.h"
+#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/wave/closed/closed_form.h"
 #include "core/wave/exact/input_move.h"
@@ -34,7 +35,7 @@ void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vect
 }
 
 void addRebound(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
-    if (!isString(scenario) && summary.cor > 1 + summary.corError)
+    if (isFollowedByEvents(scenario) && summary.cor > 1 + summary.corError)
         alerts.push_back({AlertLevel::information, AlertCode::superRebound, "", {{"cor", summary.cor}}});
     if (summary.contacts > 1)
         alerts.push_back({AlertLevel::information,
@@ -52,7 +53,7 @@ std::optional<AlertArgument> closedFormObstacle(const Problem& problem) {
 }
 
 void addClosedForm(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
-    if (isString(scenario) || scenario.pulse.shape != PulseShape::rectangular) return;
+    if (!isFollowedByEvents(scenario) || scenario.pulse.shape != PulseShape::rectangular) return;
     const Problem problem = problemOf(scenario);
     if (problem.law.gamma != 1) return;
     const std::optional<AlertArgument> obstacle = closedFormObstacle(problem);

@@ -2,6 +2,7 @@
 #include "core/blow/thinning_effect.h"
 
 #include "core/blow/blow.h"
+#include "core/model/blow_traits.h"
 #include "core/model/validation.h"
 
 namespace drillwave {
@@ -27,7 +28,7 @@ std::optional<Impact> solved(Scenario scenario, const TablePoints& points, Metho
 std::optional<ThinningEffect> thinningEffect(const Scenario& scenario, const Samples& samples,
                                              const SignalRecipe& recipe, const ShapedSignal& kept,
                                              const std::stop_token& stop) {
-    if (isString(scenario) || !kept.problem.empty() || kept.points.size() >= kept.samples)
+    if (!isFollowedByEvents(scenario) || !kept.problem.empty() || kept.points.size() >= kept.samples)
         return std::nullopt;
     SignalRecipe whole = recipe;
     whole.points = mostSamplesFollowed;

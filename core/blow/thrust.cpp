@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 
 namespace drillwave {
@@ -17,7 +18,8 @@ std::string thrustProblem(const Scenario& scenario) {
 }
 
 std::string thrustMarginProblem(const Scenario& scenario) {
-    if (isString(scenario)) return "the margin of the thrust is known of uniform rods alone (`drillwave: 1`)";
+    if (!gapHasPeriod(scenario))
+        return "the margin of the thrust is known of uniform rods alone (`drillwave: 1`)";
     if (std::string problem = thrustProblem(scenario); !problem.empty()) return problem;
     if (!scenario.drill.thrust)
         return "the margin of the thrust needs drill.thrust; give it in the scenario or with --set";

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/model/blow_interval.h"
+#include "core/model/blow_traits.h"
 #include "core/model/parameter.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
@@ -146,9 +147,7 @@ const AlertArgument& Alert::argument(std::string_view name) const {
 std::vector<Alert> alertsFor(const Scenario& scenario) {
     std::vector<Alert> alerts;
     addImplausibleValues(scenario, alerts);
-    if (isString(scenario)) {
-        addImplausibleSections(scenario.drillString, alerts);
-    }
+    if (hasSections(scenario)) addImplausibleSections(scenario.drillString, alerts);
     if (isForced(scenario)) {
         addLongPulse(scenario, alerts);
         addDefaultHammer(scenario, alerts);

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/model/section_pieces.h"
 
@@ -68,8 +69,8 @@ std::string_view rodRefusal(const Problem& problem) {
 }
 
 Problem problemOf(const Scenario& scenario, const std::vector<int>& pieces) {
-    return isString(scenario) ? stringProblem(scenario, pieces)
-                              : problemOf(pulseForceOf(scenario), groupsOf(scenario));
+    return followsFromGroups(scenario) ? problemOf(pulseForceOf(scenario), groupsOf(scenario))
+                                       : stringProblem(scenario, pieces);
 }
 
 Problem problemOf(PulseForce force, const Groups& groups) {

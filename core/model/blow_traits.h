@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is true of the blow of a scenario, for those who must know before it is solved.
+#pragma once
+
+#include "core/model/blow_traits.h"
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// Whether the four groups and the shape of the blow say all about it but its scales (theory §4): nothing but
+/// rock, a rod and a force on it.
+inline bool followsFromGroups(const Scenario& scenario) {
+    return !isString(scenario);
+}
+
+/// Whether it is followed exactly from event to event, so that e has a bound and a curve can be traced. All
+/// others are solved on cells, state the error of their efficiency and are sampled.
+inline bool isFollowedByEvents(const Scenario& scenario) {
+    return followsFromGroups(scenario);
+}
+
+/// Whether the gap has a period, after which every blow comes again (theory §4): waves come back as they
+/// left. Then shares of all gaps and the worst one can be told.
+inline bool gapHasPeriod(const Scenario& scenario) {
+    return followsFromGroups(scenario);
+}
+
+/// Whether there is a list of sections, with places that count and are named.
+inline bool hasSections(const Scenario& scenario) {
+    return !scenario.drillString.parts.empty();
+}
+
+}  // namespace drillwave

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is known of a blow before it is solved.
+#include <QtTest>
+
+#include "core/model/blow_traits.h"
+#include "core/wave/problem.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
+
+using namespace drillwave;
+
+class TestBlowTraits : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void whatFollowsFromGroupsIsTheProblemOfItsGroups();
+    void onlyBlowsOnARodArePeriodicInTheGap();
+};
+
+void TestBlowTraits::whatFollowsFromGroupsIsTheProblemOfItsGroups() {
+    for (const Example& example : builtInExamples()) {
+        const Scenario scenario = parseScenario(example.text, example.name).scenario;
+        if (!followsFromGroups(scenario)) continue;
+        Problem ofGroups = problemOf(scenario);
+        setGroups(ofGroups, groupsOf(scenario));
+        QCOMPARE(ofGroups, problemOf(scenario));
+    }
+}
+
+void TestBlowTraits::onlyBlowsOnARodArePeriodicInTheGap() {
+    for (const Example& example : builtInExamples()) {
+        const Scenario scenario = parseScenario(example.text, example.name).scenario;
+        QCOMPARE(gapHasPeriod(scenario), rodRefusal(problemOf(scenario)).empty());
+        QCOMPARE(isFollowedByEvents(scenario), rodRefusal(problemOf(scenario)).empty());
+        QCOMPARE(hasSections(scenario), !rodRefusal(problemOf(scenario)).empty());
+    }
+}
+
+QTEST_GUILESS_MAIN(TestBlowTraits)
+#include "tst_blow_traits.moc"
