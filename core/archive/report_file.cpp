@@ -5,6 +5,7 @@
 #include <charconv>
 
 #include "core/archive/result_scenario.h"
+#include "core/model/blow_traits.h"
 #include "core/yaml/preset_file.h"
 #include "core/yaml/preset_remarks.h"
 #include "core/yaml/scenario_text.h"
@@ -190,7 +191,7 @@ ReportSection sectionOf(const std::vector<SavedValue>& saved, const Section& sec
 }  // namespace
 
 std::vector<ReportSection> sectionsOf(const Scenario& scenario, std::string_view text) {
-    if (!isString(scenario)) return {};
+    if (!hasSections(scenario)) return {};
     const ScenarioRemarks remarks(text);
     const std::vector<SavedValue> saved = savedValues(scenario);
     const DrillString& drill = scenario.drillString;

@@ -2,6 +2,7 @@
 #include "core/report/blow_report.h"
 
 #include "core/blow/thrust.h"
+#include "core/model/blow_traits.h"
 
 namespace drillwave {
 
@@ -52,7 +53,7 @@ void addThrust(BlowReport& report, const std::stop_token& stop, const GapProgres
     report.blow.widestNeed = widestOf(thrust.study.needs);
     // The frequency changes no blow, and nothing over the gap.
     GapReboundFinder finder;
-    if (!isString(scenario)) finder.remember(report.blow.problem, thrust.study.rebounds);
+    if (gapHasPeriod(scenario)) finder.remember(report.blow.problem, thrust.study.rebounds);
     if (const std::optional<SweepAxis> axis = frequencyAxis(scenario))
         thrust.along =
             ThrustAlong{*axis, thrustAlong(scenario, *axis->parameter, valuesOf(*axis), finder, stop)};
@@ -80,7 +81,7 @@ BlowReport studyReport(const Scenario& scenario, const std::stop_token& stop, co
     report.blow = solveBlow(scenario, {}, Detail::histories, stop, Stresses::wanted, solver);
     if (!report.blow.isSolved()) return report;
     addThrust(report, stop, partOf(progress, 0, shareOfThrust));
-    if (!isString(scenario)) addGap(report, stop, partOf(progress, shareOfThrust, 1));
+    if (gapHasPeriod(scenario)) addGap(report, stop, partOf(progress, shareOfThrust, 1));
     return report;
 }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <ranges>
 
+#include "core/model/blow_traits.h"
 #include "core/model/section_field.h"
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
@@ -297,7 +298,7 @@ class Page {
     }
 
     std::string gap() const {
-        if (blow().isOfString()) return {};
+        if (!gapHasPeriod(blow().scenario)) return {};
         std::string html = heading("All gaps between bit and rock");
         if (!m_report.gap) return html + paragraph(sentence(m_report.gapProblem));
         if (const std::string remark = m_report.gap->periodRemark(m_style); !remark.empty())

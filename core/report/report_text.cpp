@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 
 namespace drillwave {
@@ -18,7 +19,7 @@ std::string groupsLine(const Scenario& scenario) {
     const Groups groups = groupsOf(scenario);
     return "  beta " + rounded(groups.beta) + "  gamma " + rounded(groups.gamma) + "  tau " +
            rounded(groups.tau) + "  delta " + rounded(groups.delta) +
-           (isString(scenario) ? "" : "  pulse " + std::string(name(scenario.pulse.shape))) + "\n";
+           (followsFromGroups(scenario) ? "  pulse " + std::string(name(scenario.pulse.shape)) : "") + "\n";
 }
 
 std::string headingOf(const Scenario& scenario) {

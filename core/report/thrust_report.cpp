@@ -6,6 +6,7 @@
 
 #include "core/model/alerts.h"
 #include "core/model/blow_interval.h"
+#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
@@ -182,7 +183,7 @@ std::vector<std::string> verdictSentences(const JudgedNeeds& judged, const Readi
                             " of all gaps in this rock.");
     if (std::string margin = marginSentence(judged.needs, style); !margin.empty())
         sentences.push_back(std::move(margin));
-    if (isString(judged.scenario))
+    if (!gapHasPeriod(judged.scenario))
         sentences.emplace_back(
             "The impulse of a blow is that of the hammer's face. The gaps of a drill string have no period "
             "over which a share of them or the worst one could be told.");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/numeric/fit_features.h"
 
@@ -106,7 +107,7 @@ CellOutput CellFitter::fit(CurveSampler& sampler, const CellTask& task, std::siz
                          .failuresOfCell = mostFailuresOfCell,
                          .mostFailedEffort = mostBlowsAtLimit * m_question.workLimit,
                          .ends = FitSettings::Ends::bracketed};
-    if (!isString(m_question.base)) {
+    if (isFollowedByEvents(m_question.base)) {
         settings.mostEffort = mostEffortAtLimit * m_question.workLimit;
     } else {
         const long most = blowsOfStringCell * m_question.workLimit / std::max(1L, sampler.effortAt(cuts[0]));

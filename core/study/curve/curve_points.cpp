@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "core/model/blow_traits.h"
 #include "core/study/curve/curve_cells.h"
 
 namespace drillwave {
@@ -84,7 +85,8 @@ std::vector<double> openPointsOf(const CurveLine& line, std::span<const double> 
 }
 
 void PointSolver::operator()(PointTask& task, const std::stop_token& stop) const {
-    CurveSampler sampler(m_question, m_axes, task.line, stop, isString(m_question.base) ? 1 : partOfLimit);
+    CurveSampler sampler(m_question, m_axes, task.line, stop,
+                         isFollowedByEvents(m_question.base) ? partOfLimit : 1);
     task.points.clear();
     for (const double share : task.shares) {
         LinePoint& point = task.points.emplace_back();

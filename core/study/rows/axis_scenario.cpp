@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/model/blow_traits.h"
 #include "core/model/pulse_force.h"
 #include "core/model/validation.h"
 
@@ -40,7 +41,7 @@ AxisScenario::AxisScenario(const Scenario& base, std::span<const SweepAxis> axes
             m_lastPulseAxis = a;
         m_restoresPulse |= axes[a].key().starts_with("pulse.");
     }
-    m_judges = isString(base) || hasImpossibleCorner();
+    m_judges = hasSections(base) || hasImpossibleCorner();
 }
 
 /// Every condition on a uniform rod is a bound that moves one way with each value, so that a grid is valid
@@ -93,7 +94,7 @@ void AxisScenario::restore() {
     m_scenario.bitRock = m_base.bitRock;
     m_scenario.drill = m_base.drill;
     if (m_restoresPulse) m_scenario.pulse = m_base.pulse;
-    if (isString(m_base)) m_scenario.drillString = m_base.drillString;
+    if (hasSections(m_base)) m_scenario.drillString = m_base.drillString;
 }
 
 }  // namespace drillwave

@@ -10,6 +10,7 @@
 #include "core/blow/chain_solution.h"
 #include "core/blow/string_blow.h"
 #include "core/blow/wave_numbers.h"
+#include "core/model/blow_traits.h"
 
 namespace drillwave {
 
@@ -32,7 +33,7 @@ CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice
 std::string CaseSolver::solve(const Scenario& scenario, std::span<double> outputs,
                               const std::stop_token& stop) {
     assert(outputs.size() == m_columns.size());
-    if (isString(scenario)) return solveDrillString(scenario, outputs, stop);
+    if (!isFollowedByEvents(scenario)) return solveDrillString(scenario, outputs, stop);
     setGroups(m_problem, groupsOf(scenario));
     const auto solve = [&](Detail detail) -> const Impact& {
         m_impact = m_solver.solve(m_problem, detail, m_method, stop);

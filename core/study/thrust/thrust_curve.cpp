@@ -6,6 +6,7 @@
 #include "core/blow/string_blow.h"
 #include "core/blow/thrust.h"
 #include "core/model/blow_interval.h"
+#include "core/model/blow_traits.h"
 #include "core/model/parameter_text.h"
 #include "core/model/validation.h"
 #include "core/numeric/ordered_work.h"
@@ -36,7 +37,7 @@ ScenarioAt scenarioAt(const Scenario& base, const Parameter& parameter, double v
 /// Whether all points are one blow at one gap or another, for which one thread is enough: it finds the rest
 /// in its memory.
 bool isOneBlow(const Scenario& base, const Parameter& parameter, std::span<const double> values) {
-    if (isString(base)) return false;
+    if (!gapHasPeriod(base)) return false;
     const auto blowAt = [&](double value) -> std::optional<Problem> {
         const ScenarioAt at = scenarioAt(base, parameter, value);
         if (!at.obstacle.empty()) return std::nullopt;
@@ -73,7 +74,7 @@ ThrustPoint solvedPoint(const Scenario& scenario, double value, const PointSolve
                         const std::stop_token& stop) {
     assert(thrustProblem(scenario).empty());
     ThrustPoint point{.value = value, .needs = {}, .verdict = {}, .reason = {}};
-    if (isString(scenario)) return stringPoint(scenario, std::move(point), solvers, stop);
+    if (!gapHasPeriod(scenario)) return stringPoint(scenario, std::move(point), solvers, stop);
     const Problem problem = problemOf(scenario);
     const Impact impact = ExactSolver(solvers.limits.pieces).solve(problem, Detail::cor, stop);
     if (impact.outcome != Outcome::rebounded) {

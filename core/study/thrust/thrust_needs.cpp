@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "core/blow/thrust.h"
+#include "core/model/blow_traits.h"
 
 namespace drillwave {
 
@@ -33,7 +34,7 @@ ThrustNeeds thrustNeeds(const Scenario& scenario, const Estimate& cor, const Gap
 }
 
 ThrustNeeds stringThrustNeeds(const Scenario& scenario, const Estimate& cor, double transferred) {
-    assert(isString(scenario) && thrustProblem(scenario).empty());
+    assert(!gapHasPeriod(scenario) && thrustProblem(scenario).empty());
     ThrustNeed unknown;
     unknown.known = false;
     return {needOf(scenario, cor, transferred), unknown, needOf(scenario, {1, 0}, transferred), unknown};

@@ -6,6 +6,7 @@
 
 #include "core/blow/string_blow.h"
 #include "core/blow/thrust.h"
+#include "core/model/blow_traits.h"
 #include "core/wave/exact/exact_solver.h"
 
 namespace drillwave {
@@ -54,7 +55,7 @@ std::optional<double> ThrustStudy::margin() const {
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const GapProgress& progress,
                         long mostPieces, const WorkLimits& limits) {
     assert(thrustProblem(scenario).empty());
-    if (isString(scenario)) return studyStringThrust(scenario, stop, limits);
+    if (!gapHasPeriod(scenario)) return studyStringThrust(scenario, stop, limits);
     const Problem problem = problemOf(scenario);
     ThrustStudy study;
     const Impact impact = ExactSolver(limits.pieces).solve(problem, Detail::cor, stop);
