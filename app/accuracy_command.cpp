@@ -10,6 +10,7 @@
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
 #include "core/archive/result_scenario.h"
+#include "core/model/blow_traits.h"
 #include "core/report/accuracy_report.h"
 #include "core/report/blow_csv.h"
 #include "core/text/decimal_text.h"
@@ -85,7 +86,7 @@ AccuracyFiles measure(const Arguments& arguments, const ScenarioDocument& docume
                 plots.draw(&accuracy, drawing, interruption)};
     };
     ShareBar bar;
-    if (isString(scenario)) {
+    if (!isFollowedByEvents(scenario)) {
         const StringAccuracy accuracy =
             measureStringAccuracy(scenario, interruption.token(),
                                   [&](const StringAccuracy&, double done) { bar.progress()(done); });
@@ -101,7 +102,7 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
     const std::vector<int> ladder = ladderOf(arguments);
     const std::string directory = arguments.value("o").value_or(std::string());
     const StudyPlots plots = StudyPlots::inFolder(arguments, "accuracy");
-    const ScenarioDocument document = loadScenarioInput(path, arguments, DrillStrings::taken).document;
+    const ScenarioDocument document = loadScenarioInput(path, arguments).document;
     const bool inFolder = !directory.empty() && directory != "-";
     if (inFolder) {
         checkOutputIsNoInput(directory + "/" + accuracyCsvName, path, document);
@@ -111,10 +112,10 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
         plots.check(path, document, overwrite);
     }
 
-    if (isString(document.scenario) && arguments.has("segments"))
+    if (!isFollowedByEvents(document.scenario) && arguments.has("segments"))
         throw CommandError(ExitCode::usage,
                            "--segments: " + path + ": is for uniform rods; leave it out for a drill string");
-    if (!isString(document.scenario)) checkWork(arguments, ladder);
+    if (isFollowedByEvents(document.scenario)) checkWork(arguments, ladder);
     checkStandardOutput();
     const Interruption interruption;
     remarkOnValues(document.scenario, path);

@@ -103,7 +103,7 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
     if (arguments.has("json") && arguments.value("o") == "-")
         throw CommandError(ExitCode::usage, "--json and -o - would both print to standard output; take one");
     const StudyPlots plots = StudyPlots::besideFile(arguments);
-    const ScenarioInput input = loadScenarioInput(path, arguments, DrillStrings::taken);
+    const ScenarioInput input = loadScenarioInput(path, arguments);
     const ScenarioDocument& base = input.document;
     const RowOptions options = rowOptions(arguments, input.method);
     checkMethodOfString(options.method, input.document.scenario, path);

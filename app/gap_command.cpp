@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave gap FILE
 #include "app/command.h"
+#include "app/input_text.h"
 #include "app/interruption.h"
 #include "app/output_file.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
 #include "core/archive/result_scenario.h"
+#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/report/blow_csv.h"
 #include "core/report/gap_json.h"
@@ -77,6 +79,12 @@ ExitCode runGap(const Arguments& arguments, const Drawing* drawing) {
     if (arguments.has("si") && !csvPath)
         throw CommandError(ExitCode::usage, "--si is about the file of -o; add -o FILE.csv");
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
+    if (!gapHasPeriod(document.scenario))
+        throw CommandError(ExitCode::invalidScenario,
+                           inputName(path) +
+                               ": is a drill string, and this command solves uniform rods alone (`drillwave: "
+                               "1`); `drillwave "
+                               "curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap");
     if (units == OutputUnits::si && !hasUnits(document.scenario))
         throw CommandError(ExitCode::usage,
                            "--si: " + path + " is given by its dimensionless groups and has no SI units");

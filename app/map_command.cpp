@@ -153,7 +153,7 @@ ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
     checkPart(arguments);
     const SweepAxis x = axisOf(arguments, "x"), y = axisOf(arguments, "y");
     const StudyPlots plots = StudyPlots::besideFile(arguments);
-    const ScenarioInput input = loadScenarioInput(path, arguments, DrillStrings::taken);
+    const ScenarioInput input = loadScenarioInput(path, arguments);
     const ScenarioDocument& base = input.document;
     checkNotSet(arguments, base.scenario, std::array{x, y},
                 std::array{quotedAxis("x", *arguments.value("x")), quotedAxis("y", *arguments.value("y"))});

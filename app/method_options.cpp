@@ -2,6 +2,7 @@
 #include "app/method_options.h"
 
 #include "app/command_error.h"
+#include "core/model/blow_traits.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
@@ -33,14 +34,14 @@ MethodChoice methodChoice(const Arguments& arguments, const std::optional<Method
 }
 
 void checkMethodOfString(const MethodChoice& choice, const Scenario& scenario, const std::string& path) {
-    if (isString(scenario) && choice.method != Method::exact)
+    if (!isFollowedByEvents(scenario) && choice.method != Method::exact)
         throw CommandError(ExitCode::usage, "--method " + std::string(name(choice.method)) + ": " + path +
                                                 ": is for uniform rods; leave it out for a drill string");
 }
 
 void checkMethodApplies(const MethodChoice& choice, const Scenario& scenario, const std::string& path) {
     checkMethodOfString(choice, scenario, path);
-    if (isString(scenario)) return;
+    if (!isFollowedByEvents(scenario)) return;
     const std::string refusal = methodRefusal(choice.method, problemOf(scenario));
     if (!refusal.empty())
         throw CommandError(ExitCode::usage,

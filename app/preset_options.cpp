@@ -6,6 +6,7 @@
 #include "app/command_error.h"
 #include "app/input_text.h"
 #include "app/scenario_argument.h"
+#include "core/model/blow_traits.h"
 #include "core/text/decimal_text.h"
 #include "core/text/enum_names.h"
 #include "core/text/nearest_name.h"
@@ -94,7 +95,7 @@ void applyPresets(Scenario& scenario, const Arguments& arguments, const std::str
         const std::optional<std::string> wanted = arguments.value(name(kind));
         if (!wanted) continue;
         const std::string option = "--" + std::string(name(kind));
-        if (isString(scenario) && kind != PresetKind::rock)
+        if (hasSections(scenario) && kind != PresetKind::rock)
             refuse(option, *wanted, path + " is a drill string, whose sections are given one by one");
         if (!hasUnits(scenario))
             refuse(option, *wanted,

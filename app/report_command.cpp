@@ -90,7 +90,7 @@ ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const ReportPlace place = placeOf(arguments);
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
-    const ScenarioDocument document = loadScenarioArgument(path, arguments, DrillStrings::taken);
+    const ScenarioDocument document = loadScenarioArgument(path, arguments);
     check(place, path, document, overwrite);
 
     const Interruption interruption;

@@ -9,6 +9,7 @@
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
+#include "core/model/blow_traits.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
@@ -80,7 +81,7 @@ std::string limitHint(long workLimit) {
 
 std::string limitHint(const Arguments& arguments, const Scenario& scenario) {
     const long ofString = WorkLimits().cells / cellsOfPiece;
-    return limitHint(workLimitOf(arguments, isString(scenario) ? ofString : defaultWorkLimit));
+    return limitHint(workLimitOf(arguments, isFollowedByEvents(scenario) ? defaultWorkLimit : ofString));
 }
 
 std::string limitHint(const Arguments& arguments, const Scenario& scenario, Hindrance hindrance) {

@@ -13,6 +13,7 @@
 #include "app/study_plots.h"
 #include "core/archive/result_scenario.h"
 #include "core/archive/run_files.h"
+#include "core/model/blow_traits.h"
 #include "core/report/blow_json.h"
 #include "core/report/blow_text.h"
 #include "core/study/thrust/thrust_margins.h"
@@ -92,7 +93,7 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const RunFiles files = filesOf(arguments);
     const bool json = arguments.has("json");
-    const ScenarioInput input = loadScenarioInput(path, arguments, DrillStrings::taken);
+    const ScenarioInput input = loadScenarioInput(path, arguments);
     const ScenarioDocument& document = input.document;
     const MethodChoice choice = methodChoice(arguments, input.method);
     checkMethodApplies(choice, document.scenario, path);
@@ -109,7 +110,7 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
                                 writesFiles ? Detail::histories : Detail::ledger, interruption.token()),
                   .scenarioText = {},
                   .units = files.units.value_or(customaryUnits(document.scenario))};
-    if (!run.blow.isOfString()) addThrustMargin(run.blow, interruption.token());
+    if (gapHasPeriod(run.blow.scenario)) addThrustMargin(run.blow, interruption.token());
     if (json || writesFiles) run.scenarioText = completeScenarioText(document);
     interruption.check();
     if (!run.blow.isSolved()) {

@@ -11,6 +11,7 @@
 #include "app/preset_options.h"
 #include "core/model/alerts.h"
 #include "core/model/assignments.h"
+#include "core/model/blow_traits.h"
 #include "core/model/parameter.h"
 #include "core/model/parameter_text.h"
 #include "core/model/validation.h"
@@ -160,20 +161,13 @@ void checkOutputIsNoInput(const std::string& output, const std::string& scenario
     checkOutputIsNone(output, inputs);
 }
 
-ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments,
-                                DrillStrings drillStrings) {
+ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments) {
     if (isStandardInput(path) && arguments.value("presets") == "-")
         throw CommandError(ExitCode::usage,
                            "FILE - and --presets - would both read standard input; take one");
     ScenarioInput input = loadScenarioFile(path);
     tellNewerVersion(inputName(path), input.version);
     Scenario& scenario = input.document.scenario;
-    if (isString(scenario) && drillStrings == DrillStrings::refused)
-        throw CommandError(ExitCode::invalidScenario,
-                           inputName(path) +
-                               ": is a drill string, and this command solves uniform rods alone (`drillwave: "
-                               "1`); `drillwave "
-                               "curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap");
     applyPresets(scenario, arguments, inputName(path));
     std::vector<std::string> problems;
     bool unknownKey = false;
@@ -196,9 +190,8 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
     return input;
 }
 
-ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments,
-                                      DrillStrings drillStrings) {
-    ScenarioInput input = loadScenarioInput(path, arguments, drillStrings);
+ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments) {
+    ScenarioInput input = loadScenarioInput(path, arguments);
     if (input.method && input.method->method != Method::exact)
         std::fprintf(stderr, "%s: note: was solved by %s; this command solves exactly\n",
                      printable(inputName(path)).c_str(), describe(*input.method).c_str());
@@ -211,7 +204,7 @@ void checkNotSet(const Arguments& arguments, const Scenario& scenario, std::span
     // Of a string the places that an axis names are counted with the repeats of the point.
     std::vector<Scenario> repeated{scenario};
     for (const SweepAxis& axis : axes) {
-        if (axis.key() != "string.repeat" || !isString(scenario)) continue;
+        if (axis.key() != "string.repeat" || !hasSections(scenario)) continue;
         for (std::uint64_t i = 0; i < std::min<std::uint64_t>(axis.count, maximumSections); ++i)
             axis.assign(repeated.emplace_back(scenario), axis.value(i));
     }

@@ -26,18 +26,13 @@ inline constexpr std::string_view scenarioOperandHelp =
     "FILE is a scenario, a result that holds one (summary.json, histories.csv, map.csv.yaml …), the name of\n"
     "a built-in example, or - for standard input.";
 
-/// Whether a command solves drill strings, too, or uniform rods alone.
-enum class DrillStrings { refused, taken };
-
 /// Loads what FILE names (loadScenarioFile()), applies the presets and then every --set: pulse.shape first,
 /// then physical parameters, then groups, whatever their order. The scenario is valid. Says on stderr where
 /// the file is from a newer program. Throws CommandError.
-ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments,
-                                DrillStrings drillStrings = DrillStrings::refused);
+ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments);
 
 /// The same for a command that solves exactly, whatever a result was solved by: says so where it matters.
-ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments,
-                                      DrillStrings drillStrings = DrillStrings::refused);
+ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments);
 
 /// Throws CommandError (usage) if `output`, which the command writes, is one of the files that are read: the
 /// scenario file, its table of a pulse, or one of the `others`.

@@ -44,7 +44,7 @@ ExitCode runSweepCommand(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const std::vector<SweepAxis> axes = axesOf(arguments);
     const StudyPlots plots = StudyPlots::besideFile(arguments);
-    const ScenarioInput input = loadScenarioInput(path, arguments, DrillStrings::taken);
+    const ScenarioInput input = loadScenarioInput(path, arguments);
     const ScenarioDocument& base = input.document;
     std::vector<std::string> words;
     for (const std::string& word : arguments.values("vary")) words.push_back(quotedAxis("vary", word));

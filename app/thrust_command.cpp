@@ -102,7 +102,7 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const int jobs = jobsOf(arguments);
     const WorkLimits limits = workLimitsOf(arguments);
-    const ScenarioDocument document = loadScenarioInput(path, arguments, DrillStrings::taken).document;
+    const ScenarioDocument document = loadScenarioInput(path, arguments).document;
     ThrustReport report;
     report.scenario = document.scenario;
     report.scenarioText = completeScenarioText(document);

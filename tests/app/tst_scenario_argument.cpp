@@ -52,7 +52,7 @@ class TestScenarioArgument : public QObject {
     void settingsApplyWhateverTheirOrder();
     void refusalsHaveTheirExitCodes_data();
     void refusalsHaveTheirExitCodes();
-    void aDrillStringIsTakenWhereItIsSolved();
+    void theSectionsOfADrillStringAreSet();
     void anOutputIsNoInput();
     void whatAnAxisChangesIsNotSet();
 };
@@ -112,12 +112,9 @@ void TestScenarioArgument::refusalsHaveTheirExitCodes() {
     QVERIFY2(QString::fromStdString(refused.line).contains(part), refused.line.c_str());
 }
 
-void TestScenarioArgument::aDrillStringIsTakenWhereItIsSolved() {
-    const Refusal rodsAlone = refusal("t38_string", {});
-    QCOMPARE(rodsAlone.code, ExitCode::invalidScenario);
-    QVERIFY(QString::fromStdString(rodsAlone.line).contains("solves uniform rods alone"));
+void TestScenarioArgument::theSectionsOfADrillStringAreSet() {
     const auto with = [](std::vector<std::string> words) {
-        return loadScenarioInput("t38_string", parsed(words), DrillStrings::taken).document.scenario;
+        return loadScenarioInput("t38_string", parsed(words)).document.scenario;
     };
     const Scenario set = with({"--set", "string.3.length=3 m", "string.rod.bore=12 mm", "string.repeat=2",
                                "hammer.restrike=false"});
