@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "core/archive/result_scenario.h"
+#include "core/model/blow_traits.h"
 #include "core/yaml/preset_remarks.h"
 #include "core/yaml/pulse_table.h"
 #include "ui/document/scenario_edit.h"
@@ -306,7 +307,7 @@ void Document::markUnsaved() {
 
 QString Document::applyPreset(const Preset& preset) {
     // A menu that is open stays so when the scenario is replaced, by an undo or another file.
-    if (isString(m_scenario) && preset.kind == PresetKind::rod)
+    if (hasSections(m_scenario) && preset.kind == PresetKind::rod)
         return tr("A preset of a rod is for uniform rods, and this scenario is a drill string.");
     if (!isForced(m_scenario) && preset.kind == PresetKind::hammer)
         return tr("A preset of a blow is a force, and this string is struck by the sections of its hammer.");

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/model/blow_traits.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -169,7 +170,7 @@ void ScenarioPanel::showScenario() {
     const QString title = QString::fromStdString(scenario.title);
     if (m_title->text() != title) m_title->setText(title);
     showPresets();
-    if (isString(scenario)) m_string->present(scenario);
+    if (hasSections(scenario)) m_string->present(scenario);
     if (isForced(scenario))
         m_pulse->present(scenario, m_dragged ? PulseSection::Shapes::asBefore : PulseSection::Shapes::asked);
     for (const Section& section : std::as_const(m_sections)) {
@@ -178,7 +179,7 @@ void ScenarioPanel::showScenario() {
             section.rows, [&](const ParameterRow* row) { return row->parameter().applies(scenario); });
         const QString name = section.box->objectName();
         section.box->setVisible(name == QLatin1String("pulse") ? isForced(scenario)
-                                : name == groupsSection        ? !isString(scenario)
+                                : name == groupsSection        ? followsFromGroups(scenario)
                                                                : used);
     }
 }

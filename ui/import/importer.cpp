@@ -3,6 +3,7 @@
 
 #include <QFileInfo>
 
+#include "core/model/blow_traits.h"
 #include "ui/import/import_words.h"
 
 namespace drillwave {
@@ -52,7 +53,7 @@ QString Importer::refusal(ImportUse use) const {
         return tr(
             "This string is struck by the sections of its hammer; Edit ▸ Put a force in place of the hammer "
             "makes room for a measured one.");
-    if (use != ImportUse::blow && isString(m_document.scenario()))
+    if (use != ImportUse::blow && !isFollowedByEvents(m_document.scenario()))
         return tr("Measured signals are compared with uniform rods, and this scenario is a drill string.");
     return {};
 }

@@ -3,6 +3,8 @@
 
 #include <cmath>
 
+#include "core/model/blow_traits.h"
+
 namespace drillwave {
 
 ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size) {
@@ -36,7 +38,7 @@ ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size)
 }
 
 bool haveSameUnit(const Output& output, const SolvedBlow& one, const SolvedBlow& other, UnitSystem units) {
-    if (isString(one.scenario) == isString(other.scenario)) return true;
+    if (followsFromGroups(one.scenario) == followsFromGroups(other.scenario)) return true;
     return units != UnitSystem::dimensionless || output.measure == Measure::number || output.isOnlySi();
 }
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "core/blow/thrust.h"
+#include "core/model/blow_traits.h"
 #include "ui/result/feed_text.h"
 #include "ui/result/output_text.h"
 #include "ui/result/output_unit.h"
@@ -62,8 +63,6 @@ QList<ResultEntry> outputEntries(const std::function<bool(const Output&)>& wante
 }
 
 QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Number& worstOf) {
-    // What studies of all gaps are there for.
-    const auto isOfRod = [](const Scenario& scenario) { return !isString(scenario); };
     return {
         {.name = tr("feed"),
          .meaning = tr("What the feed force does between the blows"),
@@ -90,13 +89,13 @@ QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Numb
          .note = [&worst](const SolvedBlow&) { return worst.problem(); },
          .objectName = worstName,
          .number = worstOf,
-         .concerns = isOfRod},
+         .concerns = gapHasPeriod},
         {.meaning = tr("Feed force less the largest of the four needs, and as a share of that: thrust_margin "
                        "of commands and files"),
          .text = [&worst](const SolvedBlow& blow) { return worstMarginText(worst, blow); },
          .objectName = worstName,
          .warning = [&worst](const SolvedBlow& blow) { return isShortOfWorst(worst, blow); },
-         .concerns = isOfRod},
+         .concerns = gapHasPeriod},
         {.name = tr("installed"),
          .meaning = tr("Feed force of the drill rig"),
          .text = thrustInstalledText,

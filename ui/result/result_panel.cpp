@@ -9,6 +9,7 @@
 #include <QVBoxLayout>
 #include <utility>
 
+#include "core/model/blow_traits.h"
 #include "ui/result/alert_link.h"
 #include "ui/result/event_table.h"
 #include "ui/result/feed_text.h"
@@ -229,7 +230,7 @@ void ResultPanel::present(const SolvedBlowPtr& blow) {
     for (const ResultRow& row : std::as_const(m_rows))
         row.section()->setVisible(!solved || filled.contains(row.section()));
     // The names of a string's numbers are longer than those of a rod's.
-    if (const bool ofString = isString(blow->request.scenario);
+    if (const bool ofString = hasSections(blow->request.scenario);
         std::exchange(m_ofString, ofString) != ofString) {
         m_stress->setTitle(ofString ? tr("Stress in hammer and string") : tr("Stress in the rod"));
         updateGeometry();

@@ -2,6 +2,7 @@
 #include "ui/result/worst_need.h"
 
 #include "core/blow/thrust.h"
+#include "core/model/blow_traits.h"
 
 namespace drillwave {
 namespace {
@@ -20,8 +21,7 @@ WorstNeed::WorstNeed(QObject* parent) : QObject(parent) {
 
 void WorstNeed::ask(const SolvedBlow& blow) {
     std::optional<Scenario> asked;
-    // The study of all gaps is of uniform rods.
-    if (blow.fault.isEmpty() && !isString(blow.request.scenario) &&
+    if (blow.fault.isEmpty() && gapHasPeriod(blow.request.scenario) &&
         thrustProblem(blow.request.scenario).empty()) {
         asked = blow.request.scenario;
         asked->title.clear();

@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <QStringList>
 
+#include "core/model/blow_traits.h"
 #include "core/model/scenario_difference.h"
 #include "core/model/section_parameter.h"
 #include "ui/text/number_text.h"
@@ -55,7 +56,8 @@ QString blowWords(const Pulse& pulse) {
 QString changeWords(const Scenario& before, const Scenario& after, const UnitChoice& units) {
     QStringList changes;
     // All the numbers of the one form are new in the other.
-    if (isString(before) != isString(after)) return isString(after) ? tr("drill string") : tr("uniform rod");
+    if (hasSections(before) != hasSections(after))
+        return hasSections(after) ? tr("drill string") : tr("uniform rod");
     if (before.pulse.shape != after.pulse.shape || !(before.pulse.tablePoints == after.pulse.tablePoints))
         changes << blowWords(after.pulse);
     const Scenario* const both[] = {&before, &after};

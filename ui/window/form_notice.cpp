@@ -3,6 +3,8 @@
 
 #include <QPushButton>
 
+#include "core/model/blow_traits.h"
+
 namespace drillwave {
 
 FormNotice::FormNotice(Document& document, QWidget* parent)
@@ -56,9 +58,9 @@ void FormNotice::offer() {
         reason.isEmpty()
             ? tr("A hammer and a rod of the same blow, to add couplings, an adapter and a bit to")
             : tr("Not of this scenario: %1").arg(reason));
-    m_toUniformRod->setEnabled(isString(scenario));
+    m_toUniformRod->setEnabled(hasSections(scenario));
     m_toUniformRod->setToolTip(
-        isString(scenario)
+        hasSections(scenario)
             ? tr("The rod alone, as long for the waves as the string, struck by a uniform piston")
             : tr("This scenario is a uniform rod"));
     m_toForce->setEnabled(!isForced(scenario));

@@ -11,6 +11,7 @@
 #include <QVBoxLayout>
 
 #include "core/blow/string_curves.h"
+#include "core/model/blow_traits.h"
 #include "core/yaml/examples.h"
 #include "ui/document/recovery.h"
 #include "ui/export/export_menu.h"
@@ -59,8 +60,8 @@ constexpr int messageMilliseconds = 8000;
 
 QString statusText(const SolvedBlow& blow) {
     if (!blow.fault.isEmpty())
-        return isString(blow.request.scenario) ? MainWindow::tr("polynomial cells · not solved")
-                                               : MainWindow::tr("exact · not solved");
+        return isFollowedByEvents(blow.request.scenario) ? MainWindow::tr("exact · not solved")
+                                                         : MainWindow::tr("polynomial cells · not solved");
     const QLocale locale;
     if (blow.isOfString())
         return MainWindow::tr("polynomial cells · %1 · efficiency %2 ± %3")
@@ -102,11 +103,11 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
         const QAction& toString = *m_formNotice->toString();
         if (!toString.isEnabled()) return inform(toString.toolTip());
         m_formNotice->toString()->trigger();
-        if (isString(m_document.scenario())) m_pages->setCurrentWidget(m_stringPage);
+        if (hasSections(m_document.scenario())) m_pages->setCurrentWidget(m_stringPage);
     });
     connect(&m_document, &Document::scenarioChanged, &m_observation, [this] {
         const Scenario& scenario = m_document.scenario();
-        m_observation.setRear(isString(scenario) ? hammerRear(scenario.drillString) : 0);
+        m_observation.setRear(hasSections(scenario) ? hammerRear(scenario.drillString) : 0);
     });
     addTabs();
     addCenter();
@@ -304,7 +305,7 @@ void MainWindow::wireImport() {
 // a string is being solved they are of the blow before it.
 void MainWindow::goToPlace(double section, double time) {
     // The blow on show may still be of another form.
-    if (!m_shown || isString(m_document.scenario()) != isString(m_shown->request.scenario)) return;
+    if (!m_shown || hasSections(m_document.scenario()) != hasSections(m_shown->request.scenario)) return;
     if (!m_pages->current().prepare()) m_pages->choose(m_pages->indexOf(m_rodPage));
     m_observation.setSection(section);
     m_observation.setTime(time);
@@ -314,7 +315,7 @@ void MainWindow::goToPlace(double section, double time) {
 void MainWindow::goToParameter(const QString& key) {
     const KeptParameter parameter = findParameter(key.toStdString());
     if (!parameter || !parameter->address) return m_scenarioPanel->goTo(key);
-    if (!isString(m_document.scenario())) return;
+    if (!hasSections(m_document.scenario())) return;
     m_pages->setCurrentWidget(m_stringPage);
     m_stringPage->goTo(*parameter->address);
 }
@@ -374,7 +375,7 @@ SolveRequest MainWindow::request() {
 void MainWindow::solve() {
     m_solveStatus->asked();
     SolveRequest asked = request();
-    asked.quick = isString(asked.scenario);
+    asked.quick = !isFollowedByEvents(asked.scenario);
     m_job->submit(asked);
 }
 

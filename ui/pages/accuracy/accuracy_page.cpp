@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "core/archive/result_scenario.h"
+#include "core/model/blow_traits.h"
 #include "core/report/accuracy_report.h"
 #include "core/report/blow_csv.h"
 #include "core/report/stability_report.h"
@@ -113,10 +114,11 @@ const void* AccuracyPage::accuracyOfThis() const {
 
 void AccuracyPage::present() {
     takeOver();
-    const QString lasts = isString(scenario()) ? tr("Run") : tr("Run 10 s");  // as long as the string is
+    const QString lasts =
+        isFollowedByEvents(scenario()) ? tr("Run 10 s") : tr("Run");  // as long as the string is
     m_run->setText(isRunning() ? tr("Cancel") : proof() == Proof::accuracy ? lasts : tr("Run 20 s"));
-    m_tabs->setTabText(1, isString(scenario()) ? tr("Stiff and extreme cases of uniform rods")
-                                               : tr("Stiff and extreme cases"));
+    m_tabs->setTabText(1, isFollowedByEvents(scenario()) ? tr("Stiff and extreme cases")
+                                                         : tr("Stiff and extreme cases of uniform rods"));
     m_run->setToolTip(proof() == Proof::accuracy
                           ? tr("Solve this scenario with every method and measure errors and times")
                           : tr("Solve and check some thousand stiff and extreme cases"));
@@ -142,8 +144,8 @@ void AccuracyPage::presentAccuracy() {
     } else if (wanted) {
         show(m_accuracy);
     } else {
-        const QString first = isString(scenario()) ? tr("Solving with cells half as large …")
-                                                   : tr("Solving exactly, and in long double …");
+        const QString first = isFollowedByEvents(scenario()) ? tr("Solving exactly, and in long double …")
+                                                             : tr("Solving with cells half as large …");
         m_plot->showNothing(
             isRunning() ? first : tr("Run compares all methods on this scenario: error against time."));
         if (m_accuracyTable->rowCount() > 0) m_accuracyTable->clear();

@@ -7,6 +7,8 @@
 #include <stdexcept>
 #include <thread>
 
+#include "core/model/blow_traits.h"
+
 namespace drillwave {
 namespace {
 
@@ -70,7 +72,8 @@ ProofAnswer proveStability(const ProofQuestion& question, const StudyFeed<ProofA
 
 ProofAnswer prove(const ProofQuestion& question, const StudyFeed<ProofAnswer>& feed) {
     if (question.proof == Proof::stability) return proveStability(question, feed);
-    return isString(question.scenario) ? proveStringAccuracy(question, feed) : proveAccuracy(question, feed);
+    return isFollowedByEvents(question.scenario) ? proveAccuracy(question, feed)
+                                                 : proveStringAccuracy(question, feed);
 }
 
 }  // namespace drillwave

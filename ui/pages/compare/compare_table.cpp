@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/blow_traits.h"
 #include "core/model/scenario_difference.h"
 #include "core/model/section_parameter.h"
 #include "core/text/csv.h"
@@ -34,8 +35,8 @@ void addBlow(CompareTable& table, const Columns& columns) {
     const Pulse& first = columns.front().scenario->pulse;
     const bool isOther = std::ranges::any_of(columns, [&](const CompareColumn& each) {
         const Pulse& pulse = each.scenario->pulse;
-        return isString(*each.scenario) != isString(*columns.front().scenario) ||
-               (!isString(*each.scenario) &&
+        return followsFromGroups(*each.scenario) != followsFromGroups(*columns.front().scenario) ||
+               (followsFromGroups(*each.scenario) &&
                 (pulse.shape != first.shape || !(pulse.tablePoints == first.tablePoints)));
     });
     if (!isOther) return;
@@ -119,7 +120,8 @@ void addResults(CompareTable& table, const Columns& columns, UnitSystem system, 
             return isSolved(each) && !haveSameUnit(output, *base->blow, *each.blow, system);
         };
         if (std::ranges::any_of(columns, isOtherUnit))
-            for (const CompareColumn& each : columns) row.ofString.push_back(isString(*each.scenario));
+            for (const CompareColumn& each : columns)
+                row.ofString.push_back(!followsFromGroups(*each.scenario));
         const auto isThere = [](const std::optional<double>& number) { return number.has_value(); };
         if (std::ranges::none_of(row.numbers, isThere)) continue;
         const ShownUnit unit = unitOf(output, units, scales, size);

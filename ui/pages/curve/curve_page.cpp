@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/model/blow_traits.h"
 #include "core/report/curve_csv.h"
 #include "ui/form/choice_box.h"
 #include "ui/pages/curve/curve_plot.h"
@@ -100,7 +101,7 @@ QWidget* CurvePage::makePointsBox() {
 }
 
 QString CurvePage::title() const {
-    return m_ofString ? tr("Efficiency–stiffness") : tr("COR–stiffness");
+    return m_isSampled ? tr("Efficiency–stiffness") : tr("COR–stiffness");
 }
 
 void CurvePage::varyGap() {
@@ -115,23 +116,24 @@ void CurvePage::varyGap() {
 
 // The paper's curves and its family of elasticities are of uniform rods.
 void CurvePage::followForm() {
-    const bool ofString = isString(scenario());
-    if (ofString == m_ofString) return;
-    m_ofString = ofString;
-    m_closedForm->setVisible(!ofString);
-    m_reference->setVisible(!ofString);
-    m_pointsPart->setVisible(ofString);
+    const bool isSampled = !isFollowedByEvents(scenario());
+    if (isSampled == m_isSampled) return;
+    m_isSampled = isSampled;
+    m_closedForm->setVisible(!isSampled);
+    m_reference->setVisible(!isSampled);
+    m_pointsPart->setVisible(isSampled);
     const std::vector<StudyFamily> ofRods = preferredFamilies();
     const bool isUsual = std::ranges::find(ofRods, m_family->family()) != ofRods.end();
-    if (ofString && (isUsual || !m_family->family().parameter)) m_family->setFamily({});
-    if (!ofString && !m_family->family().parameter) m_family->setFamily(ofRods[hasUnits(scenario()) ? 0 : 1]);
+    if (isSampled && (isUsual || !m_family->family().parameter)) m_family->setFamily({});
+    if (!isSampled && !m_family->family().parameter)
+        m_family->setFamily(ofRods[hasUnits(scenario()) ? 0 : 1]);
     emit titleChanged();
 }
 
 /// As the command has it: a range to be followed, or with a number of points.
 std::string CurvePage::axisText() const {
     const StudyRange& range = m_axis->range();
-    if (!m_ofString) return range.text() + range.tail();
+    if (!m_isSampled) return range.text() + range.tail();
     const auto most = static_cast<std::uint64_t>(m_points->currentData().toInt());
     return range.text() + ":" + std::to_string(range.pointsWithin(most)) + range.tail();
 }
@@ -159,7 +161,7 @@ CurvePage::Wish CurvePage::wish() const {
     CurveQuestion& curve = asked.curve;
     curve.base = scenario();
     curve.base.title.clear();
-    const ParsedAxis along = m_ofString ? parseAxis(axisText()) : parseRange(axisText());
+    const ParsedAxis along = m_isSampled ? parseAxis(axisText()) : parseRange(axisText());
     if (!along.problem.empty()) return {{}, QString::fromStdString(along.problem)};
     curve.along = along.axis;
     takeOut(curve.base, *range.parameter, range.start);
@@ -170,7 +172,7 @@ CurvePage::Wish CurvePage::wish() const {
         takeOut(curve.base, *family.parameter, family.values.front());
     }
     curve.columns = {{&m_output->output(), isPhysical ? OutputUnits::si : OutputUnits::dimensionless}};
-    if (m_output->output().name == "cor" && !m_ofString) curve.levels = {1};
+    if (m_output->output().name == "cor" && !m_isSampled) curve.levels = {1};
     asked.reference = static_cast<ReferenceScale>(m_reference->currentIndex());
     asked.closedForm = m_closedForm->isChecked();
     QStringList problems;
@@ -188,7 +190,7 @@ void CurvePage::ask() {
     m_problem = now.problem;
     if (!now.question) return m_study.job().cancel();
     m_reference->setEnabled(now.question->hasReference());
-    m_closedForm->setEnabled(!m_ofString && now.question->curve.base.pulse.shape == PulseShape::rectangular);
+    m_closedForm->setEnabled(!m_isSampled && now.question->curve.base.pulse.shape == PulseShape::rectangular);
     m_study.ask(std::move(*now.question));
 }
 
@@ -314,7 +316,7 @@ QStringList CurvePage::commandWords() const {
     if (!asked) return {};
     const QString along = fromView(axisText()), family = fromView(askedFamily().text());
     QStringList words;
-    if (m_ofString) {
+    if (m_isSampled) {
         words << QStringLiteral("sweep");
         if (!family.isEmpty()) words << QStringLiteral("--vary") << family;
         words << QStringLiteral("--vary") << along;  // fastest

@@ -91,7 +91,7 @@ class CurvePage : public StudyPage {
     QComboBox* m_reference;
     QComboBox* m_points;  // of a curve that is sampled
     QWidget* m_pointsPart = nullptr;
-    bool m_ofString = false;
+    bool m_isSampled = false;
     CurvePlot* m_plot = nullptr;
     PresetLibrary m_presets;
     QString m_problem;  // why the controls say no curve

@@ -6,6 +6,7 @@
 #include <optional>
 #include <stop_token>
 
+#include "core/model/blow_traits.h"
 #include "core/study/curve/sampled_curve.h"
 
 namespace drillwave {
@@ -24,8 +25,8 @@ struct CurvePageQuestion {
     bool closedForm = false;  ///< where it holds
     bool operator==(const CurvePageQuestion&) const = default;
 
-    /// Whether it is of a drill string: its curve is solved at CurveQuestion::along.count points.
-    bool isSampled() const { return isString(curve.base); }
+    /// Whether it cannot be followed: its curve is solved at CurveQuestion::along.count points.
+    bool isSampled() const { return !isFollowedByEvents(curve.base); }
     /// Whether there is a reference: e along stiffness or β, for a family of γ or none.
     bool hasReference() const;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/curve/run_lines.h"
 
+#include "core/model/blow_traits.h"
 #include "ui/pages/curve/curve_study.h"
 
 namespace drillwave {
@@ -15,15 +16,16 @@ std::optional<CurveQuestion> runLineQuestion(const CurveQuestion& page, const Sc
     question.family.reset();
     question.levels.clear();  // nothing is marked on it
     takeOut(question.base, *question.along.parameter, question.along.start);
-    if (isString(run) && !isString(page.base)) question.along.count = sampledPoints;
-    const bool isUsable = isString(run) ? sampledProblemsOf(question).empty() : problemsOf(question).empty();
+    if (!isFollowedByEvents(run) && isFollowedByEvents(page.base)) question.along.count = sampledPoints;
+    const bool isUsable =
+        isFollowedByEvents(run) ? problemsOf(question).empty() : sampledProblemsOf(question).empty();
     return isUsable ? std::optional(question) : std::nullopt;
 }
 
 std::optional<CurveStudy> runLine(const CurveQuestion& question, const std::stop_token& stop) {
     constexpr int jobs = 1;  // the others are left to what the user waits for
-    CurveStudy study =
-        isString(question.base) ? sampleCurve(question, jobs, stop) : studyCurve(question, jobs, stop);
+    CurveStudy study = isFollowedByEvents(question.base) ? studyCurve(question, jobs, stop)
+                                                         : sampleCurve(question, jobs, stop);
     if (study.stopped) return std::nullopt;
     return study;
 }

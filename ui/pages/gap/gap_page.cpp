@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/archive/result_scenario.h"
+#include "core/model/blow_traits.h"
 #include "core/report/blow_csv.h"
 #include "core/report/gap_json.h"
 #include "ui/form/choice_box.h"
@@ -21,9 +22,9 @@ bool isDimensional(const Scenario& scenario) {
     return scenario.form == ScenarioForm::dimensional;
 }
 
-// A drill string has no curve to lay over others.
+// Others have no curve to lay over this one.
 bool isCompared(const Run& run) {
-    return run.isShown && run.isSolved() && !isString(run.contents.scenario);
+    return run.isShown && run.isSolved() && gapHasPeriod(run.contents.scenario);
 }
 
 // Its gap is where its mark is, and matters no further.

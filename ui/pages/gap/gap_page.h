@@ -2,6 +2,7 @@
 // The page COR–gap: what a gap that nobody controls does to a result (paper, Fig. 8).
 #pragma once
 
+#include "core/model/blow_traits.h"
 #include "ui/job/asked_study.h"
 #include "ui/pages/gap/gap_picture.h"
 #include "ui/pages/gap/gap_study.h"
@@ -22,7 +23,7 @@ class GapPage : public StudyPage {
     explicit GapPage(Document& document, QWidget* parent = nullptr);
 
     QString title() const override { return tr("COR–gap"); }
-    bool shows(const Scenario& scenario) const override { return !isString(scenario); }
+    bool shows(const Scenario& scenario) const override { return gapHasPeriod(scenario); }
     QString elsewhere() const override;
     bool leadsElsewhere() const override { return true; }
     /// How many studies were started.

@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 
 #include "core/model/assignments.h"
+#include "core/model/blow_traits.h"
 #include "core/model/section_choice.h"
 #include "core/report/row_csv.h"
 #include "core/study/map/map_rows.h"
@@ -141,7 +142,7 @@ void MapPage::takeUsualLevels() {
 
 // A size of the string against the rock, where a rod has its rock against the elasticity.
 void MapPage::followForm() {
-    const bool ofString = isString(scenario());
+    const bool ofString = !isFollowedByEvents(scenario());
     if (ofString == m_ofString) return;
     m_ofString = ofString;
     const QSignalBlocker quietPoints(m_points), quietX(m_x), quietY(m_y);

@@ -19,7 +19,8 @@ OutputBox::OutputBox(QWidget* parent, OfferedOutputs offered) : ChoiceBox(parent
 
 void OutputBox::present(const Scenario& scenario) {
     // What a scenario is first asked for follows it, what the user has chosen does not.
-    const QString first = isString(scenario) ? QStringLiteral("efficiency") : QStringLiteral("cor");
+    const QString first = findOutput("efficiency_error")->concerns(scenario) ? QStringLiteral("efficiency")
+                                                                             : QStringLiteral("cor");
     const QString before = m_shown.isEmpty() || m_shown == m_first ? first : m_shown;
     m_first = first;
     {
