@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/model/section_pieces.h"
 
@@ -135,7 +136,7 @@ Section sectionOf(const Rod& rod, const Material& material) {
 }
 
 std::string whyNoString(const Scenario& scenario) {
-    if (isString(scenario)) return "it is a drill string already";
+    if (hasSections(scenario)) return "it is a drill string already";
     if (!hasUnits(scenario)) return "a drill string has physical units, and this scenario has none";
     if (scenario.pulse.shape == PulseShape::rigidBody)
         return "the reference case of a rod that arrives without waves has no hammer";
@@ -171,7 +172,7 @@ Conversion forcedStringOf(const Scenario& scenario) {
 }
 
 Conversion uniformRodOf(const Scenario& scenario) {
-    assert(isString(scenario));
+    assert(hasSections(scenario));
     const DrillString& drill = scenario.drillString;
     const Section& kept = ruleSection(drill);
     const RodProperties properties = propertiesOf(kept, drill.material);

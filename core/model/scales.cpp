@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/model/blow_traits.h"
 #include "core/model/section_pieces.h"
 
 namespace drillwave {
@@ -14,13 +15,13 @@ const Section& rearSection(const DrillString& drillString) {
     return drillString.parts.front().sections.front();
 }
 Material rearMaterial(const Scenario& scenario) {
-    if (!isString(scenario)) return {scenario.rod.youngsModulus, scenario.rod.density};
+    if (!hasSections(scenario)) return {scenario.rod.youngsModulus, scenario.rod.density};
     const Section& rear = rearSection(scenario.drillString);
     const Material& material = scenario.drillString.material;
     return {rear.youngsModulus.value_or(material.youngsModulus), rear.density.value_or(material.density)};
 }
 double rearImpedance(const Scenario& scenario) {
-    if (!isString(scenario)) return propertiesOf(scenario.rod).impedance;
+    if (!hasSections(scenario)) return propertiesOf(scenario.rod).impedance;
     Section rear = rearSection(scenario.drillString);
     rear.area = areaAt(rear, 0);
     rear.endArea.reset();
@@ -62,7 +63,7 @@ void add(ChainProperties& sum, const Section& section, const Material& material,
 
 /// What stands for all of it in the scales: the rod, or the ruleSection() of a string.
 RodProperties ruleProperties(const Scenario& scenario) {
-    if (!isString(scenario)) return propertiesOf(scenario.rod);
+    if (!hasSections(scenario)) return propertiesOf(scenario.rod);
     return propertiesOf(ruleSection(scenario.drillString), scenario.drillString.material);
 }
 
@@ -135,7 +136,7 @@ double meanForce(const Pulse& pulse) {
 }
 
 ChainProperties chainProperties(const Scenario& scenario) {
-    if (isString(scenario)) return stringProperties(scenario.drillString);
+    if (hasSections(scenario)) return stringProperties(scenario.drillString);
     const RodProperties rod = propertiesOf(scenario.rod);
     return {scenario.rod.length, rod.transitTime, rod.mass};
 }

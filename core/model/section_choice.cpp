@@ -49,7 +49,6 @@ void addSection(std::vector<KeptParameter>& parameters, Chain chain, const Place
 
 std::vector<KeptParameter> variableSectionParameters(const Scenario& scenario) {
     std::vector<KeptParameter> parameters;
-    if (!isString(scenario)) return parameters;
     const std::vector<Section>& hammer = scenario.drillString.hammer.sections;
     for (std::size_t i = 0; i < hammer.size(); ++i)
         addSection(parameters, Chain::hammer, {&hammer[i], i + 1}, scenario);
@@ -60,8 +59,8 @@ std::vector<KeptParameter> variableSectionParameters(const Scenario& scenario) {
 }
 
 KeptParameter typicalSize(const Scenario& scenario) {
-    if (!isString(scenario)) return nullptr;
     const std::vector<PlacedSection> all = placedSections(scenario.drillString);
+    if (all.empty()) return nullptr;
     auto found = std::ranges::find(all, "coupling", [](const PlacedSection& p) { return p.section->name; });
     if (const StringPart* repeated = firstRepeat(scenario.drillString); found == all.end() && repeated)
         found = std::ranges::find(all, &repeated->sections.front(), &PlacedSection::section);

@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 
+#include "core/model/blow_traits.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
@@ -118,7 +119,6 @@ KeptParameter findSectionParameter(std::string_view key) {
 }
 
 bool hasSectionFor(const Parameter& parameter, const Scenario& scenario) {
-    if (!isString(scenario)) return false;
     if (!parameter.address) return firstRepeat(scenario.drillString) != nullptr;
     bool found = false;
     visitSections(*parameter.address, scenario.drillString,
@@ -134,7 +134,7 @@ bool mayMeet(const Parameter& one, const Parameter& other) {
 
 std::string meetingProblem(const Parameter& one, const Scenario& ofOne, const Parameter& other,
                            const Scenario& ofOther) {
-    if (!mayMeet(one, other) || !isString(ofOne) || !isString(ofOther)) return {};
+    if (!mayMeet(one, other)) return {};
     const SectionAddress &a = *one.address, &b = *other.address;
     const std::vector<std::size_t> numbers = numbersOf(a, ofOne);
     const auto isOfOne = [&](std::size_t number) {
@@ -149,7 +149,7 @@ std::string meetingProblem(const Parameter& one, const Scenario& ofOne, const Pa
 }
 
 std::string whyNoSection(const Parameter& parameter, const Scenario& scenario) {
-    if (!isString(scenario)) return "only a drill string has it (`drillwave: 2`), this is a uniform rod";
+    if (!hasSections(scenario)) return "only a drill string has it (`drillwave: 2`), this is a uniform rod";
     if (!parameter.address) return "the string has no repeat";
     const SectionAddress& address = *parameter.address;
     bool found = false;
@@ -162,7 +162,6 @@ std::string whyNoSection(const Parameter& parameter, const Scenario& scenario) {
 
 std::vector<KeptParameter> sectionParameters(const Scenario& scenario) {
     std::vector<KeptParameter> parameters;
-    if (!isString(scenario)) return parameters;
     const auto add = [&](Chain chain, std::uint64_t place, const Section& section) {
         for (const SectionField& field : sectionFields())
             if (field.value(section))
@@ -177,7 +176,7 @@ std::vector<KeptParameter> sectionParameters(const Scenario& scenario) {
 }
 
 std::string sectionName(const Parameter& parameter, const Scenario& scenario) {
-    if (!parameter.address || !isString(scenario)) return {};
+    if (!parameter.address) return {};
     std::string found;
     visitSections(*parameter.address, scenario.drillString,
                   [&](const Section& section) { found = section.name; });
