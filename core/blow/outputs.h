@@ -36,7 +36,7 @@ enum class Measure {
 };
 
 /// Under which heading the window lists an output.
-enum class OutputGroup { none, impact, energy, stress };
+enum class OutputGroup { none, work, share, penetration, rebound, stress, contact };
 
 /// Of which blows an output is a number at all, be it given or not.
 enum class OutputOf { anyBlow, uniformRod, drillString, hammer, elasticFaces };
@@ -75,6 +75,7 @@ struct Output {
     /// problem(), for what not every blow of those has.
     std::string (*lack)(const Scenario&) = nullptr;
     std::string_view shortTitle = {};  ///< in the window, where it is another one
+    int order = 0;                     ///< of its group: what stays before what is largest for a moment
 
     /// Why such a scenario has none and what to do; empty when it has.
     std::string problem(const Scenario& scenario) const;

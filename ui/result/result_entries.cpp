@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/result/result_entries.h"
 
+#include <algorithm>
 #include <string>
+#include <vector>
 
 #include "core/blow/thrust.h"
 #include "core/model/blow_traits.h"
@@ -40,10 +42,14 @@ ResultEntry::Text textOf(const Output& output) {
 
 }  // namespace
 
-QList<ResultEntry> outputEntries(const std::function<bool(const Output&)>& wanted) {
+QList<ResultEntry> outputEntries(OutputGroup group) {
+    std::vector<const Output*> wanted;
+    for (const Output& output : outputs())
+        if (output.group == group) wanted.push_back(&output);
+    std::ranges::stable_sort(wanted, {}, &Output::order);
     QList<ResultEntry> entries;
-    for (const Output& output : outputs()) {
-        if (output.group == OutputGroup::none || !wanted(output)) continue;
+    for (const Output* const each : wanted) {
+        const Output& output = *each;
         const auto concerns = [&output](const Scenario& scenario) { return output.concerns(scenario); };
         entries.append({.name = labelWords(output.label()),
                         .meaning = labelWords(output.note),

@@ -12,8 +12,8 @@ namespace drillwave {
 /// By this name the rows are found that wait for the study of all gaps.
 inline const QString worstName = QStringLiteral("worstNeed");
 
-/// Of all outputs that have a group and are wanted; of a largest stress the place, too, in a row below.
-QList<ResultEntry> outputEntries(const std::function<bool(const Output&)>& wanted);
+/// Of all outputs of a group, in its order; of a largest stress the place, too, in a row below.
+QList<ResultEntry> outputEntries(OutputGroup group);
 
 /// The verdict on the feed and what it is made from. `worst` is of the blow on show and must outlive the
 /// rows; `worstOf` gives the need of any blow.

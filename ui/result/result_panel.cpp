@@ -27,10 +27,11 @@ ResultPanel::ResultPanel(QWidget* parent) : SteadyScrollArea(parent), m_veil(new
     addNumbers(tr("Thrust"),
                thrustEntries(m_worst, [this](const SolvedBlow& blow, UnitSystem) { return worstOf(blow); }));
     addEnergy();
-    addPenetration();
-    addRebound();
-    addStress();
-    addTimes();
+    addNumbers(tr("Penetration"), outputEntries(OutputGroup::penetration));
+    addNumbers(tr("Rebound"), QList<ResultEntry>{corEntry()} + outputEntries(OutputGroup::rebound));
+    addNumbers(tr("Stress in the rod"), outputEntries(OutputGroup::stress));
+    m_stress = m_rows.last().section();
+    addNumbers(tr("Force and times"), outputEntries(OutputGroup::contact));
     addEvents();
     addAlerts();
     addDecision();
@@ -46,54 +47,14 @@ ResultPanel::ResultPanel(QWidget* parent) : SteadyScrollArea(parent), m_veil(new
         connect(worst, &WorstNeed::changed, this, &ResultPanel::showWorst);
 }
 
+// The shares stand under the bar that draws them.
 void ResultPanel::addEnergy() {
-    // The power behind the work that it comes from.
-    QList<ResultEntry> first =
-        outputEntries([](const Output& output) { return output.measure == Measure::work; });
-    first += outputEntries([](const Output& output) { return output.measure == Measure::watt; });
-    addNumbers(tr("Energy"), first);
+    addNumbers(tr("Energy"), outputEntries(OutputGroup::work));
     SectionBox* section = m_rows.last().section();
     QGridLayout* grid = m_grids.last();
     m_energy = new EnergyBar(section->content());
     grid->addWidget(m_energy, grid->rowCount(), 0, 1, 4);
-    const auto isShare = [](const Output& output) {
-        return output.group == OutputGroup::energy && output.measure != Measure::work &&
-               output.measure != Measure::watt;
-    };
-    for (const ResultEntry& entry : outputEntries(isShare)) addRow(section, grid, entry);
-}
-
-// What stays, before what is largest for a moment.
-void ResultPanel::addPenetration() {
-    QList<ResultEntry> entries =
-        outputEntries([](const Output& output) { return output.name == "residual_penetration"; });
-    entries += outputEntries([](const Output& output) {
-        return output.measure == Measure::speed && output.group == OutputGroup::impact;
-    });
-    entries += outputEntries([](const Output& output) {
-        return output.measure == Measure::penetration && output.name != "residual_penetration";
-    });
-    addNumbers(tr("Penetration"), entries);
-}
-
-void ResultPanel::addRebound() {
-    addNumbers(tr("Rebound"), QList<ResultEntry>{corEntry()} + outputEntries([](const Output& output) {
-                                  return output.measure == Measure::impulse &&
-                                         output.group == OutputGroup::impact;
-                              }));
-}
-
-void ResultPanel::addStress() {
-    addNumbers(tr("Stress in the rod"),
-               outputEntries([](const Output& output) { return output.group == OutputGroup::stress; }));
-    m_stress = m_rows.last().section();
-}
-
-void ResultPanel::addTimes() {
-    addNumbers(tr("Force and times"), outputEntries([](const Output& output) {
-                   return output.group == OutputGroup::impact && output.measure != Measure::penetration &&
-                          output.measure != Measure::speed && output.measure != Measure::impulse;
-               }));
+    for (const ResultEntry& entry : outputEntries(OutputGroup::share)) addRow(section, grid, entry);
 }
 
 void ResultPanel::addAlerts() {

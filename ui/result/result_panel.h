@@ -58,10 +58,6 @@ class ResultPanel : public SteadyScrollArea {
     void addNumbers(const QString& title, const QList<ResultEntry>& entries);
     void addRow(SectionBox* section, QGridLayout* grid, const ResultEntry& entry);
     void addEnergy();
-    void addPenetration();
-    void addRebound();
-    void addStress();
-    void addTimes();
     void addAlerts();
     void addDecision();
     void showDecision();

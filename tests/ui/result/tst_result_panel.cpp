@@ -98,7 +98,7 @@ class TestResultPanel : public QObject {
         double sum = 0;
         int shares = 0;
         for (const Output& output : outputs()) {
-            const bool isShown = output.group == OutputGroup::energy && output.measure == Measure::energy;
+            const bool isShown = output.group == OutputGroup::share && output.measure == Measure::energy;
             if (!isShown || !output.concerns(blow->scenario)) continue;
             const QString text =
                 valueOf(panel, "Energy: " + QString::fromStdString(std::string(output.label())));
