@@ -3,19 +3,18 @@
 
 #include <numbers>
 
-#include "core/model/scales.h"
 #include "ui/import/import_rows.h"
 
 namespace drillwave {
 namespace {
 
-enum Bar { rodOfScenario, otherBar };
+enum Bar { ofScenario, otherBar };
 
 }  // namespace
 
 GaugeRows::GaugeRows(QFormLayout& form, const std::function<void()>& changed) : m_form(form) {
     m_bar = addChoice(form, {"bar", tr("gauge is on"), tr("Whose E and area make a force of a strain")},
-                      {{tr("the rod"), rodOfScenario}, {tr("another bar"), otherBar}});
+                      {{tr("the rod or string"), ofScenario}, {tr("another bar"), otherBar}});
     m_modulus = addQuantity(form, {"modulus", tr("E of the bar"), tr("Young's modulus")}, Quantity::stress,
                             "GPa", FieldRange::positive, 210e9, changed);
     m_diameter = addQuantity(form, {"diameter", tr("diameter"), tr("Of the solid bar where the gauge is")},
@@ -33,30 +32,30 @@ GaugeRows::GaugeRows(QFormLayout& form, const std::function<void()>& changed) : 
         QObject::connect(box, &QComboBox::currentIndexChanged, box, changed);
 }
 
-void GaugeRows::setRod(const std::optional<Rod>& rod) {
-    m_rod = rod;
-    if (!m_rod) choose(*m_bar, otherBar);
+void GaugeRows::offerScenario(bool offered) {
+    m_isOffered = offered;
+    if (!offered) choose(*m_bar, otherBar);
+}
+
+bool GaugeRows::isOnScenario() const {
+    return m_isOffered && chosenValue(*m_bar) == ofScenario;
 }
 
 void GaugeRows::show(SignalKind kind) {
     const bool needsBar = kind != SignalKind::force;
-    const bool typed = needsBar && (!m_rod || chosenValue(*m_bar) == otherBar);
-    setRowVisible(m_form, *m_bar, needsBar && m_rod);
+    const bool typed = needsBar && !isOnScenario();
+    setRowVisible(m_form, *m_bar, needsBar && m_isOffered);
     setRowVisible(m_form, *m_modulus, typed);
     setRowVisible(m_form, *m_diameter, typed);
     setRowVisible(m_form, *m_gaugeFactor, kind == SignalKind::bridge);
     setRowVisible(m_form, *m_activeGauges, kind == SignalKind::bridge);
 }
 
-double GaugeRows::axialStiffness() const {
-    if (m_rod && chosenValue(*m_bar) == rodOfScenario)
-        return propertiesOf(*m_rod).area * m_rod->youngsModulus;
+GaugedBar GaugeRows::bar(double stiffness) const {
     const double diameter = *m_diameter->value();
-    return *m_modulus->value() * std::numbers::pi / 4 * diameter * diameter;
-}
-
-GaugedBar GaugeRows::bar() const {
-    return {axialStiffness(), *m_gaugeFactor->value(), static_cast<double>(chosenValue(*m_activeGauges))};
+    const double typed = *m_modulus->value() * std::numbers::pi / 4 * diameter * diameter;
+    return {isOnScenario() ? stiffness : typed, *m_gaugeFactor->value(),
+            static_cast<double>(chosenValue(*m_activeGauges))};
 }
 
 }  // namespace drillwave

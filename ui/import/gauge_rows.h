@@ -5,9 +5,7 @@
 #include <QCoreApplication>
 #include <QList>
 #include <functional>
-#include <optional>
 
-#include "core/model/scenario.h"
 #include "core/signal/signal_unit.h"
 
 class QFormLayout;
@@ -25,19 +23,19 @@ class GaugeRows {
     /// `changed` is called with every choice and every value.
     GaugeRows(QFormLayout& form, const std::function<void()>& changed);
 
-    /// The rod that the gauge may be on; without one it is on another bar.
-    void setRod(const std::optional<Rod>& rod);
-    const std::optional<Rod>& rod() const { return m_rod; }
+    /// Whether the gauge may be on the rod or string of the scenario; else it is on another bar.
+    void offerScenario(bool offered);
     /// Shows what such numbers need, and no more.
     void show(SignalKind kind);
-    GaugedBar bar() const;
+    /// `stiffness`: E A of the rod or string where the gauge is [N], where it is offered.
+    GaugedBar bar(double stiffness) const;
     const QList<QuantityField*>& fields() const { return m_fields; }
 
   private:
-    double axialStiffness() const;
+    bool isOnScenario() const;
 
     QFormLayout& m_form;
-    std::optional<Rod> m_rod;
+    bool m_isOffered = false;
     ChoiceBox* m_bar;
     QuantityField* m_modulus;
     QuantityField* m_diameter;

@@ -53,8 +53,6 @@ QString Importer::refusal(ImportUse use) const {
         return tr(
             "This string is struck by the sections of its hammer; Edit ▸ Put a force in place of the hammer "
             "makes room for a measured one.");
-    if (use != ImportUse::blow && !isFollowedByEvents(m_document.scenario()))
-        return tr("Measured signals are compared with uniform rods, and this scenario is a drill string.");
     return {};
 }
 

@@ -7,6 +7,9 @@
 #include <QSignalBlocker>
 #include <cmath>
 
+#include "core/blow/string_curves.h"
+#include "core/model/scales.h"
+#include "core/model/section_pieces.h"
 #include "ui/import/gauge_rows.h"
 #include "ui/import/import_rows.h"
 #include "ui/text/shown_text.h"
@@ -85,8 +88,8 @@ QuantityField* SignalFields::quantity(const char* name, const QString& label, co
 SignalFields::~SignalFields() = default;
 
 void SignalFields::addUnit() {
-    m_place = quantity("place", tr("place x"), tr("Of the gauge, from the struck end of the rod"),
-                       Quantity::length, "m", FieldRange::notNegative, {});
+    m_place = quantity("place", tr("place x"), tr("Of the gauge, from the struck end; below 0 in the hammer"),
+                       Quantity::length, "m", FieldRange::any, {});
     m_place->setOptional(tr("not given"));
     m_kind = addChoice(*m_form, {"kind", tr("signal is"), tr("What the numbers are")},
                        {{tr("force"), value(SignalKind::force)},
@@ -170,10 +173,9 @@ void SignalFields::setUse(ImportUse use) {
 }
 
 void SignalFields::setScenario(const Scenario& scenario) {
-    const std::optional<Rod> rod =
-        scenario.form == ScenarioForm::dimensional ? std::optional(scenario.rod) : std::nullopt;
-    if (rod == m_gauge->rod()) return;
-    m_gauge->setRod(rod);
+    if (scenario == m_scenario) return;
+    m_scenario = scenario;
+    m_gauge->offerScenario(hasUnits(scenario));
     showRows();
     emit changed();
 }
@@ -250,9 +252,22 @@ void SignalFields::showRows() {
 double SignalFields::forcePerNumberNow() const {
     const auto unit = static_cast<std::size_t>(std::max(0, chosenValue(*m_unit)));
     const double size = forcePerNumber(static_cast<SignalKind>(chosenValue(*m_kind)), m_unitList[unit].factor,
-                                       m_gauge->bar());
+                                       m_gauge->bar(axialStiffness()));
     const bool positiveHere = (chosenValue(*m_positive) == tension) == (m_use == ImportUse::normalForce);
     return positiveHere ? size : -size;
+}
+
+// Where the gauge is: a blow comes in at the struck end, a force on the rock leaves at the bit.
+double SignalFields::axialStiffness() const {
+    if (!isString(m_scenario)) return propertiesOf(m_scenario.rod).area * m_scenario.rod.youngsModulus;
+    const DrillString& drillString = m_scenario.drillString;
+    const double length = stringProperties(drillString).length;
+    const double share = m_use == ImportUse::normalForce ? place() / length
+                         : m_use == ImportUse::blow      ? 0
+                                                         : 1;
+    const StringPlace at = stringPlace(drillString, share);
+    const Section& section = *allSections(drillString)[at.section];
+    return areaAt(section, at.share) * section.youngsModulus.value_or(drillString.material.youngsModulus);
 }
 
 SignalRecipe SignalFields::recipe() const {
@@ -285,15 +300,26 @@ QString SignalFields::problem() const {
     for (const QuantityField* field : m_fields)
         if (field->isVisibleTo(this) && !field->problem().isEmpty())
             return QStringLiteral("%1: %2").arg(field->accessibleName(), field->problem());
-    const std::optional<Rod>& rod = m_gauge->rod();
-    if (m_use == ImportUse::normalForce && !m_place->value())
+    return m_use == ImportUse::normalForce ? problemOfPlace() : QString();
+}
+
+QString SignalFields::problemOfPlace() const {
+    if (!m_place->value())
         return tr(
             "place x: not given: a wave passes every section at another time; type how far the gauge is "
-            "from the struck end of the rod");
-    if (m_use == ImportUse::normalForce && rod && place() > rod->length)
-        return tr("place x: must be at most %1, the length of the rod")
-            .arg(m_units.text(rod->length, UnitKind::length));
-    return {};
+            "from the struck end");
+    const bool ofString = isString(m_scenario);
+    const double hammer = ofString ? hammerProperties(m_scenario.drillString).length : 0;
+    if (place() < 0 && hammer == 0) return tr("place x: must not be less than 0, the struck end");
+    if (place() < -hammer)
+        return tr("place x: must be at least %1, the rear of the hammer")
+            .arg(m_units.text(-hammer, UnitKind::length));
+    if (!hasUnits(m_scenario)) return {};
+    const double length = chainProperties(m_scenario).length;
+    if (place() <= length) return {};
+    return (ofString ? tr("place x: must be at most %1, the length of the string")
+                     : tr("place x: must be at most %1, the length of the rod"))
+        .arg(m_units.text(length, UnitKind::length));
 }
 
 }  // namespace drillwave

@@ -42,7 +42,7 @@ class SignalFields : public QWidget {
     ~SignalFields() override;
 
     void setUse(ImportUse use);
-    /// The rod whose E A a strain takes; a dimensionless scenario has none.
+    /// Its rod or string, whose E A a strain takes; a dimensionless scenario has none.
     void setScenario(const Scenario& scenario);
     /// What the header says of the column; without one the user has to choose.
     void setUnit(const std::optional<NamedSignalUnit>& unit);
@@ -56,7 +56,7 @@ class SignalFields : public QWidget {
     void proposeTimes(std::optional<RecordSpan> times);
 
     SignalRecipe recipe() const;
-    /// x of a normal force [m].
+    /// x of a normal force from the struck end [m], below 0 in a hammer.
     double place() const;
     /// Why the choices make no recipe; empty when they do.
     QString problem() const;
@@ -78,9 +78,12 @@ class SignalFields : public QWidget {
     void showRows();
     void showTimes(std::optional<RecordSpan> times);
     double forcePerNumberNow() const;
+    double axialStiffness() const;
+    QString problemOfPlace() const;
 
     const UnitChoice& m_units;
     ImportUse m_use = ImportUse::blow;
+    Scenario m_scenario;
     std::vector<SignalUnit> m_unitList;
     bool m_unitIsKnown = true;
     QFormLayout* m_form;

@@ -82,20 +82,14 @@ void FileMenu::addFileActions(QMenu* exports) {
     addAction(tr("&Save"), QKeySequence::Save, this, &FileMenu::save);
     // Without a desktop theme some standard shortcuts are empty.
     addAction(tr("Save &As…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_S), this, &FileMenu::saveAs);
-    m_import = addAction(tr("&Import…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I), this,
-                         [this] { emit importRequested({}); });
-    offerImport(true);
+    QAction* import = addAction(tr("&Import…"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_I), this,
+                                [this] { emit importRequested({}); });
+    import->setToolTip(
+        tr("A measured signal from a table of samples: as the hammer blow, or to compare with"));
     addMenu(exports);
     addSeparator();
     QAction* quit = addAction(tr("&Quit"), QKeySequence(Qt::CTRL | Qt::Key_Q), m_window, &QWidget::close);
     quit->setMenuRole(QAction::QuitRole);
-}
-
-void FileMenu::offerImport(bool offered) {
-    m_import->setEnabled(offered);
-    m_import->setToolTip(
-        offered ? tr("A measured signal from a table of samples: as the hammer blow, or to compare with")
-                : tr("This string is struck by the sections of its hammer, not by a measured force"));
 }
 
 void FileMenu::addExamples() {

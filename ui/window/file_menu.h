@@ -29,8 +29,6 @@ class FileMenu : public QMenu {
     bool mayDiscard();
     bool save();
     bool saveAs();
-    /// Whether measured signals can be imported: for a uniform rod.
-    void offerImport(bool offered);
 
   signals:
     void exampleOpened(const drillwave::Example& example);
@@ -54,7 +52,6 @@ class FileMenu : public QMenu {
     FileWatch& m_watch;
     QWidget* m_window;
     QMenu* m_recent = nullptr;
-    QAction* m_import = nullptr;
 };
 
 }  // namespace drillwave

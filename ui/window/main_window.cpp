@@ -402,7 +402,6 @@ void MainWindow::markResult(bool outOfDate) {
 }
 
 void MainWindow::presentState() {
-    m_fileMenu->offerImport(isForced(m_document.scenario()));
     const QString file = QFileInfo(m_document.path()).fileName();
     const QString name = m_document.displayName();
     setWindowTitle(file.isEmpty() || file == name ? tr("%1[*] — Drillwave").arg(name)

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measured signals over the page Blow: in their place, shifted, removed.
 #include <QPushButton>
+#include <QRegularExpression>
 #include <QSpinBox>
 #include <QTest>
 #include <QToolButton>
 #include <cmath>
 
+#include "core/blow/blow_waves.h"
 #include "core/model/scales.h"
 #include "core/wave/field/wave_field.h"
 #include "core/yaml/examples.h"
@@ -35,6 +37,9 @@ class TestImportOfCurve : public QObject, private ImportFixture {
     void anExportedCurveIsReadBack();
     void measuredCurvesAreShiftedAndRemoved();
     void theMeasuredRowFollowsTheUnits();
+    void aGaugeLiesOverADrillString_data();
+    void aGaugeLiesOverADrillString();
+    void aStrainOfAStringTakesTheSectionOfTheGauge();
 };
 
 void TestImportOfCurve::aMeasuredForceLiesOnTheComputedOneOfTheSameBlow_data() {
@@ -196,6 +201,85 @@ void TestImportOfCurve::theMeasuredRowFollowsTheUnits() {
     QVERIFY2(toolTip.contains(QStringLiteral("lbf")) || toolTip.contains(QStringLiteral("kip")),
              qPrintable(toolTip));
     QCOMPARE(place.text() + box.toolTip(), before);
+}
+
+void TestImportOfCurve::aGaugeLiesOverADrillString_data() {
+    QTest::addColumn<double>("place");
+    QTest::addRow("in a rod") << 2.5;
+    QTest::addRow("in a coupling") << 4.4;
+    QTest::addRow("in the hammer") << -0.2;
+    QTest::addRow("at the bit") << 12.13;
+}
+
+// N(t) at a place of the string, nine tenths of it and 130 µs late, comes back through the dialog: it lies
+// over the waves of that section, what is read beside it is what was done to it, and Align takes the delay
+// away.
+void TestImportOfCurve::aGaugeLiesOverADrillString() {
+    QFETCH(double, place);
+    constexpr double late = 130e-6, factor = 0.9;
+    m_window->document().startFrom(findExample("t38_string")->text, QStringLiteral("string"));
+    QTRY_VERIFY(m_window->shown()->isOfString() && !part<SolveJob>(*m_window).isBusy());
+    const SolvedBlowPtr blow = m_window->shown();
+    const BlowWaves waves(*blow);
+    const Scales scales = scalesOf(blow->request.scenario);
+    const double length = chainProperties(blow->request.scenario).length;
+    QByteArray bytes("t [us];N [kN]\n");
+    constexpr int samples = 8000;
+    for (int i = 0; i <= samples; ++i) {
+        const double t = waves.end() * i / samples;
+        const double force = factor * waves.value(WaveQuantity::force, place / length, t);
+        bytes += QByteArray::number(1e6 * (t * scales.time + late), 'g', 17) + ';' +
+                 QByteArray::number(1e-3 * force * scales.force, 'g', 17) + '\n';
+    }
+    ImportDialog& dialog = open(write("gauge.csv", bytes), ImportUse::normalForce);
+    type(dialog, "place", QStringLiteral("12.2 m"));
+    QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).contains(QStringLiteral("the length of the string")),
+             qPrintable(message(dialog)));
+    control<QSpinBox>(dialog, "points").setValue(samples + 1);
+    type(dialog, "place", QString::number(place) + " m");
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    control<QPushButton>(dialog, "take").click();
+    auto* page = m_window->findChild<BlowPage*>();
+    QCOMPARE(page->measuredCurves()->graphs().size(), 1);
+    QVERIFY(page->measuredCurves()->graphs().first()->data()->size() > 1000);
+    // The section of the gauge is the one on show.
+    const double section = m_window->findChild<QDoubleSpinBox*>(QStringLiteral("section"))->value();
+    QVERIFY2(std::abs(section - place / length) < 6e-4, qPrintable(QString::number(section)));
+    const auto& misfit = control<QLabel>(*page, "measuredMisfit");
+    QVERIFY(misfit.isVisibleTo(page));
+    QVERIFY2(misfit.text().contains(QStringLiteral("lag 0.13\u00a0ms")), qPrintable(misfit.text()));
+    const QString apart = misfit.text();
+    page->findChild<QPushButton*>(QStringLiteral("alignMeasured"))->click();
+    const double shift = *page->findChild<QuantityField*>(QStringLiteral("measuredShift"))->value();
+    QVERIFY2(std::abs(shift + late) < 2e-6, qPrintable(QString::number(shift)));
+    QVERIFY(misfit.text() != apart);
+    type(*page, "measuredShift", QStringLiteral("-130 us"));
+    // The largest force in size is a tenth less; samples pass an exact peak by a little.
+    const QRegularExpression percent(QStringLiteral("\\(([-\u2212]?[0-9.]+) %\\)"));
+    const QRegularExpressionMatch match = percent.match(misfit.text());
+    QVERIFY2(match.hasMatch(), qPrintable(misfit.text()));
+    const double peaks = match.captured(1).replace(QChar(0x2212), QLatin1Char('-')).toDouble();
+    QVERIFY2(std::abs(peaks + 10) < 0.5, qPrintable(misfit.text()));
+}
+
+// The same strain is a larger force in a coupling than in a rod, by their areas, and the dialog knows both.
+void TestImportOfCurve::aStrainOfAStringTakesTheSectionOfTheGauge() {
+    m_window->document().startFrom(findExample("t38_string")->text, QStringLiteral("string"));
+    QTRY_VERIFY(m_window->shown()->isOfString() && !part<SolveJob>(*m_window).isBusy());
+    ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::normalForce);
+    choose(dialog, "bar", QStringLiteral("string"));
+    const auto peakAt = [&](const char* place) {
+        type(dialog, "place", QLatin1String(place));
+        return settle(dialog) && dialog.result() ? dialog.result()->peak : 0;
+    };
+    const double inRod = peakAt("2.5 m"), inCoupling = peakAt("4.4 m");
+    // 56 mm and 39 mm, both with the hole of 14.5 mm.
+    const double areas = (56.0 * 56 - 14.5 * 14.5) / (39.0 * 39 - 14.5 * 14.5);
+    QVERIFY(inRod != 0);
+    QVERIFY2(std::abs(inCoupling / inRod / areas - 1) < 1e-6,
+             qPrintable(QString::number(inCoupling / inRod)));
 }
 
 QTEST_MAIN(TestImportOfCurve)

@@ -7,10 +7,11 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
+#include "core/blow/blow_waves.h"
 #include "core/signal/alignment.h"
 #include "core/wave/field/rod_state.h"
-#include "core/wave/field/wave_field.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_bar.h"
@@ -23,6 +24,29 @@ namespace drillwave {
 namespace {
 
 constexpr int hintChars = 125;  // wide enough for a hint beside the other words
+
+/// x/L of a place that is x [m] from the struck end, in the rod or string, or in its hammer.
+double shareAt(const Scenario& scenario, double x) {
+    const double rear = isString(scenario) ? hammerRear(scenario.drillString) : 0;
+    return std::clamp(x / chainProperties(scenario).length, rear, 1.0);
+}
+
+QString misfitText(const Misfit& misfit, const SolvedBlow& blow) {
+    const Scales scales = scalesOf(blow.request.scenario);
+    const QLocale locale;
+    const auto force = [&](double newtons) {
+        return quantityText(newtons / scales.force, blow.units.force, locale);
+    };
+    QString text =
+        BlowPage::tr("rms %1 · peaks differ by %2").arg(force(misfit.rms), force(misfit.peakDifference));
+    if (misfit.computedPeak > 0)
+        text += QStringLiteral(" (%1 %)").arg(
+            locale.toString(100 * misfit.peakDifference / misfit.computedPeak, 'f', 1));
+    if (misfit.lag)
+        text +=
+            BlowPage::tr(" · lag %1").arg(quantityText(*misfit.lag / scales.time, blow.units.time, locale));
+    return text;
+}
 
 }  // namespace
 
@@ -121,8 +145,7 @@ void BlowPage::showPlace() {
     if (!hasLength) return;
     const Scenario& scenario = m_blow->request.scenario;
     const bool ofString = isString(scenario);
-    const double length = ofString ? stringProperties(scenario.drillString).length : scenario.rod.length;
-    const double x = m_observation.section() * length;
+    const double x = m_observation.section() * chainProperties(scenario).length;
     const QString place = quantityText(std::abs(x), m_blow->units.of(UnitKind::length, x), QLocale());
     m_place->setText((x < 0      ? tr("%1 behind the face of the hammer")
                       : ofString ? tr("%1 from the shank")
@@ -214,6 +237,7 @@ void BlowPage::follow(MeasuredList& measured, const UnitChoice& units) {
     column->insertWidget(column->indexOf(m_instant), m_measuredBar);
     connect(m_measuredBar, &MeasuredBar::placeChosen, this, &BlowPage::goToPlace);
     connect(m_measuredBar, &MeasuredBar::alignmentWanted, this, &BlowPage::align);
+    connect(m_measuredBar, &MeasuredBar::chosenChanged, this, &BlowPage::showMisfit);
     connect(&measured, &MeasuredList::changed, this, [this] {
         showMeasured();
         m_plots->fitUnlessZoomed();
@@ -229,29 +253,52 @@ void BlowPage::showMeasured() {
     m_measuredBar->setComparable(isComparable(*m_blow) || !m_blow->fault.isEmpty());
     for (const QCPGraph* graph : m_measuredCurves->graphs())
         m_plot->setMeaning(graph, forceMeaning(m_blow->units));
+    showMisfit();
 }
 
 void BlowPage::goToPlace(double x) {
-    if (!m_blow || m_blow->request.scenario.form != ScenarioForm::dimensional) return;
-    m_observation.setSection(std::clamp(x / m_blow->request.scenario.rod.length, 0.0, 1.0));
+    if (m_blow && hasUnits(m_blow->request.scenario))
+        m_observation.setSection(shareAt(m_blow->request.scenario, x));
 }
 
+/// Force [N] over time [s] from 0 to `end`.
+struct BlowPage::ComputedForce {
+    std::function<double(double time)> at;
+    double end;
+};
+
 // With N in its own section, or the impact force, over the time that the plots show.
-void BlowPage::align(std::size_t index) {
-    if (!m_blow || !isComparable(*m_blow) || index >= m_measured->signalList().size()) return;
+std::optional<BlowPage::ComputedForce> BlowPage::computedFor(const MeasuredSignal& signal) const {
+    if (!m_blow || !isComparable(*m_blow) || !BlowWaves::areKept(*m_blow)) return {};
     const auto* curves = m_blow->page<BlowCurves>();
-    const MeasuredSignal& signal = m_measured->signalList()[index];
-    if (!curves || !(curves->timeEnd > 0)) return;
-    const Scenario& scenario = m_blow->request.scenario;
-    const double unit = scalesOf(scenario).time;
-    const double section = std::clamp(signal.place / scenario.rod.length, 0.0, 1.0);
-    const WaveField field(m_blow->impact);
-    const auto computed = [&](double time) {
-        return signal.quantity == MeasuredQuantity::normalForce ? field.force(section, time / unit)
-                                                                : field.impactForce(time / unit);
+    if (!curves || !(curves->timeEnd > 0)) return {};
+    const Scales scales = scalesOf(m_blow->request.scenario);
+    const double share = shareAt(m_blow->request.scenario, signal.place);
+    const bool isInside = signal.quantity == MeasuredQuantity::normalForce;
+    const auto force = [=, waves = BlowWaves(*m_blow)](double time) {
+        const double t = std::min(time / scales.time, waves.end());
+        return scales.force * (isInside ? waves.value(WaveQuantity::force, share, t) : waves.impactForce(t));
     };
-    const double end = curves->timeEnd / m_blow->units.time.factor * unit;
-    m_measured->setTimeShift(index, bestShift(signal.points, computed, end));
+    return ComputedForce{force, curves->timeEnd / m_blow->units.time.factor * scales.time};
+}
+
+void BlowPage::align(std::size_t index) {
+    if (index >= m_measured->signalList().size()) return;
+    const MeasuredSignal& signal = m_measured->signalList()[index];
+    const std::optional<ComputedForce> computed = computedFor(signal);
+    if (!computed) return;
+    if (const std::optional<double> shift = bestShift(signal.points, computed->at, computed->end))
+        m_measured->setTimeShift(index, *shift);
+}
+
+void BlowPage::showMisfit() {
+    const std::size_t index = m_measuredBar->chosen();
+    if (index >= m_measured->signalList().size()) return;
+    const MeasuredSignal& signal = m_measured->signalList()[index];
+    const std::optional<ComputedForce> computed = computedFor(signal);
+    const std::optional<Misfit> misfit =
+        computed ? misfitOf(signal.points, signal.timeShift, computed->at, computed->end) : std::nullopt;
+    m_measuredBar->setMisfit(misfit ? misfitText(*misfit, *m_blow) : QString());
 }
 
 void BlowPage::setGhost(const SolvedBlowPtr& before) {

@@ -15,6 +15,7 @@ class BlowPlots;
 class MeasuredBar;
 class MeasuredCurves;
 class MeasuredList;
+struct MeasuredSignal;
 class UnitChoice;
 class PlaceField;
 
@@ -50,7 +51,11 @@ class BlowPage : public PlotPage {
     void setMeanings();
     void carryCursors();
     void goToPlace(double x);
+    /// Over the time that the plots show; requires curves that end.
+    struct ComputedForce;
+    std::optional<ComputedForce> computedFor(const MeasuredSignal& signal) const;
     void align(std::size_t index);
+    void showMisfit();
     void showMeasured();
 
     Observation& m_observation;

@@ -47,7 +47,8 @@ MeasuredBar::MeasuredBar(MeasuredList& list, const UnitChoice& units, QWidget* p
       m_shift(new QuantityField(Quantity::time, *findUnit(Quantity::time, "us"), this)),
       m_align(new QPushButton(tr("Align"), this)),
       m_remove(new QToolButton(this)),
-      m_remark(new QLabel(tr("not drawn: compared with uniform rods in physical units"), this)) {
+      m_misfit(new QLabel(this)),
+      m_remark(new QLabel(tr("not drawn: compared with scenarios in physical units"), this)) {
     setObjectName(QStringLiteral("measured"));
     m_box->setObjectName(QStringLiteral("measuredSignal"));
     m_box->setAccessibleName(tr("Measured curve"));
@@ -71,6 +72,11 @@ MeasuredBar::MeasuredBar(MeasuredList& list, const UnitChoice& units, QWidget* p
     m_remove->setAccessibleName(tr("Remove the measured curve"));
     m_remove->setObjectName(QStringLiteral("removeMeasured"));
     m_remove->setToolTip(tr("Take this measured curve away; Undo brings it back"));
+    m_misfit->setObjectName(QStringLiteral("measuredMisfit"));
+    m_misfit->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_misfit->setToolTip(
+        tr("Over the time that both have: root of the mean square of their difference; size of the largest "
+           "force, measured less computed; how much later the measured curve comes than where it fits best"));
     auto* measured = new QLabel(tr("Measured"), this);
     measured->setBuddy(m_box);
     auto* shift = new QLabel(tr("shift"), this);
@@ -78,12 +84,14 @@ MeasuredBar::MeasuredBar(MeasuredList& list, const UnitChoice& units, QWidget* p
     m_shift->unitButton()->setAccessibleName(tr("Unit of the shift in time"));
     auto* layout = new FlowLayout(this);
     layout->setContentsMargins(8, 0, 8, 0);
-    for (QWidget* each : std::initializer_list<QWidget*>{measured, m_box, m_place, shift, m_shift,
-                                                         m_shift->unitButton(), m_align, m_remove, m_remark})
+    for (QWidget* each :
+         std::initializer_list<QWidget*>{measured, m_box, m_place, shift, m_shift, m_shift->unitButton(),
+                                         m_align, m_remove, m_misfit, m_remark})
         layout->addWidget(each);
     connect(m_box, &QComboBox::currentIndexChanged, this, [this] {
         ++m_gesture;
         showChosen();
+        emit chosenChanged();
     });
     connect(m_place, &QPushButton::clicked, this, [this] {
         if (chosen() < m_list.signalList().size()) emit placeChosen(m_list.signalList()[chosen()].place);
@@ -98,6 +106,11 @@ MeasuredBar::MeasuredBar(MeasuredList& list, const UnitChoice& units, QWidget* p
 
 std::size_t MeasuredBar::chosen() const {
     return static_cast<std::size_t>(std::max(0, m_box->currentIndex()));
+}
+
+void MeasuredBar::setMisfit(const QString& text) {
+    m_misfit->setVisible(!text.isEmpty());
+    m_misfit->setText(text);
 }
 
 void MeasuredBar::setStyle(const PlotStyle& style) {

@@ -28,15 +28,19 @@ class MeasuredBar : public QWidget {
     /// Names and colours as in the plots; `comparable` is whether they can be drawn there.
     void setStyle(const PlotStyle& style);
     void setComparable(bool comparable);
+    /// How far the chosen one is from what is computed: text, or nothing where that is not known.
+    void setMisfit(const QString& text);
+    std::size_t chosen() const;
 
   signals:
     /// The section where one was measured, x [m], is to be shown.
     void placeChosen(double x);
     /// The one with that index is to be shifted to where it fits the computed curve.
     void alignmentWanted(std::size_t index);
+    /// Another one is chosen.
+    void chosenChanged();
 
   private:
-    std::size_t chosen() const;
     void showList();
     void showChosen();
     int indexOfNew() const;
@@ -51,6 +55,7 @@ class MeasuredBar : public QWidget {
     QuantityField* m_shift;
     QPushButton* m_align;
     QToolButton* m_remove;
+    QLabel* m_misfit;
     QLabel* m_remark;
 };
 

@@ -40,7 +40,7 @@ QString legendName(const MeasuredSignal& signal) {
 }  // namespace
 
 bool isComparable(const SolvedBlow& blow) {
-    return blow.request.scenario.form == ScenarioForm::dimensional && blow.fault.isEmpty();
+    return hasUnits(blow.request.scenario) && blow.fault.isEmpty();
 }
 
 MeasuredCurves::MeasuredCurves(BlowPlots* plots)

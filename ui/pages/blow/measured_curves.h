@@ -43,7 +43,7 @@ class MeasuredCurves : public QObject {
     std::vector<Shown> m_shown;
 };
 
-/// Whether a blow has times and forces that a measurement can be compared with: of uniform rods.
+/// Whether a blow has times and forces that a measurement can be compared with: of physical units.
 bool isComparable(const SolvedBlow& blow);
 
 }  // namespace drillwave
