@@ -15,17 +15,6 @@
 namespace drillwave {
 namespace {
 
-/// What data files spell out, as it is printed: "gamma" as γ, "k0" with its index.
-QString printed(const std::string& text) {
-    QString result = QString::fromStdString(text);
-    const std::pair<const char*, const char*> symbols[] = {
-        {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"}, {"tau", "τ"},   {"/t0", "/t₀"}, {"/F0", "/F₀"},
-        {"/I0", "/I₀"}, {"k0", "k₀"},   {"N0p", "N₀ₚ"}, {"N1n", "N₁ₙ"}, {"N2p", "N₂ₚ"}, {"N3n", "N₃ₙ"}};
-    for (const auto& [plain, symbol] : symbols)
-        result.replace(QLatin1String(plain), QString::fromUtf8(symbol));
-    return result;
-}
-
 QCPRange rangeOf(const FigurePanel& panel, std::vector<double> FigureCurve::*values, double margin) {
     double low = HUGE_VAL, high = -HUGE_VAL;
     for (const FigureCurve& curve : panel.curves) {
@@ -62,7 +51,7 @@ void addCurves(const FigurePanel& panel, QCPAxisRect& rect, QCPLegend& legend, c
         if (curve.line == FigureCurve::Line::none) continue;
         QCPGraph* graph =
             rect.parentPlot()->addGraph(rect.axis(QCPAxis::atBottom), rect.axis(QCPAxis::atLeft));
-        graph->setName(printed(curve.label));
+        graph->setName(figureText(curve.label));
         graph->setAdaptiveSampling(false);
         graph->setData(QVector<double>(curve.x.begin(), curve.x.end()),
                        QVector<double>(curve.y.begin(), curve.y.end()), true);
@@ -74,8 +63,8 @@ void addCurves(const FigurePanel& panel, QCPAxisRect& rect, QCPLegend& legend, c
 void setAxes(const FigurePanel& panel, QCPAxisRect& rect) {
     QCPAxis& x = *rect.axis(QCPAxis::atBottom);
     QCPAxis& y = *rect.axis(QCPAxis::atLeft);
-    x.setLabel(printed(panel.xLabel));
-    y.setLabel(printed(panel.yLabel));
+    x.setLabel(figureText(panel.xLabel));
+    y.setLabel(figureText(panel.yLabel));
     for (const auto side : {QCPAxis::atTop, QCPAxis::atRight}) rect.axis(side)->setTicks(false);
     x.setRange(rangeOf(panel, &FigureCurve::x, 0));
     if (panel.xFrom) x.setRangeLower(*panel.xFrom);
@@ -96,7 +85,7 @@ void addRow(QCustomPlot& plot, QCPLayoutElement* element, Height height) {
 }
 
 void addTitle(QCustomPlot& plot, const std::string& text, const PlotStyle& style) {
-    auto* title = new QCPTextElement(&plot, printed(text));
+    auto* title = new QCPTextElement(&plot, figureText(text));
     title->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
     title->setMargins(QMargins(8, 4, 0, 0));
     style.applyTo(*title);
@@ -120,21 +109,37 @@ void addPanel(QCustomPlot& plot, const FigurePanel& panel, const PlotStyle& styl
     style.applyTo(*legend);
 }
 
-void layOut(QCustomPlot& plot, const std::vector<FigurePanel>& panels) {
-    plot.setLocale(QLocale::c());
-    plot.setAutoAddPlottableToLegend(false);
-    plot.plotLayout()->clear();
-    const PlotStyle style = PlotStyle::forPaper();
-    plot.setBackground(style.background);
-    for (const FigurePanel& panel : panels) addPanel(plot, panel, style);
-}
-
 Millimetres sizeOf(const std::vector<FigurePanel>& panels) {
     constexpr double width = 160, panelHeight = 95;
     return {width, panelHeight * static_cast<double>(panels.size())};
 }
 
+/// For paper.
+void layOut(QCustomPlot& plot, const std::vector<FigurePanel>& panels) {
+    layOutPanels(plot, panels, PlotStyle::forPaper(), QLocale::c());
+}
+
 }  // namespace
+
+QString figureText(const std::string& text) {
+    QString result = QString::fromStdString(text);
+    const std::pair<const char*, const char*> symbols[] = {
+        {"beta", "β"},  {"gamma", "γ"}, {"delta", "δ"}, {"tau", "τ"},   {"/t0", "/t₀"}, {"/F0", "/F₀"},
+        {"/I0", "/I₀"}, {"k0", "k₀"},   {"N0p", "N₀ₚ"}, {"N1n", "N₁ₙ"}, {"N2p", "N₂ₚ"}, {"N3n", "N₃ₙ"}};
+    for (const auto& [plain, symbol] : symbols)
+        result.replace(QLatin1String(plain), QString::fromUtf8(symbol));
+    return result;
+}
+
+void layOutPanels(QCustomPlot& plot, const std::vector<FigurePanel>& panels, const PlotStyle& style,
+                  const QLocale& locale) {
+    plot.setLocale(locale);
+    plot.setAutoAddPlottableToLegend(false);
+    plot.clearGraphs();
+    plot.plotLayout()->clear();
+    plot.setBackground(style.background);
+    for (const FigurePanel& panel : panels) addPanel(plot, panel, style);
+}
 
 QByteArray drawFigure(const Figure& figure, const QString& format) {
     QCustomPlot plot;

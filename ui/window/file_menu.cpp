@@ -5,7 +5,9 @@
 #include <QFileInfo>
 
 #include "core/archive/result_scenario.h"
+#include "core/study/paper/figures.h"
 #include "ui/text/settings.h"
+#include "ui/window/figure_dialog.h"
 
 namespace drillwave {
 namespace {
@@ -99,6 +101,26 @@ void FileMenu::addExamples() {
         QAction* action =
             menu->addAction(fromUtf8(example.title), this, [this, &example] { openExample(example); });
         action->setToolTip(QStringLiteral("<p>%1</p>").arg(fromUtf8(example.explanation).toHtmlEscaped()));
+    }
+    menu->addSeparator();
+    addFigures(*menu->addMenu(tr("&Figures of the paper")));
+}
+
+// Beside the window, whose scenario stays.
+void FileMenu::addFigures(QMenu& menu) {
+    menu.setToolTipsVisible(true);
+    const QStringList contents{
+        tr("waves at the middle of the rod"),   tr("impact force, impulse and momentum"),
+        tr("impact force and its closed form"), tr("restitution over the stiffness"),
+        tr("restitution and its closed form"),  tr("restitution over the gap")};
+    for (int number = firstPaperFigure; number <= lastPaperFigure; ++number) {
+        QAction* action = menu.addAction(
+            tr("Figure &%1: %2").arg(number).arg(contents[number - firstPaperFigure]), this, [this, number] {
+                auto* dialog = new FigureDialog(number, m_window);
+                dialog->setAttribute(Qt::WA_DeleteOnClose);
+                dialog->show();
+            });
+        action->setToolTip(tr("Computed anew, beside the numbers that the paper prints"));
     }
 }
 

@@ -38,6 +38,7 @@ class FileMenu : public QMenu {
   private:
     void addFileActions(QMenu* exports);
     void addExamples();
+    void addFigures(QMenu& menu);
     void addRecentFiles();
     void openRecent(const QString& path);
     void remember(const QString& path);

@@ -226,11 +226,16 @@ Figure figure8() {
         .number = 8, .caption = "COR over one period of the gap. beta = 0.5, tau = 10.", .panels = {panel}};
 }
 
+Figure paperFigure(int number) {
+    constexpr std::array make{figure3, figure4, figure5, figure6, figure7, figure8};
+    return make.at(static_cast<std::size_t>(number - firstPaperFigure))();
+}
+
 std::vector<Figure> paperFigures(std::stop_token stop) {
     std::vector<Figure> figures;
-    for (Figure (*make)() : {figure3, figure4, figure5, figure6, figure7, figure8}) {
+    for (int number = firstPaperFigure; number <= lastPaperFigure; ++number) {
         if (stop.stop_requested()) break;
-        figures.push_back(make());
+        figures.push_back(paperFigure(number));
     }
     return figures;
 }

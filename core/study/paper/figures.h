@@ -9,6 +9,9 @@
 
 namespace drillwave {
 
+/// Their numbers in the paper.
+inline constexpr int firstPaperFigure = 3, lastPaperFigure = 8;
+
 // Each as the paper draws it, dimensionless, from the exact solution.
 
 /// Waves at the mid-section.
@@ -23,6 +26,9 @@ Figure figure6();
 Figure figure7();
 /// COR over one period of the gap, with the reference case in both normalisations.
 Figure figure8();
+
+/// That of a number, 3 … 8.
+Figure paperFigure(int number);
 
 /// All of them; fewer when a stop is requested.
 std::vector<Figure> paperFigures(std::stop_token stop = {});

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A figure of the paper, computed anew, with the numbers that the paper prints beside the exact ones.
+#pragma once
+
+#include <QDialog>
+#include <vector>
+
+#include "core/study/paper/discrepancies.h"
+#include "core/study/paper/figure_data.h"
+
+class QCustomPlot;
+class QTableWidget;
+
+namespace drillwave {
+
+class FigureDialog : public QDialog {
+    Q_OBJECT
+
+  public:
+    /// Computes that of a number of core/study/paper/figures.h, which takes some hundredths of a second.
+    explicit FigureDialog(int number, QWidget* parent = nullptr);
+
+    const Figure& figure() const { return m_figure; }
+
+  protected:
+    void changeEvent(QEvent* event) override;
+
+  private:
+    void draw();
+    QTableWidget* makeTable(const std::vector<Discrepancy>& numbers);
+
+    Figure m_figure;
+    QCustomPlot* m_plot;
+};
+
+}  // namespace drillwave
