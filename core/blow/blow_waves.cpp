@@ -5,6 +5,7 @@
 #include <cassert>
 #include <limits>
 
+#include "core/blow/string_curves.h"
 #include "core/contact/bilinear_law.h"
 #include "core/wave/field/wave_field.h"
 #include "core/wave/problem.h"
@@ -60,6 +61,19 @@ WaveRaster BlowWaves::raster(WaveQuantity quantity, const RasterGrid& grid) cons
 
 double BlowWaves::value(WaveQuantity quantity, double x, double t) const {
     return m_string ? m_string->value(quantity, x, t) : waveValue(m_blow->impact, quantity, x, t);
+}
+
+RodState BlowWaves::state(double x, double t) const {
+    if (!m_string) return rodState(m_blow->impact, m_blow->problem.force(), std::max(0.0, x), t);
+    const StringPlace place = stringPlace(m_blow->scenario.drillString, x);
+    const StringInstant now = StringHistory(m_blow->impact, m_blow->problem, place).at(t);
+    return {.normalForce = now.normalForce,
+            .impactForce = now.impactForce,
+            .impulse = now.impulse,
+            .momentum = now.momentum,
+            .positiveWave = now.positiveWave,
+            .negativeWave = now.negativeWave,
+            .faceForce = now.faceForce};
 }
 
 TimeSpan BlowWaves::interesting() const {

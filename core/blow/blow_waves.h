@@ -9,6 +9,7 @@
 #include "core/model/drill_string.h"
 #include "core/wave/field/bit_motion.h"
 #include "core/wave/field/interesting_time.h"
+#include "core/wave/field/rod_state.h"
 #include "core/wave/field/string_field.h"
 #include "core/wave/field/wave_fronts.h"
 #include "core/wave/field/wave_raster.h"
@@ -36,6 +37,8 @@ class BlowWaves {
     double end() const;
     WaveRaster raster(WaveQuantity quantity, const RasterGrid& grid) const;
     double value(WaveQuantity quantity, double x, double t) const;
+    /// Of a string at end() where t is later; units of impulse and momentum as in its results.
+    RodState state(double x, double t) const;
 
     /// From the first touch of hammer and string, or the beginning of the pulse, to a round trip after bit
     /// and rock last part; not more than a dozen round trips.

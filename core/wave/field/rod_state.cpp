@@ -20,10 +20,13 @@ RodState rodState(const Impact& impact, const PulseForce& pulse, double xi, doub
     assert(impact.hasHistories());
     const WaveField field(impact);
     const double taken = field.impactImpulse(t);
-    return {.normalForce = field.force(xi, t),
+    const double positive = field.positiveWave(xi, t), negative = field.negativeWave(xi, t);
+    return {.normalForce = positive + negative,
             .impactForce = field.impactForce(t),
             .impulse = taken,
-            .momentum = rodMomentum(pulse, t, taken)};
+            .momentum = rodMomentum(pulse, t, taken),
+            .positiveWave = positive,
+            .negativeWave = negative};
 }
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The state of the rod during a blow at one instant.
+// The state of rod or string during a blow at one instant.
 #pragma once
 
 #include "core/model/pulse_force.h"
@@ -15,15 +15,19 @@ double rodMomentum(const PulseForce& pulse, double t, double taken);
 /// The same, the impulse of the impact force being looked up. Needs an impact solved with Detail::histories.
 double rodMomentum(const Impact& impact, const PulseForce& pulse, double t);
 
-/// Dimensionless, exact at any time, also behind the end of the recording.
+/// Dimensionless.
 struct RodState {
-    double normalForce = 0;  ///< N at the section, tension positive [F0] (T2)
-    double impactForce = 0;  ///< F ≥ 0 [F0]
-    double impulse = 0;      ///< ∫F so far [I0]
-    double momentum = 0;     ///< p of the rod, towards the rock positive [I0]
+    double normalForce = 0;   ///< N at the section, tension positive [F0] (T2)
+    double impactForce = 0;   ///< F ≥ 0 [F0]
+    double impulse = 0;       ///< ∫F so far [I0]
+    double momentum = 0;      ///< p of the rod, towards the rock positive [I0]
+    double positiveWave = 0;  ///< Np at the section, tension positive [F0]
+    double negativeWave = 0;  ///< Nn likewise
+    double faceForce = 0;     ///< of hammer and string ≥ 0 [F0]; not told of a rod
 };
 
-/// At the section ξ = x/L and the global time t/t0. Needs an impact solved with Detail::histories.
+/// Exact at any time, also behind the end of the recording. At the section ξ = x/L and the global time t/t0.
+/// Needs an impact solved with Detail::histories.
 RodState rodState(const Impact& impact, const PulseForce& pulse, double xi, double t);
 
 }  // namespace drillwave

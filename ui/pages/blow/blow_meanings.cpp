@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/blow/blow_meanings.h"
 
-#include "core/wave/field/rod_state.h"
+#include "core/blow/blow_waves.h"
 #include "core/wave/field/section_force.h"
 #include "core/wave/field/wave_curves.h"
-#include "core/wave/field/wave_field.h"
 
 namespace drillwave {
 namespace {
@@ -42,6 +41,7 @@ CurveMeaning forceLike(const ShownUnits& units, std::function<double(double)> va
     meaning.integralFactor = units.impulse.factor / (units.force.factor * units.time.factor);
     if (!value) return meaning;
     meaning.value = shownValue(units, units.force, std::move(value));
+    if (!impulse) return meaning;
     meaning.integral = [time = units.time.factor, force = units.force.factor, impulse = std::move(impulse)](
                            double a, double b) {
         return force * time * (impulse(b / time) - impulse(a / time));
@@ -64,60 +64,38 @@ CurveMeaning forceMeaning(const ShownUnits& units) {
     return forceLike(units, {}, {});
 }
 
-namespace {
-
-// The state of a string at a place, read when asked; the blow lives as long as the function.
-BlowMeanings stringMeanings(const SolvedBlowPtr& blow) {
+BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
     const ShownUnits& units = blow->units;
-    const StringPlace place = *blow->page<BlowCurves>()->place;
-    const auto reading = [blow, place](double StringInstant::*value) {
-        return [blow, place, value](double t) {
-            return StringHistory(blow->impact, blow->problem, place).at(t).*value;
-        };
+    const double section = blow->page<BlowCurves>()->section;
+    // Read when asked; the blow lives as long as the function.
+    const auto reading = [blow, section](double RodState::*value) {
+        return [=](double t) { return BlowWaves(*blow).state(section, t).*value; };
+    };
+    const auto force = [&](double RodState::*value, std::function<double(double)> impulse = {}) {
+        return forceLike(units, reading(value), std::move(impulse));
     };
     BlowMeanings meanings;
     meanings.waves.fill(forceMeaning(units));
+    // Read from their points: each is many waves.
     meanings.laterWaves.fill(forceMeaning(units));
     meanings.closedForm = forceMeaning(units);
     meanings.faceForce = forceMeaning(units);
-    meanings.sectionForce = forceMeaning(units);
-    meanings.force = forceMeaning(units);
-    const auto value = [&](double StringInstant::*which) {
-        return shownValue(units, units.force, reading(which));
-    };
-    meanings.waves[0].value = value(&StringInstant::positiveWave);
-    meanings.waves[1].value = value(&StringInstant::negativeWave);
-    meanings.sectionForce.value = value(&StringInstant::normalForce);
-    meanings.force.value = value(&StringInstant::impactForce);
-    meanings.faceForce.value = value(&StringInstant::faceForce);
-    meanings.impulse = momentumLike(units, reading(&StringInstant::impulse));
-    meanings.momentum = momentumLike(units, reading(&StringInstant::momentum));
-    return meanings;
-}
-
-}  // namespace
-
-BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
-    if (blow->isOfString()) return stringMeanings(blow);
-    const ShownUnits& units = blow->units;
-    BlowMeanings meanings;
-    for (int i = 0; i < BlowCurves::waveCount; ++i)
-        meanings.waves[static_cast<std::size_t>(i)] = waveMeaning(blow, i);
-    // Read from their points: each is many waves.
-    meanings.laterWaves.fill(forceLike(units, {}, {}));
-    const double section = blow->page<BlowCurves>()->section;
-    meanings.sectionForce = forceLike(
-        units, [blow, section](double t) { return WaveField(blow->impact).force(section, t); },
-        [blow, section](double t) { return sectionImpulse(blow->impact, section, t); });
-    meanings.force = forceLike(
-        units, [blow](double t) { return WaveField(blow->impact).impactForce(t); },
-        [blow](double t) { return WaveField(blow->impact).impactImpulse(t); });
-    meanings.closedForm = forceMeaning(units);
-    meanings.faceForce = forceMeaning(units);
-    meanings.impulse =
-        momentumLike(units, [blow](double t) { return WaveField(blow->impact).impactImpulse(t); });
-    meanings.momentum =
-        momentumLike(units, [blow](double t) { return rodMomentum(blow->impact, blow->problem.force(), t); });
+    if (blow->isOfString()) {
+        meanings.waves[0] = force(&RodState::positiveWave);
+        meanings.waves[1] = force(&RodState::negativeWave);
+        meanings.sectionForce = force(&RodState::normalForce);
+        meanings.force = force(&RodState::impactForce);
+        meanings.faceForce = force(&RodState::faceForce);
+    } else {
+        for (int i = 0; i < BlowCurves::waveCount; ++i)
+            meanings.waves[static_cast<std::size_t>(i)] = waveMeaning(blow, i);
+        meanings.sectionForce = force(&RodState::normalForce, [blow, section](double t) {
+            return sectionImpulse(blow->impact, section, t);
+        });
+        meanings.force = force(&RodState::impactForce, reading(&RodState::impulse));
+    }
+    meanings.impulse = momentumLike(units, reading(&RodState::impulse));
+    meanings.momentum = momentumLike(units, reading(&RodState::momentum));
     return meanings;
 }
 

@@ -11,7 +11,6 @@
 
 #include "core/blow/blow_waves.h"
 #include "core/signal/alignment.h"
-#include "core/wave/field/rod_state.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_bar.h"
@@ -153,26 +152,14 @@ void BlowPage::showPlace() {
                          .arg(place));
 }
 
-// Nothing where the waves of a string were not kept.
-std::optional<RodState> BlowPage::stateAt(double time) const {
-    const double section = m_observation.section();
-    if (!m_blow->isOfString())
-        return rodState(m_blow->impact, m_blow->problem.force(), std::max(0.0, section), time);
-    if (!m_blow->impact.waves) return {};
-    const StringPlace place = stringPlace(m_blow->request.scenario.drillString, section);
-    const StringInstant now = StringHistory(m_blow->impact, m_blow->problem, place).at(time);
-    return RodState{now.normalForce, now.impactForce, now.impulse, now.momentum};
-}
-
 void BlowPage::showInstant() {
     const std::optional<double> time = m_observation.time();
     const bool isKnown = time && m_blow && m_blow->fault.isEmpty();
     m_plot->reader().place(PlotCursor::time,
                            isKnown ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
     if (!isKnown) return m_instant->setText(tr("No time chosen: click an event, or press T over the plots."));
-    const std::optional<RodState> known = stateAt(*time);
-    if (!known) return m_instant->setText(QString());
-    const RodState& instant = *known;
+    if (!BlowWaves::areKept(*m_blow)) return m_instant->setText(QString());
+    const RodState instant = BlowWaves(*m_blow).state(m_observation.section(), *time);
     const ShownUnits& units = m_blow->units;
     const QLocale locale;
     m_instant->setText(tr("t = %1 · N = %2 · F = %3 · I = %4 · p = %5")

@@ -2,7 +2,6 @@
 // The blow over time: waves at a section, impact force, impulse and momentum (paper, Figs. 3–5).
 #pragma once
 
-#include "core/wave/field/rod_state.h"
 #include "ui/job/observation.h"
 #include "ui/pages/plot_page.h"
 
@@ -47,7 +46,6 @@ class BlowPage : public PlotPage {
     void showPlace();
     void reserveInstant();
     void showInstant();
-    std::optional<RodState> stateAt(double time) const;
     void setMeanings();
     void carryCursors();
     void goToPlace(double x);

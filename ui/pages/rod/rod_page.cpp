@@ -8,8 +8,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/blow/string_curves.h"
-#include "core/wave/field/wave_field.h"
+#include "core/blow/blow_waves.h"
 #include "ui/pages/place_field.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/plot/plot_widget.h"
@@ -122,14 +121,14 @@ void RodPage::showHere() {
 }
 
 std::optional<double> RodPage::stressAt(double section, double time) const {
+    if (!BlowWaves::areKept(*m_blow)) return {};
     const RodCurves& shown = *curves();
-    if (!shown.string)
-        return WaveField(m_blow->impact).force(std::max(0.0, section), time) * shown.units.stress.factor;
-    if (!shown.string->waves) return {};
-    const StringPlace place = stringPlace(m_blow->scenario.drillString, section);
-    const double force = -shown.string->waves->force(place.section, place.share,
-                                                     std::clamp(time, 0.0, shown.string->waves->end()));
-    return stressOf(shown.string->stretches[place.section], force, place.share) * shown.units.stress.factor;
+    const BlowWaves waves(*m_blow);
+    const double force =
+        waves.value(WaveQuantity::force, std::max(waves.rear(), section), std::min(time, waves.end()));
+    if (!shown.string) return force * shown.units.stress.factor;
+    const RodStretch& in = shown.string->stretches[shown.string->sectionAt(section)];
+    return stressOf(in, force, in.shareAt(section)) * shown.units.stress.factor;
 }
 
 // The line is there before it has anything to say: nothing jumps.
