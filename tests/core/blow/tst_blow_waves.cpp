@@ -58,6 +58,27 @@ class TestBlowWaves : public QObject {
         QVERIFY(compared > 200);
     }
 
+    // One state of rods and strings: N is the sum of its waves and what pictures show, from the rear to the
+    // bit.
+    void theStateOfEitherIsWhatPicturesShow() {
+        for (const char* name : {"t38_medium_rock", "t38_string"}) {
+            const Blow blow = solvedExample(name);
+            const BlowWaves waves(blow);
+            const double rear = waves.rear(), last = std::min(waves.end(), 60.0);
+            double largest = 0;
+            for (const double share : {0.002, 0.3, 0.77, 0.999})
+                for (double t = 0.017; t < last; t += 0.41) {
+                    const double x = std::lerp(rear, 1.0, share);
+                    const RodState now = waves.state(x, t);
+                    QVERIFY(std::abs(now.normalForce - waves.value(WaveQuantity::force, x, t)) < 1e-9);
+                    QVERIFY(std::abs(now.positiveWave + now.negativeWave - now.normalForce) < 1e-12);
+                    QVERIFY(std::abs(now.impactForce - waves.impactForce(t)) < 1e-9);
+                    largest = std::max(largest, now.faceForce);
+                }
+            QCOMPARE(largest > 0, blow.isOfString());
+        }
+    }
+
     void theBitIsWhereTheHistoryHasIt() {
         const Blow blow = solvedExample("t51_string");
         const BlowWaves waves(blow);
