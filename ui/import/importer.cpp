@@ -3,7 +3,6 @@
 
 #include <QFileInfo>
 
-#include "core/model/blow_traits.h"
 #include "ui/import/import_words.h"
 
 namespace drillwave {
