@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/blow/string_curves.h"
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 #include "core/wave/field/wave_field.h"
 #include "core/wave/problem.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/blow/impact_summary.h"
 
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 #include "core/wave/field/force_peaks.h"
 
 namespace drillwave {
@@ -30,8 +30,8 @@ void ImpactSummary::setForces(const RodForces& forces) {
 }
 
 ImpactSummary summarize(const Impact& impact, const Problem& problem) {
-    BilinearLaw<> rock(problem.law);
-    rock.remember(impact.peakForce);
+    ContactLaw<> rock(problem.law);
+    rock.rememberAcross(impact.peakForce);
     const double work = impact.hammerWork, given = impact.hammerImpulse;
     ImpactSummary summary{.cor = impact.cor,
                           .impulse = impact.impulse / given,
@@ -50,6 +50,7 @@ ImpactSummary summarize(const Impact& impact, const Problem& problem) {
     summary.workRatio = problem.isForced() ? work * 2 * problem.mass()
                                            : 1 - impact.hammerEnergy / work - impact.faceEnergy / work;
     summary.transferred = impact.faceImpulse / given;
+    summary.loadingWork = rock.loadingWork() / work;
     summary.efficiencyError = impact.efficiencyError;
     summary.stringMomentum = impact.finalMomentum / given;
     summary.stringEnergy = impact.finalEnergy / work;

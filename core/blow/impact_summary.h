@@ -31,6 +31,7 @@ struct ImpactSummary {
     std::optional<RodForces> rodForces = {};  ///< [F0] of a uniform rod, where they were asked for
 
     double transferred = 1;      ///< what the drive hands on to rod or string [I0; p0]
+    double loadingWork = 0;      ///< A(Fm), work on the rock up to the largest force, of the hammer work
     double efficiencyError = 0;  ///< stated error of energy.rockWork, where cells give it
 
     // Energies in W, or in E0 of a hammer that is followed; momenta likewise

@@ -7,7 +7,7 @@
 #include <limits>
 #include <utility>
 
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 #include "core/model/scales.h"
 #include "core/model/section_address.h"
 #include "core/model/section_pieces.h"

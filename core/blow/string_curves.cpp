@@ -5,7 +5,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 #include "core/model/scales.h"
 #include "core/wave/problem.h"
 

@@ -58,7 +58,7 @@ class Way {
 
 }  // namespace
 
-StepLaw::StepLaw(const BilinearLaw<>& law, double step, double gap, double negligible)
+StepLaw::StepLaw(const ContactLaw<>& law, double step, double gap, double negligible)
     : m_law(law),
       m_step(step),
       m_loading(weight(law.slopes().primary, step)),
@@ -68,7 +68,7 @@ StepLaw::StepLaw(const BilinearLaw<>& law, double step, double gap, double negli
     assert(step > 0 && gap >= 0 && negligible >= 0);
 }
 
-/// Across the gap, up to the largest force so far, and on along the primary line.
+/// Across the gap, up to the largest force so far, and on along the loading curve.
 double StepLaw::load(double g) {
     Way way(g, m_step, m_force);
     bool onTheWay = true;
@@ -85,16 +85,29 @@ double StepLaw::load(double g) {
         if (onTheWay) m_changes |= primaryLoading;
         primaryAt = way.advance();
     }
-    if (onTheWay) way.follow(m_law.slopes().primary);
-    if (way.advance() > 0) {
-        m_contactFraction = contactAt / way.advance();
-        m_primaryFraction = primaryAt / way.advance();
-    } else {
-        m_contactFraction = m_primaryFraction = 1;
+    while (onTheWay && m_law.hasCorner()) {
+        const double slope = m_law.slopes().primary;
+        onTheWay = way.passes((m_law.cornerForce() - way.endForce()) / slope, slope);
+        if (onTheWay) passCorner(way.advance());
     }
+    if (onTheWay) way.follow(m_law.slopes().primary);
+    const auto shareOfWay = [&](double at) { return way.advance() > 0 ? at / way.advance() : 1; };
+    m_contactFraction = shareOfWay(contactAt);
+    m_primaryFraction = shareOfWay(primaryAt);
+    if (m_changes & corner)
+        for (double& at : m_cornerFractions) at = shareOfWay(at);
     m_force = way.endForce();
     m_law.remember(m_force);
     return way.meanForce();
+}
+
+/// The end of a line is reached after that way.
+void StepLaw::passCorner(double advance) {
+    if (!(m_changes & corner)) m_cornerFractions.clear();
+    m_changes |= corner;
+    m_cornerFractions.push_back(advance);
+    m_law.passCorner();
+    m_loading = weight(m_law.slopes().primary, m_step);
 }
 
 /// Down the unloading line, whose work w = f²/(2a) is given back, and away: (2g + y/Δ) y = w, y = −dU.

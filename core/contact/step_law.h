@@ -4,8 +4,9 @@
 
 #include <cmath>
 #include <limits>
+#include <vector>
 
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 
 namespace drillwave {
 
@@ -14,7 +15,8 @@ namespace drillwave {
 /// In each step the force F is constant while the front end advances by dU = (2g − F)Δ, with F such that F·dU
 /// is the work of the law over that increment (T32),
 ///
-///     F dU = ∫ F(U) dU,   F(U) of slope β on the primary line, β/γ below the largest force so far, 0 apart,
+///     F dU = ∫ F(U) dU,   F(U) of slope s_j β on the loading curve, β/γ below the largest force so far, 0
+///     apart,
 ///
 /// whatever corners the increment passes. On one line of slope a that is F = f + (2g − f) q,
 /// q = (aΔ/2)/(1 + aΔ/2) (T33), where f is the force at the beginning of the step; it approaches the end of
@@ -29,11 +31,12 @@ class StepLaw {
         unloading = 2,       ///< the force turned down from the primary line, at the beginning of the step
         primaryLoading = 4,  ///< the force came back to the primary line
         separation = 8,      ///< the force vanished
+        corner = 16,         ///< the force passed corners of the loading curve
     };
 
     /// Step Δ > 0 in t0, gap ≥ 0 in I0/Z; `negligible` ≥ 0 is the force taken for zero when nothing arrives
     /// any more.
-    StepLaw(const BilinearLaw<>& law, double step, double gap, double negligible);
+    StepLaw(const ContactLaw<>& law, double step, double gap, double negligible);
 
     /// Advances by one step in which the mean incident wave is g. Returns F ≥ 0.
     double advance(double g) {
@@ -54,6 +57,8 @@ class StepLaw {
     double contactFraction() const { return m_contactFraction; }
     double primaryFraction() const { return m_primaryFraction; }
     double separationFraction() const { return m_separationFraction; }
+    /// When the corners were passed.
+    const std::vector<double>& cornerFractions() const { return m_cornerFractions; }
 
     /// Not in contact; contact by exactly zero force is one.
     bool isApart() const { return !m_touches; }
@@ -70,10 +75,8 @@ class StepLaw {
         const bool onPrimary = m_law.isElastic() || m_force >= peak();
         const double force = m_force + drive * (onPrimary ? m_loading : m_unloading);
         const double end = 2 * force - m_force;
-        if (onPrimary)
-            m_law.remember(end);
-        else if (end > peak())
-            return load(g);
+        if (end > (onPrimary ? m_law.cornerForce() : peak())) return load(g);
+        if (onPrimary) m_law.remember(end);
         m_force = end;
         return force;
     }
@@ -90,9 +93,10 @@ class StepLaw {
         return m_force;
     }
     double load(double g);
+    void passCorner(double advance);
     double separate(double g);
 
-    BilinearLaw<> m_law;
+    ContactLaw<> m_law;
     double m_step;
     double m_loading;    ///< q of the primary line
     double m_unloading;  ///< q below the largest force
@@ -102,6 +106,7 @@ class StepLaw {
     double m_force = 0;
     unsigned m_changes = none;
     double m_contactFraction = 0, m_primaryFraction = 0, m_separationFraction = 0;
+    std::vector<double> m_cornerFractions;
 };
 
 }  // namespace drillwave

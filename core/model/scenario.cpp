@@ -15,6 +15,9 @@ constexpr EnumNames<PulseShape> shapeNames{{{PulseShape::rectangular, "rectangul
                                             {PulseShape::table, "table"},
                                             {PulseShape::rigidBody, "rigid_body"}}};
 
+constexpr EnumNames<RockLaw> lawNames{
+    {{RockLaw::bilinear, "bilinear"}, {RockLaw::corners, "corners"}, {RockLaw::power, "power"}}};
+
 }  // namespace
 
 std::string_view name(PulseShape shape) {
@@ -27,6 +30,18 @@ std::optional<PulseShape> findPulseShape(std::string_view name) {
 
 std::span<const std::string_view> pulseShapeNames() {
     return shapeNames.all();
+}
+
+std::string_view name(RockLaw law) {
+    return lawNames[law];
+}
+
+std::optional<RockLaw> findRockLaw(std::string_view name) {
+    return lawNames.find(name);
+}
+
+std::span<const std::string_view> rockLawNames() {
+    return lawNames.all();
 }
 
 }  // namespace drillwave

@@ -2,10 +2,12 @@
 // A drilling scenario as plain values: what is described, not how it is solved.
 #pragma once
 
+#include <limits>
 #include <optional>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/model/drill_string.h"
 #include "core/model/table_points.h"
@@ -69,11 +71,38 @@ struct Pulse {
     bool operator==(const Pulse&) const = default;
 };
 
-/// Bilinear bit–rock law with memory.
+/// Kind of the loading curve of the bit–rock law (files §1.4).
+enum class RockLaw {
+    bilinear,  ///< one straight line
+    corners,   ///< straight lines
+    power,     ///< F = kU (U/U1)^(p − 1), followed by straight lines
+};
+
+/// "bilinear" and so on, as in scenario files.
+std::string_view name(RockLaw law);
+std::optional<RockLaw> findRockLaw(std::string_view name);
+/// All names, in the order of RockLaw.
+std::span<const std::string_view> rockLawNames();
+
+/// Where the loading curve gets another slope. What is not a number is not given yet.
+struct RockCorner {
+    double force = std::numeric_limits<double>::quiet_NaN();  ///< [N], in a dimensionless scenario [F0]
+    double slope = std::numeric_limits<double>::quiet_NaN();  ///< from there on, as a multiple of k
+    bool operator==(const RockCorner& other) const {
+        const auto same = [](double a, double b) { return a == b || (a != a && b != b); };
+        return same(force, other.force) && same(slope, other.slope);
+    }
+};
+
+/// Bit–rock law with memory: the loading curve, and one slope k/γ below the largest force so far.
 struct BitRock {
-    double stiffness = 105e6;  ///< k, primary loading [N/m]
+    double stiffness = 105e6;  ///< k, primary loading [N/m]: of the first line, of `power` the secant at U1
     double gamma = 0.1;        ///< elasticity parameter γ, 0 < γ ≤ 1
     double gap = 0;            ///< d, initial gap between bit and rock [m]
+    RockLaw law = RockLaw::bilinear;
+    std::vector<RockCorner> corners;     ///< of `corners`, forces increasing
+    double exponent = 1;                 ///< p of `power`
+    double referencePenetration = 1e-3;  ///< U1 of `power` [m], in a dimensionless scenario [d0]
     bool operator==(const BitRock&) const = default;
 };
 
@@ -109,7 +138,7 @@ struct Scenario {
     Groups groups;            ///< the definition when dimensionless; see groupsOf() otherwise
     Rod rod;                  ///< dimensional only
     Pulse pulse;              ///< where isForced()
-    BitRock bitRock;          ///< with units
+    BitRock bitRock;          ///< with units; in a dimensionless scenario what makes its loading curve
     Drill drill;              ///< with units
     DrillString drillString;  ///< of a string
     bool operator==(const Scenario&) const = default;

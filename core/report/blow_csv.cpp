@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/blow/outputs.h"
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 #include "core/report/result_remarks.h"
 #include "core/text/enum_names.h"
 #include "core/text/number_text.h"
@@ -73,14 +73,14 @@ class FrontEnd {
     /// [d0] Of the law of the rock while it pushes, where the displacement of the bit would have its digits
     /// cancelled by those of a much longer way.
     double penetration(double time, double force) {
-        m_rock.remember(force);
+        m_rock.rememberAcross(force);
         if (force > 0) return m_rock.penetration(force) * lawUnitOfPenetration;
         return bitDisplacement(m_impact, time) - m_firstGap;
     }
 
   private:
     const Impact& m_impact;
-    BilinearLaw<> m_rock;
+    ContactLaw<> m_rock;
     double m_firstGap;
 };
 
@@ -202,7 +202,8 @@ std::string_view name(ContactEvent event) {
     static constexpr EnumNames<ContactEvent> names{{{contact, "contact"},
                                                     {unloading, "unloading"},
                                                     {primaryLoading, "primary_loading"},
-                                                    {separation, "separation"}}};
+                                                    {separation, "separation"},
+                                                    {corner, "corner"}}};
     return names[event];
 }
 

@@ -45,6 +45,7 @@ enum class ContactEvent {
     unloading,       ///< the force leaves the primary line at a maximum
     primaryLoading,  ///< the force returns to the primary line
     separation,      ///< the force reaches zero
+    corner,          ///< the force on the loading curve passes a corner of the law
 };
 
 /// An event and its global time t/t0 (for the reference case from first contact).
@@ -88,7 +89,7 @@ struct Impact {
     /// W = ∫Fa va dt = ∫Fa (2g − Fa) dt [I0²/(Z t0)] (T19); E0 of a hammer that is followed.
     double hammerWork = 0;
     double hammerImpulse = 1;  ///< ∫Fa dt [I0]; p0 of a hammer that is followed
-    double rockWork = 0;       ///< ∫F dU = (1 − γ) Fm²/(2β) [I0²/(Z t0)]: what the law has kept (T6)
+    double rockWork = 0;       ///< ∫F dU = A(Fm) − γFm²/(2β) [I0²/(Z t0)]: what the law has kept (T6)
 
     // Detail::ledger and above; of the exact solver not a number below
     double finalMomentum = 0;  ///< of rod or string, towards the rock, independent of `impulse`: ∫g; −e

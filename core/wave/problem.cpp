@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "core/contact/rock_lines.h"
 #include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/model/section_pieces.h"
@@ -52,7 +53,9 @@ Problem stringProblem(const Scenario& scenario, const std::vector<int>& pieces) 
             for (const Section& piece : uniformPieces(*sections[j], pieces[j]))
                 problem.sections.push_back(uniformSection(piece, drill, impedance, time));
     problem.pieces = pieces;
-    problem.law = {scenario.bitRock.stiffness * slope, scenario.bitRock.gamma};
+    problem.law.beta = scenario.bitRock.stiffness * slope;
+    problem.law.gamma = scenario.bitRock.gamma;
+    setLines(problem.law, scenario);
     problem.gap = scenario.bitRock.gap / scalesOf(scenario).penetration;
     if (drill.endTime) problem.endTime = *drill.endTime / time;
     if (scenario.drill.blowFrequency) problem.nextBlow = 1 / (*scenario.drill.blowFrequency * time);
@@ -69,8 +72,16 @@ std::string_view rodRefusal(const Problem& problem) {
 }
 
 Problem problemOf(const Scenario& scenario, const std::vector<int>& pieces) {
-    return followsFromGroups(scenario) ? problemOf(pulseForceOf(scenario), groupsOf(scenario))
-                                       : stringProblem(scenario, pieces);
+    if (!followsFromGroups(scenario)) return stringProblem(scenario, pieces);
+    Problem problem;
+    problem.drive = pulseForceOf(scenario);
+    setRod(problem, scenario);
+    return problem;
+}
+
+void setRod(Problem& rod, const Scenario& scenario) {
+    setGroups(rod, groupsOf(scenario));
+    setLines(rod.law, scenario);
 }
 
 Problem problemOf(PulseForce force, const Groups& groups) {
@@ -82,7 +93,8 @@ Problem problemOf(PulseForce force, const Groups& groups) {
 
 void setGroups(Problem& rod, const Groups& groups) {
     rod.sections.assign(1, {.transitTime = groups.tau});
-    rod.law = {groups.beta, groups.gamma};
+    rod.law.beta = groups.beta;
+    rod.law.gamma = groups.gamma;
     rod.gap = groups.delta;
 }
 

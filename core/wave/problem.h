@@ -92,7 +92,9 @@ Problem problemOf(const Scenario& scenario, const std::vector<int>& pieces = {})
 
 /// The blow of this force on the rear end of a uniform rod, on the rod and rock of these groups.
 Problem problemOf(PulseForce force, const Groups& groups);
-/// Another uniform rod and rock for the force of this one.
+/// Another uniform rod and rock for the force of this one; the corners of the law stay where they are.
 void setGroups(Problem& rod, const Groups& groups);
+/// Those of a valid scenario.
+void setRod(Problem& rod, const Scenario& scenario);
 
 }  // namespace drillwave

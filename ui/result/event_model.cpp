@@ -20,6 +20,8 @@ QString eventText(ContactEvent kind) {
             return EventModel::tr("primary loading");
         case ContactEvent::separation:
             return EventModel::tr("separation");
+        case ContactEvent::corner:
+            return EventModel::tr("corner of the law");
     }
     return {};
 }

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 #include "core/numeric/ordered_work.h"
 #include "core/text/units.h"
 #include "core/wave/exact/exact_solver.h"
@@ -110,7 +110,7 @@ void checkLattice(StabilityRow& row, const Problem& problem, LatticeSolver& latt
                   const std::stop_token& stop) {
     const Groups& g = row.stabilityCase.groups;
     const double step = g.tau / latticeSegments;
-    const bool resolved = BilinearLaw<>(problem.law).slopes().elastic * step < 0.05 && step < 0.01 &&
+    const bool resolved = ContactLaw<>(problem.law).slopes().elastic * step < 0.05 && step < 0.01 &&
                           problem.force().end < 20 * g.tau;
     if (!resolved || g.beta * g.tau < 1e-3 || g.delta > 100) return;
     const Impact impact = lattice.solve(problem, Detail::cor, {.segments = latticeSegments}, stop);

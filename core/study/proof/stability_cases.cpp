@@ -4,7 +4,7 @@
 #include <cmath>
 #include <functional>
 
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 #include "core/text/units.h"
 
 namespace drillwave {

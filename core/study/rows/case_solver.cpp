@@ -34,7 +34,7 @@ std::string CaseSolver::solve(const Scenario& scenario, std::span<double> output
                               const std::stop_token& stop) {
     assert(outputs.size() == m_columns.size());
     if (!isFollowedByEvents(scenario)) return solveDrillString(scenario, outputs, stop);
-    setGroups(m_problem, groupsOf(scenario));
+    setRod(m_problem, scenario);
     const auto solve = [&](Detail detail) -> const Impact& {
         m_impact = m_solver.solve(m_problem, detail, m_method, stop);
         m_scatter = m_impact.corError;

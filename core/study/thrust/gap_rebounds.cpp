@@ -31,7 +31,7 @@ GapCurve rockCurve(const Problem& problem, const std::stop_token& stop, const Ga
 
 GapCurve elasticCurve(Problem problem, const std::stop_token& stop, const GapProgress& progress,
                       long mostPieces) {
-    problem.law.gamma = 1;
+    problem.law = {.beta = problem.law.beta, .gamma = 1};
     return gapCurve(problem, 0, Detail::cor, stop, progress, mostPieces);
 }
 
@@ -46,7 +46,7 @@ GapRebound worstOf(const GapCurve& elastic) {
 }
 
 GapRebounds GapReboundFinder::of(const Problem& problem, const std::stop_token& stop) {
-    forgetOtherThan(problem.force());
+    forgetOtherThan(problem);
     const double beta = problem.law.beta, gamma = problem.law.gamma, tau = problem.transitTime();
     return {.quantile = remembered(m_quantiles, {beta, gamma, tau},
                                    [&] { return quantileOf(rockCurve(problem, stop, {}, m_mostPieces)); }),
@@ -55,15 +55,18 @@ GapRebounds GapReboundFinder::of(const Problem& problem, const std::stop_token& 
 }
 
 void GapReboundFinder::remember(const Problem& problem, const GapRebounds& rebounds) {
-    forgetOtherThan(problem.force());
+    forgetOtherThan(problem);
     const double beta = problem.law.beta, gamma = problem.law.gamma, tau = problem.transitTime();
     m_quantiles[{beta, gamma, tau}] = rebounds.quantile;
     m_worst[{beta, tau}] = rebounds.worst;
 }
 
-void GapReboundFinder::forgetOtherThan(const PulseForce& hammer) {
-    if (m_hammer == hammer) return;
-    m_hammer = hammer;
+void GapReboundFinder::forgetOtherThan(const Problem& problem) {
+    BitRockLaw shape = problem.law;
+    shape.beta = shape.gamma = 1;
+    if (m_hammer == problem.force() && m_shape == shape) return;
+    m_hammer = problem.force();
+    m_shape = shape;
     m_quantiles.clear();
     m_worst.clear();
 }

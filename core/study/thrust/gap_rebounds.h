@@ -29,7 +29,7 @@ struct GapRebounds {
 /// The curve of e over one period of the gap.
 GapCurve rockCurve(const Problem& problem, const std::stop_token& stop, const GapProgress& progress,
                    long mostPieces = anyNumberOfPieces);
-/// That for γ = 1, from no gap on.
+/// That on rock of the same stiffness, with γ = 1 and no corners, from no gap on.
 GapCurve elasticCurve(Problem problem, const std::stop_token& stop, const GapProgress& progress,
                       long mostPieces = anyNumberOfPieces);
 
@@ -49,10 +49,11 @@ class GapReboundFinder {
     void remember(const Problem& problem, const GapRebounds& rebounds);
 
   private:
-    void forgetOtherThan(const PulseForce& hammer);
+    void forgetOtherThan(const Problem& problem);
 
     long m_mostPieces;
     PulseForce m_hammer;
+    BitRockLaw m_shape;                                       ///< of the law, for β and γ of 1
     std::map<std::array<double, 3>, GapRebound> m_quantiles;  // by β, γ, τ
     std::map<std::array<double, 2>, GapRebound> m_worst;      // by β, τ
 };

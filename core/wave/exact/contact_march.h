@@ -64,7 +64,7 @@ void ContactMarch<Basis>::begin(const Problem& problem, Detail detail, Impact& i
         return Real(value) * (1 + Real(units) * std::numeric_limits<Real>::epsilon());
     };
     const Real beta = moved(problem.law.beta, m_limits.move.beta);
-    m_law = BilinearLaw<Real>(beta, Real(problem.law.gamma)).limitedTo(fastestRate);
+    m_law = ContactLaw<Real>(problem.law, beta).limitedTo(fastestRate);
     const Real transit = moved(problem.transitTime(), m_limits.move.tau);
     m_roundTrip = 2 * transit;
     m_arrival = problem.force().isRigidBody() ? Real(0) : transit;

@@ -8,7 +8,7 @@
 #include <limits>
 #include <stop_token>
 
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scenario.h"
 #include "core/numeric/compensated_sum.h"
@@ -35,7 +35,7 @@ struct MarchLimits {
 
 /// Solves, piece by piece,
 ///     g(s) = Fa(s) + g(s − 2τ) − F(s − 2τ)         [paper (6)]
-///     F' = a(2g − F),  a = β, β/γ or 0             [paper (5)] [paper (8)]
+///     F' = a(2g − F),  a = β, s_j β behind a corner, β/γ or 0             [paper (5)] [paper (8)]
 ///
 /// `Basis` represents functions on an interval: it solves one piece of contact exactly, finds first zeros,
 /// and cuts and integrates pieces. What it cannot represent it says through Basis::failed().
@@ -51,11 +51,26 @@ class ContactMarch {
 
   private:
     enum class Progress { goesOn, finished };
-    enum class Ending { none, separation, unloading, primaryLoading };
+    enum class Ending { none, separation, unloading, primaryLoading, corner };
     struct Stretch {
         Real length;
         Ending ending;
     };
+    /// What is noted of it; not of none.
+    static ContactEvent eventOf(Ending ending) {
+        switch (ending) {
+            case Ending::none:
+            case Ending::separation:
+                break;
+            case Ending::unloading:
+                return ContactEvent::unloading;
+            case Ending::primaryLoading:
+                return ContactEvent::primaryLoading;
+            case Ending::corner:
+                return ContactEvent::corner;
+        }
+        return ContactEvent::separation;
+    }
     using Response = typename Basis::Response;
 
     /// Layers thinner than this are below the rounding of time; taking them so thick moves e by less than
@@ -159,7 +174,7 @@ class ContactMarch {
     long m_nextLook = 0;  ///< how many pieces may pass before lookForEnd()
     Detail m_detail = Detail::cor;
 
-    BilinearLaw<Real> m_law{1, 1};  ///< with the memory of the rock
+    ContactLaw<Real> m_law{1, 1};  ///< with the memory of the rock
     Real m_roundTrip = 0;
     Real m_arrival = 0;                 ///< global time of s = 0
     typename Basis::Sum m_s;            ///< time at the front end

@@ -190,6 +190,7 @@ void ContactMarch<Basis>::advanceApart() {
 ///     primary   F = 0, for γ = 1       separation       apart
 ///     elastic   F = 0                  separation       apart
 ///     elastic   F = Fm                 primaryLoading   primary
+///     primary   F = F_j                corner           primary, of the slope behind it
 template <class Basis>
 typename ContactMarch<Basis>::Stretch ContactMarch<Basis>::firstEvent(Response& response) {
     Stretch stretch{response.length, Ending::none};
@@ -205,6 +206,8 @@ typename ContactMarch<Basis>::Stretch ContactMarch<Basis>::firstEvent(Response& 
             endsAt(m_basis.forceReaches(response, m_law.largestForce(), m_justUnloaded),
                    Ending::primaryLoading);
     }
+    if (m_law.hasCorner() && m_line == ContactLine::primary) [[unlikely]]
+        endsAt(m_basis.forceReaches(response, m_law.cornerForce(), false), Ending::corner);
     if (stretch.length > 0) {
         m_eventsOnTheSpot = 0;
         return stretch;
@@ -235,10 +238,7 @@ void ContactMarch<Basis>::countJoining(const Response& response, Real length, En
     if constexpr (Basis::joinsPieces) {
         if (m_line == ContactLine::elastic) m_basis.passElastic(length);
         if (ending == Ending::none) return;
-        const ContactEvent event = ending == Ending::separation  ? ContactEvent::separation
-                                   : ending == Ending::unloading ? ContactEvent::unloading
-                                                                 : ContactEvent::primaryLoading;
-        m_basis.passEvent(event, response, length, incident().length);
+        m_basis.passEvent(eventOf(ending), response, length, incident().length);
     }
 }
 
@@ -299,6 +299,12 @@ void ContactMarch<Basis>::changeBranch(Ending ending, Real length) {
             m_force = m_law.largestForce();
             m_line = ContactLine::primary;
             note(ContactEvent::primaryLoading);
+            break;
+        case Ending::corner:
+            m_law.passCorner();
+            m_force = m_law.largestForce();
+            m_basis.turnTo(m_law.slope(m_line));
+            note(ContactEvent::corner);
             break;
     }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/exact/exponential_basis.h"
 
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 #include "core/wave/exact/exponential_algebra.h"
 #include "core/wave/exact/exponential_end.h"
 #include "core/wave/exact/exponential_stretches.h"

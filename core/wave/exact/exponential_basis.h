@@ -46,6 +46,8 @@ class ExponentialBasis {
     SearchCount searchCount() const { return m_count; }
     /// Events that repeat without progress in time hang on rounding here.
     void stall() { m_failed = true; }
+    /// The contact goes on along a line of that slope: there are terms for two rates only.
+    void turnTo(double rate) { m_failed |= rate != m_rates.primary && rate != m_rates.elastic; }
     double negligibleForce() const { return m_negligible; }
     double momentumNoise() const { return 4 * std::numeric_limits<double>::epsilon(); }
     Piece constant(double length, double value) const;

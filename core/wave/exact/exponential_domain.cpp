@@ -49,7 +49,7 @@ constexpr double leastDetuning = 0.1;
 }  // namespace
 
 bool suitsExponentials(const Problem& problem) {
-    const auto [beta, gamma] = problem.law;
+    const double beta = problem.law.beta, gamma = problem.law.gamma;
     const double decay = beta * problem.transitTime();
     if (decay < leastForElasticSteps.decay || beta < leastForElasticSteps.beta) return false;
     if (gamma < 1 && gamma > (decay < leastStiffDecay ? largestGamma : largestStiffGamma)) return false;

@@ -21,10 +21,16 @@ struct JoiningBudget {
     double loadingWeight = 1;  ///< of an impulse displaced before the last peak on that of the rebound
 
     explicit JoiningBudget(const Problem& problem) {
-        const double beta = problem.law.beta, gamma = problem.law.gamma, tau = problem.transitTime();
-        const double trips = std::max(1.0, 1.6 / std::sqrt(beta * tau));
+        const double gamma = problem.law.gamma, tau = problem.transitTime();
+        // of the steepest loading line, and of the least steep one
+        double beta = problem.law.firstSlope * problem.law.beta, softest = beta;
+        for (const LawCorner& corner : problem.law.corners) {
+            beta = std::max(beta, corner.slope * problem.law.beta);
+            softest = std::min(softest, corner.slope * problem.law.beta);
+        }
+        const double trips = std::max(1.0, 1.6 / std::sqrt(softest * tau));
         passes =
-            std::max(1.0, 1.6 / std::sqrt(beta * std::clamp(100 * gamma * tau, std::min(tau, 1.0), tau)));
+            std::max(1.0, 1.6 / std::sqrt(softest * std::clamp(100 * gamma * tau, std::min(tau, 1.0), tau)));
         const double excess = std::pow(std::max(1.0, passes / fewPasses), 6);
         const double share = std::min(1.0, leastError / mostError * excess);
         const double error = share * mostError;
@@ -36,7 +42,7 @@ struct JoiningBudget {
         const double peaks = std::max(16.0, trips / 12) * std::clamp(2000 * gamma, 1.0, 4.0);
         mostDisplaced = error / (perDisplacement * peaks);
         const double waveForce = std::max(problem.force().peak, 1 / (2 * tau));
-        mostDeviation = 1e-9 * std::min(waveForce, std::sqrt(beta / tau)) + 1e-5 * waveForce * share;
+        mostDeviation = 1e-9 * std::min(waveForce, std::sqrt(softest / tau)) + 1e-5 * waveForce * share;
         loadingWeight = std::sqrt(gamma);
     }
 

@@ -57,6 +57,8 @@ class SeriesBasis {
     /// The searches for events since begin().
     SearchCount searchCount() const { return m_count; }
     void stall() const {}
+    /// The contact goes on along a line of that slope: any will do.
+    void turnTo(Real) const {}
     Real negligibleForce() const { return m_negligible; }
     /// Rounding of a sum of impulses of order one, and what joined pieces do to it.
     Real momentumNoise() const { return 4 * std::numeric_limits<Real>::epsilon() + m_joiningError.bound(); }

@@ -9,7 +9,8 @@ namespace drillwave {
 
 bool isSoftReference(const Problem& problem) {
     constexpr double softest = 1e-12;
-    return problem.law.beta * problem.transitTime() / problem.law.gamma <= softest;
+    return problem.law.isBilinear() &&
+           problem.law.beta * problem.transitTime() / problem.law.gamma <= softest;
 }
 
 Impact softReference(const Problem& problem, Detail detail) {
@@ -45,7 +46,7 @@ Impact softReference(const Problem& problem, Detail detail) {
     impact.finalMomentum = -impact.cor;
     impact.finalEnergy = work - impact.rockWork;
     impact.events.push_back({ContactEvent::contact, 0});
-    if (problem.law.gamma < 1) impact.events.push_back({ContactEvent::unloading, loading});
+    if (!problem.law.isElastic()) impact.events.push_back({ContactEvent::unloading, loading});
     impact.events.push_back({ContactEvent::separation, impact.separationTime});
     return impact;
 }

@@ -70,7 +70,7 @@ class LatticeMarch {
 
     Waves m_waves;
     HammerCells m_hammer;  ///< as it arrives at the front end
-    StepLaw m_law{BilinearLaw<>(1, 1), 1, 0, 0};
+    StepLaw m_law{ContactLaw<>(1, 1), 1, 0, 0};
     StepHistory m_history;
     Impact* m_impact = nullptr;
     Detail m_detail = Detail::cor;
@@ -134,7 +134,7 @@ void LatticeMarch<Waves>::begin(const Problem& problem, int segments, Detail det
     const double hammerPeriods = std::ceil(problem.force().end / (2 * problem.transitTime())) + 2;
     m_periodsAhead = std::max(0.0, std::floor(problem.gap) - hammerPeriods);
     const double gap = isRigidBody ? 0 : 2 * (problem.gap - m_periodsAhead);
-    m_law = StepLaw(BilinearLaw<>(problem.law), m_duration, gap, m_negligible);
+    m_law = StepLaw(ContactLaw<>(problem.law), m_duration, gap, m_negligible);
     m_hammer = HammerCells(problem.force(), m_duration);
     m_history.begin(m_duration);
     impact.frontArrival = m_arrival;
@@ -145,13 +145,12 @@ void LatticeMarch<Waves>::begin(const Problem& problem, int segments, Detail det
 /// Whether the steps are short enough for the rock and few enough for the hammer.
 template <class Waves>
 bool LatticeMarch<Waves>::isFeasible(const Problem& problem, int segments) {
-    const double steepest = BilinearLaw<>(problem.law).slopes().elastic * m_duration;
+    const double steepest = ContactLaw<>(problem.law).slopes().elastic * m_duration;
     if (!(steepest <= 2)) {
-        fail(
-            "a step of the lattice is too long for the rock: (beta/gamma) tau/N = " + formatNumber(steepest) +
-            " must not exceed 2; it takes at least " +
-            formatNumber(std::ceil(BilinearLaw<>(problem.law).slopes().elastic * problem.transitTime() / 2)) +
-            " segments");
+        fail("a step of the lattice is too long for the rock: (beta/gamma) tau/N = " +
+             formatNumber(steepest) + " must not exceed 2; it takes at least " +
+             formatNumber(std::ceil(ContactLaw<>(problem.law).slopes().elastic * problem.transitTime() / 2)) +
+             " segments");
         return false;
     }
     if (!(problem.force().end / m_duration + double(m_period) < mostSteps)) {
@@ -208,6 +207,8 @@ void LatticeMarch<Waves>::noteChanges(double impulseBefore) {
     if (changes & StepLaw::unloading) note(ContactEvent::unloading, timeAt(0));
     if (changes & StepLaw::primaryLoading)
         note(ContactEvent::primaryLoading, timeAt(m_law.primaryFraction()));
+    if (changes & StepLaw::corner)
+        for (const double fraction : m_law.cornerFractions()) note(ContactEvent::corner, timeAt(fraction));
     if (changes & StepLaw::separation) {
         const double time = timeAt(m_law.separationFraction());
         m_impact->contactDuration += time - m_contactStart;

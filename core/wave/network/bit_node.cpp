@@ -40,7 +40,7 @@ struct BitNode::EventPiece {
 };
 
 BitNode::BitNode(double impedance, double mass, const BitRockLaw& law, double gap)
-    : m_impedance(impedance), m_mass(mass), m_now(BilinearLaw<double>(law), gap) {}
+    : m_impedance(impedance), m_mass(mass), m_now(ContactLaw<double>(law), gap) {}
 
 void BitNode::setWidths(const std::vector<double>& widths) {
     m_mapsBefore.swap(m_maps);
@@ -55,15 +55,31 @@ void BitNode::setWidths(const std::vector<double>& widths) {
 BitNode::CellMaps BitNode::mapsOf(double width) const {
     CellMaps maps;
     maps.width = width;
+    maps.loading = mapsOfLine(width);
     if (m_mass == 0) {
-        maps.primary = Relaxation(rateOn(ContactLine::primary) * width);
         maps.elastic = Relaxation(rateOn(ContactLine::elastic) * width);
     } else {
         maps.apart = Relaxation(m_impedance / m_mass * width);
-        maps.primaryMass = Oscillation({m_impedance, m_mass, m_now.law.slopes().primary}, width);
         maps.elasticMass = Oscillation({m_impedance, m_mass, m_now.law.slopes().elastic}, width);
     }
     return maps;
+}
+
+/// Of the loading line that the largest force is on.
+BitNode::LineMaps BitNode::mapsOfLine(double width) const {
+    LineMaps maps;
+    maps.line = m_now.law.loadingLine();
+    if (m_mass == 0)
+        maps.free = Relaxation(rateOn(ContactLine::primary) * width);
+    else
+        maps.mass = Oscillation({m_impedance, m_mass, m_now.law.slopes().primary}, width);
+    return maps;
+}
+
+/// They change with a corner only, and that is passed once.
+const BitNode::LineMaps& BitNode::loadingMaps(CellMaps& maps) const {
+    if (maps.loading.line != m_now.law.loadingLine()) maps.loading = mapsOfLine(maps.width);
+    return maps.loading;
 }
 
 double BitNode::fastestRate() const {
@@ -82,7 +98,7 @@ void BitNode::addRates(std::vector<double>& rates) const {
 }
 
 void BitNode::step(const WaveCell& g, WaveCell& b, int index, double time, CutAt cutAt, CellJump& jump) {
-    const CellMaps& maps = m_maps[index];
+    CellMaps& maps = m_maps[index];
     if (!quietStep(g, maps, time, b)) b = follow(g, maps.width, time, cutAt, jump);
 }
 
@@ -97,7 +113,7 @@ BitNode::Part BitNode::partOfStep(const WaveCell& g, int index, double share, do
 }
 
 /// A whole cell in which nothing happens. False, and nothing done, where something may.
-bool BitNode::quietStep(const WaveCell& g, const CellMaps& maps, double time, WaveCell& b) {
+bool BitNode::quietStep(const WaveCell& g, CellMaps& maps, double time, WaveCell& b) {
     double velocity = m_now.velocity, force = m_now.force;
     WaveCell speeds, forces;
     if (m_now.isApart()) {
@@ -113,11 +129,14 @@ bool BitNode::quietStep(const WaveCell& g, const CellMaps& maps, double time, Wa
     }
     const bool primary = m_now.line == ContactLine::primary;
     if (m_mass == 0) {
-        forces = (primary ? maps.primary : maps.elastic).follow(2.0 * g, force);
+        forces = (primary ? loadingMaps(maps).free : maps.elastic).follow(2.0 * g, force);
         speeds = 2.0 * g - forces;  // times Z: its sign is what counts
     } else {
-        (primary ? maps.primaryMass : maps.elasticMass).follow(g, velocity, force, speeds, forces);
+        (primary ? loadingMaps(maps).mass : maps.elasticMass).follow(g, velocity, force, speeds, forces);
     }
+    if (primary && m_now.law.hasCorner() &&
+        forces.most() >= m_now.law.cornerForce() - quietMargin * forces.spread())
+        return false;
     if (m_now.law.isOneWay(m_now.line)) {
         if (speeds.least() <= quietMargin * speeds.spread()) return false;
     } else {
@@ -145,24 +164,36 @@ void BitNode::noteForce(double force, double time) {
     m_now.record.peakTime = time;
 }
 
-void BitNode::enter(ContactLine line, double time) {
+void BitNode::separate(double time) {
+    m_now.record.lastSeparation = time;
+    m_now.force = 0;
+    m_now.distance = 0;
+}
+
+void BitNode::touch(double time) {
+    if (m_now.record.firstContact < 0) m_now.record.firstContact = time;
+    m_now.record.lastContact = time;
+    ++m_now.record.contacts;
+    m_now.force = 0;
+}
+
+void BitNode::enter(const LineEvent& event, double time) {
     ContactEvent kind = ContactEvent::unloading;
-    if (line == ContactLine::apart) {
+    if (event.isCorner) {
+        kind = ContactEvent::corner;
+        m_now.law.passCorner();
+        m_now.force = m_now.law.largestForce();
+    } else if (event.line == ContactLine::apart) {
         kind = ContactEvent::separation;
-        m_now.record.lastSeparation = time;
-        m_now.force = 0;
-        m_now.distance = 0;
+        separate(time);
     } else if (m_now.isApart()) {
         kind = ContactEvent::contact;
-        if (m_now.record.firstContact < 0) m_now.record.firstContact = time;
-        m_now.record.lastContact = time;
-        ++m_now.record.contacts;
-        m_now.force = 0;
-    } else if (line == ContactLine::primary) {
+        touch(time);
+    } else if (event.line == ContactLine::primary) {
         kind = ContactEvent::primaryLoading;
         m_now.force = m_now.law.largestForce();
     }
-    m_now.line = line;
+    m_now.line = event.line;
     if (m_events) m_events->push_back({kind, time});
 }
 
@@ -217,24 +248,29 @@ BitNode::EventPiece BitNode::nextPiece(const Powers& g, double width, double fro
 BitNode::LineEvent BitNode::nextEvent(const EventPiece& piece) {
     LineEvent event{{}, m_now.line};
     SearchCount uncounted;
-    const auto meet = [&](const double* c, int count, ContactLine line) {
+    const auto meet = [&](const double* c, int count, ContactLine line, bool isCorner = false) {
         const auto zero = firstZero(c, count, event.zero.found ? event.zero.u : 1.0, uncounted);
         if (zero.undecided) m_trouble = "an event at the rock cannot be placed";
-        if (zero.found && (!event.zero.found || zero.u < event.zero.u)) event = {zero, line};
+        if (zero.found && (!event.zero.found || zero.u < event.zero.u)) event = {zero, line, isCorner};
+    };
+    const auto meetForce = [&](double force, bool isCorner) {
+        std::array<double, EventPiece::capacity> below{};
+        for (int k = 0; k < piece.count; ++k) below[k] = -piece.force[k];
+        below[0] += force;
+        dropRounding(below.data(), piece.count, bitRounding * force);
+        meet(below.data(), piece.count, ContactLine::primary, isCorner);
     };
     if (m_now.isApart()) {
         meet(piece.distance.data(), piece.count + 1, m_now.law.lineAtContact());
-    } else if (m_now.law.isOneWay(m_now.line)) {
+        return event;
+    }
+    if (m_now.law.isOneWay(m_now.line)) {
         meet(piece.speed.data(), piece.count, ContactLine::elastic);
     } else {
         meet(piece.force.data(), piece.count, ContactLine::apart);
-        if (m_now.law.isElastic()) return event;
-        std::array<double, EventPiece::capacity> below{};
-        for (int k = 0; k < piece.count; ++k) below[k] = -piece.force[k];
-        below[0] += m_now.law.largestForce();
-        dropRounding(below.data(), piece.count, bitRounding * m_now.law.largestForce());
-        meet(below.data(), piece.count, ContactLine::primary);
+        if (!m_now.law.isElastic()) meetForce(m_now.law.largestForce(), false);
     }
+    if (m_now.line == ContactLine::primary && m_now.law.hasCorner()) meetForce(m_now.law.cornerForce(), true);
     return event;
 }
 
@@ -300,11 +336,11 @@ WaveCell BitNode::follow(const WaveCell& g, double width, double time, CutAt cut
         if (!m_now.isApart()) addContact(piece, end, piece.width * width, time + from * width);
         moveAlong(piece, end, eventTime);
         if (found) {
-            const bool turns = m_now.law.isOneWay(m_now.line) && end > 0;
+            const bool turns = m_now.law.isOneWay(m_now.line) && !event.isCorner && end > 0;
             const bool isJump = m_now.isApart() && fastestRate() * width * (1 - to) > fastRise &&
                                 std::abs(piece.speedAt(end)) > leastBitJump;
             jump.offer(cutAt, isJump, to);
-            enter(event.line, eventTime);
+            enter(event, eventTime);
             if (turns) restAt(g.value(to), eventTime);
         }
         standing = to > from ? 0 : standing + 1;

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 #include "core/numeric/first_zero.h"
 #include "core/wave/impact.h"
 #include "core/wave/network/cell_event.h"
@@ -31,10 +31,10 @@ struct BitRecord {
 
 /// Where bit and rock are, and how they came there.
 struct BitNodeState {
-    BitNodeState() : BitNodeState(BilinearLaw<double>(BitRockLaw{}), 0) {}
-    BitNodeState(const BilinearLaw<double>& untouched, double gap) : law(untouched), distance(gap) {}
+    BitNodeState() : BitNodeState(ContactLaw<double>(BitRockLaw{}), 0) {}
+    BitNodeState(const ContactLaw<double>& untouched, double gap) : law(untouched), distance(gap) {}
 
-    BilinearLaw<double> law;  ///< with what the rock remembers
+    ContactLaw<double> law;  ///< with what the rock remembers
     ContactLine line = ContactLine::apart;
     double force = 0;
     double velocity = 0;  ///< of the bit mass
@@ -52,8 +52,8 @@ struct BitNodeState {
 ///
 ///     M U'' + Z U' + F(U) = 2g,    b = g − Z U'        (M = 0: U' = (2g − F)/Z, b = F − g)
 ///
-/// F bilinear with memory. A cell without an event is one product with a matrix; else it is followed from
-/// event to event and projected.
+/// F of straight lines with memory. A cell without an event is one product with a matrix; else it is followed
+/// from event to event and projected.
 class BitNode {
   public:
     BitNode() : BitNode(1, 0, {}, 0) {}
@@ -96,25 +96,38 @@ class BitNode {
     struct LineEvent {
         Zero<double> zero;
         ContactLine line;
+        bool isCorner = false;  ///< the same line goes on, with another slope
     };
 
     CellMaps mapsOf(double width) const;
     WaveCell follow(const WaveCell& g, double width, double time, CutAt cutAt, CellJump& jump);
-    bool quietStep(const WaveCell& g, const CellMaps& maps, double time, WaveCell& b);
+    bool quietStep(const WaveCell& g, CellMaps& maps, double time, WaveCell& b);
     EventPiece nextPiece(const WaveCell::Powers& g, double width, double from, double end) const;
     LineEvent nextEvent(const EventPiece& piece);
     void addContact(const EventPiece& piece, double end, double unit, double time);
     void moveAlong(const EventPiece& piece, double end, double time);
     void restAt(double wave, double time);
     void noteForce(double force, double time);
-    void enter(ContactLine line, double time);
+    void enter(const LineEvent& event, double time);
+    void separate(double time);
+    void touch(double time);
     double rateOn(ContactLine line) const { return m_now.law.slope(line) / m_impedance; }
+
+    /// How the force follows along a loading line.
+    struct LineMaps {
+        std::size_t line = 0;  ///< ContactLaw::loadingLine()
+        Relaxation free;       ///< M = 0
+        Oscillation mass;      ///< M > 0
+    };
+    LineMaps mapsOfLine(double width) const;
+    const LineMaps& loadingMaps(CellMaps& maps) const;
 
     struct CellMaps {
         double width = 0;
-        Relaxation primary, elastic;  ///< of the force, M = 0
-        Relaxation apart;             ///< of the velocity, M > 0
-        Oscillation primaryMass, elasticMass;
+        LineMaps loading;         ///< of one line, at first the first one
+        Relaxation elastic;       ///< of the force, M = 0
+        Relaxation apart;         ///< of the velocity, M > 0
+        Oscillation elasticMass;  ///< of both
     };
 
     double m_impedance;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/network/census_impact.h"
 
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 
 namespace drillwave {
 
@@ -29,7 +29,7 @@ Impact impactOf(const Problem& problem, const CensusResult& census) {
         impact.hammerWork = impact.hammerImpulse * problem.velocity() / 2;
     }
 
-    BilinearLaw<double> law = census.bit.law;
+    ContactLaw<double> law = census.bit.law;
     law.remember(census.bit.force);
     impact.rockWork = law.worked(census.bit.isApart() ? 0 : census.bit.force);
     impact.hammerEnergy = census.hammerEnergy;

@@ -119,7 +119,7 @@ void stateErrorOfQuickRun(Impact& impact, const Problem& problem) {
     const double missed = std::abs(impact.energyResidual());
     double error = balanceError(impact);
     if (problem.isForced()) error = std::max(error, coveringForce * missed);
-    if (problem.law.gamma < 1)
+    if (!problem.law.isElastic())
         error = std::max(error, coveringRoot * std::sqrt(std::max(missed, leastResidual)));
     impact.efficiencyError = std::max(impact.efficiencyError, error);
     impact.corError = std::max(impact.corError, error);

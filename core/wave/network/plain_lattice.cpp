@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 
 namespace drillwave {
 
@@ -77,7 +77,14 @@ class PlainBit {
                 m_force = m_law.largestForce() + (m_force - m_law.largestForce()) * shallow;
                 m_line = ContactLine::primary;
             }
-            if (m_line == ContactLine::primary) m_law.remember(m_force);
+            if (m_line == ContactLine::primary) {
+                while (m_force >= m_law.cornerForce()) {
+                    const double corner = m_law.cornerForce(), slopeBefore = m_law.slope(m_line);
+                    m_law.passCorner();
+                    m_force = corner + (m_force - corner) * m_law.slope(m_line) / slopeBefore;
+                }
+                m_law.remember(m_force);
+            }
             if (m_force <= 0) {
                 m_force = 0;
                 m_distance = 0;
@@ -94,7 +101,7 @@ class PlainBit {
 
   private:
     double m_impedance, m_mass;
-    BilinearLaw<double> m_law;
+    ContactLaw<double> m_law;
     ContactLine m_line = ContactLine::apart;
     double m_force = 0, m_velocity = 0, m_distance;
     double m_impulse = 0, m_peak = 0;

@@ -23,7 +23,7 @@ void StringCensus::begin(const Problem& problem, const StringClocks& clocks, dou
     m_problem = &problem;
     m_clocks = &clocks;
     m_isUnderWay = true;
-    m_result = {.time = time, .bit = BitNodeState(BilinearLaw<double>(problem.law), problem.distance())};
+    m_result = {.time = time, .bit = BitNodeState(ContactLaw<double>(problem.law), problem.distance())};
     m_down.clear();
     m_up.clear();
     m_massVelocities.clear();

@@ -58,7 +58,7 @@ class TestStepLaw : public QObject {
         QFETCH(double, step);
         std::mt19937_64 random(3);
         std::uniform_real_distribution<double> between(-1, 1);
-        StepLaw law(BilinearLaw<>(beta, gamma), step, 0.1, 1e-19);
+        StepLaw law(ContactLaw<>(beta, gamma), step, 0.1, 1e-19);
         Rock rock{beta, gamma};
         double U = -0.1;
         int corners = 0, several = 0;
@@ -96,7 +96,7 @@ class TestStepLaw : public QObject {
 
     void aStepMayCloseTheGapAndReachThePrimaryLine() {
         // first contact up to F = 0.5, apart by 0.2, and back with a wave that is strong enough for both
-        StepLaw law(BilinearLaw<>(1, 0.5), 0.9, 0, 1e-19);
+        StepLaw law(ContactLaw<>(1, 0.5), 0.9, 0, 1e-19);
         law.advance(0.4);
         const double peak = law.peak();
         while (!law.isApart()) law.advance(-1);
@@ -112,7 +112,7 @@ class TestStepLaw : public QObject {
     }
 
     void unloadingBeginsWhereTheWaveTurns() {
-        StepLaw law(BilinearLaw<>(0.5, 0.1), 0.01, 0, 1e-19);
+        StepLaw law(ContactLaw<>(0.5, 0.1), 0.01, 0, 1e-19);
         for (int i = 0; i < 100; ++i) law.advance(1);
         QCOMPARE(law.changes(), unsigned(StepLaw::none));
         const double peak = law.force();
@@ -129,7 +129,7 @@ class TestStepLaw : public QObject {
     void aForceThatDecaysNeitherOvershootsNorSeparates() {
         // theory §6: aΔ = 2 is the limit, at which the force vanishes within one step
         for (const double step : {0.05, 1.0, 1.999}) {
-            StepLaw law(BilinearLaw<>(0.5, 0.5), step, 0, 1e-19);
+            StepLaw law(ContactLaw<>(0.5, 0.5), step, 0, 1e-19);
             law.advance(1);
             double before = law.force();
             for (int i = 0; i < 10000 && law.force() > 0; ++i) {
@@ -144,7 +144,7 @@ class TestStepLaw : public QObject {
 
     void aSteadyWaveCausesNoEvents() {
         // F = 2g within rounding: neither loading nor unloading
-        StepLaw law(BilinearLaw<>(1e3, 0.5), 1e-3, 0, 1e-19);
+        StepLaw law(ContactLaw<>(1e3, 0.5), 1e-3, 0, 1e-19);
         for (int i = 0; i < 200; ++i) law.advance(1);
         for (int i = 0; i < 10000; ++i) {
             law.advance(1 + 1e-16 * (i % 3 - 1));

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "core/blow/impact_summary.h"
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 #include "core/wave/field/wave_curves.h"
 #include "core/wave/field/wave_field.h"
 
@@ -20,10 +20,10 @@ RockCurve::Path pathOf(const Impact& impact, const Problem& problem, const Shown
     const SampledHistory history = sampleHistory(impact);
     QVector<QCPCurveData> points{QCPCurveData(impact.frontArrival * units.time.factor, 0, 0)};
     points.reserve(static_cast<qsizetype>(history.force.size()) + 1);
-    BilinearLaw<> rock(problem.law);
+    ContactLaw<> rock(problem.law);
     for (std::size_t i = 0; i < history.force.size(); ++i) {
         const double force = history.force[i];
-        rock.remember(force);
+        rock.rememberAcross(force);
         const double penetration = rock.penetration(force) * lawUnitOfPenetration;
         const double x = penetration * units.penetration.factor;
         const double y = force * units.force.factor;
@@ -74,7 +74,7 @@ RockCurve curveOf(const Impact& impact, const Problem& problem, const ImpactSumm
                   const ShownUnits& units) {
     const double peakForce = summary.peakForce * units.force.factor;
     const auto path = pathOf(impact, problem, units);
-    const auto slopes = BilinearLaw<>(problem.law).slopes();
+    const auto slopes = ContactLaw<>(problem.law).slopes();
     return {.units = units,
             .path = path,
             .outline = outlineOf(path, peakForce),

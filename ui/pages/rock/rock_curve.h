@@ -40,7 +40,7 @@ struct RockCurve {
 RockCurve rockCurve(const Blow& blow, const ShownUnits& units);
 
 /// Requires an impact solved with Detail::histories. The penetration follows from the force by the law of
-/// the rock alone, BilinearLaw::penetration(). While apart it is what stays.
+/// the rock alone, ContactLaw::penetration(). While apart it is what stays.
 RockCurve rockCurve(const Impact& impact, const Problem& problem, const ShownUnits& units);
 
 /// Penetration and force at a global time in shown units; at either end of the path before and behind it.

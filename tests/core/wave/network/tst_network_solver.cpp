@@ -5,7 +5,7 @@
 #include <utility>
 
 #include "core/blow/impact_summary.h"
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 #include "core/wave/exact/exact_solver.h"
 #include "core/wave/network/network_march.h"
 #include "core/wave/network/network_solver.h"

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "core/contact/bilinear_law.h"
+#include "core/contact/contact_law.h"
 
 using namespace drillwave;
 
@@ -29,7 +29,7 @@ class TestBilinearLaw : public QObject {
   private slots:
     void untouchedRockIsASpring() {
         for (const Rock& rock : rocks) {
-            const BilinearLaw<> law(rock.beta, rock.gamma);
+            const ContactLaw<> law(rock.beta, rock.gamma);
             QCOMPARE(law.lineAtContact(), ContactLine::primary);
             QVERIFY(isClose(law.force(0.7), 0.7 * rock.beta, rock.beta));
             QVERIFY(isClose(law.penetration(0.7), 0.7 / rock.beta, 1 / rock.beta));
@@ -40,7 +40,7 @@ class TestBilinearLaw : public QObject {
 
     void linesMeetAtTheirCorners() {
         for (const Rock& rock : rocks) {
-            BilinearLaw<> law(rock.beta, rock.gamma);
+            ContactLaw<> law(rock.beta, rock.gamma);
             law.remember(1.5);
             const double largest = law.largestPenetration(), residual = law.residualPenetration();
             QVERIFY(isClose(largest, 1.5 / rock.beta, largest));
@@ -59,7 +59,7 @@ class TestBilinearLaw : public QObject {
 
     void forceAndPenetrationAreInverse() {
         for (const Rock& rock : rocks) {
-            BilinearLaw<> law(rock.beta, rock.gamma);
+            ContactLaw<> law(rock.beta, rock.gamma);
             law.remember(1);
             for (const double force : {0.0, 1e-6, 0.3, 0.999, 1.0, 1.001, 4.0})
                 // one rounding of U is β/γ of F
@@ -70,7 +70,7 @@ class TestBilinearLaw : public QObject {
     /// Loaded to 1, unloaded with the slope of the elastic line, and back up to it.
     void slopesAreThoseOfTheLines() {
         for (const Rock& rock : rocks) {
-            BilinearLaw<> law(rock.beta, rock.gamma);
+            ContactLaw<> law(rock.beta, rock.gamma);
             law.remember(1);
             QVERIFY(isClose(law.slope(ContactLine::primary), rock.beta, rock.beta));
             QVERIFY(isClose(law.slope(ContactLine::elastic), rock.beta / rock.gamma, rock.beta / rock.gamma));
@@ -82,7 +82,7 @@ class TestBilinearLaw : public QObject {
     }
 
     void onlyTheLargestForceIsRemembered() {
-        BilinearLaw<> law(0.5, 0.1);
+        ContactLaw<> law(0.5, 0.1);
         law.remember(2);
         law.remember(1);
         QCOMPARE(law.largestForce(), 2.0);
@@ -96,7 +96,7 @@ class TestBilinearLaw : public QObject {
         for (const Rock& rock : rocks) {
             std::mt19937_64 random(7);
             std::uniform_real_distribution<double> forces(0, 1);
-            BilinearLaw<> law(rock.beta, rock.gamma);
+            ContactLaw<> law(rock.beta, rock.gamma);
             double U = 0, F = 0, work = 0, dissipatedBefore = 0;
             for (int turn = 0; turn < 200; ++turn) {
                 // down, now and then to nothing, and up, now and then beyond the largest force
@@ -124,8 +124,8 @@ class TestBilinearLaw : public QObject {
     }
 
     void elasticRockHasNoMemory() {
-        BilinearLaw<> law(0.5, 1);
-        const BilinearLaw<> fresh = law;
+        ContactLaw<> law(0.5, 1);
+        const ContactLaw<> fresh = law;
         law.remember(3);
         QVERIFY(law.isElastic());
         QCOMPARE(law.lineAtContact(), ContactLine::primary);
@@ -138,10 +138,10 @@ class TestBilinearLaw : public QObject {
 
     /// γ → 1: forces, penetrations and work differ from those of elastic rock by no more than 1 − γ.
     void nearlyElasticRockIsNearlyElastic() {
-        BilinearLaw<> elastic(0.5, 1);
+        ContactLaw<> elastic(0.5, 1);
         elastic.remember(1);
         for (const double distance : {1e-3, 1e-6, 1e-9, 1e-12}) {
-            BilinearLaw<> law(0.5, 1 - distance);
+            ContactLaw<> law(0.5, 1 - distance);
             law.remember(1);
             const double most = 3 * distance + 1e-15;  // Fm, Um = 2 and slopes of order one
             for (const double U : {-1.0, 0.0, 0.5, 1.0, 1.9, 2.0, 3.0})
@@ -153,9 +153,9 @@ class TestBilinearLaw : public QObject {
     }
 
     void limitedLinesKeepTheMemory() {
-        BilinearLaw<> law(2, 0.01);
+        ContactLaw<> law(2, 0.01);
         law.remember(1);
-        const BilinearLaw<> limited = law.limitedTo(50);
+        const ContactLaw<> limited = law.limitedTo(50);
         QCOMPARE(limited.slopes().primary, 2.0);
         QCOMPARE(limited.slopes().elastic, 50.0);
         QCOMPARE(limited.largestForce(), 1.0);
@@ -164,4 +164,4 @@ class TestBilinearLaw : public QObject {
 };
 
 QTEST_GUILESS_MAIN(TestBilinearLaw)
-#include "tst_bilinear_law.moc"
+#include "tst_contact_law.moc"
