@@ -16,6 +16,7 @@
 #include "core/model/parameter_text.h"
 #include "core/model/validation.h"
 #include "core/model/version.h"
+#include "core/model/word_parameter.h"
 #include "core/report/alert_words.h"
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"
@@ -68,7 +69,7 @@ std::vector<Setting> settings(const Arguments& arguments) {
 constexpr std::string_view titleKey = "title";
 
 bool isKey(const std::string& key) {
-    return key == pulseShapeKey || key == restrikeKey || key == titleKey || findParameter(key);
+    return findWordParameter(key) || key == restrikeKey || key == titleKey || findParameter(key);
 }
 
 /// Why not, empty when it is set.

@@ -7,6 +7,7 @@
 #include "core/blow/feed_verdict.h"
 #include "core/model/alerts.h"
 #include "core/model/blow_traits.h"
+#include "core/model/parameter.h"
 #include "core/model/scales.h"
 #include "core/wave/closed/closed_form.h"
 #include "core/wave/exact/input_move.h"
@@ -46,6 +47,8 @@ void addRebound(const Scenario& scenario, const ImpactSummary& summary, std::vec
 
 /// The group that is to blame where the closed form is not for a rectangular blow on elastic rock.
 std::optional<AlertArgument> closedFormObstacle(const Problem& problem) {
+    if (!problem.law.isBilinear())
+        return AlertArgument{rockLawKey, static_cast<double>(problem.law.corners.size())};
     if (problem.transitTime() < 0.5) return AlertArgument{"tau", problem.transitTime()};
     if (!closedFormRefusal(problem).empty()) return AlertArgument{"delta", problem.gap};
     if (overlapIsSmall(problem.law.beta, problem.transitTime())) return std::nullopt;
@@ -64,6 +67,21 @@ void addClosedForm(const Scenario& scenario, const ImpactSummary& summary, std::
          AlertCode::closedFormInvalid,
          std::string(obstacle->name),
          {*obstacle, {"closed_form_cor", closed}, {"difference", std::abs(closed - summary.cor)}}});
+}
+
+/// The forces that the law is about are never met.
+void addCornersWithoutEffect(const Scenario& scenario, const ImpactSummary& summary,
+                             std::vector<Alert>& alerts) {
+    const BitRock& rock = scenario.bitRock;
+    if (rock.law != RockLaw::corners || rock.corners.empty()) return;
+    const double force = hasUnits(scenario) ? scalesOf(scenario).force : 1;
+    const double peak = summary.peakForce * force, first = rock.corners.front().force;
+    if (peak >= first) return;
+    const Quantity quantity = hasUnits(scenario) ? Quantity::force : Quantity::ratio;
+    alerts.push_back({AlertLevel::information,
+                      AlertCode::cornersWithoutEffect,
+                      "bit_rock.law",
+                      {{"peak_force", peak, quantity}, {"corner_force", first, quantity}}});
 }
 
 void addAccuracy(const ImpactSummary& summary, std::vector<Alert>& alerts) {
@@ -87,6 +105,7 @@ std::vector<Alert> resultAlerts(const Scenario& scenario, const ImpactSummary& s
     addThrust(scenario, summary, alerts);
     addRebound(scenario, summary, alerts);
     addClosedForm(scenario, summary, alerts);
+    addCornersWithoutEffect(scenario, summary, alerts);
     addAccuracy(summary, alerts);
     return alerts;
 }

@@ -130,7 +130,8 @@ std::string_view name(AlertCode code) {
                                                       {residualWaves, "residual_waves"},
                                                       {lengthsRounded, "lengths_rounded"},
                                                       {blowNotOver, "blow_not_over"},
-                                                      {stressesLeftOut, "stresses_left_out"}}};
+                                                      {stressesLeftOut, "stresses_left_out"},
+                                                      {cornersWithoutEffect, "corners_without_effect"}}};
     return alertNames[code];
 }
 

@@ -32,6 +32,7 @@ enum class AlertCode {
     lengthsRounded,
     blowNotOver,
     stressesLeftOut,
+    cornersWithoutEffect,
 };
 
 /// "outside_plausible_range", "pulse_longer_than_round_trip", …

@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "core/model/law_parameter.h"
 #include "core/model/section_parameter.h"
 
 namespace drillwave {
@@ -29,7 +30,10 @@ Rank rankOfSection(const Parameter& parameter) {
 Rank rankOf(const KeptParameter& parameter) {
     if (!parameter) return {};
     if (parameter->scope == Scope::section) return rankOfSection(*parameter);
-    return {&*parameter - parameters().data() + 1, 0, 0};
+    if (const std::size_t corner = cornerOf(*parameter))
+        return {&*findParameter("bit_rock.gap") - parameters().data() + 1, 1,
+                static_cast<std::ptrdiff_t>(corner)};
+    return {&*findParameter(parameter->key) - parameters().data() + 1, 0, 0};  // whatever its form
 }
 
 AssignedKey assigned(std::string_view key) {

@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/model/law_parameter.h"
 #include "core/model/section_parameter.h"
 
 namespace drillwave {
@@ -48,6 +49,18 @@ bool Parameter::applies(const Scenario& scenario) const {
             return hasUnits(scenario) && isForced(scenario) && shape == PulseShape::piston;
         case Scope::pistonByRatio:
             return !hasUnits(scenario) && shape == PulseShape::piston;
+        case Scope::corners:
+            return scenario.bitRock.law == RockLaw::corners;
+        case Scope::cornersInSi:
+            return hasUnits(scenario) && scenario.bitRock.law == RockLaw::corners;
+        case Scope::cornersByRatio:
+            return !hasUnits(scenario) && scenario.bitRock.law == RockLaw::corners;
+        case Scope::power:
+            return scenario.bitRock.law == RockLaw::power;
+        case Scope::powerInSi:
+            return hasUnits(scenario) && scenario.bitRock.law == RockLaw::power;
+        case Scope::powerByRatio:
+            return !hasUnits(scenario) && scenario.bitRock.law == RockLaw::power;
     }
     return false;
 }
@@ -79,7 +92,9 @@ const Unit& Parameter::displayUnit() const {
 
 KeptParameter findParameter(std::string_view key) {
     const auto found = std::ranges::find(parameters(), key, &Parameter::key);
-    return found == parameters().end() ? findSectionParameter(key) : KeptParameter(*found);
+    if (found != parameters().end()) return *found;
+    KeptParameter ofLaw = findLawParameter(key);
+    return ofLaw ? ofLaw : findSectionParameter(key);
 }
 
 std::string Range::problem(double value, const Unit& si) const {

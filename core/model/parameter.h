@@ -61,17 +61,23 @@ class ParameterFunction {
 /// In which scenarios a parameter has a meaning.
 enum class Scope {
     all,
-    withUnits,      ///< in physical quantities
-    string,         ///< string of sections
-    hammer,         ///< that, struck by a hammer that is followed
-    section,        ///< that, with such sections in it (section_parameter.h)
-    uniformRod,     ///< in either form
-    dimensional,    ///< a uniform rod in physical quantities
-    withoutArea,    ///< dimensional, the rod given by its diameters
-    givenPulse,     ///< with units, of a force whose duration and impulse follow from no piston or table
-    trapezoid,      ///< of a force of that shape
-    pistonInSi,     ///< with units, of a force of that shape
-    pistonByRatio,  ///< dimensionless, with that shape
+    withUnits,       ///< in physical quantities
+    string,          ///< string of sections
+    hammer,          ///< that, struck by a hammer that is followed
+    section,         ///< that, with such sections in it (section_parameter.h)
+    uniformRod,      ///< in either form
+    dimensional,     ///< a uniform rod in physical quantities
+    withoutArea,     ///< dimensional, the rod given by its diameters
+    givenPulse,      ///< with units, of a force whose duration and impulse follow from no piston or table
+    trapezoid,       ///< of a force of that shape
+    pistonInSi,      ///< with units, of a force of that shape
+    pistonByRatio,   ///< dimensionless, with that shape
+    corners,         ///< of a rock whose law has corners
+    cornersInSi,     ///< likewise, with units
+    cornersByRatio,  ///< likewise, dimensionless
+    power,           ///< of a rock with a power law
+    powerInSi,       ///< likewise, with units
+    powerByRatio,    ///< likewise, dimensionless
 };
 
 /// Whether a scenario file may leave a parameter out.
@@ -127,9 +133,11 @@ struct Parameter {
 
 /// The keys of a scenario that are set by a word and not by a number.
 inline constexpr std::string_view pulseShapeKey = "pulse.shape";
+inline constexpr std::string_view rockLawKey = "bit_rock.law";
 inline constexpr std::string_view restrikeKey = "hammer.restrike";
 
-/// The parameter of that key, be it of the table, "string.repeat", or a number of a section
+/// The parameter of that key, be it of the table, of a corner of the law (law_parameter.h), "string.repeat",
+/// or a number of a section
 /// ("string.adapter.length", "hammer.1.diameter", see section_address.h), whether there is such a section
 /// or not; otherwise none. May be called from several threads.
 KeptParameter findParameter(std::string_view key);

@@ -207,6 +207,12 @@ constexpr std::array parameterTable{
               Quantity::length, "mm", notNegative, {0, 0.01}, linear, Scope::withUnits,
               [](const S& s) { return Value(s.bitRock.gap); }, [](S& s, double v) { s.bitRock.gap = v; },
               {.presence = Presence::assumed}},
+    Parameter{"bit_rock.exponent", "exponent", "p", "Exponent of a power law F = k U (U/U1)^(p - 1) of loading; 1 is a straight line",
+              Quantity::ratio, "", {0.3, 3}, {0.5, 2}, linear, Scope::power,
+              [](const S& s) { return Value(s.bitRock.exponent); }, [](S& s, double v) { s.bitRock.exponent = v; }},
+    Parameter{"bit_rock.reference_penetration", "reference penetration", "U1", "Penetration at which a power law has the stiffness: F = k U1 there",
+              Quantity::length, "mm", positive, {5e-5, 5e-3}, logarithmic, Scope::powerInSi,
+              [](const S& s) { return Value(s.bitRock.referencePenetration); }, [](S& s, double v) { s.bitRock.referencePenetration = v; }},
 
     Parameter{"drill.blow_frequency", "blow frequency", "f", "Blows per second of the rock drill",
               Quantity::frequency, "Hz", positive, {10, 150}, linear, Scope::withUnits,

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/model/law_parameter.h"
 #include "core/model/section_parameter.h"
+#include "core/model/word_parameter.h"
 #include "core/text/decimal_text.h"
 #include "core/text/nearest_name.h"
 
@@ -24,21 +26,18 @@ constexpr std::string_view notOfHammer =
 constexpr std::string_view notOfForce =
     "only a hammer of sections has it (`hammer`), this string is driven by a force (`pulse`)";
 
-/// Why a scenario has no such shape of the force; empty when it may have it.
-std::string_view shapeRefusal(const Scenario& scenario, PulseShape shape) {
-    if (!isForced(scenario)) return notOfHammer;
-    if (isString(scenario) && shape == PulseShape::rigidBody) return notOfString;
-    return {};
-}
-
-std::string assignShapeNamed(Scenario& scenario, std::string_view text) {
-    const std::optional<PulseShape> shape = findPulseShape(trimmed(text));
-    if (isForced(scenario) && !shape)
-        return refusal(pulseShapeKey, text, "must be one of " + pulseShapeList());
-    if (const std::string_view reason = shapeRefusal(scenario, shape.value_or(PulseShape())); !reason.empty())
-        return refusal(pulseShapeKey, text, reason);
-    scenario.pulse.shape = *shape;
-    return {};
+std::string assignWord(Scenario& scenario, const WordParameter& parameter, std::string_view text) {
+    const auto words = parameter.words();
+    const auto found = std::ranges::find(words, trimmed(text));
+    if (found != words.end()) {
+        const std::string reason =
+            parameter.assign(scenario, static_cast<std::size_t>(found - words.begin()));
+        return reason.empty() ? reason : refusal(parameter.key, text, reason);
+    }
+    if (const std::string_view reason = shapeRefusal(scenario, PulseShape());
+        parameter.key == pulseShapeKey && !reason.empty())
+        return refusal(parameter.key, text, reason);
+    return refusal(parameter.key, text, "must be one of " + parameter.list());
 }
 
 std::string assignRestrike(Scenario& scenario, std::string_view text) {
@@ -74,6 +73,27 @@ std::string whyNotInString(const Parameter& parameter) {
            std::string(parameter.section() == "rod" ? "; set its sections, as `string.1.length`" : "");
 }
 
+/// Of the loading curve of the rock; empty for other parameters.
+std::string whyNotOfLaw(const Parameter& parameter, const Scenario& scenario) {
+    const auto of = [&](RockLaw law, std::string_view set) {
+        if (scenario.bitRock.law != law) return std::string(set);
+        return hasUnits(scenario) ? "needs a unit, as this scenario is in physical quantities"
+                                  : std::string("has no unit in a dimensionless scenario");
+    };
+    switch (parameter.scope) {
+        case Scope::corners:
+        case Scope::cornersInSi:
+        case Scope::cornersByRatio:
+            return of(RockLaw::corners, "only a law with corners has it; set `bit_rock.law=corners` too");
+        case Scope::power:
+        case Scope::powerInSi:
+        case Scope::powerByRatio:
+            return of(RockLaw::power, "only a power law has it; set `bit_rock.law=power` too");
+        default:
+            return {};
+    }
+}
+
 }  // namespace
 
 std::optional<bool> findTruth(std::string_view word) {
@@ -83,10 +103,13 @@ std::optional<bool> findTruth(std::string_view word) {
 }
 
 std::string pulseShapeList() {
-    std::string list;
-    for (const std::string_view shape : pulseShapeNames())
-        list += (list.empty() ? "" : ", ") + std::string(shape);
-    return list;
+    return findWordParameter(pulseShapeKey)->list();
+}
+
+std::string_view shapeRefusal(const Scenario& scenario, PulseShape shape) {
+    if (!isForced(scenario)) return notOfHammer;
+    if (isString(scenario) && shape == PulseShape::rigidBody) return notOfString;
+    return {};
 }
 
 std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenario) {
@@ -95,6 +118,7 @@ std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenari
     if (parameter.scope == Scope::string) return std::string(notOfUniformRod);
     if (parameter.scope == Scope::hammer)
         return std::string(isString(scenario) ? notOfForce : notOfUniformRod);
+    if (const std::string reason = whyNotOfLaw(parameter, scenario); !reason.empty()) return reason;
     const bool ofPulse = parameter.section() == "pulse";
     if (!isForced(scenario) && ofPulse) return std::string(notOfHammer);
     if (isString(scenario) && !ofPulse) return whyNotInString(parameter);
@@ -118,22 +142,17 @@ std::string assignNumber(Scenario& scenario, const Parameter& parameter, double 
     return {};
 }
 
-std::string assignShape(Scenario& scenario, PulseShape shape) {
-    if (const std::string_view reason = shapeRefusal(scenario, shape); !reason.empty())
-        return "has no meaning here: " + std::string(reason);
-    scenario.pulse.shape = shape;
-    return {};
-}
-
 std::string nearestKey(std::string_view key) {
     if (std::string near = nearestSectionKey(key); !near.empty()) return near;
-    std::vector<std::string_view> keys{pulseShapeKey, restrikeKey, "string.repeat"};
+    std::vector<std::string_view> keys{restrikeKey, "string.repeat", "bit_rock.corner.1.force",
+                                       "bit_rock.corner.1.slope"};
+    for (const WordParameter& parameter : wordParameters()) keys.push_back(parameter.key);
     for (const Parameter& parameter : parameters()) keys.push_back(parameter.key);
     return std::string(nearestName(key, keys));
 }
 
 std::string assignText(Scenario& scenario, std::string_view key, std::string_view text, const Unit* unit) {
-    if (key == pulseShapeKey) return assignShapeNamed(scenario, text);
+    if (const WordParameter* word = findWordParameter(key)) return assignWord(scenario, *word, text);
     if (key == restrikeKey) return assignRestrike(scenario, text);
     const KeptParameter parameter = findParameter(key);
     return parameter ? assignText(scenario, *parameter, text, unit) : unknownKey(key);
@@ -141,6 +160,8 @@ std::string assignText(Scenario& scenario, std::string_view key, std::string_vie
 
 std::string assignText(Scenario& scenario, const Parameter& parameter, std::string_view text,
                        const Unit* unit) {
+    const KeptParameter ofForm = inFormOf(scenario, parameter);
+    if (&*ofForm != &parameter) return assignText(scenario, *ofForm, text, unit);
     const std::string_view key = parameter.key;
     const std::string inapplicable = whyNotApplicable(parameter, scenario);
     if (!inapplicable.empty()) return refusal(key, text, inapplicable);

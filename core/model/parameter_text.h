@@ -16,6 +16,9 @@ std::optional<bool> findTruth(std::string_view word);
 /// "rectangular, triangular, …", for messages.
 std::string pulseShapeList();
 
+/// Why a scenario has no such shape of the force; empty when it may have it.
+std::string_view shapeRefusal(const Scenario& scenario, PulseShape shape);
+
 /// Why a parameter has no meaning in this scenario and what to do instead; empty when it applies.
 std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenario);
 
@@ -23,17 +26,15 @@ std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenari
 /// "must be in (0, 1]", and sets nothing then; empty when done.
 std::string assignNumber(Scenario& scenario, const Parameter& parameter, double si);
 
-/// Likewise the shape.
-std::string assignShape(Scenario& scenario, PulseShape shape);
-
 /// The known key (of parameters() and sections, or set by a word) most like a mistyped one; empty when none
 /// is close.
 std::string nearestKey(std::string_view key);
 
 /// Sets `key` from text, as --set, table cells and sweep values do. Accepts every key of findParameter() with
-/// a unit where it has one, "pulse.shape", and "hammer.restrike" with `true` or `false`. `unit` is a default
-/// unit taken from a column header, or nullptr. Returns the reason why not ("bit_rock.gamma = 1.3 (must be in
-/// (0, 1])"), or an empty string when done; after a reason the scenario is not to be used.
+/// a unit where it has one, of findWordParameter() with one of its words, and "hammer.restrike" with `true`
+/// or `false`. `unit` is a default unit taken from a column header, or nullptr. Returns the reason why not
+/// ("bit_rock.gamma = 1.3 (must be in (0, 1])"), or an empty string when done; after a reason the scenario is
+/// not to be used.
 std::string assignText(Scenario& scenario, std::string_view key, std::string_view text,
                        const Unit* unit = nullptr);
 /// Likewise of a parameter.

@@ -5,6 +5,7 @@
 #include <set>
 #include <string_view>
 
+#include "core/model/law_parameter.h"
 #include "core/model/section_parameter.h"
 
 namespace drillwave {
@@ -25,6 +26,11 @@ std::vector<KeptParameter> differingParameters(std::span<const Scenario* const> 
             differing.push_back(kept);
     };
     for (const Parameter& parameter : parameters()) look(parameter);
+    std::size_t corners = 0;
+    for (const Scenario* scenario : scenarios) corners = std::max(corners, scenario->bitRock.corners.size());
+    for (std::size_t place = 1; place <= corners; ++place)
+        for (const std::string_view field : {"force", "slope"})
+            look(inFormOf(*scenarios.front(), *findParameter(cornerKey(place, field))));
     std::vector<KeptParameter> ofSections;
     std::set<std::string_view> keys;
     for (const Scenario* scenario : scenarios)

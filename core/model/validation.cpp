@@ -5,6 +5,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
@@ -38,6 +39,89 @@ void checkRockOfString(const BitRock& rock, std::vector<InputProblem>& problems)
     const std::string reason =
         string_ranges::stiffness.problem(rock.stiffness, unitsOf(stiffness.quantity).front());
     if (!reason.empty()) report(problems, stiffness.key, valueText(stiffness, rock.stiffness), reason);
+}
+
+/// The corners of the loading curve, each behind the one before and none steeper than the way down.
+class CornerCheck {
+  public:
+    CornerCheck(const Scenario& scenario, std::vector<InputProblem>& problems)
+        : m_rock(scenario.bitRock),
+          m_gamma(groupOrValue(scenario)),
+          m_scenario(scenario),
+          m_problems(problems) {}
+
+    void check() {
+        if (m_rock.corners.empty()) {
+            add("bit_rock.corners", "",
+                "is missing: a law with corners needs at least one, as `bit_rock.corner.1.force` and "
+                "`bit_rock.corner.1.slope`");
+            return;
+        }
+        if (m_rock.corners.size() > mostRockCorners) {
+            add("bit_rock.corners", "",
+                "has " + std::to_string(m_rock.corners.size()) + " corners, at most " +
+                    std::to_string(mostRockCorners) + " are possible");
+            return;
+        }
+        for (std::size_t i = 0; i < m_rock.corners.size(); ++i) checkCorner(i);
+    }
+
+  private:
+    static double groupOrValue(const Scenario& scenario) {
+        return hasUnits(scenario) ? scenario.bitRock.gamma : scenario.groups.gamma;
+    }
+
+    void checkCorner(std::size_t i) {
+        constexpr double rounding = 1e-12;  // of 1/gamma, as it is written
+        const RockCorner& corner = m_rock.corners[i];
+        if (isRight(i, "force", corner.force) && i > 0 && !(corner.force > m_rock.corners[i - 1].force) &&
+            !std::isnan(m_rock.corners[i - 1].force))
+            add(pathOf(i, "force"), textOf(i, "force", corner.force),
+                "must be greater than the force of the corner before it, " +
+                    textOf(i - 1, "force", m_rock.corners[i - 1].force));
+        if (isRight(i, "slope", corner.slope) && corner.slope * m_gamma > 1 + rounding)
+            add(pathOf(i, "slope"), formatNumber(corner.slope),
+                "must be at most 1/gamma = " + formatNumber(1 / m_gamma) +
+                    ": loading steeper than unloading would create energy");
+    }
+
+    bool isRight(std::size_t i, std::string_view field, double value) {
+        if (std::isnan(value)) {
+            add(pathOf(i, field), "", "is missing: a corner has a force and a slope");
+            return false;
+        }
+        const std::string reason = rangeProblem(*parameterOf(i, field), value);
+        if (!reason.empty()) add(pathOf(i, field), textOf(i, field, value), reason);
+        return reason.empty();
+    }
+
+    KeptParameter parameterOf(std::size_t i, std::string_view field) const {
+        return inFormOf(m_scenario, *findParameter(cornerKey(i + 1, field)));
+    }
+    std::string textOf(std::size_t i, std::string_view field, double value) const {
+        return valueText(*parameterOf(i, field), value);
+    }
+    /// As in a file.
+    static std::string pathOf(std::size_t i, std::string_view field) {
+        return "bit_rock.corners." + std::to_string(i + 1) + "." + std::string(field);
+    }
+    void add(std::string_view key, std::string_view value, std::string_view reason) {
+        report(m_problems, key, value, reason);
+    }
+
+    const BitRock& m_rock;
+    double m_gamma;
+    const Scenario& m_scenario;
+    std::vector<InputProblem>& m_problems;
+};
+
+void checkLaw(const Scenario& scenario, std::vector<InputProblem>& problems) {
+    if (scenario.bitRock.law == RockLaw::corners) CornerCheck(scenario, problems).check();
+    if (scenario.bitRock.law != RockLaw::power || hasUnits(scenario)) return;
+    const KeptParameter reference = inFormOf(scenario, *findParameter("bit_rock.reference_penetration"));
+    const std::string reason = rangeProblem(*reference, scenario.bitRock.referencePenetration);
+    if (!reason.empty())
+        report(problems, reference->key, formatNumber(scenario.bitRock.referencePenetration), reason);
 }
 
 void checkBore(const Scenario& scenario, std::vector<InputProblem>& problems) {
@@ -153,6 +237,7 @@ PointProblem pointProblem(const TablePoints& points) {
 std::vector<InputProblem> validate(const Scenario& scenario) {
     std::vector<InputProblem> problems;
     checkRanges(scenario, problems);
+    checkLaw(scenario, problems);
     if (isString(scenario)) {
         if (problems.empty()) checkRockOfString(scenario.bitRock, problems);
         std::ranges::move(sectionProblems(scenario.drillString), std::back_inserter(problems));

@@ -117,6 +117,7 @@ std::string closedFormObstacle(const Alert& alert, const ReadingStyle& style) {
     if (alert.parameter == "delta")
         return "the bit meets the rock in the middle of a wave (delta = " +
                fourDigits(alert, "delta", style) + " is not a whole number)";
+    if (alert.parameter == "bit_rock.law") return "the loading curve of the rock is no straight line";
     return "the bit is still on the rock when the next reflection arrives";
 }
 
@@ -194,6 +195,10 @@ std::string alertText(const Alert& alert, const ReadingStyle& style) {
         case AlertCode::stressesLeftOut:
             return "The largest stresses of the sections take more work than is permitted: they were left "
                    "out and no strength was checked. A shorter end_time may leave room for them.";
+        case AlertCode::cornersWithoutEffect:
+            return "The force stays below the first corner of the loading curve (" +
+                   inUnit(alert, "peak_force", style) + " of " + inUnit(alert, "corner_force", style) +
+                   "): the law acts as the bilinear one.";
     }
     return {};
 }

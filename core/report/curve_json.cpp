@@ -41,9 +41,9 @@ JsonObject json(const CurveOutput& output) {
     return {{"features", features}, {"grid", json(output.grid)}, {"unsolved", json(output.unsolved)}};
 }
 
-/// Shapes by their name.
+/// Words as they are.
 Json familyJson(const SweepAxis& family, double value) {
-    if (family.kind == SweepAxis::Kind::shapes) return name(static_cast<PulseShape>(value));
+    if (family.words) return family.words->words()[static_cast<std::size_t>(value)];
     return value;
 }
 

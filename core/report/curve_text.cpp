@@ -84,9 +84,9 @@ std::string stretchesText(const CurveQuestion& question, const std::vector<Curve
 }
 
 std::string familyText(const SweepAxis& family, double value) {
-    const bool isShape = family.kind == SweepAxis::Kind::shapes;
     return std::string(family.key()) + " = " +
-           (isShape ? std::string(name(static_cast<PulseShape>(value))) : valueText(family, value));
+           (family.words ? std::string(family.words->words()[static_cast<std::size_t>(value)])
+                         : valueText(family, value));
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ class Patcher {
              {"dimensionless", "rod", "pulse", "material", "bit_rock", "drill"})
             patchSection(root, section);
         if (isString(m_scenario)) patchDrillString(root);
+        patchCorners(root);
         return edited(m_text, std::move(m_edits));
     }
 
@@ -98,6 +99,17 @@ class Patcher {
         for (std::size_t i = 0; i < count; ++i) patchMap(list.children[i], path + "." + std::to_string(i));
     }
 
+    void patchCorners(const YamlNode& root) {
+        const std::size_t at = indexOf(root, "bit_rock");
+        const std::size_t count = m_scenario.bitRock.corners.size();
+        const bool isMap = at < root.children.size() && root.children[at + 1].kind == YamlKind::map;
+        if (!isMap || indexOf(root.children[at + 1], "corners") >= root.children[at + 1].children.size()) {
+            if (count > 0) throw NotPatchable();
+            return;
+        }
+        patchList(valueOf(root.children[at + 1], "corners", YamlKind::sequence), "bit_rock.corners", count);
+    }
+
     void patchSection(const YamlNode& root, std::string_view section) {
         const std::size_t at = indexOf(root, section);
         const bool there = at < root.children.size();
@@ -151,7 +163,9 @@ class Patcher {
         const YamlNode& node = map.children[at + 1];
         if (section.empty() && key.text != "title" && key.text != "end_time") return;
         if (section == "pulse" && key.text == "points") return;
-        if (node.kind == YamlKind::sequence && (key.text == "sections" || key.text == "of")) return;
+        if (node.kind == YamlKind::sequence &&
+            (key.text == "sections" || key.text == "of" || key.text == "corners"))
+            return;
         const SavedValue* value = saved(section, key.text);
         if (!value && section.empty() && node.text.empty()) return;
         if (!value) {

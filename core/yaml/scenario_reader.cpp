@@ -5,7 +5,9 @@
 #include <charconv>
 #include <span>
 
+#include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
+#include "core/yaml/law_reader.h"
 #include "core/yaml/pulse_reader.h"
 #include "core/yaml/section_reader.h"
 #include "core/yaml/string_reader.h"
@@ -101,11 +103,43 @@ bool checkKeysOfFormat(SectionReader& reader, const YamlEntries& file, int forma
            std::ranges::any_of(keysOf(format), isThere) || isThere("pulse");
 }
 
+constexpr std::string_view notBesideGroups = "cannot stand beside `dimensionless`: give one or the other";
+
+/// All that `bit_rock` may say there is the loading curve.
+void readLawBesideGroups(SectionReader& reader, const YamlEntries& file) {
+    const auto found = file.find("bit_rock");
+    if (found == file.end()) return;
+    const bool hasLaw = found->second.value->kind == YamlKind::map && found->second.value->valueOf(lawKey);
+    if (!hasLaw) {
+        reader.problems().reportKey(found->second.key->offset, "bit_rock", notBesideGroups);
+        return;
+    }
+    const std::optional<YamlEntries> entries =
+        reader.section(file, "bit_rock", "bit_rock", {lawKey, cornersKey});
+    if (!entries) return;
+    const bool isLawRead = readLaw(reader, *entries);
+    for (const auto& [key, entry] : *entries) {
+        const std::string path = joinedKey("bit_rock", key);
+        if (key == lawKey || key == cornersKey) continue;
+        const KeptParameter parameter = inFormOf(reader.scenario(), *findParameter(path));
+        if (parameter->scope == Scope::withUnits)
+            reader.problems().reportKey(entry.key->offset, path, notBesideGroups);
+        else if (isLawRead)
+            reader.readNumber(*parameter, entry);
+    }
+    if (!isLawRead) return;
+    if (reader.scenario().bitRock.law == RockLaw::power)
+        for (const std::string_view key : {"exponent", "reference_penetration"})
+            reader.require(*entries,
+                           *inFormOf(reader.scenario(), *findParameter(joinedKey("bit_rock", key))));
+    readCorners(reader, *entries);
+}
+
 void readGroups(SectionReader& reader, const YamlEntries& file) {
-    for (const std::string_view name : {"rod", "bit_rock", "drill"})
+    for (const std::string_view name : {"rod", "drill"})
         if (const auto found = file.find(name); found != file.end())
-            reader.problems().reportKey(found->second.key->offset, name,
-                                        "cannot stand beside `dimensionless`: give one or the other");
+            reader.problems().reportKey(found->second.key->offset, name, notBesideGroups);
+    readLawBesideGroups(reader, file);
     const std::optional<YamlEntries> entries = reader.section(file, "dimensionless", "groups");
     if (!entries) return;
     reader.readParameters(*entries, "groups", Applicability::checked);
@@ -124,10 +158,13 @@ void readRod(SectionReader& reader, const YamlEntries& file) {
 }
 
 void readBitRock(SectionReader& reader, const YamlEntries& file) {
-    const std::optional<YamlEntries> entries = reader.section(file, "bit_rock", "bit_rock");
+    const std::optional<YamlEntries> entries =
+        reader.section(file, "bit_rock", "bit_rock", {lawKey, cornersKey});
     if (!entries) return;
-    reader.readParameters(*entries, "bit_rock", Applicability::checked);
+    const bool isLawRead = readLaw(reader, *entries);
+    reader.readParameters(*entries, "bit_rock", isLawRead ? Applicability::checked : Applicability::ignored);
     reader.requireParameters(*entries, "bit_rock");
+    if (isLawRead) readCorners(reader, *entries);
 }
 
 void readDrill(SectionReader& reader, const YamlEntries& file) {
@@ -149,6 +186,7 @@ bool isAboutTheFile(SectionReader& reader, const InputProblem& problem) {
         return read(problem.key) && read(problem.key.substr(0, problem.key.size() - 4) + "diameter");
     if (problem.key == "pulse.fall")
         return !reader.problems().concerns("pulse.rise") && !reader.problems().concerns("pulse.fall");
+    if (problem.key.starts_with("bit_rock.corners.")) return read(problem.key);
     return problem.key == "pulse.points" && read("pulse.points") && !reader.problems().concerns("pulse.file");
 }
 

@@ -3,12 +3,16 @@
 
 #include <algorithm>
 
+#include "core/model/law_parameter.h"
 #include "core/model/scales.h"
 #include "core/model/section_field.h"
 #include "core/yaml/scenario_reader.h"
 
 namespace drillwave {
 namespace {
+
+/// Of the list of corners.
+const std::string cornersPath = "bit_rock.corners";
 
 /// A mean force is kept as such if it leads back to the same impulse, as every force that was given does.
 bool keepsForce(const Pulse& pulse) {
@@ -98,12 +102,46 @@ void addDrillString(std::vector<SavedValue>& values, const Scenario& scenario) {
     }
 }
 
+SavedValue savedNumber(std::string_view path, std::string_view key, const Parameter& parameter,
+                       double number) {
+    return {.section = std::string(path),
+            .key = key,
+            .unit = SavedUnit{parameter.quantity, &parameter.displayUnit()},
+            .number = number,
+            .text = {}};
+}
+
+/// The loading curve of the rock, beside the numbers of the table of parameters.
+void addLaw(std::vector<SavedValue>& values, const Scenario& scenario) {
+    const BitRock& rock = scenario.bitRock;
+    SavedValue law = savedText("bit_rock", "law", name(rock.law));
+    law.isDefault = rock.law == RockLaw::bilinear;
+    law.isUnusual = true;
+    values.push_back(law);
+    if (rock.law == RockLaw::power && !hasUnits(scenario)) {
+        const KeptParameter reference = inFormOf(scenario, *findParameter("bit_rock.reference_penetration"));
+        values.push_back(
+            savedNumber("bit_rock", "reference_penetration", *reference, rock.referencePenetration));
+        values.back().parameter = &*reference;
+    }
+    for (std::size_t i = 0; i < rock.corners.size(); ++i) {
+        const std::string path = cornersPath + "." + std::to_string(i);
+        const auto add = [&](std::string_view field, double number) {
+            values.push_back(savedNumber(
+                path, field, *inFormOf(scenario, *findParameter(cornerKey(i + 1, field))), number));
+        };
+        add("force", rock.corners[i].force);
+        add("slope", rock.corners[i].slope);
+    }
+}
+
 /// The sections of a file, in order, that are no lists.
 std::vector<std::string_view> plainSections(const Scenario& scenario) {
     std::vector<std::string_view> sections;
     if (!isString(scenario)) sections.push_back(hasUnits(scenario) ? "rod" : "dimensionless");
     if (isForced(scenario)) sections.push_back("pulse");
-    sections.insert(sections.end(), {"bit_rock", "drill"});
+    if (hasUnits(scenario) || scenario.bitRock.law != RockLaw::bilinear) sections.push_back("bit_rock");
+    sections.push_back("drill");
     return sections;
 }
 
@@ -237,6 +275,7 @@ std::vector<SavedValue> savedValues(const Scenario& scenario) {
     for (const std::string_view section : plainSections(scenario)) {
         if (section == "pulse") values.push_back(savedText("pulse", "shape", name(scenario.pulse.shape)));
         addParameters(values, scenario, section);
+        if (section == "bit_rock") addLaw(values, scenario);
         if (section == "pulse" && scenario.pulse.shape == PulseShape::table &&
             !scenario.pulse.tableFile.empty())
             values.push_back(savedText("pulse", "file", scenario.pulse.tableFile));
@@ -250,6 +289,8 @@ Scenario withoutUnusedValues(const Scenario& scenario) {
     result.form = scenario.form;
     if (isString(scenario)) result.drillString = withoutUnusedValues(scenario.drillString);
     if (isForced(scenario)) result.pulse.shape = scenario.pulse.shape;
+    result.bitRock.law = scenario.bitRock.law;
+    if (scenario.bitRock.law == RockLaw::corners) result.bitRock.corners = scenario.bitRock.corners;
     for (const SavedValue& value : savedValues(scenario))
         if (value.parameter) value.parameter->assign(result, value.number);
     if (isForced(scenario) && scenario.pulse.shape == PulseShape::table) {
@@ -275,14 +316,18 @@ std::string yamlScalar(std::string_view text) {
 std::string sectionText(const Scenario& scenario, std::string_view section) {
     if (section == "material") return "material: {" + flowEntries(savedValues(scenario), section) + "}\n";
     const bool points = section == "pulse" && hasInlinePoints(scenario);
-    const bool flow = scenario.form == ScenarioForm::dimensionless && !points;
+    const bool corners = section == "bit_rock" && scenario.bitRock.law == RockLaw::corners;
+    const bool flow = scenario.form == ScenarioForm::dimensionless && !points && !corners;
+    const std::vector<SavedValue> values = savedValues(scenario);
     std::string lines;
-    for (const SavedValue& value : savedValues(scenario)) {
+    for (const SavedValue& value : values) {
         if (value.section != section || goesWithoutSaying(value)) continue;
         const std::string line = std::string(value.key) + ": " + valueText(value);
         lines += flow ? (lines.empty() ? "" : ", ") + line : "  " + line + "\n";
     }
     if (points) lines += pointsText(scenario);
+    if (corners)
+        lines += "  corners:\n" + sectionItems(values, cornersPath, scenario.bitRock.corners.size(), "    ");
     if (lines.empty()) return {};
     return std::string(section) + (flow ? ": {" + lines + "}\n" : ":\n" + lines);
 }

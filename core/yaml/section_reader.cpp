@@ -88,17 +88,19 @@ void SectionReader::readParameters(const YamlEntries& entries, std::string_view 
         const std::string reason =
             applicability == Applicability::checked ? whyNotApplicable(parameter, m_scenario) : std::string();
         if (reason.empty())
-            readParameter(parameter, found->second);
+            readNumber(parameter, found->second);
         else
             m_problems.reportKey(found->second.key->offset, pathOf(parameter), reason);
     }
 }
 
-void SectionReader::readParameter(const Parameter& parameter, const YamlEntry& entry) {
+void SectionReader::readNumber(const Parameter& parameter, const YamlEntry& entry, std::string path) {
     const YamlNode& value = *entry.value;
+    if (path.empty()) path = pathOf(parameter);
+    setPlace(parameter.key, entry.place());
     if (value.kind != YamlKind::scalar) {
         const std::string_view what = value.kind == YamlKind::null ? "has no value" : "must be one value";
-        m_problems.reportKey(entry.place(), pathOf(parameter), std::string(what) + example(parameter));
+        m_problems.reportKey(entry.place(), path, std::string(what) + example(parameter));
         return;
     }
     const TypedQuantity typed =
@@ -107,7 +109,7 @@ void SectionReader::readParameter(const Parameter& parameter, const YamlEntry& e
     if (reason.empty())
         parameter.assign(m_scenario, typed.si);
     else
-        m_problems.reportValue(entry.place(), pathOf(parameter), value.text, reason);
+        m_problems.reportValue(entry.place(), path, value.text, reason);
 }
 
 void SectionReader::requireShape(const YamlEntries& entries) {

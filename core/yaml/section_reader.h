@@ -70,9 +70,10 @@ class SectionReader {
     void setPlace(std::string_view key, std::size_t offset) { m_places[std::string(key)] = offset; }
     std::optional<std::size_t> placeOf(std::string_view key) const;
 
-  private:
-    void readParameter(const Parameter& parameter, const YamlEntry& entry);
+    /// Assigns one number; `path` is how messages call it, by default as its key stands in a file.
+    void readNumber(const Parameter& parameter, const YamlEntry& entry, std::string path = {});
 
+  private:
     ProblemList m_problems;
     Scenario m_scenario;
     std::map<std::string, std::size_t, std::less<>> m_places;

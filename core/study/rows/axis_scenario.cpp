@@ -40,6 +40,7 @@ AxisScenario::AxisScenario(const Scenario& base, std::span<const SweepAxis> axes
         if (hasShapes ? m_assignments.movesPulse(a) : movesPulseForce(axes[a].key(), base.pulse.shape))
             m_lastPulseAxis = a;
         m_restoresPulse |= axes[a].key().starts_with("pulse.");
+        m_changesLaw |= axes[a].key() == rockLawKey;
     }
     m_judges = hasSections(base) || hasImpossibleCorner();
 }
@@ -63,7 +64,7 @@ const Scenario& AxisScenario::set(std::span<const double> values) {
     // What one axis sets may depend on the others in a dimensional scenario (tau moves the length, which
     // moves nothing else, but a duration moves the impulse of a given force), so that each point starts from
     // the base.
-    if (hasUnits(m_scenario)) restore();
+    if (hasUnits(m_scenario) || m_changesLaw) restore();
     m_obstacle.reset();
     for (const std::size_t a : m_assignments.order())
         if (std::string problem = m_axes[a].assign(m_scenario, values[a]); !problem.empty() && !m_obstacle)

@@ -61,6 +61,7 @@ class AxisScenario {
     Assignments m_assignments;
     std::optional<std::size_t> m_lastPulseAxis;
     bool m_restoresPulse = false;  // some axis sets a number of the pulse
+    bool m_changesLaw = false;     ///< another law drops what only one has
     bool m_judges = true;          // each point
     Scenario m_scenario;
     std::optional<PointObstacle> m_obstacle;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/rows/row_column.h"
 
-#include "core/model/scenario.h"
 #include "core/text/number_text.h"
 
 namespace drillwave {
@@ -15,8 +14,8 @@ void RowColumn::appendText(std::string& cell, double number) const {
             cell += formatQuantity(number, quantity, *unit);
             cell.resize(cell.size() - unit->name.size() - 1);
             break;
-        case Kind::shape:
-            cell += name(static_cast<PulseShape>(number));
+        case Kind::word:
+            cell += words[static_cast<std::size_t>(number)];
             break;
     }
 }

@@ -2,7 +2,9 @@
 // What one column of numbers of a sweep or a table holds.
 #pragma once
 
+#include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/text/units.h"
@@ -14,13 +16,14 @@ struct RowColumn {
     enum class Kind {
         number,    ///< without a unit, or in the one of the header
         quantity,  ///< SI, shown in `unit`
-        shape,     ///< a PulseShape
+        word,      ///< the number of one of `words`
     };
 
     std::string header;  ///< "beta", "peak_force [N]", "rod.length [mm]" (also where the numbers are SI)
     Kind kind = Kind::number;
     Quantity quantity = Quantity::ratio;
-    const Unit* unit = nullptr;  ///< of Kind::quantity; may be nullptr for the others
+    const Unit* unit = nullptr;                    ///< of Kind::quantity; may be nullptr for the others
+    std::span<const std::string_view> words = {};  ///< of Kind::word
 
     /// Appends a number as people and files have it, in the unit of the header but without it; it reads back
     /// as the same number. Nothing for no number.

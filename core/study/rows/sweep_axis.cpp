@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/law_parameter.h"
 #include "core/model/parameter_text.h"
 #include "core/text/decimal_text.h"
 #include "core/text/unit_heading.h"
@@ -26,9 +27,19 @@ std::string refusal(std::string_view key, std::string_view value, std::string_vi
     return std::string(key) + " = " + shortened(value) + " (" + std::string(reason) + ")";
 }
 
+/// What is measured in scales of the blow in a dimensionless scenario has no unit there: the first value
+/// tells.
+void takeForm(SweepAxis& axis, std::string_view text) {
+    if (axis.unit) return;
+    const KeptParameter other = inScales(*axis.parameter);
+    if (other && parseQuantity(text, Quantity::ratio, BareNumber::refused, nullptr).valid())
+        axis.parameter = other;
+}
+
 /// Reads a value of the axis; a problem for what is no value or out of range.
 std::string readValue(ParsedAxis& parsed, std::string_view text, double& value) {
     SweepAxis& axis = parsed.axis;
+    takeForm(axis, text);
     const Parameter& parameter = *axis.parameter;
     const TypedQuantity typed =
         parseQuantity(text, parameter.quantity, BareNumber::refused, &parameter.displayUnit());
@@ -113,8 +124,9 @@ std::string followedForm(std::string_view key) {
     return std::string(key) + " needs START:STOP or START:STOP:log";
 }
 
-std::string shapesProblem() {
-    return std::string(pulseShapeKey) + " has no numbers to go along; make a family of shapes";
+std::string wordsProblem(const WordParameter& words) {
+    return std::string(words.key) + " has no numbers to go along; make a family of " +
+           (words.key == pulseShapeKey ? "shapes" : "words");
 }
 
 std::string readFollowedRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts) {
@@ -136,17 +148,18 @@ std::string readList(ParsedAxis& parsed, const std::vector<std::string_view>& it
     return {};
 }
 
-std::string readShapes(ParsedAxis& parsed, const std::vector<std::string_view>& items) {
+std::string readWords(ParsedAxis& parsed, const std::vector<std::string_view>& items) {
     SweepAxis& axis = parsed.axis;
-    axis.kind = SweepAxis::Kind::shapes;
+    axis.kind = SweepAxis::Kind::words;
     axis.count = items.size();
+    const auto words = axis.words->words();
     for (const std::string_view item : items) {
-        const std::optional<PulseShape> shape = findPulseShape(item);
-        if (!shape) {
+        const auto found = std::ranges::find(words, item);
+        if (found == words.end()) {
             parsed.kind = ParsedAxis::Kind::badValue;
-            return refusal(pulseShapeKey, item, "must be one of " + pulseShapeList());
+            return refusal(axis.key(), item, "must be one of " + axis.words->list());
         }
-        axis.shapes.push_back(*shape);
+        axis.list.push_back(static_cast<double>(found - words.begin()));
     }
     return {};
 }
@@ -160,7 +173,8 @@ std::string readKey(ParsedAxis& parsed, std::string_view text, std::string_view 
     const std::string_view key = trimmed(text.substr(0, equals));
     values = text.substr(equals + 1);
     parsed.axis.parameter = findParameter(key);
-    if (parsed.axis.parameter || key == pulseShapeKey) return {};
+    parsed.axis.words = findWordParameter(key);
+    if (parsed.axis.parameter || parsed.axis.words) return {};
     if (key == restrikeKey) return std::string(key) + " has no numbers to go along; give it with --set";
     const std::string near = nearestKey(key);
     return "`" + shortened(key) + "` is not a parameter" +
@@ -173,7 +187,7 @@ std::string readAxis(ParsedAxis& parsed, std::string_view text, std::optional<st
             readKey(parsed, text, "KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C", values);
         !problem.empty())
         return problem;
-    if (!parsed.axis.parameter) return readShapes(parsed, split(values, ','));
+    if (!parsed.axis.parameter) return readWords(parsed, split(values, ','));
     if (values.find(':') != std::string_view::npos)
         return readRange(parsed, split(values, ':'), assumedCount);
     return readList(parsed, split(values, ','));
@@ -184,14 +198,15 @@ std::string readFollowedAxis(ParsedAxis& parsed, std::string_view text) {
     if (std::string problem = readKey(parsed, text, "KEY=START:STOP or KEY=START:STOP:log", values);
         !problem.empty())
         return problem;
-    if (!parsed.axis.parameter) return shapesProblem();
+    if (!parsed.axis.parameter) return wordsProblem(*parsed.axis.words);
     return readFollowedRange(parsed, split(values, ':'));
 }
 
 }  // namespace
 
 RowColumn SweepAxis::column() const {
-    if (kind == Kind::shapes) return {.header = std::string(key()), .kind = RowColumn::Kind::shape};
+    if (kind == Kind::words)
+        return {.header = std::string(key()), .kind = RowColumn::Kind::word, .words = words->words()};
     const Quantity quantity = parameter->quantity;
     const bool hasUnit = quantity != Quantity::ratio;
     return {.header = withUnit(key(), unit),
@@ -201,12 +216,11 @@ RowColumn SweepAxis::column() const {
 }
 
 std::string_view SweepAxis::key() const {
-    return parameter ? parameter->key : pulseShapeKey;
+    return parameter ? parameter->key : words->key;
 }
 
 double SweepAxis::value(std::uint64_t i) const {
-    if (kind == Kind::shapes) return static_cast<double>(shapes[i]);
-    if (kind == Kind::list) return list[i];
+    if (kind == Kind::list || kind == Kind::words) return list[i];
     if (i == 0) return start;
     if (i + 1 == count) return stop;
     const double position = static_cast<double>(i);
@@ -218,8 +232,11 @@ double SweepAxis::value(std::uint64_t i) const {
 }
 
 std::string SweepAxis::assign(Scenario& scenario, double value) const {
-    const std::string problem = kind == Kind::shapes ? assignShape(scenario, static_cast<PulseShape>(value))
-                                                     : assignNumber(scenario, *parameter, value);
+    if (words) {
+        const std::string reason = words->assign(scenario, static_cast<std::size_t>(value));
+        return reason.empty() ? reason : std::string(key()) + " has no meaning here: " + reason;
+    }
+    const std::string problem = assignNumber(scenario, *parameter, value);
     return problem.empty() ? problem : std::string(key()) + " " + problem;
 }
 
@@ -230,7 +247,7 @@ std::string SweepAxis::readBackProblem(const Scenario& scenario, double value) c
 
 std::vector<std::uint64_t> SweepAxis::extremes() const {
     std::vector<std::uint64_t> indices;
-    if (kind == Kind::shapes) {
+    if (kind == Kind::words) {
         for (std::uint64_t i = 0; i < count; ++i) indices.push_back(i);
     } else if (kind == Kind::list) {
         const auto [low, high] = std::ranges::minmax_element(list);
@@ -252,7 +269,7 @@ std::string followProblem(const SweepAxis& axis) {
     // Narrower ranges, of their larger end, have fewer values than places of their features are to have.
     constexpr double narrowest = 1e-4;
     const std::string key(axis.key());
-    if (!axis.parameter) return shapesProblem();
+    if (!axis.parameter) return wordsProblem(*axis.words);
     if (axis.parameter->rules.wholeNumber)
         return key + " has whole numbers alone; make a family of them, or sweep it";
     if (axis.kind != SweepAxis::Kind::linear && axis.kind != SweepAxis::Kind::logarithmic)

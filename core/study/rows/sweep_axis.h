@@ -9,35 +9,37 @@
 #include <vector>
 
 #include "core/model/parameter.h"
+#include "core/model/word_parameter.h"
 #include "core/study/rows/row_column.h"
 
 namespace drillwave {
 
-/// The values of one parameter, or of pulse.shape, along an axis. Ranges are not stored value by value.
+/// The values of one parameter, or the words of one that is a word, along an axis. Ranges are not stored
+/// value by value.
 struct SweepAxis {
-    enum class Kind { linear, logarithmic, list, shapes };
+    enum class Kind { linear, logarithmic, list, words };
 
-    KeptParameter parameter = {};  ///< none for pulse.shape
-    const Unit* unit = nullptr;    ///< of the column: as typed, SI where several were typed
+    KeptParameter parameter = {};          ///< none for Kind::words
+    const WordParameter* words = nullptr;  ///< of Kind::words
+    const Unit* unit = nullptr;            ///< of the column: as typed, SI where several were typed
     Kind kind = Kind::list;
-    double start = 0;                ///< SI
-    double stop = 0;                 ///< SI
-    std::uint64_t count = 0;         ///< number of values, at least 1
-    std::vector<double> list;        ///< Kind::list, SI
-    std::vector<PulseShape> shapes;  ///< Kind::shapes
+    double start = 0;          ///< SI
+    double stop = 0;           ///< SI
+    std::uint64_t count = 0;   ///< number of values, at least 1
+    std::vector<double> list;  ///< Kind::list, SI; Kind::words, the numbers of the words
 
     /// Its column of numbers, headed "beta" or "rod.length [mm]".
     RowColumn column() const;
     std::string_view key() const;
 
-    /// The i-th value in SI, the ends exactly as given, even steps in `unit`; a shape as its number.
+    /// The i-th value in SI, the ends exactly as given, even steps in `unit`; a word as its number.
     double value(std::uint64_t i) const;
     /// Sets one of its values. Returns why the scenario cannot have it, "rod.bore has no meaning here: …";
     /// empty when it has.
     std::string assign(Scenario& scenario, double value) const;
     /// Why a scenario in which all axes have been set does not hold that value; empty when it does.
     std::string readBackProblem(const Scenario& scenario, double value) const;
-    /// Where the extreme values are: two indices, all of them for shapes.
+    /// Where the extreme values are: two indices, all of them for words.
     std::vector<std::uint64_t> extremes() const;
     bool operator==(const SweepAxis&) const = default;
 };

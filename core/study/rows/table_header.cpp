@@ -34,7 +34,8 @@ std::string bare(std::string_view name) {
 /// The key that is meant by a name that is almost it; empty when there is none.
 std::string meantKey(std::string_view name) {
     const std::string wanted = bare(name);
-    if (wanted == bare(pulseShapeKey)) return std::string(pulseShapeKey);
+    for (const WordParameter& word : wordParameters())
+        if (wanted == bare(word.key)) return std::string(word.key);
     const auto found =
         std::ranges::find_if(parameters(), [&](const Parameter& p) { return bare(p.key) == wanted; });
     if (found != parameters().end()) return std::string(found->key);
@@ -148,7 +149,7 @@ void checkSetsSomething(TableHeader& header) {
 }  // namespace
 
 std::string_view CaseColumn::key() const {
-    if (kind == Kind::shape) return pulseShapeKey;
+    if (kind == Kind::word) return words->key;
     return kind == Kind::parameter ? parameter->key : std::string_view();
 }
 
@@ -168,8 +169,8 @@ TableHeader readTableHeader(std::span<const std::string> cells, std::span<const 
         column.parameter = findParameter(name);
         if (column.parameter)
             column.kind = CaseColumn::Kind::parameter;
-        else if (name == pulseShapeKey)
-            column.kind = CaseColumn::Kind::shape;
+        else if ((column.words = findWordParameter(name)))
+            column.kind = CaseColumn::Kind::word;
         else
             judgeOther(cell, number, outputs, header);
         if (column.parameter) readUnit(column, unit, number, header);

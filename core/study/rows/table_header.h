@@ -8,6 +8,7 @@
 
 #include "core/model/assignments.h"
 #include "core/model/parameter.h"
+#include "core/model/word_parameter.h"
 #include "core/study/rows/output_column.h"
 
 namespace drillwave {
@@ -15,9 +16,10 @@ namespace drillwave {
 /// One column of a table of cases.
 struct CaseColumn {
     std::string text;  ///< header cell as written
-    enum class Kind { parameter, shape, other } kind = Kind::other;
-    KeptParameter parameter = {};  ///< Kind::parameter
-    const Unit* unit = nullptr;    ///< of cells without one, from "rod.length [mm]"; may be nullptr
+    enum class Kind { parameter, word, other } kind = Kind::other;
+    KeptParameter parameter = {};          ///< Kind::parameter
+    const WordParameter* words = nullptr;  ///< Kind::word
+    const Unit* unit = nullptr;            ///< of cells without one, from "rod.length [mm]"; may be nullptr
 
     std::string_view key() const;  ///< empty for other columns, which are passed through
 };

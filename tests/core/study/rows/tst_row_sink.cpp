@@ -131,8 +131,8 @@ void TestRowSink::theCsvReadsBackAsTheNumbers() {
         for (std::size_t c = 0; c < row.size(); ++c) {
             const RowColumn& column = numbers.header.columns[c];
             const std::string& cell = record.cells[c];
-            if (column.kind == RowColumn::Kind::shape) {
-                QCOMPARE(*findPulseShape(cell), static_cast<PulseShape>(row[c]));
+            if (column.kind == RowColumn::Kind::word) {
+                QCOMPARE(std::string_view(cell), column.words[static_cast<std::size_t>(row[c])]);
             } else if (column.kind == RowColumn::Kind::quantity) {
                 const auto typed =
                     parseQuantity(cell, column.quantity, BareNumber::inDefaultUnit, column.unit);

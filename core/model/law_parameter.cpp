@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/law_parameter.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <limits>
+#include <utility>
+
+#include "core/model/parameter.h"
+
+namespace drillwave {
+namespace {
+
+using Value = std::optional<double>;
+
+constexpr std::string_view cornerPrefix = "bit_rock.corner.";
+constexpr Range anyPositive{0, std::numeric_limits<double>::infinity(), true};
+
+template <std::size_t place, double RockCorner::*member>
+Value cornerValue(const Scenario& scenario) {
+    const std::vector<RockCorner>& corners = scenario.bitRock.corners;
+    if (place > corners.size() || std::isnan(corners[place - 1].*member)) return std::nullopt;
+    return corners[place - 1].*member;
+}
+
+template <std::size_t place, double RockCorner::*member>
+void assignCorner(Scenario& scenario, double value) {
+    std::vector<RockCorner>& corners = scenario.bitRock.corners;
+    if (corners.size() < place) corners.resize(place);
+    corners[place - 1].*member = value;
+}
+
+/// All of them, and the texts that they refer to.
+struct LawParameters {
+    std::deque<std::string> texts;
+    std::vector<Parameter> inSi, inScales;
+
+    std::string_view keep(std::string text) { return texts.emplace_back(std::move(text)); }
+
+    template <std::size_t place>
+    void addCorner() {
+        const std::string number = std::to_string(place);
+        constexpr auto force = &RockCorner::force, slope = &RockCorner::slope;
+        const std::string_view forceKey = keep(cornerKey(place, "force"));
+        const std::string_view forceLabel = keep("force of corner " + number);
+        constexpr std::string_view forceMeaning = "Force from which on the loading curve has another slope";
+        inSi.push_back({forceKey,
+                        forceLabel,
+                        "",
+                        forceMeaning,
+                        Quantity::force,
+                        "kN",
+                        anyPositive,
+                        {5e3, 5e5},
+                        SliderScale::logarithmic,
+                        Scope::cornersInSi,
+                        cornerValue<place, force>,
+                        assignCorner<place, force>,
+                        {.shortLabel = "force"}});
+        inScales.push_back({forceKey,
+                            forceLabel,
+                            "",
+                            forceMeaning,
+                            Quantity::ratio,
+                            "",
+                            anyPositive,
+                            {0.05, 2},
+                            SliderScale::logarithmic,
+                            Scope::cornersByRatio,
+                            cornerValue<place, force>,
+                            assignCorner<place, force>,
+                            {.shortLabel = "force"}});
+        inSi.push_back({keep(cornerKey(place, "slope")),
+                        keep("slope behind corner " + number),
+                        "",
+                        "Slope of the loading curve from that corner on, as a multiple of the stiffness",
+                        Quantity::ratio,
+                        "",
+                        anyPositive,
+                        {0.05, 5},
+                        SliderScale::logarithmic,
+                        Scope::corners,
+                        cornerValue<place, slope>,
+                        assignCorner<place, slope>,
+                        {.shortLabel = "slope"}});
+    }
+
+    LawParameters() {
+        [this]<std::size_t... i>(std::index_sequence<i...>) {
+            (addCorner<i + 1>(), ...);
+        }
+        (std::make_index_sequence<mostRockCorners>());
+        inScales.push_back({"bit_rock.reference_penetration",
+                            "reference penetration",
+                            "U1",
+                            "Penetration at which a power law has the stiffness, in d0",
+                            Quantity::ratio,
+                            "",
+                            anyPositive,
+                            {0.05, 5},
+                            SliderScale::logarithmic,
+                            Scope::powerByRatio,
+                            [](const Scenario& s) { return Value(s.bitRock.referencePenetration); },
+                            [](Scenario& s, double v) { s.bitRock.referencePenetration = v; }});
+    }
+};
+
+const LawParameters& lawParameters() {
+    static const LawParameters parameters;
+    return parameters;
+}
+
+KeptParameter findIn(const std::vector<Parameter>& parameters, std::string_view key) {
+    const auto found = std::ranges::find(parameters, key, &Parameter::key);
+    return found == parameters.end() ? KeptParameter() : KeptParameter(*found);
+}
+
+}  // namespace
+
+KeptParameter findLawParameter(std::string_view key) {
+    return key.starts_with(cornerPrefix) ? findIn(lawParameters().inSi, key) : KeptParameter();
+}
+
+KeptParameter inScales(const Parameter& parameter) {
+    return parameter.section() == "bit_rock" ? findIn(lawParameters().inScales, parameter.key)
+                                             : KeptParameter();
+}
+
+KeptParameter inFormOf(const Scenario& scenario, const Parameter& parameter) {
+    KeptParameter other = hasUnits(scenario) ? KeptParameter() : inScales(parameter);
+    return other ? other : KeptParameter(parameter);
+}
+
+std::size_t cornerOf(const Parameter& parameter) {
+    if (!parameter.key.starts_with(cornerPrefix)) return 0;
+    return static_cast<std::size_t>(std::atoi(parameter.key.data() + cornerPrefix.size()));
+}
+
+std::string cornerKey(std::size_t place, std::string_view field) {
+    return std::string(cornerPrefix) + std::to_string(place) + "." + std::string(field);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers of the loading curve of the rock that are no rows of the table of parameters: corners by their
+// place, and what is measured in scales of the blow where a scenario is dimensionless.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include "core/model/kept_parameter.h"
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// Most corners that a law may have.
+inline constexpr std::size_t mostRockCorners = 64;
+
+/// "bit_rock.corner.2.force": of a scenario with units, where the key is about something with a unit. The
+/// place need not be there: what is set behind the last corner adds one. None for another key.
+KeptParameter findLawParameter(std::string_view key);
+
+/// The same key in a dimensionless scenario: forces in F0, penetrations in d0. None where it means the same
+/// there, or nothing.
+KeptParameter inScales(const Parameter& parameter);
+
+/// What the key is about in that scenario.
+KeptParameter inFormOf(const Scenario& scenario, const Parameter& parameter);
+
+/// Which corner a parameter is about, from 1; 0 for none.
+std::size_t cornerOf(const Parameter& parameter);
+
+/// "bit_rock.corner.2.force".
+std::string cornerKey(std::size_t place, std::string_view field);
+
+}  // namespace drillwave

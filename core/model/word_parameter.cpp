@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/model/word_parameter.h"
+
+#include <algorithm>
+#include <array>
+
+#include "core/model/parameter_text.h"
+
+namespace drillwave {
+namespace {
+
+std::string setShape(Scenario& scenario, std::size_t word) {
+    const auto shape = static_cast<PulseShape>(word);
+    std::string refusal(shapeRefusal(scenario, shape));
+    if (refusal.empty()) scenario.pulse.shape = shape;
+    return refusal;
+}
+
+/// What another law has is dropped.
+std::string setLaw(Scenario& scenario, std::size_t word) {
+    BitRock& rock = scenario.bitRock;
+    rock.law = static_cast<RockLaw>(word);
+    if (rock.law != RockLaw::corners) rock.corners.clear();
+    const BitRock usual;
+    if (rock.law != RockLaw::power) {
+        rock.exponent = usual.exponent;
+        rock.referencePenetration = usual.referencePenetration;
+    }
+    return {};
+}
+
+constexpr std::array wordTable{
+    WordParameter{pulseShapeKey, pulseShapeNames,
+                  [](const Scenario& scenario) { return name(scenario.pulse.shape); }, setShape},
+    WordParameter{rockLawKey, rockLawNames,
+                  [](const Scenario& scenario) { return name(scenario.bitRock.law); }, setLaw},
+};
+
+}  // namespace
+
+std::string WordParameter::list() const {
+    std::string list;
+    for (const std::string_view word : words()) list += (list.empty() ? "" : ", ") + std::string(word);
+    return list;
+}
+
+std::span<const WordParameter> wordParameters() {
+    return wordTable;
+}
+
+const WordParameter* findWordParameter(std::string_view key) {
+    const auto found = std::ranges::find(wordTable, key, &WordParameter::key);
+    return found == wordTable.end() ? nullptr : &*found;
+}
+
+}  // namespace drillwave
