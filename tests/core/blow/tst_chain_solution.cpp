@@ -71,9 +71,8 @@ Scenario randomCones(Chance& chance) {
     Scenario scenario = example(chance.oneIn(2) ? "t38_string" : "r32_string");
     const double end = 0.02 + 0.06 * chance.fraction(), other = 0.03 + 0.05 * chance.fraction();
     findParameter("string.1.end_diameter")->assign(scenario, end);
-    const Parameter& second =
-        *findParameter(chance.oneIn(2) ? "hammer.1.end_diameter" : "string.2.end_diameter");
-    second.assign(scenario, other);
+    findParameter(chance.oneIn(2) ? "hammer.1.end_diameter" : "string.2.end_diameter")
+        ->assign(scenario, other);
     scenario.bitRock.stiffness = chance.logarithmic(2e7, 1e9);
     scenario.bitRock.gamma = chance.logarithmic(0.05, 1);
     return scenario;
