@@ -160,8 +160,9 @@ std::string assignText(Scenario& scenario, std::string_view key, std::string_vie
 
 std::string assignText(Scenario& scenario, const Parameter& parameter, std::string_view text,
                        const Unit* unit) {
-    const KeptParameter ofForm = inFormOf(scenario, parameter);
-    if (&*ofForm != &parameter) return assignText(scenario, *ofForm, text, unit);
+    if (const KeptParameter other = hasUnits(scenario) ? KeptParameter() : inScales(parameter);
+        other && &*other != &parameter)
+        return assignText(scenario, *other, text, unit);
     const std::string_view key = parameter.key;
     const std::string inapplicable = whyNotApplicable(parameter, scenario);
     if (!inapplicable.empty()) return refusal(key, text, inapplicable);

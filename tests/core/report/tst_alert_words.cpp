@@ -80,6 +80,18 @@ const std::vector<Example>& examples() {
          "wave (delta = 0.3 is not a whole number): its e = 0.5 is off by 0.125."},
         {{note,
           AlertCode::closedFormInvalid,
+          "bit_rock.law",
+          {{"bit_rock.law", 2}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
+         "The closed form for elastic rock does not hold, because the loading curve of the rock is no "
+         "straight line: its e = 0.5 is off by 0.125."},
+        {{note,
+          AlertCode::cornersWithoutEffect,
+          "bit_rock.law",
+          {{"peak_force", 80e3, Quantity::force}, {"corner_force", 90e3, Quantity::force}}},
+         "The force stays below the first corner of the loading curve (80 kN of 90 kN): the law acts as the "
+         "bilinear one."},
+        {{note,
+          AlertCode::closedFormInvalid,
           "beta",
           {{"beta", 0.02}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
          "The closed form for elastic rock does not hold, because the bit is still on the rock when the next "

@@ -44,7 +44,7 @@ void TestOutputColumn::allAreThoseThatTheScenarioHas() {
     drill.drill.thrust = 5000;
     const auto ofRods = static_cast<std::size_t>(std::ranges::count_if(
         outputs(), [&](const Output& output) { return output.problem(drill).empty(); }));
-    QCOMPARE(ofRods, std::size_t{25});
+    QCOMPARE(ofRods, std::size_t{26});
     QCOMPARE(allOutputsOf(drill, OutputUnits::si).size(), ofRods);
     const std::vector<OutputColumn> columns = allOutputsOf(Scenario(), OutputUnits::si);
     QCOMPARE(columns.size() + 4, ofRods);  // thrust, its margin, power, penetration rate
