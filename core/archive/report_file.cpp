@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "core/archive/result_scenario.h"
 #include "core/model/blow_traits.h"
+#include "core/model/law_parameter.h"
+#include "core/yaml/law_reader.h"
 #include "core/yaml/preset_file.h"
 #include "core/yaml/preset_remarks.h"
 #include "core/yaml/scenario_text.h"
@@ -134,6 +137,10 @@ ReportInput inputOf(const Scenario& scenario, const SavedValue& saved, const Sce
             input.label = "hammer may strike again";
             return input;
         }
+        if (saved.key == lawKey) {
+            input.label = "law of bit and rock";
+            return input;
+        }
         const bool isFile = saved.key != "shape";
         input.label = isFile ? "table of the blow" : "shape of the blow";
         if (isFile) input.source = "its points are in the scenario";
@@ -145,6 +152,14 @@ ReportInput inputOf(const Scenario& scenario, const SavedValue& saved, const Sce
     if (const std::string symbol = printedSymbol(saved.parameter->symbol); !symbol.empty())
         input.label += " " + symbol;
     return input;
+}
+
+/// The force or slope of a corner of the law.
+ReportInput cornerInput(const Scenario& scenario, const Parameter& parameter) {
+    const KeptParameter corner = inFormOf(scenario, parameter);
+    const double si = corner->value(scenario).value_or(std::nan(""));
+    return {std::string(corner->key), std::string(corner->label),
+            formatQuantity(si, corner->quantity, corner->displayUnit()), si, "in the scenario"};
 }
 
 /// A section of a list, or the number of its repeats.
@@ -222,9 +237,14 @@ std::vector<ReportSection> sectionsOf(const Scenario& scenario, std::string_view
 std::vector<ReportInput> inputsOf(const Scenario& scenario, std::string_view text) {
     const ScenarioRemarks remarks(text);
     std::vector<ReportInput> inputs;
-    for (const SavedValue& saved : savedValues(scenario))
-        if ((saved.parameter || !saved.section.empty()) && !isOfList(saved))
+    for (const SavedValue& saved : savedValues(scenario)) {
+        const bool isStraightLaw = saved.key == lawKey && saved.isDefault;
+        if ((saved.parameter || !saved.section.empty()) && !isOfList(saved) && !isStraightLaw)
             inputs.push_back(inputOf(scenario, saved, remarks));
+    }
+    for (std::size_t place = 1; place <= scenario.bitRock.corners.size(); ++place)
+        for (const std::string_view field : {"force", "slope"})
+            inputs.push_back(cornerInput(scenario, *findParameter(cornerKey(place, field))));
     if (const TablePoints& points = scenario.pulse.tablePoints;
         scenario.pulse.shape == PulseShape::table && scenario.pulse.tableFile.empty())
         inputs.push_back({"pulse.points", "points of the blow", std::to_string(points.size()) + " points",

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The law of bit and rock: straight lines, with memory (paper, Fig. 1; theory §1, §1.3).
+// The law of bit and rock: straight lines, with memory (paper, Fig. 1; theory §1, §1.1).
 #pragma once
 
 #include <algorithm>
@@ -27,8 +27,8 @@ enum class ContactLine {
 /// The law and what the rock remembers (T4) (T5), dimensionless: forces F ≥ 0 in F0, penetrations U into the
 /// rock positive in I0/Z (half of d0), slopes in F0/(I0/Z) = k0, work on the rock in I0²/(Z t0).
 ///
-///     U(F) = Σ ΔF_j/(s_j β),   A(F) = Σ Δ(F²)_j/(2 s_j β)    over the lines up to F             [(C1)]
-///     F = max(0, Fm − (β/γ)(Um − U)) below Um = U(Fm), on the loading curve above it            [(C3)]
+///     U(F) = Σ ΔF_j/(s_j β),   A(F) = Σ Δ(F²)_j/(2 s_j β)    over the lines up to F               (T40)
+///     F = max(0, Fm − (β/γ)(Um − U)) below Um = U(Fm), on the loading curve above it              (T41)
 ///
 /// The largest force so far, Fm, is the whole memory. It survives separation, so that a second contact begins
 /// at the residual penetration Ur. With γ = 1, and while the force has stayed on the first line, both ways
@@ -150,7 +150,7 @@ class ContactLaw {
 
     /// What unloading from a force F ≤ Fm gives back: γF²/(2β).
     Real givenBack(Real force) const { return force * elasticWay(force) / 2; }
-    /// What has gone into the rock up to the largest force: A(Fm) (C4).
+    /// What has gone into the rock up to the largest force: A(Fm) (T40).
     Real loadingWork() const {
         return m_from.work + (m_largest - m_from.force) * (m_largest + m_from.force) / (2 * m_slopes.primary);
     }

@@ -12,7 +12,7 @@ void setLines(BitRockLaw& law, const Scenario& scenario);
 
 /// Gives the law the lines of F = βU (U/U1)^(p − 1), U1 = `reference` > 0 in I0/Z, 0.3 ≤ p ≤ 3: straight
 /// between the nodes U1 2^(i/4), i = −32 … 31, from zero to the first and on behind the last, and nowhere
-/// steeper than β/γ (theory §1.3). So every solver follows the same law; the force is the power's to 0.38 %
+/// steeper than β/γ (theory §1.1). So every solver follows the same law; the force is the power's to 0.38 %
 /// of |p (p − 1)| and at U1 exactly. For p = 1 the law is bilinear.
 void setPowerLines(BitRockLaw& law, double exponent, double reference);
 

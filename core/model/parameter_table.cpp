@@ -212,7 +212,8 @@ constexpr std::array parameterTable{
               [](const S& s) { return Value(s.bitRock.exponent); }, [](S& s, double v) { s.bitRock.exponent = v; }},
     Parameter{"bit_rock.reference_penetration", "reference penetration", "U1", "Penetration at which a power law has the stiffness: F = k U1 there",
               Quantity::length, "mm", positive, {5e-5, 5e-3}, logarithmic, Scope::powerInSi,
-              [](const S& s) { return Value(s.bitRock.referencePenetration); }, [](S& s, double v) { s.bitRock.referencePenetration = v; }},
+              [](const S& s) { return Value(s.bitRock.referencePenetration); }, [](S& s, double v) { s.bitRock.referencePenetration = v; },
+              {.shortLabel = "penetration"}},
 
     Parameter{"drill.blow_frequency", "blow frequency", "f", "Blows per second of the rock drill",
               Quantity::frequency, "Hz", positive, {10, 150}, linear, Scope::withUnits,
