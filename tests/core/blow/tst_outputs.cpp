@@ -62,7 +62,7 @@ class TestOutputs : public QObject {
 };
 
 void TestOutputs::everyOutputIsFoundByItsName() {
-    QCOMPARE(outputs().size(), std::size_t{37});
+    QCOMPARE(outputs().size(), std::size_t{38});
     for (const Output& output : outputs()) QCOMPARE(findOutput(output.name), &output);
     QCOMPARE(findOutput("peak"), nullptr);
 }
@@ -81,7 +81,7 @@ void TestOutputs::everyOutputHasANumberWhereTheScenarioHasIt() {
         ++told;
         QVERIFY2(value && std::isfinite(*value), std::string(output.name).c_str());
     }
-    QCOMPARE(told, 25);
+    QCOMPARE(told, 26);
     const Blow groups = solveBlow(groupsCase({0.5, 0.1, 10, 0.2}), {}, Detail::ledger);
     for (const Output& output : outputs()) {
         const bool isThere = output.problem(groups.scenario).empty() && output.detail != Detail::histories;
