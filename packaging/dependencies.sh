@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sourced by run and test: installs what is missing on Debian 12, or says which command would; shows how far a build is.
 
-build_packages=(g++ cmake ninja-build qt6-base-dev qt6-svg-dev libqcustomplot-dev libeigen3-dev libyaml-cpp-dev
+build_packages=(g++ cmake ninja-build qt6-base-dev qt6-svg-dev libqcustomplot-dev libboost-dev libeigen3-dev libyaml-cpp-dev
     libgl-dev fonts-dejavu-core)
 test_packages=(locales)
 

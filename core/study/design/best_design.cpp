@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/design/best_design.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace drillwave {
+
+namespace {
+
+/// Designs that are as equal as this in all aims are the same to the Pareto set.
+constexpr double equalTo = 1e-12;
+
+const SampledValue& at(const DesignSamples& design, const StatisticPlace& place) {
+    return design.statistics[place.output][place.statistic];
+}
+
+bool holds(const LimitOrder& limit, double value) {
+    return limit.atMost ? value <= limit.bound : value >= limit.bound;
+}
+
+/// Larger is better.
+double gain(Sense sense, double value) {
+    return sense == Sense::largest ? value : -value;
+}
+
+double aimed(const DesignSamples& design, const AimOrder& aim) {
+    return gain(aim.sense, at(design, aim.place).value);
+}
+
+bool dominates(const DesignSamples& one, const DesignSamples& other, std::span<const AimOrder> aims) {
+    bool better = false;
+    for (const AimOrder& aim : aims) {
+        const double a = aimed(one, aim), b = aimed(other, aim);
+        const double equal = equalTo * std::max(std::abs(a), std::abs(b));
+        if (a < b - equal) return false;
+        better |= a > b + equal;
+    }
+    return better;
+}
+
+bool meetsNominally(const DesignSamples& design, std::span<const LimitOrder> limits) {
+    return std::ranges::all_of(
+        limits, [&](const LimitOrder& limit) { return holds(limit, design.nominal[limit.place.output]); });
+}
+
+bool areTied(const DesignSamples& one, const DesignSamples& best, const AimOrder& aim) {
+    const SampledValue &a = at(one, aim.place), &b = at(best, aim.place);
+    const double difference = std::abs(a.value - b.value);
+    return difference == 0 || (aim.place.hasError && difference < errorOfDifference(a, b));
+}
+
+}  // namespace
+
+Feasibility feasibilityOf(const DesignSamples& design, std::span<const AimOrder> aims,
+                          std::span<const LimitOrder> limits) {
+    Feasibility found{.feasible = true};
+    for (const AimOrder& aim : aims) found.feasible &= !std::isnan(at(design, aim.place).value);
+    for (const LimitOrder& limit : limits) {
+        const SampledValue& value = at(design, limit.place);
+        found.feasible &= holds(limit, value.value);
+        found.marginal |= limit.place.hasError && std::abs(value.value - limit.bound) < value.error();
+    }
+    return found;
+}
+
+BestDesigns bestOf(std::span<const DesignSamples> designs, std::span<const AimOrder> aims,
+                   std::span<const LimitOrder> limits) {
+    assert(!aims.empty());
+    const AimOrder& first = aims.front();
+    BestDesigns best;
+    std::vector<std::size_t> feasible;
+    for (std::size_t d = 0; d < designs.size(); ++d) {
+        const double nominal = gain(first.sense, designs[d].nominal[first.place.output]);
+        if (!std::isnan(nominal) && meetsNominally(designs[d], limits) &&
+            (!best.nominal ||
+             nominal > gain(first.sense, designs[*best.nominal].nominal[first.place.output])))
+            best.nominal = d;
+        if (!feasibilityOf(designs[d], aims, limits).feasible) continue;
+        feasible.push_back(d);
+        if (!best.robust || aimed(designs[d], first) > aimed(designs[*best.robust], first)) best.robust = d;
+    }
+    best.pareto.assign(designs.size(), false);
+    for (const std::size_t d : feasible) {
+        if (d != *best.robust && areTied(designs[d], designs[*best.robust], first)) best.ties.push_back(d);
+        best.pareto[d] = std::ranges::none_of(
+            feasible, [&](std::size_t other) { return dominates(designs[other], designs[d], aims); });
+    }
+    return best;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which designs are best: by the first aim, and which none is better than in every aim.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/study/design/design_samples.h"
+
+namespace drillwave {
+
+/// What is to be large, or small.
+enum class Sense { largest, least };
+
+/// A statistic of an output: numbers in DesignSamples::statistics.
+struct StatisticPlace {
+    std::size_t output = 0;
+    std::size_t statistic = 0;
+    bool hasError = true;  ///< Statistic::hasError()
+};
+
+/// An aim as numbers.
+struct AimOrder {
+    Sense sense = Sense::largest;
+    StatisticPlace place;
+};
+
+/// A limit as numbers: at most the bound, or at least.
+struct LimitOrder {
+    bool atMost = true;
+    StatisticPlace place;
+    double bound = 0;
+};
+
+/// How a design stands to the limits.
+struct Feasibility {
+    bool feasible = false;  ///< every limit holds for the value
+    bool marginal = false;  ///< some value is within its error of its bound
+};
+
+/// Not feasible without statistics.
+Feasibility feasibilityOf(const DesignSamples& design, std::span<const AimOrder> aims,
+                          std::span<const LimitOrder> limits);
+
+/// Of all designs, by number from 0.
+struct BestDesigns {
+    std::optional<std::size_t> robust;   ///< feasible, best statistic of the first aim
+    std::optional<std::size_t> nominal;  ///< best with x as in the scenario; limits hold of those values
+    /// Feasible, and different from the robust best by less than the error of the difference. Without it.
+    std::vector<std::size_t> ties;
+    std::vector<bool> pareto;  ///< of each design: feasible, and none is better in one aim and worse in none
+};
+
+/// At least one aim. The first of equals is best. Statistics without an error tie only where they are equal.
+BestDesigns bestOf(std::span<const DesignSamples> designs, std::span<const AimOrder> aims,
+                   std::span<const LimitOrder> limits);
+
+}  // namespace drillwave

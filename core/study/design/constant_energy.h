@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Blows of one energy: machines compared at equal power.
+#pragma once
+
+#include <string>
+
+#include "core/model/kept_parameter.h"
+#include "core/model/scenario.h"
+
+namespace drillwave {
+
+/// Energy of a blow [J]: of a prescribed force that of its incident wave, ∫Fa² dt/Z, of the reference case
+/// I0²/2m, of an elastic hammer m v0²/2. Requires a valid scenario with units.
+double blowEnergy(const Scenario& scenario);
+
+/// What scales it: the impulse, or the velocity of the hammer; none of a table of points.
+KeptParameter energyParameter(const Scenario& scenario);
+
+/// Why the energy of such a scenario cannot be kept and what to do; empty when it can.
+std::string keepEnergyProblem(const Scenario& scenario);
+
+/// Gives the blow that energy: impulse or velocity times √(energy/blowEnergy()). Requires that there is no
+/// keepEnergyProblem().
+void keepEnergy(Scenario& scenario, double energy);
+
+}  // namespace drillwave

@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/design/design_check.h"
+
+#include <algorithm>
+#include <set>
+
+#include "core/model/assignments.h"
+#include "core/study/design/constant_energy.h"
+#include "core/study/design/scenario_designs.h"
+#include "core/study/rows/axis_scenario.h"
+
+namespace drillwave {
+
+namespace {
+
+/// Lines, each once, no more than are read.
+class Lines {
+  public:
+    void add(bool isUsage, const std::string& text) {
+        constexpr std::size_t enough = 20;
+        if (text.empty() || m_lines.size() == enough || !m_told.insert(text).second) return;
+        m_lines.push_back({isUsage, text});
+    }
+    void usage(const std::string& text) { add(true, text); }
+    void invalid(const std::string& text) { add(false, text); }
+    bool empty() const { return m_lines.empty(); }
+    std::vector<DesignProblemLine> take() { return std::move(m_lines); }
+
+  private:
+    std::vector<DesignProblemLine> m_lines;
+    std::set<std::string> m_told;
+};
+
+void checkCounts(const DesignStudy& study, Lines& lines) {
+    const auto most = [&](std::size_t count, std::size_t limit, const std::string& what) {
+        if (count > limit)
+            lines.usage("at most " + std::to_string(limit) + " " + what + ", these are " +
+                        std::to_string(count));
+    };
+    const std::size_t drawn = study.draws ? study.draws->parameters.size() : 0;
+    if (study.dimensions() == 0)
+        lines.usage("nothing is uncertain; give --uncertain KEY=LOW:HIGH or --draws FILE.csv");
+    most(study.uncertain.size() + drawn, mostUncertain, "uncertain parameters");
+    most(study.choices.size(), mostChoices, "choices");
+    most(study.aims.size(), mostAims, "aims");
+    const std::uint64_t designs = study.designCount();
+    if (designs == 0 || designs > mostDesigns)
+        lines.usage("at most " + std::to_string(mostDesigns) + " designs, the choices make " +
+                    (designs == 0 ? std::string("more than can be counted") : std::to_string(designs)) +
+                    "; give fewer values");
+    else if (designs * study.samples > mostDesignSolves)
+        lines.usage("at most " + std::to_string(mostDesignSolves) + " blows, " + std::to_string(designs) +
+                    " designs at " + std::to_string(study.samples) + " samples are more; take fewer");
+}
+
+/// A key that is named, and where.
+struct NamedKey {
+    std::string key;
+    bool isChosen = false;
+    bool isPercent = false;
+};
+
+std::vector<NamedKey> keysOf(const DesignStudy& study) {
+    std::vector<NamedKey> keys;
+    for (const SweepAxis& axis : study.choices) keys.push_back({std::string(axis.key()), true});
+    for (const UncertainInput& input : study.uncertain)
+        keys.push_back({std::string(input.parameter->key), false, input.kind == DistributionKind::percent});
+    if (study.draws)
+        for (const KeptParameter& parameter : study.draws->parameters)
+            keys.push_back({std::string(parameter->key)});
+    return keys;
+}
+
+void checkKeys(const DesignStudy& study, Lines& lines) {
+    const std::vector<NamedKey> keys = keysOf(study);
+    for (std::size_t a = 0; a < keys.size(); ++a)
+        for (std::size_t b = a + 1; b < keys.size(); ++b) {
+            const NamedKey &one = keys[a], &other = keys[b];
+            if (one.key == other.key && one.isChosen && other.isPercent) continue;
+            const std::string problem = rivalProblem(one.key, study.base, other.key, study.base);
+            if (problem.empty()) continue;
+            if (one.key != other.key)
+                lines.invalid(one.key + " and " + other.key + " " + problem + "; leave out one of them");
+            else if (one.isChosen == other.isChosen)
+                lines.invalid(one.key + " is given twice; give it once");
+            else
+                lines.invalid(one.key + " is chosen and uncertain: only +-P% about the choice can be both");
+        }
+    if (!study.keepsEnergy) return;
+    lines.invalid([&] {
+        const std::string problem = keepEnergyProblem(study.base);
+        return problem.empty() ? problem : "--keep-energy: " + problem;
+    }());
+    const KeptParameter scaled = energyParameter(study.base);
+    for (const NamedKey& named : keys)
+        if (scaled && named.isChosen && areRivals(named.key, scaled->key))
+            lines.invalid("--keep-energy sets " + std::string(scaled->key) + ", and so does --choose " +
+                          named.key + "; leave out one of them");
+}
+
+/// Limits and aims, of the base: what a blow has does not depend on its numbers.
+void checkOutputs(const DesignStudy& study, Lines& lines) {
+    for (const OutputColumn& column : study.columns()) {
+        if (column.output->needsThrustStudy())
+            lines.invalid("thrust_margin is a study of all gaps by itself; aim at thrust");
+        else
+            lines.invalid(columnProblem({&column, 1}, study.base));
+    }
+}
+
+std::string named(const DesignStudy& study, std::uint64_t design) {
+    if (study.choices.empty()) return {};
+    const std::vector<double> values = study.choice(design);
+    std::string text = "at ";
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const RowColumn column = study.choices[i].column();
+        text += (i == 0 ? "" : ", ") + std::string(study.choices[i].key()) + " = ";
+        column.appendText(text, values[i]);
+        if (column.unit && !column.unit->name.empty()) text += " " + std::string(column.unit->name);
+    }
+    return text + ": ";
+}
+
+/// A design must be a scenario, and take each uncertain number alone and all together at both ends: all
+/// combinations of ends are left to the samples, which count what has no answer.
+void checkDesign(const DesignStudy& study, std::uint64_t design, AxisScenario& chosen, Lines& lines) {
+    if (!study.choices.empty()) {
+        chosen.set(study.choice(design));
+        if (chosen.obstacle()) return lines.invalid(named(study, design) + chosen.obstacle()->text);
+    }
+    if (study.keepsEnergy && (!keepEnergyProblem(chosen.scenario()).empty())) {
+        const std::string problem = keepEnergyProblem(chosen.scenario());
+        return lines.invalid("--keep-energy: " + problem);
+    }
+    const Scenario scenario = designScenario(study, design);
+    bool fits = true;
+    for (const UncertainInput& input : study.uncertain) {
+        const std::string problem = input.problemIn(scenario);
+        fits &= problem.empty();
+        lines.invalid(problem);
+    }
+    if (!fits) return;
+    const std::vector<SweepAxis> axes = uncertainAxes(study, scenario);
+    for (std::size_t a = 0; a < axes.size(); ++a)
+        for (const double end : axes[a].list) {
+            const std::vector<SweepAxis> alone{axes[a]};
+            AxisScenario scene(scenario, alone);
+            scene.set(std::vector{end});
+            if (scene.obstacle()) lines.invalid(named(study, design) + scene.obstacle()->text);
+        }
+}
+
+}  // namespace
+
+std::vector<DesignProblemLine> problemsOf(const DesignStudy& study) {
+    Lines lines;
+    checkCounts(study, lines);
+    checkKeys(study, lines);
+    checkOutputs(study, lines);
+    if (!lines.empty()) return lines.take();
+    AxisScenario chosen(study.base, study.choices);
+    for (std::uint64_t design = 0; design < study.designCount(); ++design)
+        checkDesign(study, design, chosen, lines);
+    return lines.take();
+}
+
+}  // namespace drillwave

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/design/design_study.h"
+
+#include <algorithm>
+#include <cassert>
+
+#include "core/study/design/constant_energy.h"
+#include "core/study/design/scenario_designs.h"
+#include "core/study/rows/axis_scenario.h"
+
+namespace drillwave {
+
+namespace {
+
+std::string at(const Output& output, const Statistic& statistic) {
+    return std::string(output.name) + "@" + statistic.name();
+}
+
+void addOnce(std::vector<const Output*>& outputs, const Output* output) {
+    if (std::ranges::find(outputs, output) == outputs.end()) outputs.push_back(output);
+}
+
+double energySpreadOf(const DesignStudy& study) {
+    if (!hasUnits(study.base)) return 0;
+    double least = blowEnergy(designScenario(study, 0)), most = least;
+    for (std::uint64_t d = 1; d < study.designCount(); ++d) {
+        const double energy = blowEnergy(designScenario(study, d));
+        least = std::min(least, energy);
+        most = std::max(most, energy);
+    }
+    return most / least - 1;
+}
+
+}  // namespace
+
+std::string DesignAim::name() const {
+    return (sense == Sense::largest ? "max:" : "min:") + at(*output, statistic);
+}
+
+std::string DesignLimit::name() const {
+    return at(*output, statistic);
+}
+
+std::vector<DesignAim> customaryAims(const Scenario& scenario) {
+    using Kind = Statistic::Kind;
+    std::vector<DesignAim> aims{{Sense::largest, findOutput("efficiency"), {Kind::quantile, 5}}};
+    if (const Output* thrust = findOutput("thrust"); thrust->problem(scenario).empty())
+        aims.push_back({Sense::least, thrust, {Kind::quantile, 95}});
+    return aims;
+}
+
+std::uint64_t DesignStudy::designCount() const {
+    std::uint64_t designs = 1;
+    for (const SweepAxis& axis : choices) {
+        if (axis.count > maximumSweepPoints / designs) return 0;
+        designs *= axis.count;
+    }
+    return designs;
+}
+
+std::vector<double> DesignStudy::choice(std::uint64_t design) const {
+    std::vector<double> values(choices.size());
+    for (std::size_t i = choices.size(); i-- > 0; design /= choices[i].count)
+        values[i] = choices[i].value(design % choices[i].count);
+    return values;
+}
+
+std::vector<OutputColumn> DesignStudy::columns() const {
+    std::vector<const Output*> outputs;
+    for (const DesignAim& aim : aims) addOnce(outputs, aim.output);
+    for (const DesignLimit& limit : limits) addOnce(outputs, limit.output);
+    std::vector<OutputColumn> columns;
+    for (const Output* output : outputs)
+        columns.push_back({output, hasUnits(base) ? OutputUnits::si : OutputUnits::dimensionless});
+    return columns;
+}
+
+std::vector<Statistic> DesignStudy::statisticsOf(const Output& output) const {
+    std::vector<Statistic> statistics(customaryStatistics().begin(), customaryStatistics().end());
+    const auto add = [&](const Output* of, const Statistic& statistic) {
+        if (of == &output && std::ranges::find(statistics, statistic) == statistics.end())
+            statistics.push_back(statistic);
+    };
+    for (const DesignAim& aim : aims) add(aim.output, aim.statistic);
+    for (const DesignLimit& limit : limits) add(limit.output, limit.statistic);
+    return statistics;
+}
+
+StatisticPlace DesignStudy::placeOf(const Output& output, const Statistic& statistic) const {
+    const std::vector<OutputColumn> all = columns();
+    const std::vector<Statistic> statistics = statisticsOf(output);
+    const auto column = std::ranges::find(all, &output, &OutputColumn::output);
+    const auto found = std::ranges::find(statistics, statistic);
+    assert(column != all.end() && found != statistics.end());
+    return {static_cast<std::size_t>(column - all.begin()),
+            static_cast<std::size_t>(found - statistics.begin()), statistic.hasError()};
+}
+
+Scenario designScenario(const DesignStudy& study, std::uint64_t design) {
+    if (study.choices.empty()) return study.base;
+    Scenario scenario = AxisScenario(study.base, study.choices).set(study.choice(design));
+    if (study.keepsEnergy) keepEnergy(scenario, blowEnergy(study.base));
+    return scenario;
+}
+
+std::uint64_t designSolves(const DesignStudy& study) {
+    return study.designCount() * study.samples + sensitivitySolves(study.dimensions(), study.samples) +
+           worstSolves(study.dimensions(), study.samples);
+}
+
+DesignFindings runDesign(const DesignStudy& study, const DesignWork& work) {
+    const ScenarioDesigns problem(study);
+    SampleOrder order{.samples = study.samples,
+                      .seed = study.seed,
+                      .statistics = {},
+                      .uncertain = problem.uncertainPoints()};
+    for (const OutputColumn& column : study.columns())
+        order.statistics.push_back(study.statisticsOf(*column.output));
+    order.statistics.emplace_back();  // of the own error of a point
+    std::vector<AimOrder> aims;
+    for (const DesignAim& aim : study.aims)
+        aims.push_back({aim.sense, study.placeOf(*aim.output, aim.statistic)});
+    std::vector<LimitOrder> limits;
+    for (const DesignLimit& limit : study.limits)
+        limits.push_back({limit.atMost, study.placeOf(*limit.output, limit.statistic), limit.bound});
+
+    DesignFindings found;
+    found.designs = sampleDesigns(problem, order, work);
+    for (const DesignSamples& design : found.designs)
+        found.feasibility.push_back(feasibilityOf(design, aims, limits));
+    found.best = bestOf(found.designs, aims, limits);
+    for (const DesignAim& aim : study.aims) addOnce(found.aimed, aim.output);
+    found.energySpread = energySpreadOf(study);
+    if (work.stop.stop_requested() || !found.best.robust) return found;
+    std::vector<std::size_t> aimed;
+    for (const Output* output : found.aimed) aimed.push_back(study.placeOf(*output, {}).output);
+    found.sensitivity = sensitivityOf(problem, *found.best.robust, aimed, study.samples, study.seed, work);
+    std::vector<WorstOrder> orders;
+    for (const AimOrder& aim : aims)
+        orders.push_back({aim.place.output, aim.sense == Sense::largest ? Sense::least : Sense::largest});
+    found.worst = worstCases(problem, *found.best.robust, orders, study.samples, study.seed, work);
+    return found;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which choice is best over what is not known of a scenario.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/model/scenario.h"
+#include "core/study/design/best_design.h"
+#include "core/study/design/design_samples.h"
+#include "core/study/design/draws.h"
+#include "core/study/design/sensitivity.h"
+#include "core/study/design/uncertain_input.h"
+#include "core/study/design/worst_case.h"
+#include "core/study/rows/output_column.h"
+#include "core/study/rows/row_counts.h"
+#include "core/study/rows/sweep_axis.h"
+
+namespace drillwave {
+
+inline constexpr std::size_t mostUncertain = 12, mostChoices = 4, mostAims = 3;
+inline constexpr std::uint64_t mostDesigns = 10'000, mostDesignSolves = 1'000'000'000;
+inline constexpr std::uint64_t leastSamples = 64, mostSamples = std::uint64_t{1} << 20;
+
+/// A statistic that is to be large, or small.
+struct DesignAim {
+    Sense sense = Sense::largest;
+    const Output* output = nullptr;
+    Statistic statistic;
+
+    /// "max:efficiency@q05"
+    std::string name() const;
+};
+
+/// A statistic that must stay on one side of a bound, SI where the scenario is.
+struct DesignLimit {
+    bool atMost = true;
+    const Output* output = nullptr;
+    Statistic statistic;
+    double bound = 0;
+
+    std::string name() const;  ///< "thrust@q95"
+};
+
+/// All that is asked. The designs are the grid of the choices, the last one fastest, or the base alone.
+struct DesignStudy {
+    Scenario base;
+    std::vector<UncertainInput> uncertain;
+    std::optional<Draws> draws;
+    std::vector<SweepAxis> choices;
+    std::vector<DesignAim> aims;
+    std::vector<DesignLimit> limits;
+    bool keepsEnergy = false;
+    std::uint64_t samples = 4096;
+    std::uint64_t seed = 1;
+    long workLimit = defaultWorkLimit;
+
+    std::uint64_t designCount() const;  ///< 0 where it is beyond counting
+    /// Of a design (from 0), in the order of the choices, SI.
+    std::vector<double> choice(std::uint64_t design) const;
+    /// Of aims and limits, each once.
+    std::vector<OutputColumn> columns() const;
+    /// What is told of an output: the customary ones, then what aims and limits ask besides.
+    std::vector<Statistic> statisticsOf(const Output& output) const;
+    /// Uncertain numbers that scatter independently.
+    std::size_t dimensions() const { return uncertain.size() + (draws ? 1 : 0); }
+    /// Where the statistic of an aim or limit is in DesignSamples.
+    StatisticPlace placeOf(const Output& output, const Statistic& statistic) const;
+};
+
+/// The aims that are taken where none are given: efficiency in the worst 5 %, and thrust in the largest where
+/// there is a blow frequency.
+std::vector<DesignAim> customaryAims(const Scenario& scenario);
+
+/// What the study found.
+struct DesignFindings {
+    std::vector<DesignSamples> designs;
+    std::vector<Feasibility> feasibility;  ///< of each
+    BestDesigns best;
+    std::vector<const Output*> aimed;             ///< outputs of the aims, each once: those of
+    Sensitivity sensitivity;                      ///< at the robust best
+    std::vector<std::optional<WorstCase>> worst;  ///< of each aim, at the robust best
+    double energySpread = 0;  ///< largest over least energy of the designs, less 1; 0 without units
+};
+
+/// A scenario for every design, valid, with its energy kept.
+Scenario designScenario(const DesignStudy& study, std::uint64_t design);
+
+/// About how many blows runDesign() solves.
+std::uint64_t designSolves(const DesignStudy& study);
+
+/// Requires that there are no problemsOf() the study. After a stop what is there is not to be used.
+DesignFindings runDesign(const DesignStudy& study, const DesignWork& work);
+
+}  // namespace drillwave

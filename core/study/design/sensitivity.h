@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which uncertain number an output depends on: Sobol indices.
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/numeric/estimate.h"
+#include "core/study/design/design_problem.h"
+
+namespace drillwave {
+
+/// Shares of the variance of an output: by one uncertain number alone, and by it with others.
+struct SobolIndex {
+    Estimate first;
+    Estimate total;
+};
+
+/// Of one output.
+struct OutputSensitivity {
+    bool isConstant = false;          ///< the output does not scatter: there are no indices
+    std::vector<SobolIndex> indices;  ///< of each uncertain number
+};
+
+struct Sensitivity {
+    std::vector<OutputSensitivity> outputs;  ///< in the order asked for; none after a stop
+    std::uint64_t unsolved = 0;              ///< points left out, with all that are compared with them
+    std::string reason;
+};
+
+/// How many solves sensitivityOf() takes of d uncertain numbers.
+std::uint64_t sensitivitySolves(std::size_t uncertain, std::uint64_t samples);
+
+/// Indices of the outputs named by number, of one design, from points in 2d dimensions (A, B, and A with
+/// coordinate i of B):
+///
+///     S_i = (1/n) Σ f(B)[f(AB_i) − f(A)] / V       (Saltelli 2010)
+///     T_i = (1/2n) Σ [f(A) − f(AB_i)]² / V         (Jansen 1999)
+///
+/// f centred by the mean of A and B, V the variance of both; by replicates, with the error of their mean. A
+/// single uncertain number has S = T = 1. `samples` is as in SampleOrder.
+Sensitivity sensitivityOf(const DesignProblem& problem, std::uint64_t design,
+                          const std::vector<std::size_t>& outputs, std::uint64_t samples, std::uint64_t seed,
+                          const DesignWork& work);
+
+}  // namespace drillwave
