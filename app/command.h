@@ -34,6 +34,7 @@ const Command& curveCommand();
 const Command& mapCommand();
 const Command& gapCommand();
 const Command& thrustCommand();
+const Command& designCommand();
 const Command& reportCommand();
 const Command& joinCommand();
 const Command& figuresCommand();

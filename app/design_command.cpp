@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// drillwave design FILE --uncertain KEY=LOW:HIGH --choose KEY=…
+#include "app/command.h"
+#include "app/design_options.h"
+#include "app/interruption.h"
+#include "app/output_folder.h"
+#include "app/progress_bar.h"
+#include "app/row_options.h"
+#include "app/scenario_argument.h"
+#include "core/archive/result_scenario.h"
+#include "core/report/design_csv.h"
+#include "core/report/design_json.h"
+#include "core/report/design_text.h"
+#include "core/report/design_words.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr const char* jsonName = "design.json";
+const std::vector<std::string> fileNames{"designs.csv", "pareto.csv", "sensitivity.csv",
+                                         "worst.csv",   "best.yaml",  jsonName};
+
+/// The one operand that is no further word of --aim.
+const std::string& fileOf(const Arguments& arguments) {
+    const std::string* file = nullptr;
+    for (const std::string& word : arguments.operands()) {
+        if (isAimWord(word)) continue;
+        if (file) throw CommandError(ExitCode::usage, "takes one FILE; `" + word + "` is a second one");
+        file = &word;
+    }
+    if (!file) throw CommandError(ExitCode::usage, "needs FILE");
+    return *file;
+}
+
+DesignFindings solve(const DesignStudy& study, int jobs, const Interruption& interruption) {
+    ProgressBar bar(designSolves(study), "blows");
+    std::uint64_t solved = 0;
+    DesignFindings findings =
+        runDesign(study, {.jobs = jobs, .stop = interruption.token(), .progress = [&](std::uint64_t more) {
+                              bar.show(std::min(solved += more, designSolves(study)));
+                          }});
+    interruption.check();
+    return findings;
+}
+
+/// Throws where no design can be taken: none has statistics, or none meets the limits.
+void checkFeasible(const DesignStudy& study, const DesignFindings& findings, const std::string& path) {
+    if (findings.best.robust) return;
+    std::vector<std::string> lines;
+    for (const DesignSamples& design : findings.designs) {
+        if (design.hasStatistics(study.samples) || !lines.empty()) continue;
+        lines.push_back(path +
+                        ": of too many samples there is no answer, so that designs have no statistics: " +
+                        std::to_string(design.unsolved) + " of " + std::to_string(study.samples) +
+                        "; the first: " + design.reason +
+                        (isAtLimit(design.reason) ? limitHint(study.workLimit) : std::string()));
+    }
+    if (!study.limits.empty()) {
+        lines.push_back(path + ": no design meets all limits; loosen one or widen the choices");
+        for (const std::string& line : nearestToLimits(study, findings)) lines.push_back(line);
+    }
+    if (lines.empty()) lines.push_back(path + ": the scenario as it is could not be solved");
+    throw CommandError(ExitCode::unsolvedOrFailed, std::move(lines), CommandError::Begin::withOption);
+}
+
+FolderFiles filesOf(const DesignReport& report, ScenarioDocument document) {
+    document.scenario = designScenario(report.study, *report.findings.best.robust);
+    return {.files = {{"designs.csv", designsCsv(report)},
+                      {"pareto.csv", paretoCsv(report)},
+                      {"sensitivity.csv", sensitivityCsv(report)},
+                      {"worst.csv", worstCsv(report)},
+                      {"best.yaml", completeScenarioText(std::move(document))},
+                      {jsonName, designJson(report)}},
+            .outdated = {}};
+}
+
+ExitCode runDesignCommand(const Arguments& arguments, const Drawing*) {
+    const std::string path = fileOf(arguments);
+    const std::optional<std::string> folder = arguments.value("o");
+    const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    if (arguments.has("force") && !folder)
+        throw CommandError(ExitCode::usage, "--force is about the files of -o; add -o DIR");
+    if (arguments.values("draws").size() > 1)
+        throw CommandError(ExitCode::usage, "--draws is given twice; give it once");
+    const int jobs = jobsOf(arguments);
+    const ScenarioDocument document = loadScenarioArgument(path, arguments, DrillStrings::taken);
+    DesignFaults faults;
+    DesignReport report{
+        .study = designStudyOf(arguments, document.scenario, faults), .findings = {}, .scenarioText = {}};
+    faults.check();
+    report.scenarioText = completeScenarioText(document);
+    if (folder) {
+        for (const std::string& name : fileNames)
+            checkOutputIsNoInput(*folder + "/" + name, path, document, arguments.values("draws"));
+        checkFolder(*folder, fileNames, overwrite);
+    }
+
+    checkStandardOutput();
+    const Interruption interruption;
+    remarkOnValues(document.scenario, path);
+    report.findings = solve(report.study, jobs, interruption);
+    checkFeasible(report.study, report.findings, path);
+    if (folder) writeFolder(*folder, filesOf(report, document), overwrite, &interruption);
+    std::string text = arguments.has("json") ? designJson(report) : designText(report);
+    if (folder && !arguments.has("json")) text += "  files in " + *folder + "\n";
+    printText(text);
+    return ExitCode::done;
+}
+
+}  // namespace
+
+const Command& designCommand() {
+    using Times = OptionSpec::Times;
+    static const std::string details =
+        "Every design of the choices is solved at the same samples of what is uncertain. Told are the best\n"
+        "one by the first aim (robust best), the one that would be best where all is as in FILE (nominal\n"
+        "best), which others are as good as far as the samples tell, what is worth measuring, and the worst\n"
+        "that was found in the ranges.\n"
+        "  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and\n"
+        "                                       :lognormal with LOW and HIGH as the limits of 95 %\n"
+        "  --uncertain KEY=+-P%                 about the value of FILE or of the design\n"
+        "Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:\n"
+        "max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. DIR gets designs.csv,\n"
+        "pareto.csv, sensitivity.csv, worst.csv, best.yaml and design.json." +
+        outputHelp();
+    static const Command command{
+        .name = "design",
+        .operands = "FILE",
+        .summary = "which choice is best over what is not known, what it costs, what to measure",
+        .details = details,
+        .options = scenarioOptions(
+            {{"uncertain", "KEY=LOW:HIGH", "what is not known; see below", Times::list},
+             {"draws", "FILE.csv", "rows of values that belong together, headed as for table",
+              Times::repeated},
+             {"choose", "KEY=START:STOP:COUNT", "what can be chosen; :log behind it, or KEY=A,B,C",
+              Times::list},
+             {"aim", "max:OUTPUT@STATISTIC", "or min:…; one to three, the first decides", Times::repeated},
+             {"at-most", "OUTPUT@STATISTIC=VALUE", "a limit to every design", Times::list},
+             {"at-least", "OUTPUT@STATISTIC=VALUE", "likewise", Times::list},
+             {"keep-energy", "", "every design's blow has the energy of FILE's"},
+             {"samples", "N", "samples of a design, 4096, of a string 1024, if not given; a power of two"},
+             {"seed", "S", "which samples, 1 if not given"},
+             {"j", "N", "threads to use, all of them if not given"},
+             workLimitSpec(),
+             {"json", "", "print one JSON object in place of the tables"},
+             {"o", "DIR", "also write tables, the best design and the JSON object into DIR"},
+             {"force", "", "overwrite existing files"}}),
+        .leastOperands = 1,
+        .mostOperands = mostAims + 2,
+        .draws = [](const Arguments&) { return false; },
+        .run = runDesignCommand,
+    };
+    return command;
+}
+
+}  // namespace drillwave

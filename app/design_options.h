@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the options of `design` ask, read from their words.
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/arguments.h"
+#include "app/command_error.h"
+#include "core/model/scenario.h"
+#include "core/study/design/design_study.h"
+
+namespace drillwave {
+
+/// Lines on what is wrong, of all options together.
+class DesignFaults {
+  public:
+    void add(ExitCode code, const std::string& line) { m_faults.emplace_back(code, line); }
+    /// Throws CommandError with all of them, where there are any; the code is that of the least number.
+    void check() const;
+
+  private:
+    std::vector<std::pair<ExitCode, std::string>> m_faults;
+};
+
+/// Whether an operand is a further word of --aim, and not FILE: "min:thrust@q95".
+bool isAimWord(const std::string& word);
+
+/// Reads them all on top of a scenario. What is wrong is added to the faults.
+DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, DesignFaults& faults);
+
+}  // namespace drillwave

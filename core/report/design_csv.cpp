@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/design_csv.h"
+
+#include <algorithm>
+
+#include "core/model/parameter.h"
+#include "core/study/design/constant_energy.h"
+#include "core/text/csv.h"
+#include "core/text/number_text.h"
+#include "core/text/unit_heading.h"
+
+namespace drillwave {
+
+namespace {
+
+std::string heading(const Parameter& parameter) {
+    return withUnit(parameter.key, &unitsOf(parameter.quantity).front());
+}
+
+/// What sets a design: its choices, and the parameter that keeps the energy. The keys of `without` are left
+/// out, to be set otherwise.
+std::vector<std::string> designHeadings(const DesignStudy& study, const std::vector<std::string>& without) {
+    std::vector<std::string> headings;
+    const auto isOut = [&](std::string_view key) { return std::ranges::find(without, key) != without.end(); };
+    for (const SweepAxis& axis : study.choices)
+        if (!isOut(axis.key())) headings.push_back(axis.column().header);
+    if (!study.keepsEnergy || study.choices.empty()) return headings;
+    const KeptParameter scaled = energyParameter(study.base);
+    if (!isOut(scaled->key)) headings.push_back(heading(*scaled));
+    return headings;
+}
+
+std::vector<std::string> designCells(const DesignStudy& study, std::uint64_t design,
+                                     const std::vector<std::string>& without) {
+    std::vector<std::string> cells;
+    const auto isOut = [&](std::string_view key) { return std::ranges::find(without, key) != without.end(); };
+    const std::vector<double> values = study.choice(design);
+    for (std::size_t i = 0; i < values.size(); ++i)
+        if (!isOut(study.choices[i].key()))
+            study.choices[i].column().appendText(cells.emplace_back(), values[i]);
+    if (!study.keepsEnergy || study.choices.empty()) return cells;
+    const Scenario scenario = designScenario(study, design);
+    const KeptParameter scaled = energyParameter(study.base);
+    if (!isOut(scaled->key)) appendNumber(cells.emplace_back(), *scaled->value(scenario));
+    return cells;
+}
+
+void addRow(std::string& csv, const std::vector<std::string>& cells) {
+    for (std::size_t i = 0; i < cells.size(); ++i) csv += (i == 0 ? "" : ",") + csvCell(cells[i]);
+    csv += '\n';
+}
+
+std::string numberCell(double value) {
+    std::string cell;
+    appendNumber(cell, value);
+    return cell;
+}
+
+std::string headed(const OutputColumn& column, const std::string& suffix) {
+    const Unit& unit = unitsOf(column.output->quantity()).front();
+    return withUnit(std::string(column.output->name) + "_" + suffix, column.hasUnit() ? &unit : nullptr);
+}
+
+std::string table(const DesignReport& report, bool paretoAlone) {
+    const DesignStudy& study = report.study;
+    const std::vector<OutputColumn> columns = study.columns();
+    std::vector<std::string> titles{"number"};
+    for (std::string& title : designHeadings(study, {})) titles.push_back(std::move(title));
+    titles.insert(titles.end(), {"feasible", "marginal"});
+    for (const OutputColumn& column : columns) {
+        titles.push_back(headed(column, "nominal"));
+        for (const Statistic& statistic : study.statisticsOf(*column.output)) {
+            if (statistic.kind == Statistic::Kind::nominal) continue;
+            titles.push_back(headed(column, statistic.name()));
+            if (statistic.hasError()) titles.push_back(headed(column, statistic.name() + "_error"));
+        }
+    }
+    titles.emplace_back("pareto");
+    std::string csv;
+    addRow(csv, titles);
+    const auto word = [](bool holds) { return std::string(holds ? "true" : "false"); };
+    for (std::size_t d = 0; d < report.findings.designs.size(); ++d) {
+        if (paretoAlone && !report.findings.best.pareto[d]) continue;
+        const DesignSamples& design = report.findings.designs[d];
+        std::vector<std::string> cells{std::to_string(d + 1)};
+        for (std::string& cell : designCells(study, d, {})) cells.push_back(std::move(cell));
+        cells.push_back(word(report.findings.feasibility[d].feasible));
+        cells.push_back(word(report.findings.feasibility[d].marginal));
+        for (std::size_t c = 0; c < columns.size(); ++c) {
+            cells.push_back(numberCell(design.nominal[c]));
+            const std::vector<Statistic> asked = study.statisticsOf(*columns[c].output);
+            for (std::size_t s = 0; s < asked.size(); ++s) {
+                if (asked[s].kind == Statistic::Kind::nominal) continue;
+                cells.push_back(numberCell(design.statistics[c][s].value));
+                if (asked[s].hasError()) cells.push_back(numberCell(design.statistics[c][s].error()));
+            }
+        }
+        cells.push_back(word(report.findings.best.pareto[d]));
+        addRow(csv, cells);
+    }
+    return csv;
+}
+
+/// Keys that scatter, in the order of a table of cases.
+std::vector<KeptParameter> scattered(const DesignStudy& study) {
+    std::vector<KeptParameter> parameters;
+    for (const UncertainInput& input : study.uncertain) parameters.push_back(input.parameter);
+    if (study.draws)
+        parameters.insert(parameters.end(), study.draws->parameters.begin(), study.draws->parameters.end());
+    return parameters;
+}
+
+}  // namespace
+
+std::string designsCsv(const DesignReport& report) {
+    return table(report, false);
+}
+
+std::string paretoCsv(const DesignReport& report) {
+    return table(report, true);
+}
+
+std::string sensitivityCsv(const DesignReport& report) {
+    std::string csv = "output,key,first,first_error,total,total_error\n";
+    for (std::size_t o = 0; o < report.findings.sensitivity.outputs.size(); ++o) {
+        const OutputSensitivity& output = report.findings.sensitivity.outputs[o];
+        for (std::size_t i = 0; i < report.study.dimensions(); ++i) {
+            const std::string key = i < report.study.uncertain.size()
+                                        ? std::string(report.study.uncertain[i].parameter->key)
+                                        : "draws";
+            std::vector<std::string> cells{std::string(report.findings.aimed[o]->name), key, "", "", "", ""};
+            if (!output.isConstant) {
+                const SobolIndex& index = output.indices[i];
+                cells[2] = numberCell(index.first.value);
+                cells[3] = numberCell(index.first.error);
+                cells[4] = numberCell(index.total.value);
+                cells[5] = numberCell(index.total.error);
+            }
+            addRow(csv, cells);
+        }
+    }
+    return csv;
+}
+
+std::string worstCsv(const DesignReport& report) {
+    const DesignStudy& study = report.study;
+    const std::vector<KeptParameter> parameters = scattered(study);
+    std::vector<std::string> keys, titles;
+    for (const KeptParameter& parameter : parameters) {
+        keys.emplace_back(parameter->key);
+        titles.push_back(heading(*parameter));
+    }
+    for (std::string& title : designHeadings(study, keys)) titles.push_back(std::move(title));
+    titles.insert(titles.end(), {"aim", "sense", "value", "sampled", "searches", "agreeing"});
+    std::string csv;
+    addRow(csv, titles);
+    for (std::size_t a = 0; a < report.findings.worst.size(); ++a) {
+        const std::optional<WorstCase>& worst = report.findings.worst[a];
+        if (!worst) continue;
+        std::vector<std::string> cells;
+        for (std::size_t i = 0; i < study.uncertain.size(); ++i) cells.push_back(numberCell(worst->at[i]));
+        if (study.draws)
+            for (const std::vector<double>& column : study.draws->columns)
+                cells.push_back(numberCell(column[static_cast<std::size_t>(worst->at.back())]));
+        for (std::string& cell : designCells(study, *report.findings.best.robust, keys))
+            cells.push_back(std::move(cell));
+        const bool isLargest = study.aims[a].sense == Sense::largest;
+        cells.insert(cells.end(), {study.aims[a].name(), isLargest ? "min" : "max", numberCell(worst->value),
+                                   numberCell(worst->sampled), std::to_string(worst->searches),
+                                   std::to_string(worst->agreeing)});
+        addRow(csv, cells);
+    }
+    return csv;
+}
+
+}  // namespace drillwave

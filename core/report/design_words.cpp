@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/design_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/model/parameter.h"
+#include "core/text/handy_text.h"
+
+namespace drillwave {
+
+namespace {
+
+std::string countText(std::uint64_t count, const std::string& noun) {
+    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+void addUnsolved(const DesignReport& report, std::vector<DesignRemark>& remarks) {
+    std::uint64_t unsolved = report.findings.sensitivity.unsolved;
+    std::size_t without = 0;
+    std::string reason = report.findings.sensitivity.reason;
+    for (const DesignSamples& design : report.findings.designs) {
+        unsolved += design.unsolved;
+        without += !design.hasStatistics(report.study.samples);
+        if (reason.empty()) reason = design.reason;
+    }
+    if (unsolved == 0) return;
+    std::string text =
+        countText(unsolved, "sample") + " could not be solved and are left out: " + reason + ".";
+    if (without > 0)
+        text += " " + countText(without, "design") + " with more than 0.1 % of them have no statistics.";
+    remarks.push_back({without > 0, "points_unsolved", text});
+}
+
+void addUncertain(const DesignReport& report, std::vector<DesignRemark>& remarks) {
+    double share = 0;
+    for (const DesignSamples& design : report.findings.designs)
+        share = std::max(share, design.uncertainShare);
+    if (share > 0)
+        remarks.push_back({false, "points_uncertain",
+                           "Up to " + rounded(share * 100, 2) +
+                               " % of the samples of a design have an error of their own that is larger than "
+                               "that of the statistics: blows that chatter."});
+}
+
+void addTies(const DesignReport& report, std::vector<DesignRemark>& remarks) {
+    const BestDesigns& best = report.findings.best;
+    if (best.ties.empty()) return;
+    std::string names = designName(report.study, *best.robust);
+    constexpr std::size_t enough = 6;
+    for (std::size_t i = 0; i < best.ties.size() && i < enough; ++i)
+        names += " or " + designName(report.study, best.ties[i]);
+    if (best.ties.size() > enough) names += " or " + std::to_string(best.ties.size() - enough) + " others";
+    remarks.push_back({false, "flat_optimum",
+                       "The samples do not tell the best designs apart: take any of " + names + "."});
+}
+
+void addEdges(const DesignReport& report, std::vector<DesignRemark>& remarks) {
+    std::uint64_t rest = *report.findings.best.robust;
+    for (std::size_t i = report.study.choices.size(); i-- > 0;) {
+        const SweepAxis& axis = report.study.choices[i];
+        const std::uint64_t index = rest % axis.count;
+        rest /= axis.count;
+        if (!axis.parameter || axis.count < 2) continue;
+        double least = axis.value(0), most = least;
+        for (std::uint64_t n = 1; n < axis.count; ++n) {
+            least = std::min(least, axis.value(n));
+            most = std::max(most, axis.value(n));
+        }
+        const double value = axis.value(index);
+        if (value != least && value != most) continue;
+        remarks.push_back({false, "optimum_at_edge",
+                           "The robust best is at the " + std::string(value == most ? "upper" : "lower") +
+                               " end of " + std::string(axis.key()) + ": widen the choice."});
+    }
+}
+
+void addEnergy(const DesignReport& report, std::vector<DesignRemark>& remarks) {
+    constexpr double much = 0.01;
+    if (report.study.keepsEnergy || report.findings.energySpread <= much) return;
+    remarks.push_back({true, "energy_varies",
+                       "The choices change the energy of the blow by up to " +
+                           rounded(report.findings.energySpread * 100, 3) +
+                           " %: machines of different power are compared; --keep-energy keeps it."});
+}
+
+void addGamma(const DesignReport& report, std::vector<DesignRemark>& remarks) {
+    constexpr double nearlyAll = 0.9;
+    const Sensitivity& sensitivity = report.findings.sensitivity;
+    if (report.study.dimensions() < 2) return;
+    for (std::size_t o = 0; o < sensitivity.outputs.size(); ++o) {
+        if (report.findings.aimed[o]->name != "efficiency" || sensitivity.outputs[o].isConstant) continue;
+        for (std::size_t i = 0; i < report.study.uncertain.size(); ++i) {
+            const std::string_view key = report.study.uncertain[i].parameter->key;
+            if ((key != "bit_rock.gamma" && key != "gamma") ||
+                sensitivity.outputs[o].indices[i].total.value <= nearlyAll)
+                continue;
+            remarks.push_back(
+                {false, "gamma_dominates",
+                 "The scatter of the efficiency is nearly all that of gamma; loading_work shows "
+                 "what wave and machine can do: --aim max:loading_work@q05."});
+        }
+    }
+}
+
+}  // namespace
+
+std::vector<DesignRemark> remarksOn(const DesignReport& report) {
+    std::vector<DesignRemark> remarks;
+    addUnsolved(report, remarks);
+    addUncertain(report, remarks);
+    addTies(report, remarks);
+    addEdges(report, remarks);
+    addEnergy(report, remarks);
+    addGamma(report, remarks);
+    return remarks;
+}
+
+std::string designName(const DesignStudy& study, std::uint64_t design) {
+    std::string text;
+    const std::vector<double> values = study.choice(design);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        text += text.empty() ? "" : ", ";
+        const SweepAxis& axis = study.choices[i];
+        if (axis.parameter)
+            text += inHandyUnit(values[i], axis.parameter->quantity);
+        else
+            axis.column().appendText(text, values[i]);
+    }
+    return text.empty() ? "FILE" : text;
+}
+
+std::string outputText(const DesignStudy& study, const Output& output, double value, int digits) {
+    if (std::isnan(value)) return "-";
+    const bool inUnit = hasUnits(study.base) || output.isOnlySi();
+    return inHandyUnit(value, inUnit ? output.quantity() : Quantity::ratio, digits);
+}
+
+std::vector<std::string> nearestToLimits(const DesignStudy& study, const DesignFindings& findings) {
+    std::vector<std::string> lines;
+    for (const DesignLimit& limit : study.limits) {
+        const StatisticPlace place = study.placeOf(*limit.output, limit.statistic);
+        std::size_t nearest = 0;
+        double best = NAN;
+        for (std::size_t d = 0; d < findings.designs.size(); ++d) {
+            const double value = findings.designs[d].statistics[place.output][place.statistic].value;
+            if (std::isnan(value) || (limit.atMost ? value >= best : value <= best)) continue;
+            best = value;
+            nearest = d;
+        }
+        const std::string which = std::isnan(best)
+                                      ? std::string("no design has it")
+                                      : "the nearest is " + outputText(study, *limit.output, best) + " of " +
+                                            designName(study, nearest);
+        lines.push_back(std::string(limit.atMost ? "--at-most " : "--at-least ") + limit.name() + "=" +
+                        outputText(study, *limit.output, limit.bound) + ": " + which);
+    }
+    return lines;
+}
+
+}  // namespace drillwave

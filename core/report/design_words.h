@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a study of designs says in words.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/report/design_report.h"
+
+namespace drillwave {
+
+/// What is to be known of the answer.
+struct DesignRemark {
+    bool isWarning = false;
+    std::string code;  ///< "flat_optimum", …
+    std::string text;
+};
+std::vector<DesignRemark> remarksOn(const DesignReport& report);
+
+/// "240 us", "half_sine, 3.05 m": a design by its choices; "FILE" without any.
+std::string designName(const DesignStudy& study, std::uint64_t design);
+
+/// A number of an output with its unit, as people read it.
+std::string outputText(const DesignStudy& study, const Output& output, double value, int digits = 5);
+
+/// How near the best design comes to each limit, a line each, where none meets all.
+std::vector<std::string> nearestToLimits(const DesignStudy& study, const DesignFindings& findings);
+
+}  // namespace drillwave
