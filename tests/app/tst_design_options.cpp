@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words of `drillwave design`: what they ask, and the exit code of what is wrong with them.
+#include <QtTest>
+
+#include "app/command.h"
+#include "app/design_options.h"
+
+using namespace drillwave;
+
+namespace {
+
+DesignStudy read(std::vector<std::string> words, DesignFaults& faults) {
+    words.insert(words.begin(), "FILE");
+    Scenario base;
+    base.drill.blowFrequency = 60;
+    return designStudyOf(parseArguments(designCommand(), words), base, faults);
+}
+
+/// The exit code, and how many lines.
+std::pair<ExitCode, std::size_t> refused(const std::vector<std::string>& words) {
+    DesignFaults faults;
+    read(words, faults);
+    try {
+        faults.check();
+    } catch (const CommandError& error) {
+        return {error.code(), error.lines().size()};
+    }
+    return {ExitCode::done, 0};
+}
+
+const std::string gap = "bit_rock.gap=0mm:1mm";
+
+}  // namespace
+
+class TestDesignOptions : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aimsAreTakenWhereNoneAreGiven();
+    void severalAimsMayStandBehindOneOption();
+    void samplesArePowersOfTwo();
+    void faultsHaveTheirExitCodes();
+};
+
+void TestDesignOptions::aimsAreTakenWhereNoneAreGiven() {
+    DesignFaults faults;
+    const DesignStudy study = read({"--uncertain", gap}, faults);
+    QCOMPARE(study.aims.size(), std::size_t{2});
+    QCOMPARE(study.aims[0].name(), std::string("max:efficiency@q05"));
+    QCOMPARE(study.aims[1].name(), std::string("min:thrust@q95"));
+    faults.check();
+}
+
+void TestDesignOptions::severalAimsMayStandBehindOneOption() {
+    DesignFaults faults;
+    const DesignStudy study = read({"--uncertain", gap, "--aim", "max:cor@mean", "min:thrust@max"}, faults);
+    QCOMPARE(study.aims.size(), std::size_t{2});
+    QCOMPARE(study.aims[1].name(), std::string("min:thrust@max"));
+}
+
+void TestDesignOptions::samplesArePowersOfTwo() {
+    DesignFaults faults;
+    QCOMPARE(read({"--uncertain", gap, "--samples", "1000"}, faults).samples, std::uint64_t{1024});
+    QCOMPARE(read({"--uncertain", gap, "--samples", "1"}, faults).samples, std::uint64_t{64});
+}
+
+void TestDesignOptions::faultsHaveTheirExitCodes() {
+    using Refusal = std::pair<ExitCode, std::size_t>;
+    QCOMPARE(refused({}), Refusal(ExitCode::usage, 1));
+    QCOMPARE(refused({"--uncertain", gap, "--aim", "max:efficiency@q0"}), Refusal(ExitCode::usage, 1));
+    QCOMPARE(refused({"--uncertain", gap, "--choose", "rod.length=3m:4m:10001"}),
+             Refusal(ExitCode::usage, 1));
+    QCOMPARE(refused({"--uncertain", gap, gap}), Refusal(ExitCode::invalidScenario, 1));
+    QCOMPARE(refused({"--uncertain", "beta=1:2", "bit_rock.stiffness=50MN/m:90MN/m"}),
+             Refusal(ExitCode::invalidScenario, 1));
+    QCOMPARE(refused({"--uncertain", gap, "--at-most", "thrust@q95=5mm"}),
+             Refusal(ExitCode::invalidScenario, 1));
+    QCOMPARE(refused({"--uncertain", "bit_rock.gamma=0.3:0.1", "bit_rock.gap=0mm:0mm", "--at-most",
+                      "thrust@q95=5mm"}),
+             Refusal(ExitCode::invalidScenario, 3));
+    QCOMPARE(refused({"--uncertain", gap}), Refusal(ExitCode::done, 0));
+}
+
+QTEST_GUILESS_MAIN(TestDesignOptions)
+#include "tst_design_options.moc"
