@@ -84,7 +84,7 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing*) {
     if (arguments.values("draws").size() > 1)
         throw CommandError(ExitCode::usage, "--draws is given twice; give it once");
     const int jobs = jobsOf(arguments);
-    const ScenarioDocument document = loadScenarioArgument(path, arguments, DrillStrings::taken);
+    const ScenarioDocument document = loadScenarioArgument(path, arguments);
     DesignFaults faults;
     DesignReport report{
         .study = designStudyOf(arguments, document.scenario, faults), .findings = {}, .scenarioText = {}};

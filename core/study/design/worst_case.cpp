@@ -21,7 +21,7 @@ constexpr std::uint64_t solvesOfSample = 4;
 constexpr double firstStep = 0.05, lastStep = 1e-7;
 /// Searches that end as near as this found the same.
 constexpr double agreement = 1e-6;
-constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double unfound = std::numeric_limits<double>::quiet_NaN();
 
 using Place = std::vector<double>;  // in the box, 0 … 1 along each coordinate
 
@@ -44,10 +44,11 @@ class BoxSolver {
         for (std::size_t i = 0; i < place.size(); ++i) values[i] = m_distributions[i].inBox(place[i]);
         return values;
     }
-    /// All outputs, none where it could not be solved.
+    /// All outputs, not a number where it could not be solved.
     std::span<const double> solve(const Place& place, const std::stop_token& stop) {
         for (std::size_t i = 0; i < place.size(); ++i) m_values[i] = m_distributions[i].inBox(place[i]);
-        if (!m_solver->solve(m_design, m_values, m_outputs, stop).empty()) std::ranges::fill(m_outputs, none);
+        if (!m_solver->solve(m_design, m_values, m_outputs, stop).empty())
+            std::ranges::fill(m_outputs, unfound);
         return m_outputs;
     }
     bool canMove(std::size_t i) const { return m_distributions[i].hasBox(); }
@@ -234,7 +235,7 @@ std::vector<std::optional<WorstCase>> worstCases(const DesignProblem& problem, s
                                                  std::uint64_t seed, const DesignWork& work) {
     const FirstPlaces places(problem, design, samples, seed);
     std::vector<WorstPlaces> worst(orders.size());
-    std::vector<double> sampled(orders.size(), none);
+    std::vector<double> sampled(orders.size(), unfound);
     std::uint64_t next = 0;
     const auto fill = [&](PlaceBlock& block) {
         block.begin = next;
