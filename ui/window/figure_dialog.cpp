@@ -13,6 +13,7 @@
 #include "ui/export/figure_plot.h"
 #include "ui/plot/plot_style.h"
 #include "ui/text/number_text.h"
+#include "ui/text/typed_text.h"
 
 namespace drillwave {
 namespace {
@@ -62,7 +63,8 @@ QTableWidget* FigureDialog::makeTable(const std::vector<Discrepancy>& numbers) {
         const Discrepancy& number = numbers[static_cast<std::size_t>(row)];
         QString remark = figureText(number.explanation);
         if (!number.agrees()) remark.prepend(remark.isEmpty() ? tr("differs") : tr("differs: "));
-        const QStringList cells{figureText(number.quantity), QString::fromStdString(number.printed),
+        const QStringList cells{figureText(number.quantity),
+                                localText(QString::fromStdString(number.printed), locale()),
                                 numberText(number.computed, exactDigits, locale()), remark};
         for (int column = 0; column < cells.size(); ++column)
             table->setItem(row, column, new QTableWidgetItem(cells[column]));
