@@ -8,12 +8,12 @@
 
 #include "core/study/design/design_samples.h"
 #include "core/study/design/sobol_points.h"
+#include "core/study/design/worst_starts.h"
 
 namespace drillwave {
 
 namespace {
 
-constexpr std::uint64_t faceSamples = 512;
 /// Tried where no coordinate leads on, and from how many they are taken.
 constexpr std::uint64_t directionsOfStep = 64, mostDirections = std::uint64_t{1} << 20;
 /// Most blows of a search, for each sample: along a curved ridge it would creep on.
@@ -22,8 +22,6 @@ constexpr double firstStep = 0.05, lastStep = 1e-7;
 /// Searches that end as near as this found the same.
 constexpr double agreement = 1e-6;
 constexpr double unfound = std::numeric_limits<double>::quiet_NaN();
-
-using Place = std::vector<double>;  // in the box, 0 … 1 along each coordinate
 
 double badness(const WorstOrder& order, double value) {
     return order.towards == Sense::largest ? value : -value;
@@ -58,88 +56,6 @@ class BoxSolver {
     std::vector<Distribution> m_distributions;
     std::unique_ptr<DesignSolver> m_solver;
     std::vector<double> m_values, m_outputs;
-};
-
-/// Places to begin with, one after another by number: samples, then faces, then corners.
-class FirstPlaces {
-  public:
-    FirstPlaces(const DesignProblem& problem, std::uint64_t design, std::uint64_t samples, std::uint64_t seed)
-        : m_distributions(problem.distributions(design)),
-          m_samples(samples),
-          m_points(m_distributions.size(), seed) {
-        const std::size_t d = m_distributions.size();
-        bool hasBox = true;
-        for (std::size_t i = 0; i < d; ++i) {
-            std::vector<double>& ends = m_ends.emplace_back();
-            hasBox &= m_distributions[i].hasBox();
-            if (!m_distributions[i].hasBox()) continue;
-            ends = {0, 1};
-            for (const double value : problem.likelyPlaces(design, i))
-                ends.push_back(m_distributions[i].boxPlace(value));
-            for (const double end : ends) m_faces.emplace_back(i, end);
-        }
-        m_corners = hasBox ? 1 : 0;
-        for (const std::vector<double>& ends : m_ends) m_corners *= std::max<std::size_t>(ends.size(), 1);
-        // The ends alone where likely places make too many.
-        if (m_corners > mostCorners) {
-            for (std::vector<double>& ends : m_ends) ends.resize(2);
-            m_corners = std::uint64_t{1} << d;
-        }
-    }
-
-    std::uint64_t count() const { return m_samples + m_faces.size() * faceSamples + m_corners; }
-    bool isSample(std::uint64_t number) const { return number < m_samples; }
-
-    Place place(std::uint64_t number) const {
-        Place place(m_distributions.size());
-        if (number < m_samples) {
-            const std::uint64_t each = m_samples / replicateCount;
-            m_points.point(number / each, number % each, place);
-            return place;
-        }
-        number -= m_samples;
-        if (number < m_faces.size() * faceSamples) {
-            const auto& [coordinate, end] = m_faces[number / faceSamples];
-            m_points.point(0, number % faceSamples, place);
-            place[coordinate] = end;
-            return place;
-        }
-        number -= m_faces.size() * faceSamples;
-        for (std::size_t i = 0; i < place.size(); number /= m_ends[i++].size())
-            place[i] = m_ends[i][number % m_ends[i].size()];
-        return place;
-    }
-
-  private:
-    static constexpr std::uint64_t mostCorners = 16384;
-
-    std::vector<Distribution> m_distributions;
-    std::uint64_t m_samples;
-    SobolPoints m_points;
-    std::vector<std::vector<double>> m_ends;
-    std::vector<std::pair<std::size_t, double>> m_faces;
-    std::uint64_t m_corners = 0;
-};
-
-/// The worst places so far, the worst first; of equals the one that came first.
-class WorstPlaces {
-  public:
-    struct Found {
-        double badness;
-        double value;
-        std::uint64_t number;
-    };
-    void add(const Found& found) {
-        if (std::isnan(found.badness)) return;
-        const auto at =
-            std::ranges::find_if(m_found, [&](const Found& other) { return found.badness > other.badness; });
-        m_found.insert(at, found);
-        if (m_found.size() > worstSearches) m_found.pop_back();
-    }
-    const std::vector<Found>& found() const { return m_found; }
-
-  private:
-    std::vector<Found> m_found;
 };
 
 /// One search: where it begins, and where it has ended.
@@ -233,8 +149,8 @@ std::uint64_t worstSolves(std::size_t uncertain, std::uint64_t samples) {
 std::vector<std::optional<WorstCase>> worstCases(const DesignProblem& problem, std::uint64_t design,
                                                  const std::vector<WorstOrder>& orders, std::uint64_t samples,
                                                  std::uint64_t seed, const DesignWork& work) {
-    const FirstPlaces places(problem, design, samples, seed);
-    std::vector<WorstPlaces> worst(orders.size());
+    const WorstStarts places(problem, design, samples, seed);
+    std::vector<WorstPlaces> worst(orders.size(), WorstPlaces(worstSearches));
     std::vector<double> sampled(orders.size(), unfound);
     std::uint64_t next = 0;
     const auto fill = [&](PlaceBlock& block) {
@@ -256,7 +172,7 @@ std::vector<std::optional<WorstCase>> worstCases(const DesignProblem& problem, s
         for (std::uint64_t n = block.begin; n < block.end; ++n)
             for (std::size_t o = 0; o < orders.size(); ++o) {
                 const double value = block.values[(n - block.begin) * orders.size() + o];
-                worst[o].add({badness(orders[o], value), value, n});
+                worst[o].add(badness(orders[o], value), value, [&] { return places.place(n); });
                 if (places.isSample(n) && !(badness(orders[o], value) <= badness(orders[o], sampled[o])) &&
                     !std::isnan(value))
                     sampled[o] = value;
@@ -271,7 +187,7 @@ std::vector<std::optional<WorstCase>> worstCases(const DesignProblem& problem, s
     std::vector<Search> searches;
     for (std::size_t o = 0; o < orders.size(); ++o)
         for (const WorstPlaces::Found& begin : worst[o].found())
-            searches.push_back({o, places.place(begin.number), begin.value});
+            searches.push_back({o, begin.place, begin.value});
     std::vector<Search> ended;
     std::size_t begun = 0;
     const WorkEnd end = processInOrder<Search>(

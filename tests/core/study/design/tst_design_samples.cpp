@@ -88,6 +88,7 @@ class TestDesignSamples : public QObject {
     void pointsWithoutAnswerAreLeftOut();
     void worstIsAtLeastEverySample();
     void worstIsFoundOnAKink();
+    void worstIsFoundInTheNarrowOfTwoDips();
     void tiesAreWithinTheErrorOfTheDifference();
     void paretoSetsHaveWhatNoneDominates();
 };
@@ -244,6 +245,18 @@ void TestDesignSamples::worstIsFoundOnAKink() {
     const auto found = worstCases(toy, 0, {{0, Sense::largest}}, 4096, 1, {});
     QVERIFY(found[0]->value > -1e-6);
     QVERIFY(std::abs(found[0]->at[0] - 0.617) < 1e-6);
+}
+
+// The worst samples by far are those of a wide dip; a narrow one goes deeper.
+void TestDesignSamples::worstIsFoundInTheNarrowOfTwoDips() {
+    const Toy toy({uniform(0, 1), uniform(0, 1)}, [](std::span<const double> x) {
+        const double wide = std::max(std::hypot(x[0] - 0.3, x[1] - 0.3) - 0.05, 0.0);
+        const double narrow = std::hypot(x[0] - 0.8, x[1] - 0.75);
+        return std::max(1 - 50 * wide * wide, 1.3 - 60 * narrow);
+    });
+    const auto found = worstCases(toy, 0, {{0, Sense::largest}}, 4096, 1, {});
+    QVERIFY(found[0]->sampled < 1.001);
+    QVERIFY(std::abs(found[0]->value - 1.3) < 1e-4);
 }
 
 namespace {
