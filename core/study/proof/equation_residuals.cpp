@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 #include "core/numeric/compensated_sum.h"
 #include "core/wave/field/bit_history.h"
@@ -27,6 +28,34 @@ double derivative(const PiecewisePolynomial& f, const Piece& piece, double x) {
     return sum / piece.scale;
 }
 
+/// The loading curve of the law, line by line as it is given: not the code of the solvers.
+class LoadingCurve {
+  public:
+    explicit LoadingCurve(const BitRockLaw& law) : m_lines{{0, 0, law.firstSlope * law.beta}} {
+        for (const LawCorner& corner : law.corners) {
+            const Line& before = m_lines.back();
+            m_lines.push_back({before.penetration + (corner.force - before.force) / before.slope,
+                               corner.force, corner.slope * law.beta});
+        }
+    }
+    /// At a penetration U ≥ 0.
+    double force(double U) const {
+        const Line& line = lineAt(U);
+        return line.force + line.slope * (U - line.penetration);
+    }
+    double slope(double U) const { return lineAt(U).slope; }
+
+  private:
+    struct Line {
+        double penetration, force, slope;  // where it begins
+    };
+    const Line& lineAt(double U) const {
+        const auto behind = std::ranges::upper_bound(m_lines, U, {}, &Line::penetration);
+        return behind == m_lines.begin() ? m_lines.front() : behind[-1];
+    }
+    std::vector<Line> m_lines;
+};
+
 /// Follows the front end along the recording, and the rock with its one number of memory.
 class Checker {
   public:
@@ -34,11 +63,12 @@ class Checker {
         : m_impact(impact),
           m_hammer(problem.force()),
           m_roundTrip(2 * problem.transitTime()),
-          m_beta(problem.law.beta),
+          m_loading(problem.law),
           m_unloading(problem.law.beta / problem.law.gamma),
           m_weight(1 / (1 + problem.law.beta / problem.law.gamma)),
           m_gap(2 * problem.firstGap()) {
         m_penetration = -m_gap;
+        m_found.loadingLines = 1 + problem.law.corners.size();
     }
 
     void check(const Piece& incident, const Piece& force) {
@@ -87,7 +117,8 @@ class Checker {
     void checkLaw(const Piece& incident, const Piece& force, double x) {
         const double U = penetrationAt(incident, force, x);
         m_deepest = std::max(m_deepest, U);
-        const double law = std::max(0.0, m_beta * m_deepest - m_unloading * (m_deepest - U));
+        const double law =
+            m_deepest > 0 ? std::max(0.0, m_loading.force(m_deepest) - m_unloading * (m_deepest - U)) : 0.0;
         const double F = m_impact.force.value(force, x);
         m_found.law = std::max(m_found.law, m_weight * std::abs(F - law));
         m_found.leastForce = std::min(m_found.leastForce, F);
@@ -97,11 +128,12 @@ class Checker {
         if (force.count == 0) return;  // apart
         const double drive = 2 * m_impact.incident.value(incident, x) - m_impact.force.value(force, x);
         const double change = derivative(m_impact.force, force, x);
-        const double loading = std::abs(change - m_beta * drive);
         const double unloading = std::abs(change - m_unloading * drive);
         const double below = m_deepest - penetrationAt(incident, force, x);
-        const double undecided =
-            1e-12 * (1 + m_deepest + m_gap);  // about the deepest point either line will do
+        // about the deepest point, and about a corner, either line will do
+        const double undecided = 1e-12 * (1 + m_deepest + m_gap);
+        const auto onCurve = [&](double U) { return std::abs(change - m_loading.slope(U) * drive); };
+        const double loading = std::min(onCurve(m_deepest - undecided), onCurve(m_deepest + undecided));
         const double residual = below > undecided    ? unloading
                                 : below < -undecided ? loading
                                                      : std::min(loading, unloading);
@@ -122,7 +154,8 @@ class Checker {
     const Impact& m_impact;
     const PulseForce& m_hammer;
     double m_roundTrip;  ///< 2τ: the equation has it by itself
-    double m_beta, m_unloading, m_weight, m_gap;
+    LoadingCurve m_loading;
+    double m_unloading, m_weight, m_gap;
     EquationResiduals m_found;
     CompensatedSum<double> m_penetration;  ///< U at the beginning of the piece; negative: a gap
     double m_deepest = 0;                  ///< Um

@@ -18,8 +18,9 @@ struct EquationResiduals {
     /// Of the law with memory, F = max(0, βUm − (β/γ)(Um − U)), U' = 2g − F, Um = the largest U so far: one
     /// equation for all branches (T5), without events.
     double law = 0;
-    double leastForce = 0;  ///< smallest F, not divided: no pull but for rounding
-    long points = 0;        ///< of the histories looked at
+    std::size_t loadingLines = 1;  ///< of the law: more where it has corners
+    double leastForce = 0;         ///< smallest F, not divided: no pull but for rounding
+    long points = 0;               ///< of the histories looked at
 };
 
 /// Of an impact of smooth pieces solved with Detail::histories. An event that was missed or invented shows as

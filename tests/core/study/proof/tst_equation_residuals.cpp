@@ -3,6 +3,7 @@
 #include <QtTest>
 
 #include "core/study/proof/equation_residuals.h"
+#include "core/wave/exact/exact_solver.h"
 #include "core/wave/exact/extended_solver.h"
 #include "tests/support/scenes.h"
 
@@ -67,6 +68,21 @@ class TestEquationResiduals : public QObject {
         const Impact exact = solve(scene);
         const Impact extended = solveInExtendedPrecision(problemOf(scene));
         QVERIFY(std::abs(exact.cor - extended.cor) <= exact.corError);
+    }
+
+    // Three lines, contacts that stop on each of them, and the one line that the others are told from.
+    void cornersAreOfTheEquations() {
+        Problem problem = problemOf({PulseShape::halfSine, {0.6, 0.2, 3.3, 0.4}});
+        problem.law.corners = {{0.15, 0.4}, {0.4, 2}};
+        ExactSolver solver;
+        const Impact impact = solver.solve(problem, Detail::histories);
+        QVERIFY(impact.peakForce > 0.4);
+        const EquationResiduals found = equationResiduals(impact, problem);
+        QVERIFY2(found.rate < 1e-13, qPrintable(QString::number(found.rate)));
+        QVERIFY2(found.law < 1e-13, qPrintable(QString::number(found.law)));
+        problem.law.corners[1].slope = 2.001;
+        const EquationResiduals other = equationResiduals(impact, problem);
+        QVERIFY(other.rate > 1e-6 && other.law > 1e-6);
     }
 
     void anotherRockIsFoundOut() {
