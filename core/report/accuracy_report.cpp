@@ -57,7 +57,7 @@ std::string checks(const Accuracy& accuracy) {
             "    g(s) = Fa(s) + g(s - 2 tau) - F(s - 2 tau)                     " + error(residuals.wave) +
             (residuals.loadingLines == 1
                  ? "\n    F' = a (2g - F), a = beta or beta/gamma                        "
-                 : "\n    F' = a (2g - F), a = s_j beta on line j, or beta/gamma          ") +
+                 : "\n    F' = a (2g - F), a = s_j beta on line j, or beta/gamma         ") +
             error(residuals.rate) + "\n    F = law of the penetration and of the largest one so far       " +
             error(residuals.law) + "\n    smallest force                                                 " +
             error(residuals.leastForce) + "\n";

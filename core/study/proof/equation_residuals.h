@@ -3,6 +3,8 @@
 // of the rock is written again here, on purpose, and asks nothing of core/contact.
 #pragma once
 
+#include <cstddef>
+
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
 
