@@ -40,6 +40,8 @@ void setPowerLines(BitRockLaw& law, double exponent, double reference) {
     double before = std::min(to.force / to.penetration, steepest);
     law.firstSlope = before;
     const auto turn = [&](const Node& at, double slope) {
+        // The steepest line may end at a node, to the last digit: there is one corner then.
+        if (!law.corners.empty() && law.corners.back().force >= force * at.force) law.corners.pop_back();
         law.corners.push_back({force * at.force, slope});
         before = slope;
     };

@@ -45,7 +45,10 @@ class WindowFixture {
         return *part<ScenarioPanel>(*m_window).findChild<QuantityField*>(QLatin1String(key));
     }
     double cor() const { return m_window->shown()->summary.cor; }
-    void settle() { QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy()); }
+    void settle() {
+        constexpr int patience = 60000;  // with sanitizers, on a machine that does much else [ms]
+        QTRY_VERIFY_WITH_TIMEOUT(!part<SolveJob>(*m_window).isBusy(), patience);
+    }
 
     QTemporaryDir m_folder;
     ScriptedAnswers m_answers;

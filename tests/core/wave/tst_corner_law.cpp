@@ -151,6 +151,8 @@ class CornerLawTest : public QObject {
                 BitRockLaw law{.beta = beta, .gamma = gamma};
                 setPowerLines(law, exponent, reference);
                 QVERIFY(law.corners.size() <= mostLawCorners);
+                for (std::size_t i = 1; i < law.corners.size(); ++i)
+                    QVERIFY(law.corners[i].force > law.corners[i - 1].force);
                 if (exponent == 1) QVERIFY(law.isBilinear());
                 const ContactLaw<> rock(law);
                 const double most = beta / gamma;  // no line is steeper
