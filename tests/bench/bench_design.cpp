@@ -220,7 +220,7 @@ bool read(int argc, char** argv, Options& options) {
         } else if (word == "--seeds" && i + 1 < argc) {
             if (!readNumber(argv[++i], 1, options.seeds)) return false;
         } else if (word == "--reference" && i + 1 < argc) {
-            if (!readNumber(argv[++i], leastSamples, options.reference)) return false;
+            if (!readNumber(argv[++i], leastDesignSamples, options.reference)) return false;
         } else {
             return false;
         }

@@ -23,6 +23,7 @@
 #include "ui/pages/accuracy/accuracy_page.h"
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/curve/curve_page.h"
+#include "ui/pages/design/design_page.h"
 #include "ui/pages/gap/gap_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/rock/rock_page.h"
@@ -131,6 +132,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     });
     m_pages->add(new MapPage(m_document), PageGroup::studies);
     m_pages->add(new ThrustPage(m_document), PageGroup::studies);
+    m_pages->add(new DesignPage(m_document), PageGroup::studies);
     m_pages->add(new AccuracyPage(m_document), PageGroup::studies);
     m_runs->addTo(*m_pages);
     addMenus();

@@ -108,7 +108,7 @@ std::uint64_t designSolves(const DesignStudy& study) {
            worstSolves(study.dimensions(), study.samples);
 }
 
-DesignFindings runDesign(const DesignStudy& study, const DesignWork& work) {
+DesignFindings runDesign(const DesignStudy& study, const DesignWork& work, const ShowFindings& show) {
     const ScenarioDesigns problem(study);
     SampleOrder order{.samples = study.samples,
                       .seed = study.seed,
@@ -132,9 +132,11 @@ DesignFindings runDesign(const DesignStudy& study, const DesignWork& work) {
     for (const DesignAim& aim : study.aims) addOnce(found.aimed, aim.output);
     found.energySpread = energySpreadOf(study);
     if (work.stop.stop_requested() || !found.best.robust) return found;
+    if (show) show(found);
     std::vector<std::size_t> aimed;
     for (const Output* output : found.aimed) aimed.push_back(study.placeOf(*output, {}).output);
     found.sensitivity = sensitivityOf(problem, *found.best.robust, aimed, study.samples, study.seed, work);
+    if (show && !work.stop.stop_requested()) show(found);
     std::vector<WorstOrder> orders;
     for (const AimOrder& aim : aims)
         orders.push_back({aim.place.output, aim.sense == Sense::largest ? Sense::least : Sense::largest});

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,7 +23,7 @@ namespace drillwave {
 
 inline constexpr std::size_t mostUncertain = 12, mostChoices = 4, mostAims = 3;
 inline constexpr std::uint64_t mostDesigns = 10'000, mostDesignSolves = 1'000'000'000;
-inline constexpr std::uint64_t leastSamples = 64, mostSamples = std::uint64_t{1} << 20;
+inline constexpr std::uint64_t leastDesignSamples = 64, mostDesignSamples = std::uint64_t{1} << 20;
 
 /// A statistic that is to be large, or small.
 struct DesignAim {
@@ -32,6 +33,7 @@ struct DesignAim {
 
     /// "max:efficiency@q05"
     std::string name() const;
+    bool operator==(const DesignAim&) const = default;
 };
 
 /// A statistic that must stay on one side of a bound, SI where the scenario is.
@@ -42,6 +44,7 @@ struct DesignLimit {
     double bound = 0;
 
     std::string name() const;  ///< "thrust@q95"
+    bool operator==(const DesignLimit&) const = default;
 };
 
 /// All that is asked. The designs are the grid of the choices, the last one fastest, or the base alone.
@@ -68,6 +71,7 @@ struct DesignStudy {
     std::size_t dimensions() const { return uncertain.size() + (draws ? 1 : 0); }
     /// Where the statistic of an aim or limit is in DesignSamples.
     StatisticPlace placeOf(const Output& output, const Statistic& statistic) const;
+    bool operator==(const DesignStudy&) const = default;
 };
 
 /// The aims that are taken where none are given: efficiency in the worst 5 %, and thrust in the largest where
@@ -91,7 +95,10 @@ Scenario designScenario(const DesignStudy& study, std::uint64_t design);
 /// About how many blows runDesign() solves.
 std::uint64_t designSolves(const DesignStudy& study);
 
+/// Shown what there is so far: the designs, then with indices.
+using ShowFindings = std::function<void(const DesignFindings&)>;
+
 /// Requires that there are no problemsOf() the study. After a stop what is there is not to be used.
-DesignFindings runDesign(const DesignStudy& study, const DesignWork& work);
+DesignFindings runDesign(const DesignStudy& study, const DesignWork& work, const ShowFindings& show = {});
 
 }  // namespace drillwave

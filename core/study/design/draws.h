@@ -19,6 +19,7 @@ struct Draws {
     std::vector<KeptParameter> parameters;
     std::vector<std::vector<double>> columns;  ///< SI, of each parameter
     std::size_t rows() const { return columns.empty() ? 0 : columns.front().size(); }
+    bool operator==(const Draws&) const = default;
 };
 
 /// Draws read from a table, or why not.

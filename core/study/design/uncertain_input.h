@@ -20,6 +20,7 @@ struct UncertainInput {
     double low = 0, high = 0;    ///< SI; of `percent` nothing
     double percent = 0;          ///< P of `percent`
     const Unit* unit = nullptr;  ///< as typed, SI where two were typed
+    bool operator==(const UncertainInput&) const = default;
 
     /// How it scatters in a design; its value there is that of the parameter. Requires that there is no
     /// problemIn() it.

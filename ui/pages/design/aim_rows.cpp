@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/design/aim_rows.h"
+
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <array>
+
+#include "ui/form/choice_box.h"
+#include "ui/pages/study/flow_layout.h"
+#include "ui/pages/study/output_box.h"
+#include "ui/text/shown_text.h"
+
+namespace drillwave {
+namespace {
+
+constexpr std::array offeredStatistics{"mean", "q01", "q05", "q10", "q25",    "q50",
+                                       "q75",  "q90", "q95", "q99", "nominal"};
+
+Statistic statisticNamed(const char* name) {
+    return *findStatistic(name);
+}
+
+}  // namespace
+
+QString statisticWords(const Statistic& statistic, Sense sense) {
+    using enum Statistic::Kind;
+    switch (statistic.kind) {
+        case mean:
+            return AimRow::tr("on average");
+        case least:
+            return AimRow::tr("at the least sample");
+        case Statistic::Kind::largest:
+            return AimRow::tr("at the largest sample");
+        case nominal:
+            return AimRow::tr("as the scenario is");
+        case quantile:
+            break;
+    }
+    if (statistic.percent == 50) return AimRow::tr("in the middle (median)");
+    const int bad = sense == Sense::largest ? statistic.percent : 100 - statistic.percent;
+    return bad < 50 ? AimRow::tr("in the worst %1 %").arg(bad)
+                    : AimRow::tr("in the best %1 %").arg(100 - bad);
+}
+
+AimRow::AimRow(const QString& words, QWidget* parent)
+    : QWidget(parent),
+      m_sense(new ChoiceBox(this)),
+      m_output(new OutputBox(this, OfferedOutputs::ofOneBlow)),
+      m_statistic(new ChoiceBox(this)),
+      m_remove(new QToolButton(this)) {
+    m_sense->setObjectName(QStringLiteral("sense"));
+    m_sense->setAccessibleName(tr("Largest or least"));
+    m_sense->setMinimumContentsLength(6);
+    m_sense->addItem(tr("largest"));
+    m_sense->addItem(tr("least"));
+    m_statistic->setObjectName(QStringLiteral("statistic"));
+    m_statistic->setAccessibleName(tr("By which statistic"));
+    for (const char* name : offeredStatistics) m_statistic->addItem(QString(), QString::fromLatin1(name));
+    m_remove->setObjectName(QStringLiteral("remove"));
+    m_remove->setText(QStringLiteral("✕"));
+    m_remove->setAutoRaise(true);
+    m_remove->setAccessibleName(tr("Remove this aim"));
+    auto* label = new QLabel(words, this);
+    label->setBuddy(m_sense);
+    auto* layout = new FlowLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    for (QWidget* each : std::initializer_list<QWidget*>{label, m_sense, m_output, m_statistic, m_remove})
+        layout->addWidget(each);
+    nameStatistics();
+    connect(m_sense, &QComboBox::currentIndexChanged, this, [this] {
+        nameStatistics();
+        emit changed();
+    });
+    connect(m_output, &OutputBox::changed, this, &AimRow::changed);
+    connect(m_statistic, &QComboBox::currentIndexChanged, this, &AimRow::changed);
+    connect(m_remove, &QToolButton::clicked, this, &AimRow::removed);
+}
+
+// What is the worst end depends on the sense.
+void AimRow::nameStatistics() {
+    const Sense sense = m_sense->currentIndex() == 0 ? Sense::largest : Sense::least;
+    for (int i = 0; i < m_statistic->count(); ++i)
+        m_statistic->setItemText(i, statisticWords(statisticNamed(offeredStatistics[std::size_t(i)]), sense));
+}
+
+void AimRow::present(const Scenario& scenario) {
+    m_output->present(scenario);
+}
+
+DesignAim AimRow::aim() const {
+    return {m_sense->currentIndex() == 0 ? Sense::largest : Sense::least, &m_output->output(),
+            statisticNamed(offeredStatistics[std::size_t(std::max(0, m_statistic->currentIndex()))])};
+}
+
+void AimRow::setAim(const DesignAim& aim) {
+    {
+        const QSignalBlocker quiet(this);
+        m_sense->setCurrentIndex(aim.sense == Sense::largest ? 0 : 1);
+        m_output->setOutput(*aim.output);
+        m_statistic->setCurrentIndex(
+            std::max(0, m_statistic->findData(QString::fromStdString(aim.statistic.name()))));
+    }
+    emit changed();
+}
+
+void AimRow::setRemovable(bool removable) {
+    m_remove->setVisible(removable);
+}
+
+AimRows::AimRows(QWidget* parent)
+    : QWidget(parent), m_layout(new QVBoxLayout(this)), m_add(new QToolButton(this)) {
+    m_layout->setContentsMargins(0, 0, 0, 0);
+    m_layout->setSpacing(2);
+    m_add->setObjectName(QStringLiteral("addAim"));
+    m_add->setText(tr("+ aim"));
+    m_add->setToolTip(tr("One more aim, for what is best in all of them: the first decides"));
+    m_layout->addWidget(m_add);
+    connect(m_add, &QToolButton::clicked, this, [this] {
+        m_isChosen = true;
+        append({Sense::largest, findOutput("loading_work"), statisticNamed("q05")});
+        emit changed();
+    });
+}
+
+void AimRows::present(const Scenario& scenario) {
+    m_scenario = scenario;
+    for (AimRow* row : m_rows) row->present(scenario);
+    if (m_isChosen && !m_rows.empty()) return;
+    if (const std::vector<DesignAim> customary = customaryAims(scenario); customary != aims()) {
+        const QSignalBlocker quiet(this);
+        setAims(customary);
+        m_isChosen = false;
+    }
+}
+
+std::vector<DesignAim> AimRows::aims() const {
+    std::vector<DesignAim> aims;
+    for (const AimRow* row : m_rows) aims.push_back(row->aim());
+    return aims;
+}
+
+void AimRows::setAims(const std::vector<DesignAim>& aims) {
+    {
+        const QSignalBlocker quiet(this);
+        while (!m_rows.empty()) remove(m_rows.back());
+        for (const DesignAim& aim : aims) append(aim);
+        m_isChosen = true;
+    }
+    emit changed();
+}
+
+AimRow* AimRows::append(const DesignAim& aim) {
+    auto* row = new AimRow(m_rows.empty() ? tr("for the") : tr("then the"), this);
+    m_layout->insertWidget(m_layout->count() - 1, row);
+    m_rows.push_back(row);
+    row->present(m_scenario);
+    row->setAim(aim);
+    connect(row, &AimRow::changed, this, [this] {
+        m_isChosen = true;
+        emit changed();
+    });
+    connect(row, &AimRow::removed, this, [this, row] {
+        m_isChosen = true;
+        remove(row);
+        emit changed();
+    });
+    row->show();
+    showButtons();
+    return row;
+}
+
+void AimRows::remove(AimRow* row) {
+    std::erase(m_rows, row);
+    m_layout->removeWidget(row);
+    row->hide();
+    row->deleteLater();
+    showButtons();
+}
+
+void AimRows::showButtons() {
+    m_add->setVisible(m_rows.size() < mostAims);
+    for (AimRow* row : m_rows) row->setRemovable(m_rows.size() > 1);
+}
+
+}  // namespace drillwave

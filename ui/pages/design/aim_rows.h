@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a design is to be good at, as a sentence made of boxes.
+#pragma once
+
+#include <QWidget>
+#include <vector>
+
+#include "core/study/design/design_study.h"
+
+class QVBoxLayout;
+class QToolButton;
+
+namespace drillwave {
+
+class ChoiceBox;
+class OutputBox;
+
+/// "in the worst 5 %", "on average": of a statistic that is to be large or small.
+QString statisticWords(const Statistic& statistic, Sense sense);
+
+/// One aim: largest or least, of which result, by which statistic.
+class AimRow : public QWidget {
+    Q_OBJECT
+
+  public:
+    AimRow(const QString& words, QWidget* parent);
+    void present(const Scenario& scenario);
+    DesignAim aim() const;
+    void setAim(const DesignAim& aim);
+    void setRemovable(bool removable);
+
+  signals:
+    void changed();
+    void removed();
+
+  private:
+    void nameStatistics();
+
+    ChoiceBox* m_sense;
+    OutputBox* m_output;
+    ChoiceBox* m_statistic;
+    QToolButton* m_remove;
+};
+
+/// One to three aims; the first decides. The customary ones until the user chooses.
+class AimRows : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit AimRows(QWidget* parent);
+    /// Offers the results that the scenario has.
+    void present(const Scenario& scenario);
+    std::vector<DesignAim> aims() const;
+    const std::vector<AimRow*>& rows() const { return m_rows; }
+    void setAims(const std::vector<DesignAim>& aims);
+
+  signals:
+    void changed();
+
+  private:
+    AimRow* append(const DesignAim& aim);
+    void remove(AimRow* row);
+    void showButtons();
+
+    Scenario m_scenario;
+    bool m_isChosen = false;  // by the user
+    std::vector<AimRow*> m_rows;
+    QVBoxLayout* m_layout;
+    QToolButton* m_add;
+};
+
+}  // namespace drillwave

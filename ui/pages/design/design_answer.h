@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The study of the page Design: what is asked, and the answer while it gets better.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/report/design_report.h"
+#include "ui/job/study_job.h"
+
+namespace drillwave {
+
+/// Samples of a first answer, which is there while the hand still moves.
+inline constexpr std::uint64_t quickSamples = 256;
+
+/// What there is so far.
+struct DesignAnswer {
+    DesignReport report;                ///< of as many samples as its study says
+    std::uint64_t wanted = 0;           ///< samples of the last answer
+    std::vector<std::string> problems;  ///< why nothing can be solved: then there is nothing else
+    bool isRefined() const { return report.study.samples == wanted; }
+    /// Whether there are designs to be shown, and one of them to be taken.
+    bool hasBest() const { return report.findings.best.robust.has_value(); }
+};
+
+/// The quick answer first. The text of the scenario is left empty.
+DesignAnswer answerDesign(const DesignStudy& asked, const StudyFeed<DesignAnswer>& feed);
+
+}  // namespace drillwave

@@ -1,0 +1,298 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/design/design_page.h"
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <algorithm>
+#include <cmath>
+
+#include "core/archive/result_scenario.h"
+#include "core/model/scales.h"
+#include "core/report/design_csv.h"
+#include "core/report/design_words.h"
+#include "core/study/design/constant_energy.h"
+#include "ui/form/choice_box.h"
+#include "ui/pages/design/aim_rows.h"
+#include "ui/pages/design/design_card.h"
+#include "ui/pages/design/design_plot.h"
+#include "ui/pages/design/range_rows.h"
+#include "ui/pages/study/command_text.h"
+#include "ui/pages/study/labelled_control.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/text/shown_text.h"
+
+namespace drillwave {
+namespace {
+
+constexpr std::size_t mostChoicesOfPage = 2;
+constexpr int samplesOffered[] = {256, 1024, 4096, 16384, 65536};
+constexpr int cardCharacters = 32;
+constexpr int plotLinesOfDesigns = 30;  // two rows of axes, legend and readout
+constexpr int samplesOfRod = 4096, samplesOfString = 1024;
+
+}  // namespace
+
+DesignPage::DesignPage(Document& document, QWidget* parent)
+    : StudyPage(document, parent), m_card(new DesignCard), m_study(answerDesign) {
+    auto* scrolled = new QScrollArea(this);
+    scrolled->setWidget(m_card);
+    scrolled->setWidgetResizable(true);
+    scrolled->setFrameShape(QFrame::NoFrame);
+    scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scrolled->setMinimumWidth(fontMetrics().averageCharWidth() * cardCharacters);
+    QWidget* questions = makeQuestions();
+    PlotWidget* widget = arrange({m_keepEnergy, labelled(tr("samples"), m_samples, this)}, scrolled);
+    static_cast<QBoxLayout*>(layout())->insertWidget(0, questions);
+    setLeastLines(plotLinesOfDesigns);
+    m_plot = new DesignPlot(widget);
+    useFrame(*m_plot, tr("Designs over what is not known"));
+    watch(m_study.job());
+    connect(widget, &PlotWidget::clicked, this, &DesignPage::click);
+    connect(m_card, &DesignCard::designWanted, this,
+            [this](std::uint64_t design) { load(valuesOf(design)); });
+    connect(m_card, &DesignCard::worstWanted, this, &DesignPage::loadWorst);
+    connect(&document.units(), &UnitChoice::changed, this, [this] {
+        if (isVisible()) present();
+    });
+}
+
+// What is asked, line below line.
+QWidget* DesignPage::makeQuestions() {
+    auto* questions = new QWidget(this);
+    m_uncertain =
+        new RangeRows(RangeUse::uncertain, tr("not known"), 1, mostUncertain, document().units(), this);
+    m_uncertain->setObjectName(QStringLiteral("uncertain"));
+    m_choices =
+        new RangeRows(RangeUse::chosen, tr("to be chosen"), 0, mostChoicesOfPage, document().units(), this);
+    m_choices->setObjectName(QStringLiteral("choices"));
+    m_aims = new AimRows(this);
+    m_keepEnergy = new QCheckBox(tr("keep the energy"), this);
+    m_keepEnergy->setObjectName(QStringLiteral("keepEnergy"));
+    m_keepEnergy->setToolTip(
+        tr("The blow of every design is scaled to the energy of this one: by its impulse, "
+           "or by the velocity of the hammer"));
+    m_keepEnergy->setChecked(true);
+    m_samples = new ChoiceBox(this);
+    m_samples->setObjectName(QStringLiteral("samples"));
+    m_samples->setAccessibleName(tr("Samples of each design"));
+    for (const int samples : samplesOffered) m_samples->addItem(QString::number(samples), samples);
+    for (RangeRows* rows : {m_uncertain, m_choices})
+        connect(rows, &RangeRows::changed, this, &DesignPage::askSoon);
+    connect(m_aims, &AimRows::changed, this, &DesignPage::askSoon);
+    connect(m_keepEnergy, &QCheckBox::toggled, this, &DesignPage::askSoon);
+    connect(m_samples, &QComboBox::currentIndexChanged, this, &DesignPage::askSoon);
+    auto* lines = new QVBoxLayout(questions);
+    lines->setContentsMargins(4, 0, 4, 0);
+    lines->setSpacing(2);
+    for (QWidget* each : std::initializer_list<QWidget*>{m_uncertain, m_choices, m_aims})
+        lines->addWidget(each);
+    return questions;
+}
+
+// A string takes a hundred times as long.
+void DesignPage::followForm() {
+    const ScenarioForm form = scenario().form;
+    if (m_form == form) return;
+    m_form = form;
+    const QSignalBlocker quiet(m_samples);
+    m_samples->setCurrentIndex(m_samples->findData(isString(scenario()) ? samplesOfString : samplesOfRod));
+}
+
+// Of the words of the command, so that both have the same values.
+DesignPage::Wish DesignPage::wish() const {
+    DesignStudy study;
+    study.base = scenario();
+    QStringList problems;
+    for (const std::string& text : m_uncertain->texts()) {
+        ParsedUncertain parsed = parseUncertain(text);
+        if (!parsed.problem.empty()) problems << QString::fromStdString(parsed.problem);
+        study.uncertain.push_back(std::move(parsed.input));
+    }
+    for (const std::string& text : m_choices->texts()) {
+        ParsedAxis parsed = parseAxis(text);
+        if (!parsed.problem.empty()) problems << QString::fromStdString(parsed.problem);
+        study.choices.push_back(std::move(parsed.axis));
+    }
+    if (!problems.isEmpty()) return {{}, problems.join(QLatin1Char('\n'))};
+    study.aims = m_aims->aims();
+    study.keepsEnergy = m_keepEnergy->isEnabled() && m_keepEnergy->isChecked();
+    study.samples = static_cast<std::uint64_t>(m_samples->currentData().toInt());
+    return {std::move(study), {}};
+}
+
+void DesignPage::ask() {
+    followForm();
+    {
+        const QSignalBlocker first(m_uncertain), second(m_choices), third(m_aims);
+        m_uncertain->present(scenario());
+        m_choices->present(scenario());
+        m_aims->present(scenario());
+    }
+    const std::string energyProblem = keepEnergyProblem(scenario());
+    m_keepEnergy->setEnabled(energyProblem.empty());
+    Wish now = wish();
+    m_problem = now.problem;
+    if (!now.study) return m_study.job().cancel();
+    m_study.ask(std::move(*now.study));
+}
+
+DesignUnits DesignPage::unitsOf(const DesignStudy& study) const {
+    const UnitChoice& choice = document().units();
+    const Scales scales = scalesOf(study.base);
+    const ShownUnits units = hasUnits(study.base)
+                                 ? shownUnits(choice.physicalSystem(), scales, choice.chosen())
+                                 : shownUnits(naturalUnits(study.base), scales);
+    return {study, units,
+            [&choice](const Parameter& parameter) -> const Unit& { return choice.fieldUnit(parameter); },
+            locale()};
+}
+
+void DesignPage::present() {
+    if (!m_problem.isEmpty()) return refuse(m_problem);
+    if (m_study.job().state() == StudyState::failed) return refuse(m_study.job().problem());
+    const std::shared_ptr<const DesignAnswer> answer = m_study.job().value();
+    if (!answer) return;
+    if (!answer->problems.empty()) {
+        QStringList lines;
+        for (const std::string& line : answer->problems) lines << QString::fromStdString(line);
+        return refuse(lines.join(QLatin1Char('\n')));
+    }
+    if (!answer->hasBest()) {
+        if (m_study.job().state() == StudyState::running) return;
+        std::string reason;
+        for (const DesignSamples& design : answer->report.findings.designs)
+            if (reason.empty()) reason = design.reason;
+        return refuse(tr("Too many of the samples have no answer: %1").arg(QString::fromStdString(reason)));
+    }
+    const UnitChoice& choice = document().units();
+    const Scenario& base = answer->report.study.base;
+    const ShownUnits units = shownUnits(choice.physicalSystem(), scalesOf(base), choice.chosen());
+    if (answer != m_shown || !(units == m_shownUnits)) {
+        m_shown = answer;
+        m_shownUnits = units;
+        draw(*answer);
+    }
+    showHere();
+    showRuns();
+}
+
+void DesignPage::draw(const DesignAnswer& answer) {
+    const DesignUnits units = unitsOf(answer.report.study);
+    const DesignPicture picture = designPicture(answer, units);
+    m_plot->present(picture);
+    for (const QCPGraph* graph : m_plot->curves())
+        plot()->setMeaning(graph, CurveMeaning::overParameter(picture.x.unit, picture.value.unit.unit));
+    plot()->reader().setUsual(m_plot->graphs()[picture.marked]);
+    m_card->present(answer, units);
+    QStringList aims;
+    for (const DesignAim& aim : answer.report.study.aims)
+        aims << (aim.sense == Sense::largest ? tr("largest %1") : tr("least %1")).arg(aimName(aim));
+    say(aims.join(QStringLiteral(" · ")) + QLatin1Char('\n') +
+        (answer.isRefined() ? tr("%1 samples of each design").arg(answer.wanted)
+                            : tr("%1 samples of each design so far, refined to %2")
+                                  .arg(answer.report.study.samples)
+                                  .arg(answer.wanted)));
+    redraw();
+}
+
+void DesignPage::refuse(const QString& why) {
+    m_shown = nullptr;
+    m_card->clear();
+    showNothing(why);
+}
+
+/// By the blow that is on show, which follows the hand.
+void DesignPage::showHere() {
+    const std::optional<QPointF> here = blow() ? placeOf(*blow()) : std::nullopt;
+    m_plot->setHere(here ? std::optional(here->x()) : std::nullopt,
+                    here ? std::optional(here->y()) : std::nullopt);
+}
+
+void DesignPage::showRuns() {
+    QVector<RunMark> marks;
+    for (const Run& run : runs()) {
+        if (!run.isShown || !run.isSolved()) continue;
+        if (const auto place = placeOf(*run.blow)) marks.append({run.number, run.letter(), *place});
+    }
+    m_plot->setRuns(marks);
+}
+
+// At its own value of the choice, and what is aimed at as it is.
+std::optional<QPointF> DesignPage::placeOf(const SolvedBlow& blow) const {
+    const DesignStudy& study = m_shown->report.study;
+    if (study.choices.empty() || !blow.fault.isEmpty()) return {};
+    const Parameter& along = *study.choices.back().parameter;
+    if (!along.applies(blow.scenario) || hasUnits(blow.scenario) != hasUnits(study.base)) return {};
+    const AimedOutput& value = m_plot->picture().value;
+    const std::optional<double> x = along.value(blow.scenario);
+    const std::optional<double> y = value.output->value({blow.summary, blow.scenario});
+    if (!x || !y) return {};
+    const bool isScaled = hasUnits(blow.scenario) && !value.output->isOnlySi();
+    const double scale = isScaled ? value.output->scale(scalesOf(blow.scenario)) : 1;
+    return QPointF(*x * m_plot->picture().x.factor, *y * scale * value.factor);
+}
+
+/// The choices of a design, and what keeps its energy.
+std::vector<ParameterValue> DesignPage::valuesOf(std::uint64_t design) const {
+    std::vector<ParameterValue> values;
+    if (!m_shown) return values;
+    const DesignStudy& study = m_shown->report.study;
+    const std::vector<double> choice = study.choice(design);
+    for (std::size_t i = 0; i < choice.size(); ++i) values.push_back({study.choices[i].parameter, choice[i]});
+    if (const KeptParameter scaled = energyParameter(study.base); study.keepsEnergy && scaled)
+        values.push_back({scaled, *scaled->value(designScenario(study, design))});
+    return values;
+}
+
+void DesignPage::click(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers) {
+    if ((modifiers & ~Qt::ShiftModifier) || !m_shown || m_shown->report.study.choices.empty()) return;
+    if (const auto design = m_plot->designAt(rect, coordinates)) take(valuesOf(*design), modifiers);
+}
+
+void DesignPage::loadWorst(std::size_t aim) {
+    if (!m_shown || aim >= m_shown->report.findings.worst.size()) return;
+    const std::optional<WorstCase>& worst = m_shown->report.findings.worst[aim];
+    if (!worst) return;
+    const DesignStudy& study = m_shown->report.study;
+    std::vector<ParameterValue> values = valuesOf(*m_shown->report.findings.best.robust);
+    for (std::size_t i = 0; i < study.uncertain.size(); ++i)
+        values.push_back({study.uncertain[i].parameter, worst->at[i]});
+    load(values);
+}
+
+QString DesignPage::obstacle() const {
+    if (!m_problem.isEmpty()) return m_problem;
+    if (QString unfinished = StudyPage::obstacle(); !unfinished.isEmpty()) return unfinished;
+    return m_shown ? QString() : tr("There is no design to be told of.");
+}
+
+QByteArray DesignPage::csv() const {
+    if (!m_shown) return {};
+    DesignReport report = m_shown->report;
+    report.scenarioText = completeScenarioText(document().contents());
+    return QByteArray::fromStdString(designsCsv(report));
+}
+
+QStringList DesignPage::commandWords() const {
+    const std::optional<DesignStudy> study = wish().study;
+    if (!study) return {};
+    QStringList words{QStringLiteral("design"), QStringLiteral("--uncertain")};
+    for (const std::string& text : m_uncertain->texts()) words << fromView(text);
+    const std::vector<std::string> choices = m_choices->texts();
+    if (!choices.empty()) words << QStringLiteral("--choose");
+    for (const std::string& text : choices) words << fromView(text);
+    for (const DesignAim& aim : study->aims) words << QStringLiteral("--aim") << fromView(aim.name());
+    if (study->keepsEnergy) words << QStringLiteral("--keep-energy");
+    words << QStringLiteral("--samples") << QString::number(study->samples);
+    return words;
+}
+
+// It prints what the page shows; where files are wanted, -o names a folder.
+QString DesignPage::command() const {
+    const QStringList words = commandWords();
+    return words.isEmpty() ? QString() : commandText(document(), words.first(), words.mid(1));
+}
+
+}  // namespace drillwave

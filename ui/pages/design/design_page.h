@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page Design: which choice is best over what is not known (theory §12).
+#pragma once
+
+#include "ui/job/asked_study.h"
+#include "ui/pages/design/design_answer.h"
+#include "ui/pages/design/design_picture.h"
+#include "ui/pages/study/study_page.h"
+
+class QCheckBox;
+class QScrollArea;
+
+namespace drillwave {
+
+class AimRows;
+class ChoiceBox;
+class DesignCard;
+class DesignPlot;
+class RangeRows;
+
+class DesignPage : public StudyPage {
+    Q_OBJECT
+
+  public:
+    explicit DesignPage(Document& document, QWidget* parent = nullptr);
+
+    QString title() const override { return tr("Design"); }
+    QString command() const override;
+    /// How many studies were started.
+    int studies() const { return m_study.started(); }
+    const DesignPlot& designPlot() const { return *m_plot; }
+    const DesignCard& card() const { return *m_card; }
+    /// What there is now; nullptr at first.
+    const DesignAnswer* answer() const { return m_study.value(); }
+
+  protected:
+    void ask() override;
+    void present() override;
+    QString obstacle() const override;
+    QByteArray csv() const override;
+    QStringList commandWords() const override;
+
+  private:
+    /// What the controls ask, or why that is nothing.
+    struct Wish {
+        std::optional<DesignStudy> study;
+        QString problem;
+    };
+    Wish wish() const;
+    QWidget* makeQuestions();
+    void followForm();
+    void draw(const DesignAnswer& answer);
+    void refuse(const QString& why);
+    void showHere();
+    void showRuns();
+    std::optional<QPointF> placeOf(const SolvedBlow& blow) const;
+    DesignUnits unitsOf(const DesignStudy& study) const;
+    std::vector<ParameterValue> valuesOf(std::uint64_t design) const;
+    void click(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers);
+    void loadWorst(std::size_t aim);
+
+    RangeRows* m_uncertain = nullptr;
+    RangeRows* m_choices = nullptr;
+    AimRows* m_aims = nullptr;
+    QCheckBox* m_keepEnergy = nullptr;
+    ChoiceBox* m_samples = nullptr;
+    DesignCard* m_card;
+    DesignPlot* m_plot = nullptr;
+    QString m_problem;
+    std::optional<ScenarioForm> m_form;
+    std::shared_ptr<const DesignAnswer> m_shown;
+    ShownUnits m_shownUnits;
+    AskedStudy<DesignStudy, DesignAnswer> m_study;  // goes first: its thread works
+};
+
+}  // namespace drillwave

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is drawn of a study of designs.
+#pragma once
+
+#include <QLocale>
+#include <QPointF>
+#include <QString>
+#include <QVector>
+#include <functional>
+#include <optional>
+
+#include "ui/pages/design/design_answer.h"
+#include "ui/text/shown_units.h"
+
+namespace drillwave {
+
+/// An output of an aim in the unit it is shown in.
+struct AimedOutput {
+    const Output* output = nullptr;
+    ShownUnit unit;
+    double factor = 1;  ///< what is shown over what the study has
+};
+
+/// Curves over the last choice, one set for each combination of the others.
+struct DesignSeries {
+    QString name;  ///< the other choices; empty where there are none
+    QVector<QPointF> aim, low, high, mean, nominal;
+    QVector<std::uint64_t> designs;  ///< of each point
+};
+
+struct SobolBar {
+    QString name;
+    double first = 0, total = 0, error = 0;  ///< error of the total
+};
+
+/// All in shown units; never changed once built.
+struct DesignPicture {
+    QString xName;  ///< of the last choice; empty where nothing is chosen
+    ShownUnit x;
+    bool isLogarithmic = false;
+    AimedOutput value;  ///< of the first aim
+    QString aimName;    ///< "efficiency in the worst 5 %"
+    QVector<DesignSeries> series;
+    int marked = 0;                          ///< the series of the robust best, which has the band
+    std::optional<QPointF> robust, nominal;  ///< best; the nominal one at its nominal value
+    QVector<QPointF> ties;
+
+    QString firstAim, secondAim;  ///< names of the axes; the second empty where there is one aim alone
+    QVector<QPointF> designs;     ///< second over first aim, design by design; NaN without statistics
+    QVector<bool> pareto;
+    int robustNumber = -1;
+
+    struct Bars {
+        QString output;
+        QVector<SobolBar> bars;  ///< empty where it does not scatter, or one number alone is uncertain
+    };
+    QVector<Bars> bars;
+    QString summary;
+};
+
+/// How parameters and outputs of an answer are shown.
+class DesignUnits {
+  public:
+    DesignUnits(const DesignStudy& study, const ShownUnits& units,
+                std::function<const Unit&(const Parameter&)> fieldUnit, QLocale locale)
+        : m_study(&study), m_units(units), m_fieldUnit(std::move(fieldUnit)), m_locale(std::move(locale)) {}
+
+    AimedOutput of(const Output& output, double size) const;
+    ShownUnit of(const Parameter& parameter) const;
+    /// "240 µs", "0.504".
+    QString text(const Parameter& parameter, double si) const;
+    QString text(const AimedOutput& output, double value, int digits = 4) const;
+    /// "240 µs", "240 µs, 3.66 m"; of no choice "this scenario".
+    QString designName(std::uint64_t design) const;
+    const QLocale& locale() const { return m_locale; }
+
+  private:
+    const DesignStudy* m_study;
+    ShownUnits m_units;
+    std::function<const Unit&(const Parameter&)> m_fieldUnit;
+    QLocale m_locale;
+};
+
+/// "efficiency in the worst 5 %".
+QString aimName(const DesignAim& aim);
+
+/// Of an answer that has a best design.
+DesignPicture designPicture(const DesignAnswer& answer, const DesignUnits& units);
+
+}  // namespace drillwave

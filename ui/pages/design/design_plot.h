@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A study of designs: the band of the first aim over the choice, the Pareto set, and what is worth measuring.
+#pragma once
+
+#include <optional>
+
+#include "ui/pages/design/design_picture.h"
+#include "ui/plot/study_frame.h"
+
+namespace drillwave {
+
+/// Above, the first aim over the last choice, in the band from its 5 % to its 95 % quantile; below, the
+/// second aim over the first, and the Sobol indices. The plot above is fitted and zoomed.
+class DesignPlot : public StudyFrame {
+    Q_OBJECT
+
+  public:
+    explicit DesignPlot(QCustomPlot* plot);
+
+    /// Shows the picture; the view stays where it is unless it was fitted, or choice or units changed.
+    void present(const DesignPicture& picture);
+    const DesignPicture& picture() const { return m_picture; }
+    /// The curves of the first aim, series by series.
+    const QVector<QCPGraph*>& graphs() const { return m_aims; }
+    /// All curves over the choice.
+    QVector<QCPGraph*> curves() const;
+    /// The design nearest to a click, in the coordinates of its rect; nothing where there is none near.
+    std::optional<std::uint64_t> designAt(const QCPAxisRect* rect, QPointF coordinates) const;
+    KeyPlaces keyPlaces() const override;
+
+  private:
+    void clear() override;
+    void restyle() override;
+    void setRanges() override;
+    void addRects();
+    void makeGraphs();
+    void showMarks();
+    void showScatter();
+    void showBars();
+
+    DesignPicture m_picture;
+    QVector<QCPGraph*> m_aims;
+    QCPGraph *m_low, *m_high, *m_mean, *m_nominal;
+    QCPGraph *m_robustMark, *m_nominalMark, *m_ties;
+    QCPLayoutGrid* m_below;
+    QCPAxisRect *m_scatterRect, *m_barRect;
+    QCPGraph *m_all, *m_pareto, *m_best;
+    struct BarPair {
+        QCPBars *total, *first;
+    };
+    QVector<BarPair> m_bars;
+    QVector<QCPItemText*> m_barNames;
+};
+
+}  // namespace drillwave

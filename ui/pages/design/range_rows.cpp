@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/design/range_rows.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <utility>
+
+#include "core/model/scales.h"
+#include "core/model/validation.h"
+#include "core/study/design/uncertain_input.h"
+#include "ui/form/choice_box.h"
+#include "ui/form/quantity_field.h"
+#include "ui/pages/design/density_mark.h"
+#include "ui/pages/study/flow_layout.h"
+#include "ui/pages/study/parameter_names.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int customaryCount = 11, mostCount = 100;
+constexpr int digitsOfEnds = 6;
+constexpr int nameLength = 10, kindLength = 6;  // in their boxes
+/// A gap that is not known at all, of d0: so far the bit may hang back.
+constexpr double unknownGap = 0.4;
+
+/// Keys in the order in which they are proposed: of scenarios with units, and of groups alone.
+std::vector<std::string_view> usualKeys(RangeUse use, const Scenario& scenario) {
+    const bool isUncertain = use == RangeUse::uncertain;
+    if (!hasUnits(scenario))
+        return isUncertain ? std::vector<std::string_view>{"beta", "gamma", "delta"}
+                           : std::vector<std::string_view>{"tau"};
+    if (isUncertain) return {"bit_rock.stiffness", "bit_rock.gamma", "bit_rock.gap"};
+    return {"pulse.duration", "hammer.1.length", "rod.length", "hammer.velocity"};
+}
+
+/// Half as much to half as much again; what is chosen in even steps.
+StudyRange rangeOfHalf(const Parameter& parameter, const Scenario& scenario, RangeUse use) {
+    const double value = parameter.value(scenario).value_or(0);
+    if (!(value > 0)) {
+        const bool isGap = parameter.key == "bit_rock.gap" || parameter.key == "delta";
+        const double d0 = hasUnits(scenario) ? scalesOf(scenario).penetration : 1;
+        return isGap ? StudyRange{parameter, 0, readableNear(parameter, unknownGap * d0), false}
+                     : rangeAround(parameter, scenario);
+    }
+    // Through text, in the unit that is shown: 0.15, not 0.15000000000000002.
+    const auto readable = [&](double si) {
+        const Unit& unit = parameter.displayUnit();
+        return unit.toSi(QString::number(unit.fromSi(si), 'g', digitsOfEnds).toDouble());
+    };
+    const bool isLogarithmic = use == RangeUse::uncertain && parameter.slider == SliderScale::logarithmic;
+    StudyRange range{parameter, readable(value / 2), readable(1.5 * value), isLogarithmic};
+    if (!parameter.hard.contains(range.stop)) range.stop = parameter.hard.high;
+    return range;
+}
+
+}  // namespace
+
+RangeRow::RangeRow(RangeUse use, const UnitChoice& units, QWidget* parent)
+    : QWidget(parent),
+      m_use(use),
+      m_units(units),
+      m_parameters(new ChoiceBox(this)),
+      m_fields(new QWidget(this)),
+      m_remove(new QToolButton(this)) {
+    m_parameters->setObjectName(QStringLiteral("parameter"));
+    m_parameters->setAccessibleName(use == RangeUse::uncertain ? tr("Uncertain parameter")
+                                                               : tr("Chosen parameter"));
+    m_parameters->setMinimumContentsLength(nameLength);
+    auto* layout = new FlowLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    auto* fields = new QHBoxLayout(m_fields);
+    fields->setContentsMargins(0, 0, 0, 0);
+    fields->setSpacing(4);
+    layout->addWidget(m_parameters);
+    layout->addWidget(m_fields);
+    if (use == RangeUse::uncertain)
+        addKind();
+    else
+        addCount();
+    m_remove->setObjectName(QStringLiteral("remove"));
+    m_remove->setText(QStringLiteral("✕"));
+    m_remove->setAutoRaise(true);
+    layout->addWidget(m_remove);
+    connect(m_parameters, &QComboBox::currentIndexChanged, this, &RangeRow::choose);
+    connect(m_remove, &QToolButton::clicked, this, &RangeRow::removed);
+}
+
+void RangeRow::addKind() {
+    m_kind = new ChoiceBox(this);
+    m_kind->setObjectName(QStringLiteral("kind"));
+    m_kind->setAccessibleName(tr("How it scatters"));
+    m_kind->setMinimumContentsLength(kindLength);
+    for (const QString& kind : {tr("even"), tr("even in log"), tr("bell"), tr("bell in log")})
+        m_kind->addItem(kind);
+    m_kind->setToolTip(
+        tr("Every value between the ends as often as another, or a bell curve of which 95 % lie "
+           "between them; in the value or in its logarithm"));
+    m_density = new DensityMark(this);
+    layout()->addWidget(m_kind);
+    layout()->addWidget(m_density);
+    connect(m_kind, &QComboBox::currentIndexChanged, this, [this](int kind) {
+        m_isBell = kind >= 2;
+        m_range.logarithmic = kind % 2 == 1;
+        follow();
+    });
+}
+
+void RangeRow::addCount() {
+    m_logarithmic = new QCheckBox(tr("log"), this);
+    m_logarithmic->setObjectName(QStringLiteral("logarithmic"));
+    m_logarithmic->setToolTip(tr("Even ratios in place of even steps"));
+    m_count = new QSpinBox(this);
+    m_count->setObjectName(QStringLiteral("count"));
+    m_count->setAccessibleName(tr("Number of values"));
+    m_count->setRange(2, mostCount);
+    m_count->setValue(customaryCount);
+    m_count->setSuffix(tr(" values"));
+    layout()->addWidget(m_logarithmic);
+    layout()->addWidget(m_count);
+    connect(m_count, &QSpinBox::valueChanged, this, &RangeRow::follow);
+    connect(m_logarithmic, &QCheckBox::toggled, this, [this](bool logarithmic) {
+        m_range.logarithmic = logarithmic;
+        follow();
+    });
+}
+
+void RangeRow::present(const Scenario& scenario) {
+    m_scenario = scenario;
+    offerParameters(*m_parameters, scenario);
+    chooseParameter(*m_parameters, m_range.parameter);
+}
+
+void RangeRow::choose() {
+    if (const KeptParameter parameter = chosenParameter(*m_parameters))
+        setRange(rangeOfHalf(*parameter, m_scenario, m_use));
+}
+
+void RangeRow::setRange(const StudyRange& range) {
+    if (range == m_range) return;
+    const bool other = range.parameter != m_range.parameter;
+    m_range = range;
+    chooseParameter(*m_parameters, range.parameter);
+    if (other) addFields();
+    m_low->setValue(range.start);
+    m_high->setValue(range.stop);
+    if (m_logarithmic) {
+        const QSignalBlocker quiet(m_logarithmic);
+        m_logarithmic->setChecked(range.logarithmic);
+    }
+    if (m_kind) {
+        const QSignalBlocker quiet(m_kind);
+        m_kind->setCurrentIndex((m_isBell ? 2 : 0) + (range.logarithmic ? 1 : 0));
+    }
+    follow();
+}
+
+// A field is of one quantity for its life.
+void RangeRow::addFields() {
+    while (QLayoutItem* before = m_fields->layout()->takeAt(0)) {
+        if (before->widget()) {
+            before->widget()->hide();
+            before->widget()->deleteLater();
+        }
+        delete before;
+    }
+    m_low = addField(&StudyRange::start, QStringLiteral("low"), tr("from"));
+    m_fields->layout()->addWidget(new QLabel(QStringLiteral("…"), m_fields));
+    m_high = addField(&StudyRange::stop, QStringLiteral("high"), tr("to"));
+    // Both are in the unit that one button chooses.
+    if (QToolButton* unit = m_low->unitButton()) unit->hide();
+    if (QToolButton* unit = m_high->unitButton()) {
+        unit->setAccessibleName(tr("%1, unit").arg(m_high->accessibleName()));
+        m_fields->layout()->addWidget(unit);
+    }
+    setTabOrder(m_parameters, m_low);
+    setTabOrder(m_low, m_high);
+}
+
+QuantityField* RangeRow::addField(double StudyRange::*end, const QString& name, const QString& words) {
+    auto* field = new QuantityField(m_range.parameter, m_units, m_fields);
+    field->setObjectName(name);
+    field->setAccessibleName(QStringLiteral("%1: %2").arg(parameterName(*m_range.parameter), words));
+    field->setTaker([this, end](double si) { return take(end, si); });
+    m_fields->layout()->addWidget(field);
+    field->show();
+    return field;
+}
+
+QString RangeRow::take(double StudyRange::*end, double si) {
+    const std::string outside = rangeProblem(*m_range.parameter, si);
+    if (!outside.empty()) return QString::fromStdString(outside);
+    StudyRange range = m_range;
+    range.*end = si;
+    if (range.start == range.stop) return tr("must differ from the other end");
+    if (m_use == RangeUse::uncertain) {
+        if (range.start > range.stop) return tr("the range is upside down: the first end is the lower one");
+        // In the words of the command, which refuses what has no logarithm, or a bell that reaches zero.
+        const StudyRange before = std::exchange(m_range, range);
+        const ParsedUncertain parsed = parseUncertain(text());
+        m_range = before;
+        if (!parsed.problem.empty()) return QString::fromStdString(parsed.problem);
+    }
+    m_range = range;
+    follow();
+    return {};
+}
+
+void RangeRow::setRemovable(bool removable) {
+    m_remove->setVisible(removable);
+}
+
+std::string RangeRow::text() const {
+    if (m_use == RangeUse::chosen) {
+        const auto count = m_range.pointsWithin(static_cast<std::uint64_t>(m_count->value()));
+        return m_range.text() + ":" + std::to_string(count) + m_range.tail();
+    }
+    return m_range.text() + (m_isBell ? m_range.logarithmic ? ":lognormal" : ":normal" : m_range.tail());
+}
+
+void RangeRow::follow() {
+    if (!m_range.parameter) return;
+    m_remove->setAccessibleName(tr("Remove %1").arg(parameterName(*m_range.parameter)));
+    m_remove->setToolTip(m_use == RangeUse::uncertain ? tr("This one is known")
+                                                      : tr("This one stays as it is"));
+    if (m_density) {
+        const ParsedUncertain parsed = parseUncertain(text());
+        m_density->setVisible(parsed.problem.empty());
+        if (parsed.problem.empty()) m_density->present(parsed.input.in(m_scenario));
+    }
+    emit changed();
+}
+
+RangeRows::RangeRows(RangeUse use, const QString& words, std::size_t least, std::size_t most,
+                     const UnitChoice& units, QWidget* parent)
+    : QWidget(parent),
+      m_use(use),
+      m_least(least),
+      m_most(most),
+      m_units(units),
+      m_layout(new QVBoxLayout(this)),
+      m_add(new QToolButton(this)) {
+    m_layout->setContentsMargins(0, 0, 0, 0);
+    m_layout->setSpacing(2);
+    m_add->setObjectName(QStringLiteral("add"));
+    m_add->setText(QStringLiteral("+"));
+    m_add->setAccessibleName(use == RangeUse::uncertain ? tr("Add an uncertain parameter")
+                                                        : tr("Add a chosen parameter"));
+    m_add->setToolTip(use == RangeUse::uncertain ? tr("One more number that is not known")
+                                                 : tr("One more number that can be chosen"));
+    auto* heading = new QHBoxLayout;
+    heading->addWidget(new QLabel(words, this));
+    heading->addWidget(m_add);
+    heading->addStretch(1);
+    m_layout->addLayout(heading);
+    connect(m_add, &QToolButton::clicked, this, &RangeRows::add);
+}
+
+void RangeRows::present(const Scenario& scenario) {
+    m_scenario = scenario;
+    const auto applies = [&](const RangeRow* row) {
+        return row->range().parameter && row->range().parameter->applies(scenario);
+    };
+    if (!m_isProposed || !std::ranges::all_of(m_rows, applies)) return propose();
+    for (RangeRow* row : m_rows) row->present(scenario);
+}
+
+std::vector<std::string> RangeRows::texts() const {
+    std::vector<std::string> texts;
+    for (const RangeRow* row : m_rows) texts.push_back(row->text());
+    return texts;
+}
+
+// The first of the usual ones that is not there; none of them is left when it has no parameter.
+StudyRange RangeRows::proposal() const {
+    const auto isThere = [&](std::string_view key) {
+        return std::ranges::any_of(m_rows,
+                                   [&](const RangeRow* row) { return row->range().parameter->key == key; });
+    };
+    for (const std::string_view key : usualKeys(m_use, m_scenario)) {
+        const KeptParameter parameter = findParameter(key);
+        if (parameter && parameter->applies(m_scenario) && !isThere(key))
+            return rangeOfHalf(*parameter, m_scenario, m_use);
+    }
+    return {};
+}
+
+void RangeRows::propose() {
+    m_isProposed = true;
+    const QSignalBlocker quiet(this);
+    while (!m_rows.empty()) remove(m_rows.back());
+    const std::size_t usual = m_use == RangeUse::uncertain ? 3 : 1;
+    for (std::size_t i = 0; i < usual; ++i) add();
+}
+
+void RangeRows::add() {
+    if (m_rows.size() >= m_most) return;
+    RangeRow* row = append(proposal());
+    if (QWidget* first = row->findChild<QWidget*>(QStringLiteral("parameter")); first && isVisible())
+        first->setFocus();
+    emit changed();
+}
+
+RangeRow* RangeRows::append(const StudyRange& range) {
+    auto* row = new RangeRow(m_use, m_units, this);
+    m_layout->addWidget(row);
+    m_rows.push_back(row);
+    row->present(m_scenario);
+    if (range.parameter) row->setRange(range);
+    connect(row, &RangeRow::changed, this, &RangeRows::changed);
+    connect(row, &RangeRow::removed, this, [this, row] {
+        remove(row);
+        emit changed();
+    });
+    row->show();
+    showButtons();
+    return row;
+}
+
+void RangeRows::remove(RangeRow* row) {
+    std::erase(m_rows, row);
+    m_layout->removeWidget(row);
+    row->hide();
+    row->deleteLater();
+    showButtons();
+}
+
+void RangeRows::showButtons() {
+    m_add->setVisible(m_rows.size() < m_most);
+    for (RangeRow* row : m_rows) row->setRemovable(m_rows.size() > m_least);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Ranges of several parameters, one below the other: those that are uncertain, and those that are chosen.
+#pragma once
+
+#include <QWidget>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "ui/pages/study/study_range.h"
+
+class QCheckBox;
+class QSpinBox;
+class QToolButton;
+class QVBoxLayout;
+
+namespace drillwave {
+
+class ChoiceBox;
+class DensityMark;
+class QuantityField;
+class UnitChoice;
+
+/// What the ranges are of.
+enum class RangeUse { uncertain, chosen };
+
+/// One range with what it takes besides: how it scatters, or how many values are tried. Text that is no value
+/// stays in its field, marked, and changes nothing.
+class RangeRow : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// The units must outlive it.
+    RangeRow(RangeUse use, const UnitChoice& units, QWidget* parent);
+
+    /// Offers what applies to the scenario. What is chosen anew gets half its value to half as much again.
+    void present(const Scenario& scenario);
+    const StudyRange& range() const { return m_range; }
+    void setRange(const StudyRange& range);
+    /// As on the command line: "bit_rock.gamma=0.05:0.3:normal", "pulse.duration=100 us:400 us:11".
+    std::string text() const;
+    void setRemovable(bool removable);
+
+  signals:
+    void changed();
+    void removed();
+
+  private:
+    void addKind();
+    void addCount();
+    void choose();
+    void addFields();
+    QuantityField* addField(double StudyRange::*end, const QString& name, const QString& words);
+    QString take(double StudyRange::*end, double si);
+    void follow();
+
+    RangeUse m_use;
+    const UnitChoice& m_units;
+    Scenario m_scenario;
+    StudyRange m_range;
+    bool m_isBell = false;
+    ChoiceBox* m_parameters;
+    QWidget* m_fields;  // another one for each parameter
+    QuantityField* m_low = nullptr;
+    QuantityField* m_high = nullptr;
+    ChoiceBox* m_kind = nullptr;
+    DensityMark* m_density = nullptr;
+    QCheckBox* m_logarithmic = nullptr;
+    QSpinBox* m_count = nullptr;
+    QToolButton* m_remove;
+};
+
+/// Rows that can be added and removed. Where a parameter has no meaning in a scenario any more, all rows are
+/// proposed anew.
+class RangeRows : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// At least and at most so many rows, below `words`.
+    RangeRows(RangeUse use, const QString& words, std::size_t least, std::size_t most,
+              const UnitChoice& units, QWidget* parent);
+
+    /// Offers what applies to the scenario, and proposes ranges the first time.
+    void present(const Scenario& scenario);
+    /// The texts of the rows.
+    std::vector<std::string> texts() const;
+    const std::vector<RangeRow*>& rows() const { return m_rows; }
+
+  public slots:
+    /// One more row, of what is usually asked next.
+    void add();
+
+  signals:
+    /// texts() are other ones.
+    void changed();
+
+  private:
+    RangeRow* append(const StudyRange& range);
+    void remove(RangeRow* row);
+    StudyRange proposal() const;
+    void propose();
+    void showButtons();
+
+    RangeUse m_use;
+    std::size_t m_least, m_most;
+    const UnitChoice& m_units;
+    Scenario m_scenario;
+    bool m_isProposed = false;
+    std::vector<RangeRow*> m_rows;
+    QVBoxLayout* m_layout;
+    QToolButton* m_add;
+};
+
+}  // namespace drillwave
