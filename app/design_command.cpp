@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave design FILE --uncertain KEY=LOW:HIGH --choose KEY=…
+#include <algorithm>
+#include <iterator>
+
 #include "app/command.h"
 #include "app/design_options.h"
 #include "app/interruption.h"
@@ -7,7 +10,9 @@
 #include "app/progress_bar.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
+#include "app/study_plots.h"
 #include "core/archive/result_scenario.h"
+#include "core/archive/study_files.h"
 #include "core/report/design_csv.h"
 #include "core/report/design_json.h"
 #include "core/report/design_text.h"
@@ -18,6 +23,7 @@ namespace drillwave {
 namespace {
 
 constexpr const char* jsonName = "design.json";
+constexpr const char* pictureOwner = "design.csv";  // whose pictures would be design.png …
 const std::vector<std::string> fileNames{"designs.csv", "pareto.csv", "sensitivity.csv",
                                          "worst.csv",   "best.yaml",  jsonName};
 
@@ -64,18 +70,20 @@ void checkFeasible(const DesignStudy& study, const DesignFindings& findings, con
     throw CommandError(ExitCode::unsolvedOrFailed, std::move(lines), CommandError::Begin::withOption);
 }
 
-FolderFiles filesOf(const DesignReport& report, ScenarioDocument document) {
+FolderFiles filesOf(const DesignReport& report, ScenarioDocument document, std::vector<NamedFile> pictures) {
     document.scenario = designScenario(report.study, *report.findings.best.robust);
-    return {.files = {{"designs.csv", designsCsv(report)},
-                      {"pareto.csv", paretoCsv(report)},
-                      {"sensitivity.csv", sensitivityCsv(report)},
-                      {"worst.csv", worstCsv(report)},
-                      {"best.yaml", completeScenarioText(std::move(document))},
-                      {jsonName, designJson(report)}},
-            .outdated = {}};
+    std::vector<NamedFile> files{{"designs.csv", designsCsv(report)},
+                                 {"pareto.csv", paretoCsv(report)},
+                                 {"sensitivity.csv", sensitivityCsv(report)},
+                                 {"worst.csv", worstCsv(report)},
+                                 {"best.yaml", completeScenarioText(std::move(document))},
+                                 {jsonName, designJson(report)}};
+    std::ranges::move(pictures, std::back_inserter(files));
+    return {.files = std::move(files),
+            .outdated = [](const std::string& there) { return studyFilesThere(there, pictureOwner); }};
 }
 
-ExitCode runDesignCommand(const Arguments& arguments, const Drawing*) {
+ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     const std::string path = fileOf(arguments);
     const std::optional<std::string> folder = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
@@ -84,6 +92,7 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing*) {
     if (arguments.values("draws").size() > 1)
         throw CommandError(ExitCode::usage, "--draws is given twice; give it once");
     const int jobs = jobsOf(arguments);
+    const StudyPlots plots = StudyPlots::inFolder(arguments, "design");
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
     DesignFaults faults;
     DesignReport report{
@@ -93,7 +102,10 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing*) {
     if (folder) {
         for (const std::string& name : fileNames)
             checkOutputIsNoInput(*folder + "/" + name, path, document, arguments.values("draws"));
-        checkFolder(*folder, fileNames, overwrite);
+        std::vector<std::string> names = plots.names();
+        names.insert(names.end(), fileNames.begin(), fileNames.end());
+        checkFolder(*folder, names, overwrite);
+        plots.check(path, document, overwrite);
     }
 
     checkStandardOutput();
@@ -101,7 +113,9 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing*) {
     remarkOnValues(document.scenario, path);
     report.findings = solve(report.study, jobs, interruption);
     checkFeasible(report.study, report.findings, path);
-    if (folder) writeFolder(*folder, filesOf(report, document), overwrite, &interruption);
+    if (folder)
+        writeFolder(*folder, filesOf(report, document, plots.draw(&report, drawing, interruption)), overwrite,
+                    &interruption);
     std::string text = arguments.has("json") ? designJson(report) : designText(report);
     if (folder && !arguments.has("json")) text += "  files in " + *folder + "\n";
     printText(text);
@@ -122,7 +136,7 @@ const Command& designCommand() {
         "  --uncertain KEY=+-P%                 about the value of FILE or of the design\n"
         "Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:\n"
         "max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. DIR gets designs.csv,\n"
-        "pareto.csv, sensitivity.csv, worst.csv, best.yaml and design.json." +
+        "pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with --plots, design.png." +
         outputHelp();
     static const Command command{
         .name = "design",
@@ -145,10 +159,11 @@ const Command& designCommand() {
              workLimitSpec(),
              {"json", "", "print one JSON object in place of the tables"},
              {"o", "DIR", "also write tables, the best design and the JSON object into DIR"},
+             plotsOptionSpec(),
              {"force", "", "overwrite existing files"}}),
         .leastOperands = 1,
         .mostOperands = mostAims + 2,
-        .draws = [](const Arguments&) { return false; },
+        .draws = asksForPlots,
         .run = runDesignCommand,
     };
     return command;

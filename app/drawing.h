@@ -19,6 +19,7 @@ namespace drillwave {
 struct Accuracy;
 struct BlowReport;
 struct CurveReport;
+struct DesignReport;
 struct GapReport;
 struct MapReport;
 struct StabilityReport;
@@ -28,9 +29,9 @@ struct ThrustReport;
 
 /// What a study has found. One that can be drawn has its line here, and its drawStudy() in
 /// ui/export/study_pictures.h.
-using StudyValue =
-    std::variant<const Accuracy*, const StabilityReport*, const CurveReport*, const GapReport*,
-                 const MapReport*, const StringAccuracy*, const SweepRows*, const ThrustReport*>;
+using StudyValue = std::variant<const Accuracy*, const StabilityReport*, const CurveReport*,
+                                const DesignReport*, const GapReport*, const MapReport*,
+                                const StringAccuracy*, const SweepRows*, const ThrustReport*>;
 
 /// Draws; what it draws with is another program's matter (desktop.h). All of them throw CommandError
 /// (unwritable output) where something could not be drawn, and give not all pictures after a stop.

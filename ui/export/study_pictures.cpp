@@ -7,6 +7,7 @@
 #include "ui/export/sweep_panels.h"
 #include "ui/pages/accuracy/proof_plot.h"
 #include "ui/pages/curve/curve_plot.h"
+#include "ui/pages/design/design_plot.h"
 #include "ui/pages/map/map_plot.h"
 
 namespace drillwave {
@@ -39,6 +40,15 @@ Pictures drawStudy(const CurveReport& report, const PictureOrder& order) {
     return drawn(paperPlot<CurvePlot>(curvePicture(study, units, unit, here, builtInPresets(), QLocale::c()),
                                       {180, 120}),
                  asked.base.title, order);
+}
+
+Pictures drawStudy(const DesignReport& report, const PictureOrder& order) {
+    const PaperReader reader;
+    const DesignUnits units(
+        report.study, reader.unitsFor(report.study.base),
+        [&](const Parameter& parameter) -> const Unit& { return reader.unitFor(parameter); }, reader.locale);
+    return drawn(paperPlot<DesignPlot>(designPicture(report, units), {180, 180}), report.study.base.title,
+                 order);
 }
 
 Pictures drawStudy(const GapReport& report, const PictureOrder& order) {

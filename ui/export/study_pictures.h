@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/report/curve_report.h"
+#include "core/report/design_report.h"
 #include "core/report/gap_report.h"
 #include "core/report/map_report.h"
 #include "core/report/thrust_report.h"
@@ -16,6 +17,7 @@ namespace drillwave {
 
 /// What the page of each study shows at first, in naturalUnits(); see renderPictures().
 Pictures drawStudy(const CurveReport& report, const PictureOrder& order);
+Pictures drawStudy(const DesignReport& report, const PictureOrder& order);
 Pictures drawStudy(const GapReport& report, const PictureOrder& order);
 Pictures drawStudy(const MapReport& report, const PictureOrder& order);
 /// Of a report along a parameter.

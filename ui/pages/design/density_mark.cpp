@@ -20,7 +20,7 @@ void DensityMark::present(const Distribution& distribution) {
 
 QSize DensityMark::sizeHint() const {
     const int line = fontMetrics().height();
-    return {3 * line, line + 4};
+    return {2 * line, line + 4};
 }
 
 // Between neighbouring quantiles lie equal shares: the density is the share over their distance.

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/design/design_card.h"
 
-#include <QLabel>
-#include <QPushButton>
-#include <QVBoxLayout>
+#include <QUrl>
 #include <algorithm>
 #include <cmath>
 
@@ -115,85 +113,57 @@ QString remarkText(const DesignRemark& remark) {
     return QString::fromStdString(remark.text).toHtmlEscaped();
 }
 
-}  // namespace
-
-DesignCard::DesignCard(QWidget* parent) : QWidget(parent), m_layout(new QVBoxLayout(this)) {
-    m_layout->setContentsMargins(8, 4, 4, 4);
-    m_best = addLabel("best");
-    m_loadBest = new QPushButton(tr("Load the robust best"), this);
-    m_loadBest->setObjectName(QStringLiteral("loadBest"));
-    m_layout->addWidget(m_loadBest);
-    m_loadNominal = new QPushButton(tr("Load the nominal best"), this);
-    m_loadNominal->setObjectName(QStringLiteral("loadNominal"));
-    m_layout->addWidget(m_loadNominal);
-    m_measure = addLabel("measure");
-    for (std::size_t a = 0; a < mostAims; ++a) {
-        QLabel* label = addLabel("worst");
-        auto* load = new QPushButton(tr("Load this worst case"), this);
-        load->setObjectName(QStringLiteral("loadWorst%1").arg(a + 1));
-        m_layout->addWidget(load);
-        m_worst.push_back({label, load});
-        connect(load, &QPushButton::clicked, this, [this, a] { emit worstWanted(a); });
-    }
-    m_remarks = addLabel("remarks");
-    m_state = addLabel("state");
-    m_layout->addStretch(1);
-    connect(m_loadBest, &QPushButton::clicked, this, [this] { emit designWanted(m_robust); });
-    connect(m_loadNominal, &QPushButton::clicked, this, [this] { emit designWanted(m_nominal); });
-    clear();
+QString loadLink(const QUrl& to, const QString& words) {
+    return QStringLiteral("<a href=\"%1\">%2</a>").arg(to.toString(), words);
 }
 
-QLabel* DesignCard::addLabel(const char* name) {
-    auto* label = new QLabel(this);
-    label->setObjectName(QLatin1String(name));
-    label->setWordWrap(true);
-    label->setTextFormat(Qt::RichText);
-    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_layout->addWidget(label);
-    return label;
+}  // namespace
+
+DesignCard::DesignCard(QWidget* parent) : QTextBrowser(parent) {
+    setOpenLinks(false);
+    setFrameShape(QFrame::NoFrame);
+    setAccessibleName(tr("What the designs say"));
+    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
+    viewport()->setAutoFillBackground(false);
+    connect(this, &QTextBrowser::anchorClicked, this, &DesignCard::follow);
 }
 
 void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
     const DesignReport& report = answer.report;
     const BestDesigns& best = report.findings.best;
-    m_best->setText(bestSentences(answer, units));
-    m_robust = *best.robust;
-    m_nominal = best.nominal.value_or(m_robust);
-    m_loadBest->setVisible(!report.study.choices.empty());
-    m_loadNominal->setVisible(m_nominal != m_robust);
-    m_measure->setText(measureSentence(report, units));
-    for (std::size_t a = 0; a < m_worst.size(); ++a) {
-        const bool isThere = a < report.findings.worst.size() && report.findings.worst[a];
-        m_worst[a].label->setText(isThere ? worstSentence(report, a, units) : QString());
-        m_worst[a].label->setVisible(isThere);
-        m_worst[a].load->setVisible(isThere && !report.study.draws);
+    QStringList paragraphs{bestSentences(answer, units)};
+    if (!report.study.choices.empty()) {
+        paragraphs << loadLink(linkToDesign(*best.robust), tr("Load the robust best"));
+        if (best.nominal && *best.nominal != *best.robust)
+            paragraphs << loadLink(linkToDesign(*best.nominal), tr("Load the nominal best"));
     }
-    QStringList remarks;
+    if (const QString measure = measureSentence(report, units); !measure.isEmpty()) paragraphs << measure;
+    for (std::size_t a = 0; a < report.findings.worst.size(); ++a)
+        if (report.findings.worst[a])
+            paragraphs << worstSentence(report, a, units) + QLatin1Char(' ') +
+                              loadLink(linkToWorst(a), tr("Load"));
     for (const DesignRemark& remark : remarksOn(report))
-        if (const QString text = remarkText(remark); !text.isEmpty()) remarks << text;
-    m_remarks->setText(remarks.join(QStringLiteral("<p>")));
+        if (const QString text = remarkText(remark); !text.isEmpty()) paragraphs << text;
     const QString samples = QString::number(report.study.samples);
-    m_state->setText(answer.isRefined()
-                         ? tr("%1 samples of each design; errors are of 95 %.").arg(samples)
-                         : tr("%1 samples so far, %2 to come.").arg(samples, QString::number(answer.wanted)));
+    paragraphs << (answer.isRefined()
+                       ? tr("%1 samples of each design; errors are of 95 %.").arg(samples)
+                       : tr("%1 samples so far, %2 to come.").arg(samples, QString::number(answer.wanted)));
+    setHtml(QStringLiteral("<p>") + paragraphs.join(QStringLiteral("</p><p>")) + QStringLiteral("</p>"));
 }
 
-void DesignCard::clear() {
-    for (QLabel* label : {m_best, m_measure, m_state, m_remarks}) label->clear();
-    m_loadBest->hide();
-    m_loadNominal->hide();
-    for (const Worst& worst : m_worst) {
-        worst.label->hide();
-        worst.load->hide();
-    }
+QUrl DesignCard::linkToDesign(std::uint64_t design) {
+    return QUrl(QStringLiteral("design:%1").arg(design));
 }
 
-QString DesignCard::text() const {
-    QStringList texts{m_best->text(), m_measure->text()};
-    for (const Worst& worst : m_worst)
-        if (!worst.label->isHidden()) texts << worst.label->text();
-    texts << m_remarks->text() << m_state->text();
-    return texts.join(QLatin1Char('\n'));
+QUrl DesignCard::linkToWorst(std::size_t aim) {
+    return QUrl(QStringLiteral("worst:%1").arg(aim));
+}
+
+void DesignCard::follow(const QUrl& link) {
+    const qulonglong number = link.path().toULongLong();
+    if (link.scheme() == QLatin1String("design")) emit designWanted(number);
+    if (link.scheme() == QLatin1String("worst")) emit worstWanted(number);
 }
 
 }  // namespace drillwave

@@ -3,7 +3,6 @@
 
 #include <QBoxLayout>
 #include <QCheckBox>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <algorithm>
 #include <cmath>
@@ -28,7 +27,7 @@ namespace {
 
 constexpr std::size_t mostChoicesOfPage = 2;
 constexpr int samplesOffered[] = {256, 1024, 4096, 16384, 65536};
-constexpr int cardCharacters = 32;
+constexpr int cardCharacters = 16;
 constexpr int plotLinesOfDesigns = 30;  // two rows of axes, legend and readout
 constexpr int samplesOfRod = 4096, samplesOfString = 1024;
 
@@ -36,14 +35,9 @@ constexpr int samplesOfRod = 4096, samplesOfString = 1024;
 
 DesignPage::DesignPage(Document& document, QWidget* parent)
     : StudyPage(document, parent), m_card(new DesignCard), m_study(answerDesign) {
-    auto* scrolled = new QScrollArea(this);
-    scrolled->setWidget(m_card);
-    scrolled->setWidgetResizable(true);
-    scrolled->setFrameShape(QFrame::NoFrame);
-    scrolled->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scrolled->setMinimumWidth(fontMetrics().averageCharWidth() * cardCharacters);
+    m_card->setMinimumWidth(fontMetrics().averageCharWidth() * cardCharacters);
     QWidget* questions = makeQuestions();
-    PlotWidget* widget = arrange({m_keepEnergy, labelled(tr("samples"), m_samples, this)}, scrolled);
+    PlotWidget* widget = arrange({m_keepEnergy, labelled(tr("samples"), m_samples, this)}, m_card);
     static_cast<QBoxLayout*>(layout())->insertWidget(0, questions);
     setLeastLines(plotLinesOfDesigns);
     m_plot = new DesignPlot(widget);
@@ -180,7 +174,7 @@ void DesignPage::present() {
 
 void DesignPage::draw(const DesignAnswer& answer) {
     const DesignUnits units = unitsOf(answer.report.study);
-    const DesignPicture picture = designPicture(answer, units);
+    const DesignPicture picture = designPicture(answer.report, units);
     m_plot->present(picture);
     for (const QCPGraph* graph : m_plot->curves())
         plot()->setMeaning(graph, CurveMeaning::overParameter(picture.x.unit, picture.value.unit.unit));

@@ -8,7 +8,6 @@
 #include "ui/pages/study/study_page.h"
 
 class QCheckBox;
-class QScrollArea;
 
 namespace drillwave {
 

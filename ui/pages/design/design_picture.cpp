@@ -11,6 +11,7 @@
 #include "ui/pages/study/parameter_names.h"
 #include "ui/result/output_unit.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
 
 namespace drillwave {
@@ -60,12 +61,14 @@ void addSeries(DesignPicture& picture, const DesignReport& report, const DesignU
             DesignSeries series;
             const std::vector<double> values = study.choice(d);
             for (std::size_t c = 0; c + 1 < values.size(); ++c)
-                series.name += (c == 0 ? QString() : QStringLiteral(", ")) +
-                               units.text(*study.choices[c].parameter, values[c]);
+                series.name +=
+                    (c == 0 ? QString() : QStringLiteral(", ")) + units.text(study.choices[c], values[c]);
             picture.series.append(series);
         }
         DesignSeries& series = picture.series.last();
-        const double x = study.choices.empty() ? 0 : study.choice(d).back() * picture.x.factor;
+        const double x = study.choices.empty()     ? 0
+                         : picture.words.isEmpty() ? study.choice(d).back() * picture.x.factor
+                                                   : static_cast<double>(d % each);
         const auto point = [&](double value) { return QPointF(x, value * picture.value.factor); };
         const Statistic low{Statistic::Kind::quantile, 5}, high{Statistic::Kind::quantile, 95};
         series.designs.append(d);
@@ -147,6 +150,13 @@ QString DesignUnits::text(const Parameter& parameter, double si) const {
     return text;
 }
 
+QString DesignUnits::text(const SweepAxis& choice, double value) const {
+    if (choice.parameter) return text(*choice.parameter, value);
+    std::string word;
+    choice.column().appendText(word, value);
+    return QString::fromStdString(word);
+}
+
 QString DesignUnits::text(const AimedOutput& output, double value, int digits) const {
     QString text = numberText(value * output.factor, digits, m_locale);
     if (!output.unit.unit.isEmpty()) text += QChar(QChar::Nbsp) + output.unit.unit;
@@ -156,7 +166,7 @@ QString DesignUnits::text(const AimedOutput& output, double value, int digits) c
 QString DesignUnits::designName(std::uint64_t design) const {
     QStringList names;
     const std::vector<double> values = m_study->choice(design);
-    for (std::size_t i = 0; i < values.size(); ++i) names << text(*m_study->choices[i].parameter, values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) names << text(m_study->choices[i], values[i]);
     return names.isEmpty() ? tr("this scenario") : names.join(QStringLiteral(", "));
 }
 
@@ -164,19 +174,21 @@ QString aimName(const DesignAim& aim) {
     return outputName(*aim.output) + QLatin1Char(' ') + statisticWords(aim.statistic, aim.sense);
 }
 
-DesignPicture designPicture(const DesignAnswer& answer, const DesignUnits& units) {
-    const DesignReport& report = answer.report;
+DesignPicture designPicture(const DesignReport& report, const DesignUnits& units) {
     const DesignStudy& study = report.study;
     const AnswerReader read(report);
     DesignPicture picture;
     if (!study.choices.empty()) {
         const SweepAxis& axis = study.choices.back();
-        picture.xName = parameterName(*axis.parameter);
-        picture.x = units.of(*axis.parameter);
+        picture.xName = axis.parameter ? parameterName(*axis.parameter) : fromView(axis.key());
+        if (axis.parameter) picture.x = units.of(*axis.parameter);
+        for (std::uint64_t i = 0; !axis.parameter && i < axis.count; ++i)
+            picture.words.append(units.text(axis, axis.value(i)));
         picture.isLogarithmic = axis.kind == SweepAxis::Kind::logarithmic;
     }
     picture.value = units.of(*study.aims.front().output, largestAimed(read, report, study.aims.front()));
     picture.aimName = aimName(study.aims.front());
+    picture.statisticName = statisticWords(study.aims.front().statistic, study.aims.front().sense);
     addSeries(picture, report, units);
     addPareto(picture, report, units);
     addBars(picture, report);

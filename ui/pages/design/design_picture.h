@@ -9,7 +9,7 @@
 #include <functional>
 #include <optional>
 
-#include "ui/pages/design/design_answer.h"
+#include "core/report/design_report.h"
 #include "ui/text/shown_units.h"
 
 namespace drillwave {
@@ -38,8 +38,10 @@ struct DesignPicture {
     QString xName;  ///< of the last choice; empty where nothing is chosen
     ShownUnit x;
     bool isLogarithmic = false;
-    AimedOutput value;  ///< of the first aim
-    QString aimName;    ///< "efficiency in the worst 5 %"
+    QVector<QString> words;  ///< of a choice of words, which has their numbers from 0 as x
+    AimedOutput value;       ///< of the first aim
+    QString aimName;         ///< "efficiency in the worst 5 %"
+    QString statisticName;   ///< "in the worst 5 %"
     QVector<DesignSeries> series;
     int marked = 0;                          ///< the series of the robust best, which has the band
     std::optional<QPointF> robust, nominal;  ///< best; the nominal one at its nominal value
@@ -69,6 +71,7 @@ class DesignUnits {
     ShownUnit of(const Parameter& parameter) const;
     /// "240 µs", "0.504".
     QString text(const Parameter& parameter, double si) const;
+    QString text(const SweepAxis& choice, double value) const;
     QString text(const AimedOutput& output, double value, int digits = 4) const;
     /// "240 µs", "240 µs, 3.66 m"; of no choice "this scenario".
     QString designName(std::uint64_t design) const;
@@ -84,7 +87,7 @@ class DesignUnits {
 /// "efficiency in the worst 5 %".
 QString aimName(const DesignAim& aim);
 
-/// Of an answer that has a best design.
-DesignPicture designPicture(const DesignAnswer& answer, const DesignUnits& units);
+/// Of a study that has a best design.
+DesignPicture designPicture(const DesignReport& report, const DesignUnits& units);
 
 }  // namespace drillwave

@@ -12,7 +12,7 @@
 namespace drillwave {
 namespace {
 
-constexpr int mostColumnsOfDesigns = 6;  // of the legend
+constexpr int mostColumnsOfDesigns = 4;  // of the legend
 constexpr double nearDesignPixels = 14;
 constexpr int mostMarkedDesigns = 40;  // beyond, points would be a line
 constexpr double halfWidthOfOne = 0.4;
@@ -57,7 +57,7 @@ DesignPlot::DesignPlot(QCustomPlot* plot) : StudyFrame(plot) {
     m_high->setChannelFillGraph(m_low);
     for (QCPGraph* edge : {m_low, m_high}) edge->setSelectable(QCP::stNone);
     m_mean = curve(tr("mean"));
-    m_nominal = curve(tr("as the scenario is"));
+    m_nominal = curve(tr("as it is"));
     const auto mark = [&](const QString& name) {
         QCPGraph* graph = m_plot->addGraph(x(), y());
         graph->setLineStyle(QCPGraph::lsNone);
@@ -66,13 +66,13 @@ DesignPlot::DesignPlot(QCustomPlot* plot) : StudyFrame(plot) {
         graph->addToLegend(m_legend);
         return graph;
     };
-    m_ties = mark(tr("not told apart from the best"));
+    m_ties = mark(tr("ties"));
     m_nominalMark = mark(tr("nominal best"));
     m_robustMark = mark(tr("robust best"));
     addHere();
     addRunMarks();
     connect(plot, &QCustomPlot::beforeReplot, this,
-            [this] { wrapLegend(*m_legend, m_plot->width(), mostColumnsOfDesigns); });
+            [this] { wrapLegend(*m_legend, m_plot->viewport().width(), mostColumnsOfDesigns); });
     setStyle(PlotStyle::forPaper());
     showNothing({});
 }
@@ -119,6 +119,13 @@ void DesignPlot::present(const DesignPicture& picture) {
             x()->setRange(picture.series[0].aim.first().x(), picture.series[0].aim.last().x());
         setScale(*x(), scale);
     });
+    if (picture.words.isEmpty()) {
+        if (x()->scaleType() == QCPAxis::stLinear) x()->setTicker(QSharedPointer<QCPAxisTicker>::create());
+    } else {
+        const auto words = QSharedPointer<QCPAxisTickerText>::create();
+        for (int i = 0; i < picture.words.size(); ++i) words->addTick(i, picture.words[i]);
+        x()->setTicker(words);
+    }
     x()->setLabel(picture.xName.isEmpty() ? tr("this scenario") : picture.x.axisLabel(picture.xName));
     x()->setTickLabels(!picture.xName.isEmpty());
     y()->setLabel(picture.value.output ? picture.value.unit.axisLabel(outputName(*picture.value.output))
@@ -141,7 +148,7 @@ void DesignPlot::clear() {
 // The series that has the best design has its band, the others their first aim alone.
 void DesignPlot::makeGraphs() {
     const auto nameOf = [&](const DesignSeries& series) {
-        return series.name.isEmpty() ? m_picture.aimName : series.name;
+        return series.name.isEmpty() ? m_picture.statisticName : series.name;
     };
     const bool sameNames = m_aims.size() == m_picture.series.size() &&
                            std::equal(m_aims.begin(), m_aims.end(), m_picture.series.begin(),
