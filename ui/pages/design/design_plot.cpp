@@ -81,6 +81,7 @@ void DesignPlot::addRects() {
     useLegend(QMargins(7, 6, 7, 4));
     insertAbove(m_legend);
     m_legend->setLayer(QStringLiteral("legend"));
+    m_legend->setWrap(mostColumnsOfDesigns);  // files are drawn without a replot
     view(newAxisRect(*m_plot, Sides::linked));
     m_rect->setMinimumMargins(QMargins(4, 4, 14, 4));
     m_plot->plotLayout()->addElement(1, 0, m_rect);
