@@ -170,7 +170,7 @@ std::string methodText(const MethodChoice& choice) {
 std::string blowText(const Blow& blow) {
     const Impact& impact = blow.impact;
     std::string text = titleLine(blow.scenario) + paragraph(feedDecisionText(blow.decision())) +
-                       groupsLine(blow.scenario) + "\n";
+                       groupsLine(blow.scenario) + lawLine(blow.scenario) + "\n";
     text += resultText(blow);
     text += "\n  method " + (blow.isOfString() ? "polynomial cells" : methodText(blow.method)) + ", " +
             std::to_string(impact.contacts) + (impact.contacts == 1 ? " contact, " : " contacts, ") +

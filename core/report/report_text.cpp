@@ -5,6 +5,7 @@
 
 #include "core/model/blow_traits.h"
 #include "core/model/scales.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
@@ -22,8 +23,28 @@ std::string groupsLine(const Scenario& scenario) {
            (followsFromGroups(scenario) ? "  pulse " + std::string(name(scenario.pulse.shape)) : "") + "\n";
 }
 
+std::string lawLine(const Scenario& scenario) {
+    const BitRock& rock = scenario.bitRock;
+    const bool inUnits = hasUnits(scenario);
+    const auto quantity = [&](double value, Quantity of, const char* scale) {
+        return inUnits ? inHandyUnit(value, of) : rounded(value) + scale;
+    };
+    if (rock.law == RockLaw::power)
+        return "  rock law power  exponent " + rounded(rock.exponent) + ", stiffness at " +
+               quantity(rock.referencePenetration, Quantity::length, " d0") + "\n";
+    if (rock.law != RockLaw::corners) return {};
+    constexpr std::size_t enough = 4;
+    std::string text = "  rock law corners  slope";
+    for (std::size_t i = 0; i < std::min(enough, rock.corners.size()); ++i)
+        text += (i == 0 ? " " : ", ") + rounded(rock.corners[i].slope) + " k from " +
+                quantity(rock.corners[i].force, Quantity::force, " F0");
+    if (rock.corners.size() > enough)
+        text += ", and " + std::to_string(rock.corners.size() - enough) + " more";
+    return text + "\n";
+}
+
 std::string headingOf(const Scenario& scenario) {
-    return titleLine(scenario) + groupsLine(scenario);
+    return titleLine(scenario) + groupsLine(scenario) + lawLine(scenario);
 }
 
 namespace {

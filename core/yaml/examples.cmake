@@ -9,6 +9,8 @@ foreach(name
     r32_hard_rock
     t38_medium_rock
     t51_soft_rock
+    rock_that_yields
+    piston_for_unknown_rock
     r32_string
     t38_string
     t51_string)

@@ -70,6 +70,27 @@ RockCurve::Path outlineOf(const QSharedPointer<QCPCurveDataContainer>& path, dou
     return outline;
 }
 
+/// As far as the largest force has come.
+QVector<RockLine> linesOf(const BitRockLaw& law, double peakForce, const ShownUnits& units) {
+    QVector<RockLine> lines;
+    ContactLaw<> rock(law);
+    double slope = law.firstSlope;
+    const auto here = [&] {
+        return QPointF(rock.largestPenetration() * lawUnitOfPenetration * units.penetration.factor,
+                       rock.largestForce() * units.force.factor);
+    };
+    for (std::size_t next = 0;; ++next) {
+        RockLine line{.from = here(), .to = {}, .slope = slope};
+        const bool goesOn = rock.hasCorner() && rock.cornerForce() < peakForce;
+        rock.remember(goesOn ? rock.cornerForce() : peakForce);
+        line.to = here();
+        lines.append(line);
+        if (!goesOn) return lines;
+        rock.passCorner();
+        slope = law.corners[next].slope;
+    }
+}
+
 RockCurve curveOf(const Impact& impact, const Problem& problem, const ImpactSummary& summary,
                   const ShownUnits& units) {
     const double peakForce = summary.peakForce * units.force.factor;
@@ -83,6 +104,7 @@ RockCurve curveOf(const Impact& impact, const Problem& problem, const ImpactSumm
             .residualPenetration = summary.residualPenetration * units.penetration.factor,
             .loading = slopes.primary * units.stiffness.factor,
             .unloading = slopes.elastic * units.stiffness.factor,
+            .lines = linesOf(problem.law, summary.peakForce, units),
             .energy = summary.energy.rockWork * summary.workRatio * units.energy.factor,
             .energyShare = summary.energy.rockWork};
 }

@@ -4,6 +4,7 @@
 
 #include <QPointF>
 #include <QSharedPointer>
+#include <QVector>
 
 #include "core/blow/blow.h"
 #include "core/wave/impact.h"
@@ -16,6 +17,13 @@ template <class DataType>
 class QCPDataContainer;
 
 namespace drillwave {
+
+/// A part of the loading curve that the blow has gone along.
+struct RockLine {
+    QPointF from, to;  ///< penetration, force
+    double slope = 1;  ///< of the stiffness k
+    bool operator==(const RockLine&) const = default;
+};
 
 /// All in the units of `units`; built away from the window's thread, never changed once built.
 struct RockCurve {
@@ -30,6 +38,7 @@ struct RockCurve {
     double residualPenetration = 0;                ///< Ur
     double loading = 0;                            ///< k
     double unloading = 0;                          ///< k/γ
+    QVector<RockLine> lines = {};                  ///< up to the peak; one without corners
     double energy = 0;                             ///< left in the rock: the enclosed area
     double energyShare = 0;                        ///< of the hammer work
     bool ofHammerEnergy = false;                   ///< of a string: the share is that of its energy E0

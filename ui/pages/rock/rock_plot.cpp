@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/pages/rock/loading_lines.h"
 #include "ui/plot/curve_graph.h"
 #include "ui/text/number_text.h"
 
@@ -24,11 +25,6 @@ QString energyText(const RockCurve& curve, const QLocale& locale) {
              numberText(100 * curve.energyShare, 3, locale) + QChar(QChar::Nbsp) + QLatin1Char('%'));
 }
 
-// Degrees, clockwise, by which text follows a line between two pixels.
-double textRotation(const QPointF& from, const QPointF& to) {
-    return std::atan2(to.y() - from.y(), to.x() - from.x()) * 180 / M_PI;
-}
-
 // By name: their factors follow the scenario.
 bool sameUnits(const ShownUnits& a, const ShownUnits& b) {
     return a.force.unit == b.force.unit && a.penetration.unit == b.penetration.unit;
@@ -44,6 +40,7 @@ RockPlot::RockPlot(QCustomPlot* plot) : StudyFrame(plot) {
     m_path->setName(tr("impact force F"));
     addHeader(4);
     m_runs = new RunPaths(x(), y(), m_legend);
+    m_lines = new LoadingLines(m_rect);
     // From the peak to both axes: where its numbers are read off.
     m_toForceAxis = addItem<QCPItemLine>(m_rect);
     m_toPenetrationAxis = addItem<QCPItemLine>(m_rect);
@@ -74,6 +71,7 @@ void RockPlot::present(const RockCurve& curve) {
     x()->setLabel(curve.units.penetration.axisLabel(tr("penetration U")));
     y()->setLabel(curve.units.force.axisLabel(tr("impact force F")));
     setMarksVisible(curve.peakForce > 0);
+    m_lines->present(curve.peakForce > 0 ? curve.lines : QVector<RockLine>(), m_plot->locale());
     nameNumbers(curve);
     finish(unitsChanged);
 }
@@ -81,6 +79,7 @@ void RockPlot::present(const RockCurve& curve) {
 void RockPlot::clear() {
     m_path->setData(QSharedPointer<QCPCurveDataContainer>::create());
     setMarksVisible(false);
+    m_lines->present({}, m_plot->locale());
     m_point->setVisible(false);
     m_curve = {};
     showRuns();
@@ -101,11 +100,14 @@ void RockPlot::nameNumbers(const RockCurve& curve) {
     m_residualName->setText(tr("Ur = %1").arg(residual));
     m_loadingName->setText(tr("k = %1").arg(loading));
     m_unloadingName->setText(tr("k/γ = %1").arg(unloading));
+    const QStringList behind = m_lines->texts();
     m_summary =
         tr("Impact force against penetration. Loading along the slope k = %1 up to the peak, Fm = %2 at "
            "the penetration Um = %3; unloading along k/γ = %4; the penetration Ur = %5 stays. The "
            "enclosed area: %6.")
             .arg(loading, force, largest, unloading, residual, energy);
+    if (!behind.isEmpty())
+        m_summary += tr(" Behind its corners it loads along %1.").arg(behind.join(QStringLiteral(", ")));
 }
 
 // Beside the lines they name, at any zoom: above the loading line, below the unloading line, the residual
@@ -116,10 +118,13 @@ void RockPlot::placeLabels() {
     const double um = m_curve.maxPenetration;
     const double ur = m_curve.residualPenetration;
     const double fm = m_curve.peakForce;
-    m_loadingName->position->setCoords(0.45 * um, 0.45 * fm);
-    m_loadingName->setRotation(textRotation(pixel(0, 0), pixel(um, fm)));
+    // The first line up to its corner.
+    const QPointF end = m_curve.lines.isEmpty() ? QPointF(um, fm) : m_curve.lines.first().to;
+    m_loadingName->position->setCoords(0.45 * end);
+    m_loadingName->setRotation(rotationAlong(pixel(0, 0), pixelOf(end)));
+    m_lines->place();
     m_unloadingName->position->setCoords(ur + 0.5 * (um - ur), 0.5 * fm);
-    m_unloadingName->setRotation(textRotation(pixel(ur, 0), pixel(um, fm)));
+    m_unloadingName->setRotation(rotationAlong(pixel(ur, 0), pixel(um, fm)));
     m_residualName->position->setCoords(ur, 0);
     const double textWidth = QFontMetricsF(m_residualName->font()).horizontalAdvance(m_residualName->text());
     const bool fitsLeft = pixel(ur, 0).x() - pixel(0, 0).x() > 1.6 * textWidth;
@@ -183,6 +188,7 @@ void RockPlot::setPoint(const std::optional<QPointF>& point) {
 void RockPlot::restyle() {
     const PlotStyle& style = m_style;
     m_runs->setStyle(style);
+    m_lines->setStyle(style);
     m_path->setPen(style.linePen(0));
     m_path->setBrush(style.areaBrush(0));
     if (m_ghost) m_ghost->setPen(style.ghostPen(0));

@@ -10,6 +10,8 @@
 
 namespace drillwave {
 
+class LoadingLines;
+
 /// Draws the path of a blow with its area, slopes and extremes named: fitted, the whole path is in view.
 class RockPlot : public StudyFrame {
     Q_OBJECT
@@ -39,6 +41,7 @@ class RockPlot : public StudyFrame {
     QCPCurve* m_path;
     QCPCurve* m_ghost = nullptr;
     RunPaths* m_runs;
+    LoadingLines* m_lines;
     QCPItemText* m_peakName;
     QCPItemText* m_residualName;
     QCPItemText* m_loadingName;

@@ -51,6 +51,7 @@ class TestRockPlot : public QObject {
     void aPointOfThePathBelongsToItsTime();
     void anElasticRockKeepsNothing();
     void numbersAreNamedInThePlot();
+    void cornersAreMarkedAndLinesNamed();
     void theNumbersOfThePeakAreInViewInALowPlot_data();
     void theNumbersOfThePeakAreInViewInALowPlot();
     void aZoomedViewStaysWhileTheResultChanges();
@@ -162,6 +163,23 @@ void TestRockPlot::numbersAreNamedInThePlot() {
         QVERIFY2(all.contains(QString::fromUtf8(text)), qPrintable(all));
     QVERIFY(m_plot->textSummary().contains(QStringLiteral("% of W")));
     QVERIFY(m_widget->xAxis->label().contains(QStringLiteral("penetration U / d₀")));
+}
+
+void TestRockPlot::cornersAreMarkedAndLinesNamed() {
+    const Scenario scenario = parseScenario(findExample("rock_that_yields")->text, "").scenario;
+    const Problem problem = problemOf(scenario);
+    const Impact impact = ExactSolver().solve(problem, Detail::histories);
+    const RockCurve curve = rockCurve(impact, problem, shownUnits(UnitSystem::si, scalesOf(scenario)));
+    QCOMPARE(curve.lines.size(), 2);
+    QVERIFY(std::abs(curve.lines[0].to.y() / 90 - 1) < 1e-12);    // kN
+    QVERIFY(std::abs(curve.lines[0].to.x() / 0.36 - 1) < 1e-12);  // mm: 90 kN at 250 MN/m
+    QVERIFY(std::abs(curve.lines[1].to.y() / curve.peakForce - 1) < 1e-12);
+    QVERIFY(std::abs(curve.lines[1].to.x() / curve.maxPenetration - 1) < 1e-12);
+    m_plot->present(curve);
+    QVERIFY2(labels().contains(QStringLiteral("0.35\u00a0k")), qPrintable(labels().join(QLatin1Char('|'))));
+    QVERIFY(m_plot->textSummary().contains(QStringLiteral("corners")));
+    m_plot->present(solved({0.5, 0.1, 10, 0}).curve);
+    QVERIFY(!m_plot->textSummary().contains(QStringLiteral("corners")));
 }
 
 void TestRockPlot::theNumbersOfThePeakAreInViewInALowPlot_data() {
