@@ -92,6 +92,7 @@ void ScenarioPanel::addSection(const QString& section, const QString& title) {
     }
     for (const Parameter& parameter : parameters())
         if (formSection(parameter) == section) addRow(parameter, title, grid, box->content());
+    if (section == QLatin1String("bit_rock")) m_law = new LawSection(m_document, grid, box->content());
     if (section == QLatin1String("hammer")) m_string->addRestrike(grid, box->content());
     widget()->layout()->addWidget(box);
 }
@@ -171,6 +172,7 @@ void ScenarioPanel::showScenario() {
     if (m_title->text() != title) m_title->setText(title);
     showPresets();
     if (hasSections(scenario)) m_string->present(scenario);
+    m_law->present(scenario);
     if (isForced(scenario))
         m_pulse->present(scenario, m_dragged ? PulseSection::Shapes::asBefore : PulseSection::Shapes::asked);
     for (const Section& section : std::as_const(m_sections)) {
@@ -178,9 +180,10 @@ void ScenarioPanel::showScenario() {
         const bool used = std::ranges::any_of(
             section.rows, [&](const ParameterRow* row) { return row->parameter().applies(scenario); });
         const QString name = section.box->objectName();
-        section.box->setVisible(name == QLatin1String("pulse") ? isForced(scenario)
-                                : name == groupsSection        ? followsFromGroups(scenario)
-                                                               : used);
+        section.box->setVisible(name == QLatin1String("pulse")      ? isForced(scenario)
+                                : name == groupsSection             ? followsFromGroups(scenario)
+                                : name == QLatin1String("bit_rock") ? true
+                                                                    : used);
     }
 }
 

@@ -6,6 +6,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/preset_library.h"
+#include "ui/form/law_section.h"
 #include "ui/form/parameter_row.h"
 #include "ui/form/preset_box.h"
 #include "ui/form/pulse_section.h"
@@ -64,6 +65,7 @@ class ScenarioPanel : public SteadyScrollArea {
     QLineEdit* m_title = nullptr;
     PulseSection* m_pulse = nullptr;
     StringSection* m_string = nullptr;
+    LawSection* m_law = nullptr;
     QList<Section> m_sections;
     int m_gesture = m_document.newGesture();  // until edits have ended
     bool m_dragged = false;                   // a slider is held
