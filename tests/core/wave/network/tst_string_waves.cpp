@@ -4,6 +4,7 @@
 
 #include "core/wave/field/wave_field.h"
 #include "core/wave/network/network_solver.h"
+#include "core/wave/network/string_waves.h"
 #include "core/wave/problem.h"
 #include "tests/support/network_scenes.h"
 #include "tests/support/scenes.h"
