@@ -197,7 +197,13 @@ void DesignPlot::showScatter() {
     }
     m_scatterRect->axis(QCPAxis::atBottom)->setLabel(m_picture.firstAim);
     m_scatterRect->axis(QCPAxis::atLeft)->setLabel(m_picture.secondAim);
-    for (QCPGraph* graph : {m_all, m_pareto}) graph->rescaleAxes(graph == m_pareto);
+    // Either may be empty, and the best design is in one of them.
+    bool isScaled = false;
+    for (QCPGraph* graph : {m_all, m_pareto}) {
+        if (graph->data()->isEmpty()) continue;
+        graph->rescaleAxes(isScaled);
+        isScaled = true;
+    }
     for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft}) {
         QCPAxis* axis = m_scatterRect->axis(side);
         QCPRange range = axis->range();

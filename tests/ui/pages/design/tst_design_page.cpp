@@ -46,6 +46,7 @@ class TestDesignPage : public QObject {
     void theWorstCaseIsLoaded();
     void aRangeUpsideDownIsMarkedAndAsksNothing();
     void whatCannotBeSolvedIsSaid();
+    void theDesignsFillTheirPlot();
     void rowsAreAddedAndRemoved();
     void aimsAreCustomaryUntilTheyAreChosen();
     void anotherFormHasOtherRows();
@@ -231,6 +232,26 @@ void TestDesignPage::whatCannotBeSolvedIsSaid() {
     const QString words = m_page->findChild<QLabel*>(QStringLiteral("words"))->text();
     QVERIFY2(words.contains(QStringLiteral("bit_rock.stiffness")), qPrintable(words));
     QVERIFY(!m_page->exports().first().obstacle().isEmpty());
+}
+
+// Also where all of them are in the Pareto set, or none is out of it.
+void TestDesignPage::theDesignsFillTheirPlot() {
+    showPage();
+    const DesignPicture& picture = m_page->designPlot().picture();
+    const QCPAxisRect* scatter = m_page->plot()->axisRects()[1];
+    for (const bool all : {false, true}) {
+        DesignPicture shown = picture;
+        if (all) shown.pareto.fill(true);
+        m_page->findChild<DesignPlot*>()->present(shown);
+        double least = shown.designs[0].x(), most = least;
+        for (const QPointF& design : shown.designs) {
+            least = std::min(least, design.x());
+            most = std::max(most, design.x());
+        }
+        const QCPRange range = scatter->axis(QCPAxis::atBottom)->range();
+        QVERIFY(range.contains(least) && range.contains(most));
+        QVERIFY2(range.size() < 1.5 * (most - least), qPrintable(QString::number(range.size())));
+    }
 }
 
 void TestDesignPage::rowsAreAddedAndRemoved() {
