@@ -48,13 +48,8 @@ std::string aimWords(const DesignAim& aim) {
            aim.statistic.name();
 }
 
-const SampledValue& valueOf(const DesignReport& report, const DesignAim& aim, std::size_t design) {
-    const StatisticPlace place = report.study.placeOf(*aim.output, aim.statistic);
-    return report.findings.designs[design].statistics[place.output][place.statistic];
-}
-
 std::string aimedText(const DesignReport& report, const DesignAim& aim, std::size_t design) {
-    const SampledValue& value = valueOf(report, aim, design);
+    const SampledValue& value = aimedValue(report, aim, design);
     std::string text = outputText(report.study, *aim.output, value.value);
     if (aim.statistic.hasError() && !std::isnan(value.value))
         text += " +- " + outputText(report.study, *aim.output, value.error(), 1);
@@ -108,7 +103,7 @@ std::string costText(const DesignReport& report) {
     const std::size_t output = report.study.placeOf(*aim.output, {}).output;
     const auto nominal = [&](std::size_t d) { return report.findings.designs[d].nominal[output]; };
     const double brings =
-        valueOf(report, aim, *best.robust).value - valueOf(report, aim, *best.nominal).value;
+        aimedValue(report, aim, *best.robust).value - aimedValue(report, aim, *best.nominal).value;
     const double costs = nominal(*best.robust) - nominal(*best.nominal);
     const auto change = [&](double difference) {
         return (difference > 0 ? "+" : "") + outputText(report.study, *aim.output, difference, 3);

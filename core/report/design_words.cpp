@@ -116,6 +116,11 @@ std::vector<DesignRemark> remarksOn(const DesignReport& report) {
     return remarks;
 }
 
+const SampledValue& aimedValue(const DesignReport& report, const DesignAim& aim, std::size_t design) {
+    const StatisticPlace place = report.study.placeOf(*aim.output, aim.statistic);
+    return report.findings.designs[design].statistics[place.output][place.statistic];
+}
+
 std::string designName(const DesignStudy& study, std::uint64_t design) {
     std::string text;
     const std::vector<double> values = study.choice(design);

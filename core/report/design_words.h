@@ -17,6 +17,9 @@ struct DesignRemark {
 };
 std::vector<DesignRemark> remarksOn(const DesignReport& report);
 
+/// What an aim is about, of a design (from 0).
+const SampledValue& aimedValue(const DesignReport& report, const DesignAim& aim, std::size_t design);
+
 /// "240 us", "half_sine, 3.05 m": a design by its choices; "FILE" without any.
 std::string designName(const DesignStudy& study, std::uint64_t design);
 

@@ -78,4 +78,5 @@ void WorstPlaces::add(double badness, double value, const std::function<Place()>
     m_found.insert(m_found.begin() + index, std::move(found));
     if (m_found.size() > m_most) m_found.pop_back();
 }
+
 }  // namespace drillwave

@@ -11,7 +11,6 @@
 #include "ui/form/choice_box.h"
 #include "ui/pages/study/flow_layout.h"
 #include "ui/pages/study/output_box.h"
-#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

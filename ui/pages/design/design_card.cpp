@@ -14,17 +14,9 @@
 namespace drillwave {
 namespace {
 
-/// The statistic of an aim, with its nominal value where that is asked for.
-SampledValue sampledOf(const DesignReport& report, const DesignAim& aim, std::size_t design) {
-    const StatisticPlace place = report.study.placeOf(*aim.output, aim.statistic);
-    if (aim.statistic.kind == Statistic::Kind::nominal)
-        return {.value = report.findings.designs[design].nominal[place.output]};
-    return report.findings.designs[design].statistics[place.output][place.statistic];
-}
-
 QString valueText(const DesignReport& report, const DesignAim& aim, std::size_t design,
                   const DesignUnits& units) {
-    const SampledValue value = sampledOf(report, aim, design);
+    const SampledValue& value = aimedValue(report, aim, design);
     const AimedOutput shown = units.of(*aim.output, std::abs(value.value));
     QString text = numberText(value.value * shown.factor, 4, units.locale());
     if (aim.statistic.hasError())
@@ -54,8 +46,8 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
                     .arg(names.join(QStringLiteral("; ")));
     }
     if (!best.nominal || *best.nominal == *best.robust) return text;
-    const double robust = sampledOf(report, first, *best.robust).value;
-    const double other = sampledOf(report, first, *best.nominal).value;
+    const double robust = aimedValue(report, first, *best.robust).value;
+    const double other = aimedValue(report, first, *best.nominal).value;
     const double change = 100 * std::abs(other / robust - 1);
     const QString percent = numberText(change, 2, units.locale());
     const QString where = statisticWords(first.statistic, first.sense);

@@ -4,13 +4,10 @@
 #include <QBoxLayout>
 #include <QCheckBox>
 #include <QSignalBlocker>
-#include <algorithm>
-#include <cmath>
 
 #include "core/archive/result_scenario.h"
 #include "core/model/scales.h"
 #include "core/report/design_csv.h"
-#include "core/report/design_words.h"
 #include "core/study/design/constant_energy.h"
 #include "ui/form/choice_box.h"
 #include "ui/pages/design/aim_rows.h"
@@ -124,23 +121,18 @@ void DesignPage::ask() {
         m_choices->present(scenario());
         m_aims->present(scenario());
     }
-    const std::string energyProblem = keepEnergyProblem(scenario());
-    m_keepEnergy->setEnabled(energyProblem.empty());
+    m_keepEnergy->setEnabled(keepEnergyProblem(scenario()).empty());
     Wish now = wish();
     m_problem = now.problem;
     if (!now.study) return m_study.job().cancel();
     m_study.ask(std::move(*now.study));
 }
 
-DesignUnits DesignPage::unitsOf(const DesignStudy& study) const {
+ShownUnits DesignPage::shownUnitsOf(const Scenario& base) const {
     const UnitChoice& choice = document().units();
-    const Scales scales = scalesOf(study.base);
-    const ShownUnits units = hasUnits(study.base)
-                                 ? shownUnits(choice.physicalSystem(), scales, choice.chosen())
-                                 : shownUnits(naturalUnits(study.base), scales);
-    return {study, units,
-            [&choice](const Parameter& parameter) -> const Unit& { return choice.fieldUnit(parameter); },
-            locale()};
+    const Scales scales = scalesOf(base);
+    return hasUnits(base) ? shownUnits(choice.physicalSystem(), scales, choice.chosen())
+                          : shownUnits(naturalUnits(base), scales);
 }
 
 void DesignPage::present() {
@@ -160,9 +152,7 @@ void DesignPage::present() {
             if (reason.empty()) reason = design.reason;
         return refuse(tr("Too many of the samples have no answer: %1").arg(QString::fromStdString(reason)));
     }
-    const UnitChoice& choice = document().units();
-    const Scenario& base = answer->report.study.base;
-    const ShownUnits units = shownUnits(choice.physicalSystem(), scalesOf(base), choice.chosen());
+    const ShownUnits units = shownUnitsOf(answer->report.study.base);
     if (answer != m_shown || !(units == m_shownUnits)) {
         m_shown = answer;
         m_shownUnits = units;
@@ -173,7 +163,11 @@ void DesignPage::present() {
 }
 
 void DesignPage::draw(const DesignAnswer& answer) {
-    const DesignUnits units = unitsOf(answer.report.study);
+    const UnitChoice& choice = document().units();
+    const DesignUnits units(
+        answer.report.study, m_shownUnits,
+        [&choice](const Parameter& parameter) -> const Unit& { return choice.fieldUnit(parameter); },
+        locale());
     const DesignPicture picture = designPicture(answer.report, units);
     m_plot->present(picture);
     for (const QCPGraph* graph : m_plot->curves())

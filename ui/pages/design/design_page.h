@@ -53,7 +53,7 @@ class DesignPage : public StudyPage {
     void showHere();
     void showRuns();
     std::optional<QPointF> placeOf(const SolvedBlow& blow) const;
-    DesignUnits unitsOf(const DesignStudy& study) const;
+    ShownUnits shownUnitsOf(const Scenario& base) const;
     std::vector<ParameterValue> valuesOf(std::uint64_t design) const;
     void click(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers);
     void loadWorst(std::size_t aim);

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "core/model/scales.h"
+#include "core/report/design_words.h"
 #include "ui/pages/design/aim_rows.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
@@ -17,29 +17,23 @@
 namespace drillwave {
 namespace {
 
-constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
 /// The statistics of an answer, as numbers.
 class AnswerReader {
   public:
-    explicit AnswerReader(const DesignReport& report) : m_study(report.study), m_found(report.findings) {}
+    explicit AnswerReader(const DesignReport& report) : m_report(report) {}
 
     double value(std::uint64_t design, const Output& output, const Statistic& statistic) const {
-        const StatisticPlace place = m_study.placeOf(output, statistic);
-        const DesignSamples& samples = m_found.designs[design];
-        return samples.statistics.empty() ? unknown : samples.statistics[place.output][place.statistic].value;
+        return aimedValue(m_report, {Sense::largest, &output, statistic}, design).value;
     }
     double nominal(std::uint64_t design, const Output& output) const {
-        return m_found.designs[design].nominal[m_study.placeOf(output, {}).output];
+        return m_report.findings.designs[design].nominal[m_report.study.placeOf(output, {}).output];
     }
     double aimed(std::uint64_t design, const DesignAim& aim) const {
-        return aim.statistic.kind == Statistic::Kind::nominal ? nominal(design, *aim.output)
-                                                              : value(design, *aim.output, aim.statistic);
+        return aimedValue(m_report, aim, design).value;
     }
 
   private:
-    const DesignStudy& m_study;
-    const DesignFindings& m_found;
+    const DesignReport& m_report;
 };
 
 double largestAimed(const AnswerReader& read, const DesignReport& report, const DesignAim& aim) {
@@ -124,7 +118,7 @@ void addBars(DesignPicture& picture, const DesignReport& report) {
             const bool isInput = i < study.uncertain.size();
             const SobolIndex& index = output.indices[i];
             bars.bars.append({isInput ? parameterName(*study.uncertain[i].parameter) : tr("draws"),
-                              std::clamp(index.first.value, 0.0, 1.0), index.total.value, index.total.error});
+                              std::clamp(index.first.value, 0.0, 1.0), index.total.value});
         }
         picture.bars.append(bars);
     }

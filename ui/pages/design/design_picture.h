@@ -30,7 +30,7 @@ struct DesignSeries {
 
 struct SobolBar {
     QString name;
-    double first = 0, total = 0, error = 0;  ///< error of the total
+    double first = 0, total = 0;
 };
 
 /// All in shown units; never changed once built.

@@ -185,7 +185,6 @@ void DesignPlot::showMarks() {
 
 void DesignPlot::showScatter() {
     const bool isShown = !m_picture.secondAim.isEmpty();
-    if (isShown && !m_scatterRect->layout()) m_below->addElement(0, 0, m_scatterRect);
     m_scatterRect->setVisible(isShown);
     m_below->setColumnStretchFactor(0, isShown ? 1 : 1e-3);
     for (QCPGraph* graph : {m_all, m_pareto, m_best}) graph->data()->clear();

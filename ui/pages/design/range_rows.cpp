@@ -12,7 +12,6 @@
 #include <utility>
 
 #include "core/model/scales.h"
-#include "core/model/validation.h"
 #include "core/study/design/uncertain_input.h"
 #include "ui/form/choice_box.h"
 #include "ui/form/quantity_field.h"
