@@ -32,6 +32,7 @@ const Command& sweepCommand();
 const Command& tableCommand();
 const Command& curveCommand();
 const Command& mapCommand();
+const Command& drillCommand();
 const Command& gapCommand();
 const Command& thrustCommand();
 const Command& designCommand();

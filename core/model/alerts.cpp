@@ -24,7 +24,7 @@ constexpr double matchedImpedances = 0.01;
 
 void addImplausibleValues(const Scenario& scenario, std::vector<Alert>& alerts) {
     for (const Parameter& parameter : parameters()) {
-        if (!isGiven(parameter, scenario)) continue;
+        if (parameter.scope == Scope::manyBlows || !isGiven(parameter, scenario)) continue;
         const std::optional<double> value = parameter.value(scenario);
         if (!value || parameter.plausible.contains(*value)) continue;
         alerts.push_back({AlertLevel::warning,
@@ -131,7 +131,16 @@ std::string_view name(AlertCode code) {
                                                       {lengthsRounded, "lengths_rounded"},
                                                       {blowNotOver, "blow_not_over"},
                                                       {stressesLeftOut, "stresses_left_out"},
-                                                      {cornersWithoutEffect, "corners_without_effect"}}};
+                                                      {cornersWithoutEffect, "corners_without_effect"},
+                                                      {pushedBack, "pushed_back"},
+                                                      {noWaveLoss, "no_wave_loss"},
+                                                      {restrikeInTheWay, "restrike_in_the_way"},
+                                                      {shankOff, "shank_off"},
+                                                      {frequencyRounded, "frequency_rounded"},
+                                                      {notSettled, "not_settled"},
+                                                      {coexistingMotions, "coexisting_motions"},
+                                                      {irregularMotion, "irregular_motion"},
+                                                      {damperAssumed, "damper_assumed"}}};
     return alertNames[code];
 }
 

@@ -33,6 +33,16 @@ enum class AlertCode {
     blowNotOver,
     stressesLeftOut,
     cornersWithoutEffect,
+    // of many blows
+    pushedBack,
+    noWaveLoss,
+    restrikeInTheWay,
+    shankOff,
+    frequencyRounded,
+    notSettled,
+    coexistingMotions,
+    irregularMotion,
+    damperAssumed,
 };
 
 /// "outside_plausible_range", "pulse_longer_than_round_trip", …

@@ -11,13 +11,14 @@
 namespace drillwave {
 
 bool Range::contains(double value) const {
-    return std::isfinite(value) && (lowOpen ? value > low : value >= low) && value <= high;
+    return std::isfinite(value) && (lowOpen ? value > low : value >= low) &&
+           (highOpen ? value < high : value <= high);
 }
 
 std::string Range::text() const {
     if (std::isfinite(high))
         return std::string("in ") + (lowOpen ? "(" : "[") + formatNumber(low) + ", " + formatNumber(high) +
-               "]";
+               (highOpen ? ")" : "]");
     return (lowOpen ? "greater than " : "at least ") + formatNumber(low);
 }
 
@@ -27,6 +28,7 @@ bool Parameter::applies(const Scenario& scenario) const {
         case Scope::all:
             return true;
         case Scope::withUnits:
+        case Scope::manyBlows:
             return hasUnits(scenario);
         case Scope::string:
             return isString(scenario);

@@ -22,6 +22,7 @@ struct Range {
     double high;
     bool lowOpen = false;
     std::string_view whyNotMore = {};  ///< why there is an upper end, for messages; may be empty
+    bool highOpen = false;
     bool contains(double value) const;
     /// "in (0, 1]", "greater than 0", "at least 0", for messages.
     std::string text() const;
@@ -62,6 +63,7 @@ class ParameterFunction {
 enum class Scope {
     all,
     withUnits,       ///< in physical quantities
+    manyBlows,       ///< likewise; one blow alone does not depend on it
     string,          ///< string of sections
     hammer,          ///< that, struck by a hammer that is followed
     section,         ///< that, with such sections in it (section_parameter.h)
@@ -134,6 +136,7 @@ struct Parameter {
 /// The keys of a scenario that are set by a word and not by a number.
 inline constexpr std::string_view pulseShapeKey = "pulse.shape";
 inline constexpr std::string_view rockLawKey = "bit_rock.law";
+inline constexpr std::string_view rockIndexingKey = "drill.indexing";
 inline constexpr std::string_view restrikeKey = "hammer.restrike";
 
 /// The parameter of that key, be it of the table, of a corner of the law (law_parameter.h), "string.repeat",

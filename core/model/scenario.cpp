@@ -15,6 +15,9 @@ constexpr EnumNames<PulseShape> shapeNames{{{PulseShape::rectangular, "rectangul
                                             {PulseShape::table, "table"},
                                             {PulseShape::rigidBody, "rigid_body"}}};
 
+constexpr EnumNames<RockIndexing> indexingNames{
+    {{RockIndexing::fresh, "fresh"}, {RockIndexing::same, "same"}}};
+
 constexpr EnumNames<RockLaw> lawNames{
     {{RockLaw::bilinear, "bilinear"}, {RockLaw::corners, "corners"}, {RockLaw::power, "power"}}};
 
@@ -42,6 +45,18 @@ std::optional<RockLaw> findRockLaw(std::string_view name) {
 
 std::span<const std::string_view> rockLawNames() {
     return lawNames.all();
+}
+
+std::string_view name(RockIndexing indexing) {
+    return indexingNames[indexing];
+}
+
+std::optional<RockIndexing> findRockIndexing(std::string_view name) {
+    return indexingNames.find(name);
+}
+
+std::span<const std::string_view> rockIndexingNames() {
+    return indexingNames.all();
 }
 
 }  // namespace drillwave

@@ -106,12 +106,33 @@ struct BitRock {
     bool operator==(const BitRock&) const = default;
 };
 
+/// What the buttons of the bit hit at the next blow.
+enum class RockIndexing {
+    fresh,  ///< new rock: the bit has turned
+    same,   ///< the crater of the blow before
+};
+
+/// "fresh" and "same", as in scenario files.
+std::string_view name(RockIndexing indexing);
+std::optional<RockIndexing> findRockIndexing(std::string_view name);
+/// All names, in the order of RockIndexing.
+std::span<const std::string_view> rockIndexingNames();
+
 /// Operating data of the rock drill, all optional.
 struct Drill {
     std::optional<double> blowFrequency;  ///< [Hz]
     std::optional<double> thrust;         ///< installed feed force [N]
     std::optional<double> machineMass;    ///< of what the feed carries besides the rod [kg]
     std::optional<double> inclination;    ///< of the hole below the horizontal [deg], −90 … 90
+    // Many blows only
+    std::optional<double> damperDamping;    ///< c_d, between machine and rear end [N s/m]
+    std::optional<double> damperStiffness;  ///< k_d [N/m]
+    RockIndexing indexing = RockIndexing::fresh;
+    std::optional<double> waveLoss;         ///< η, of a round trip, 0 ≤ η < 1
+    std::optional<double> blows;            ///< N, a whole number
+    std::optional<double> settle;           ///< the first of them that no statistic counts, a whole number
+    std::optional<double> intervalScatter;  ///< normal deviation of an interval, over 1/f
+    std::optional<double> seed;             ///< of that, a whole number
     bool operator==(const Drill&) const = default;
 };
 

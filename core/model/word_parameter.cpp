@@ -29,11 +29,19 @@ std::string setLaw(Scenario& scenario, std::size_t word) {
     return {};
 }
 
+std::string setIndexing(Scenario& scenario, std::size_t word) {
+    if (!hasUnits(scenario)) return "a dimensionless scenario has no drill";
+    scenario.drill.indexing = static_cast<RockIndexing>(word);
+    return {};
+}
+
 constexpr std::array wordTable{
     WordParameter{pulseShapeKey, pulseShapeNames,
                   [](const Scenario& scenario) { return name(scenario.pulse.shape); }, setShape},
     WordParameter{rockLawKey, rockLawNames,
                   [](const Scenario& scenario) { return name(scenario.bitRock.law); }, setLaw},
+    WordParameter{rockIndexingKey, rockIndexingNames,
+                  [](const Scenario& scenario) { return name(scenario.drill.indexing); }, setIndexing},
 };
 
 }  // namespace

@@ -199,6 +199,37 @@ std::string alertText(const Alert& alert, const ReadingStyle& style) {
             return "The force stays below the first corner of the loading curve (" +
                    inUnit(alert, "peak_force", style) + " of " + inUnit(alert, "corner_force", style) +
                    "): the law acts as the bilinear one.";
+        case AlertCode::pushedBack:
+            return "The feed, " + inUnit(alert, "force", style) +
+                   ", is less than the mean reaction of the blows, " + inUnit(alert, "needed", style) +
+                   ", or so near to it that gaps grow without bound.";
+        case AlertCode::noWaveLoss:
+            return "Nothing takes from the waves: jumps never fade. A wave_loss of 1 to 30 % in a round trip "
+                   "is usual.";
+        case AlertCode::restrikeInTheWay:
+            return "After it has separated, the piston still passes up to " +
+                   style.number(100 * alert.argument("share").value, 3) +
+                   " % of its momentum: it is in the way of the rebounding string, where a machine would "
+                   "have drawn "
+                   "it back; restrike: false says so.";
+        case AlertCode::shankOff:
+            return "At a blow the shank is up to " + inUnit(alert, "offset", style) +
+                   " off its mean place in the machine: the stroke, and so the blow, would be another one.";
+        case AlertCode::frequencyRounded:
+            return "The blow frequency is marched as " + inUnit(alert, "used", style) +
+                   ", so that blows come at the end of a cell.";
+        case AlertCode::notSettled:
+            return "The means of the first and the second half of the blows differ by more than three of "
+                   "their errors: "
+                   "more blows, or more that settle, are needed.";
+        case AlertCode::coexistingMotions:
+            return "From rest and from bouncing it comes to different motions: which one a machine takes is "
+                   "not known.";
+        case AlertCode::irregularMotion:
+            return "The motion does not repeat: means are results, single blows are none.";
+        case AlertCode::damperAssumed:
+            return "No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the "
+                   "rod.";
     }
     return {};
 }

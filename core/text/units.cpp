@@ -84,6 +84,8 @@ constexpr std::array angleUnits{decimal("deg", 0), multiple("rad", 180, std::num
 constexpr std::array shareUnits{decimal("", 0), decimal("%", -2)};
 constexpr std::array attenuationUnits{decimal("1/m", 0), decimal("1/mm", 3), decimal("1/km", -3),
                                       multiple("1/ft", 1e4, 3048)};
+constexpr std::array dampingUnits{decimal("N s/m", 0), decimal("kN s/m", 3), decimal("MN s/m", 6),
+                                  multiple("lbf s/in", poundForceAnInch)};
 
 struct Spelling {
     std::string_view written;
@@ -92,13 +94,14 @@ struct Spelling {
 
 // Other spellings, after the normalisation of findUnit().
 constexpr std::array spellings{
-    Spelling{"Ns", "N s"},     Spelling{"kNs", "kN s"},       Spelling{"lbfs", "lbf s"},
-    Spelling{"inch", "in"},    Spelling{"feet", "ft"},        Spelling{"sec", "s"},
-    Spelling{"m2", "m^2"},     Spelling{"mm2", "mm^2"},       Spelling{"cm2", "cm^2"},
-    Spelling{"in2", "in^2"},   Spelling{"kg/m3", "kg/m^3"},   Spelling{"g/cm3", "g/cm^3"},
-    Spelling{"t/m3", "t/m^3"}, Spelling{"lb/ft3", "lb/ft^3"}, Spelling{"blows/min", "bpm"},
-    Spelling{"1/s", "Hz"},     Spelling{"°", "deg"},          Spelling{"lbs", "lb"},
-    Spelling{"msec", "ms"},    Spelling{"usec", "us"},
+    Spelling{"Ns", "N s"},           Spelling{"kNs", "kN s"},       Spelling{"lbfs", "lbf s"},
+    Spelling{"inch", "in"},          Spelling{"feet", "ft"},        Spelling{"sec", "s"},
+    Spelling{"m2", "m^2"},           Spelling{"mm2", "mm^2"},       Spelling{"cm2", "cm^2"},
+    Spelling{"in2", "in^2"},         Spelling{"kg/m3", "kg/m^3"},   Spelling{"g/cm3", "g/cm^3"},
+    Spelling{"t/m3", "t/m^3"},       Spelling{"lb/ft3", "lb/ft^3"}, Spelling{"blows/min", "bpm"},
+    Spelling{"1/s", "Hz"},           Spelling{"°", "deg"},          Spelling{"lbs", "lb"},
+    Spelling{"Ns/m", "N s/m"},       Spelling{"kNs/m", "kN s/m"},   Spelling{"MNs/m", "MN s/m"},
+    Spelling{"lbfs/in", "lbf s/in"}, Spelling{"msec", "ms"},        Spelling{"usec", "us"},
 };
 
 void replaceAll(std::string& text, std::string_view from, std::string_view to) {
@@ -220,6 +223,8 @@ std::span<const Unit> unitsOf(Quantity quantity) {
             return shareUnits;
         case Quantity::attenuation:
             return attenuationUnits;
+        case Quantity::damping:
+            return dampingUnits;
     }
     return ratioUnits;
 }

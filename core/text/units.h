@@ -28,6 +28,7 @@ enum class Quantity {
     angle,        ///< in degrees, which go with the SI: a right angle is 90, exactly
     share,        ///< part of a whole: a bare number, or per cent
     attenuation,  ///< decay per length
+    damping,      ///< force per velocity
 };
 
 /// A unit of one quantity: value in SI = factor × value in this unit.

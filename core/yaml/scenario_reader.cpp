@@ -19,6 +19,9 @@ using Applicability = SectionReader::Applicability;
 
 constexpr std::string_view stringKeys[] = {"material", "hammer", "string", "end_time"};
 constexpr std::string_view rodKeys[] = {"dimensionless", "rod"};
+/// Key of the one word in a drill.
+constexpr std::string_view indexingKey = "indexing";
+
 constexpr std::string_view commonKeys[] = {"drillwave", "title", "pulse", "bit_rock", "drill"};
 
 /// The keys at the top level that a format has and the other one has not.
@@ -167,10 +170,23 @@ void readBitRock(SectionReader& reader, const YamlEntries& file) {
     if (isLawRead) readCorners(reader, *entries);
 }
 
+void readIndexing(SectionReader& reader, const YamlEntries& entries) {
+    const auto found = entries.find(indexingKey);
+    if (found == entries.end()) return;
+    const YamlEntry& entry = found->second;
+    reader.setPlace(rockIndexingKey, entry.place());
+    if (const std::optional<RockIndexing> indexing = findRockIndexing(entry.value->text))
+        reader.scenario().drill.indexing = *indexing;
+    else
+        reader.problems().reportValue(entry.place(), rockIndexingKey, entry.value->text,
+                                      "must be one of " + findWordParameter(rockIndexingKey)->list());
+}
+
 void readDrill(SectionReader& reader, const YamlEntries& file) {
     if (!file.contains("drill")) return;
-    const std::optional<YamlEntries> entries = reader.section(file, "drill", "drill");
+    const std::optional<YamlEntries> entries = reader.section(file, "drill", "drill", {indexingKey});
     if (!entries) return;
+    readIndexing(reader, *entries);
     reader.readParameters(*entries, "drill", Applicability::checked);
     reader.requireParameters(*entries, "drill");
 }

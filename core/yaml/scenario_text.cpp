@@ -135,6 +135,14 @@ void addLaw(std::vector<SavedValue>& values, const Scenario& scenario) {
     }
 }
 
+/// What of the drill is a word.
+void addIndexing(std::vector<SavedValue>& values, const Scenario& scenario) {
+    SavedValue indexing = savedText("drill", "indexing", name(scenario.drill.indexing));
+    indexing.isDefault = scenario.drill.indexing == RockIndexing::fresh;
+    indexing.isUnusual = true;
+    values.push_back(indexing);
+}
+
 /// The sections of a file, in order, that are no lists.
 std::vector<std::string_view> plainSections(const Scenario& scenario) {
     std::vector<std::string_view> sections;
@@ -276,6 +284,7 @@ std::vector<SavedValue> savedValues(const Scenario& scenario) {
         if (section == "pulse") values.push_back(savedText("pulse", "shape", name(scenario.pulse.shape)));
         addParameters(values, scenario, section);
         if (section == "bit_rock") addLaw(values, scenario);
+        if (section == "drill" && hasUnits(scenario)) addIndexing(values, scenario);
         if (section == "pulse" && scenario.pulse.shape == PulseShape::table &&
             !scenario.pulse.tableFile.empty())
             values.push_back(savedText("pulse", "file", scenario.pulse.tableFile));

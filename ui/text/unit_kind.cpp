@@ -35,6 +35,8 @@ constexpr Units<1> squareMillimetre{"mm^2"}, squareInch{"in^2"};
 constexpr Units<1> gigapascal{"GPa"}, megapsi{"Mpsi"};
 constexpr Units<1> kilogram{"kg"}, poundMass{"lb"}, degree{"deg"};
 constexpr Units<1> perMetre{"1/m"}, perFoot{"1/ft"};
+constexpr Units<3> newtonSecondPerMetre{"N s/m", "kN s/m", "MN s/m"};
+constexpr Units<1> poundSecondPerInch{"lbf s/in"};
 constexpr Units<1> kilogramPerVolume{"kg/m^3"}, poundPerVolume{"lb/ft^3"};
 
 constexpr UnitKindRow rows[] = {
@@ -68,6 +70,8 @@ constexpr UnitKindRow rows[] = {
     {UnitKind::angle, Quantity::angle, "angle", QT_TRANSLATE_NOOP("UnitKind", "angle"), degree, degree},
     {UnitKind::attenuation, Quantity::attenuation, "attenuation",
      QT_TRANSLATE_NOOP("UnitKind", "attenuation"), perMetre, perFoot},
+    {UnitKind::damping, Quantity::damping, "damping", QT_TRANSLATE_NOOP("UnitKind", "damping"),
+     newtonSecondPerMetre, poundSecondPerInch},
 };
 
 // Thousands of pounds are usual: the step to kips comes a decade late.

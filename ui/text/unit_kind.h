@@ -33,6 +33,7 @@ enum class UnitKind {
     mass,
     angle,
     attenuation,
+    damping,
 };
 
 /// One of a kind for each value; a kind that is not there has the units of the system.

@@ -40,7 +40,7 @@ struct BitNode::EventPiece {
 };
 
 BitNode::BitNode(double impedance, double mass, const BitRockLaw& law, double gap)
-    : m_impedance(impedance), m_mass(mass), m_now(ContactLaw<double>(law), gap) {}
+    : m_impedance(impedance), m_mass(mass), m_untouched(law), m_now(m_untouched, gap) {}
 
 void BitNode::setWidths(const std::vector<double>& widths) {
     m_mapsBefore.swap(m_maps);
@@ -149,6 +149,10 @@ bool BitNode::quietStep(const WaveCell& g, CellMaps& maps, double time, WaveCell
     m_now.force = force;
     m_now.velocity = velocity;
     if (primary) noteForce(force, time + maps.width);
+    if (m_notesAllPeaks && forces.most() > m_now.record.peakForce) {
+        const WaveCell::Peak peak = forces.peak();
+        notePeak(peak.value, time + peak.place * maps.width);
+    }
     m_now.record.impulse += maps.width * forces.mean();
     m_now.record.impulseMoment += maps.width * (time * forces.mean() + maps.width * forces.firstMoment());
     m_now.record.contactDuration += maps.width;
@@ -159,9 +163,44 @@ bool BitNode::quietStep(const WaveCell& g, CellMaps& maps, double time, WaveCell
 
 void BitNode::noteForce(double force, double time) {
     m_now.law.remember(force);
+    notePeak(force, time);
+}
+
+void BitNode::notePeak(double force, double time) {
     if (force <= m_now.record.peakForce) return;
     m_now.record.peakForce = force;
     m_now.record.peakTime = time;
+}
+
+BitNode::Turned BitNode::beginCycle(bool isFresh) {
+    Turned turned{.penetration = m_now.law.residualPenetration() - m_residual};
+    if (isFresh) {
+        const double givenBack = m_now.isApart() ? 0 : m_now.law.givenBack(m_now.force);
+        putAt(placeFromBottom(), 0);
+        turned.lostEnergy = givenBack - (m_now.isApart() ? 0 : m_now.law.worked(m_now.force));
+    }
+    m_residual = m_now.law.residualPenetration();
+    m_now.record = {};
+    m_now.record.peakForce = m_now.force;
+    return turned;
+}
+
+void BitNode::putAt(double placeFromBottom, double largestForce) {
+    ContactLaw<double> law = m_untouched;
+    law.rememberAcross(largestForce);
+    m_now.force = m_now.distance = 0;
+    if (placeFromBottom <= 0) {
+        m_now.line = ContactLine::apart;
+        m_now.distance = -placeFromBottom;
+    } else {
+        m_now.force = law.force(law.residualPenetration() + placeFromBottom);
+        m_now.line = law.lineAtContact();
+        if (m_now.force >= law.largestForce()) {
+            law.rememberAcross(m_now.force);
+            m_now.line = ContactLine::primary;
+        }
+    }
+    m_now.law = law;
 }
 
 void BitNode::separate(double time) {
@@ -285,7 +324,7 @@ void BitNode::addContact(const EventPiece& piece, double end, double unit, doubl
     m_now.record.contactDuration += end * unit;
     m_now.record.impulse += unit * sum;
     m_now.record.impulseMoment += unit * (time * sum + unit * moment);
-    if (!m_now.law.isElastic()) return;
+    if (!m_now.law.isElastic() && !m_notesAllPeaks) return;
     SearchCount uncounted;  // the force has its maximum where the bit turns
     const auto top = firstZero(piece.speed.data(), piece.count, end, uncounted);
     if (top.found) noteForce(piece.forceAt(top.u), time + top.u * unit);

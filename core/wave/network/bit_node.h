@@ -72,6 +72,26 @@ class BitNode {
     };
     Part partOfStep(const WaveCell& g, int index, double share, double time) const;
 
+    // Many blows (drilling §5)
+
+    /// What the rock of a cycle is left with.
+    struct Turned {
+        double penetration = 0;  ///< what its residual penetration has grown by
+        double lostEnergy = 0;   ///< of a rock that was pressed, and left behind
+    };
+    /// The record begins anew. On new rock the bottom of the crater is the face, and what presses on it goes
+    /// on along its first line: F becomes γF under a straight one.
+    Turned beginCycle(bool isFresh);
+    /// Peaks of the record are also those below the largest force that the rock remembers.
+    void notePeaksOfCycles() { m_notesAllPeaks = true; }
+    void setVelocity(double velocity) { m_now.velocity = velocity; }
+    /// U from the bottom of the crater, negative while apart.
+    double placeFromBottom() const {
+        return m_now.isApart() ? -m_now.distance : m_now.law.elasticWay(m_now.force);
+    }
+    /// To there, on a rock that remembers this largest force.
+    void putAt(double placeFromBottom, double largestForce);
+
     /// F over the cell that was stepped last.
     const WaveCell& cellForce() const { return m_cellForce; }
 
@@ -108,6 +128,7 @@ class BitNode {
     void moveAlong(const EventPiece& piece, double end, double time);
     void restAt(double wave, double time);
     void noteForce(double force, double time);
+    void notePeak(double force, double time);
     void enter(const LineEvent& event, double time);
     void separate(double time);
     void touch(double time);
@@ -134,6 +155,9 @@ class BitNode {
     double m_mass;
     std::vector<CellMaps> m_maps;
     std::vector<CellMaps> m_mapsBefore;  ///< only for its memory
+    ContactLaw<double> m_untouched{BitRockLaw{}};
+    double m_residual = 0;  ///< penetration when the cycle began
+    bool m_notesAllPeaks = false;
     BitNodeState m_now;
     WaveCell m_cellForce;
     std::vector<ImpactEvent>* m_events = nullptr;

@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// drillwave drill FILE
+#include <algorithm>
+#include <cstdio>
+
+#include "app/axis_argument.h"
+#include "app/command.h"
+#include "app/input_text.h"
+#include "app/interruption.h"
+#include "app/output_file.h"
+#include "app/output_folder.h"
+#include "app/progress_bar.h"
+#include "app/row_options.h"
+#include "app/scenario_argument.h"
+#include "core/archive/result_scenario.h"
+#include "core/archive/study_files.h"
+#include "core/model/parameter_text.h"
+#include "core/report/drilling_report.h"
+#include "core/report/drilling_scan_report.h"
+#include "core/text/decimal_text.h"
+#include "core/text/name_text.h"
+
+namespace drillwave {
+
+namespace {
+
+const std::vector<std::string> drillFiles{"scenario.yaml", "summary.json", "blows.csv"};
+
+/// Cells times nodes that a march may take unless --work-limit permits more, and about how many a second has.
+constexpr double mostWork = 4e9, workOfSecond = 2e7;
+
+OutputUnits outputUnits(const Arguments& arguments) {
+    if (arguments.has("si") && arguments.has("dimensionless"))
+        throw CommandError(ExitCode::usage, "--si and --dimensionless exclude each other");
+    return arguments.has("dimensionless") ? OutputUnits::dimensionless : OutputUnits::si;
+}
+
+int cellsOf(const Arguments& arguments, int usual) {
+    const std::optional<std::string> text = arguments.value("cells");
+    if (!text) return usual;
+    const std::optional<int> cells = wholeNumberIn<int>(*text);
+    if (!cells || *cells < leastDrillingCells || *cells > mostDrillingCells)
+        throw CommandError(ExitCode::usage, "--cells " + shortened(*text) + " " +
+                                                wholeNumberProblem(leastDrillingCells, mostDrillingCells));
+    return *cells;
+}
+
+/// --blows and so on are short for --set drill.…
+void setShort(const Arguments& arguments, Scenario& scenario) {
+    for (const char* option : {"blows", "settle", "seed"}) {
+        const std::optional<std::string> text = arguments.value(option);
+        if (!text) continue;
+        const std::string problem = assignText(scenario, "drill." + std::string(option), *text);
+        if (!problem.empty())
+            throw CommandError(ExitCode::usage, "--" + std::string(option) + ": " + problem);
+    }
+}
+
+void refuse(const std::vector<std::string>& problems, const std::string& path) {
+    if (problems.empty()) return;
+    std::vector<std::string> lines;
+    for (const std::string& problem : problems) lines.push_back(inputName(path) + ": " + problem);
+    throw CommandError(ExitCode::invalidScenario, std::move(lines));
+}
+
+double permittedWork(const Arguments& arguments) {
+    const std::optional<std::string> text = arguments.value("work-limit");
+    if (!text) return mostWork;
+    const std::optional<double> work = parseNumber(*text);
+    if (!work || !(*work >= 1))
+        throw CommandError(ExitCode::usage,
+                           "--work-limit " + shortened(*text) + " must be a number of at least 1");
+    return *work;
+}
+
+void checkWork(double work, const Arguments& arguments) {
+    const double permitted = permittedWork(arguments);
+    if (work <= permitted) return;
+    throw CommandError(ExitCode::unsolvedOrFailed,
+                       "it takes " + rounded(work, 3) + " cells times nodes, more than the " +
+                           rounded(permitted, 3) + " permitted, about " +
+                           inHandyUnit(work / workOfSecond, Quantity::time, 2) +
+                           "; fewer blows or --cells take less, --work-limit permits more");
+}
+
+void printRemark(const std::string& text) {
+    std::fprintf(stderr, "%s\n", printable(text).c_str());
+}
+
+void remarkOnUnused(const Scenario& scenario, const std::string& path) {
+    const Drill& drill = scenario.drill;
+    if (isString(scenario) && scenario.drillString.endTime)
+        printRemark(inputName(path) + ": end_time counts for single blows, not here");
+    if (drill.machineMass.value_or(0) > 0 && drill.damperDamping.value_or(0) == 0 &&
+        drill.damperStiffness.value_or(0) == 0)
+        printRemark(inputName(path) +
+                    ": machine_mass without a damper: the machine presses with a constant force");
+}
+
+ExitCode scan(const Arguments& arguments, const ScenarioDocument& document, const std::string& path) {
+    const OutputUnits units = outputUnits(arguments);
+    const std::string word = *arguments.value("scan");
+    const SweepAxis axis = axisArgument("scan", word);
+    checkNotSet(arguments, document.scenario, std::span(&axis, 1), std::vector{quotedAxis("scan", word)});
+    DrillingSettings settings = drillingSettingsOf(document.scenario, scanBlows);
+    if (!document.scenario.drill.settle && !document.scenario.drill.blows) settings.settle = scanSettle;
+    settings.cells = cellsOf(arguments, scanCells);
+    refuse(scanRefusals(document.scenario, axis, settings), path);
+    Scenario first = document.scenario;
+    (void)axis.assign(first, axis.value(0));
+    checkWork(2 * static_cast<double>(axis.count) *
+                  drillingWork(first, settings, {.cellError = false, .lyapunov = false, .fullRate = false}),
+              arguments);
+    const std::optional<std::string> out = arguments.value("o"), gaps = arguments.value("gaps");
+    const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    for (const std::optional<std::string>& file : {out, gaps})
+        if (file && *file != "-") {
+            checkOutputIsNoInput(*file, path, document);
+            checkOutput(*file, overwrite);
+        }
+    const int jobs = jobsOf(arguments);
+    checkStandardOutput();
+    const Interruption interruption;
+    remarkOnValues(document.scenario, path);
+    remarkOnUnused(document.scenario, path);
+    ProgressBar bar(axis.count, "values");
+    std::uint64_t done = 0;
+    DrillingScanReport report{
+        .scan = scanDrilling(
+            document.scenario, axis, settings,
+            {.jobs = jobs,
+             .stop = interruption.token(),
+             .progress = [&](long more) { bar.show(done += static_cast<std::uint64_t>(more)); }}),
+        .scenarioText = completeScenarioText(document)};
+    interruption.check();
+    const std::string csv = drillingScanCsv(report, units);
+    if (out == "-") {
+        printText(csv);
+    } else if (out) {
+        writeStudy(*out, csv, {}, overwrite, interruption);
+    }
+    if (gaps) writeStudy(*gaps, drillingGapsCsv(report, units), {}, overwrite, interruption);
+    if (out != "-")
+        printText(arguments.has("json") ? drillingScanJson(report, units) : drillingScanText(report, units));
+    const auto isAnswer = [](const DrillingScanPoint& point) {
+        return point.result.outcome == DrillingOutcome::done ||
+               point.result.outcome == DrillingOutcome::pushedBack;
+    };
+    return std::ranges::all_of(report.scan.points, isAnswer) ? ExitCode::done : ExitCode::unsolvedOrFailed;
+}
+
+bool isFolder(const std::string& out) {
+    return out != "-" && !out.ends_with(".csv");
+}
+
+ExitCode runDrill(const Arguments& arguments, const Drawing*) {
+    const std::string& path = arguments.operands().front();
+    const std::optional<std::string> out = arguments.value("o");
+    const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    if (arguments.has("force") && !out)
+        throw CommandError(ExitCode::usage, "--force is about the files of -o; add -o FILE.csv or -o DIR");
+    if (out == "-" && arguments.has("json"))
+        throw CommandError(ExitCode::usage, "--json and -o - would both print to standard output; take one");
+    if (arguments.has("gaps") && !arguments.has("scan"))
+        throw CommandError(ExitCode::usage, "--gaps is about a scan; add --scan KEY=START:STOP:COUNT");
+    ScenarioDocument document = loadScenarioArgument(path, arguments);
+    setShort(arguments, document.scenario);
+    if (arguments.has("scan")) return scan(arguments, document, path);
+
+    const OutputUnits units = outputUnits(arguments);
+    DrillingSettings settings = drillingSettingsOf(document.scenario);
+    settings.cells = cellsOf(arguments, settings.cells);
+    refuse(drillingRefusals(document.scenario, settings), path);
+    const DrillingWants wants;
+    checkWork(drillingWork(document.scenario, settings, wants), arguments);
+    if (out && *out != "-" && !isFolder(*out)) {
+        checkOutputIsNoInput(*out, path, document);
+        checkOutput(*out, overwrite);
+    } else if (out && isFolder(*out)) {
+        for (const std::string& name : drillFiles) checkOutputIsNoInput(*out + "/" + name, path, document);
+        checkFolder(*out, drillFiles, overwrite);
+    }
+    if (out != "-") checkStandardOutput();
+    const Interruption interruption;
+    remarkOnValues(document.scenario, path);
+    remarkOnUnused(document.scenario, path);
+    ProgressBar bar(static_cast<std::uint64_t>(foreseenBlows(settings, wants)), "blows");
+    std::uint64_t done = 0;
+    DrillingReport report{
+        .result = studyDrilling(document.scenario, settings, wants, interruption.token(),
+                                [&](long more) { bar.show(done += static_cast<std::uint64_t>(more)); }),
+        .scenarioText = completeScenarioText(document)};
+    interruption.check();
+    if (report.result.outcome == DrillingOutcome::notSolved)
+        throw CommandError(ExitCode::unsolvedOrFailed,
+                           path + ": could not be solved: " + report.result.reason);
+    if (out && isFolder(*out))
+        writeFolder(
+            *out,
+            {.files = {{"scenario.yaml", report.scenarioText},
+                       {"summary.json", drillingJson(report, units)},
+                       {"blows.csv", drillingCsv(report, units)}},
+             .outdated = [](const std::string& there) { return studyFilesThere(there, "drilling.csv"); }},
+            overwrite, &interruption);
+    else if (out == "-")
+        printText(drillingCsv(report, units));
+    else if (out)
+        writeStudy(*out, drillingCsv(report, units), {}, overwrite, interruption);
+    if (out != "-")
+        printText(arguments.has("json") ? drillingJson(report, units) : drillingText(report, units));
+    return ExitCode::done;
+}
+
+}  // namespace
+
+const Command& drillCommand() {
+    static const Command command{
+        .name = "drill",
+        .operands = "FILE",
+        .summary = "many blows under a feed: gaps, penetration, whether the bit stays on the rock",
+        .details =
+            "Follows blow after blow: waves, motions and the machine on its damper live on between them, "
+            "the\n"
+            "rock is new for every blow. Told are the means with their errors, how many blows begin on the\n"
+            "rock, whether the motion repeats, where the energy goes, and in a sentence what the thrust is "
+            "good\n"
+            "for with this damper. FILE needs drill.blow_frequency and drill.thrust. Penetrations are upper\n"
+            "limits. With --scan the same over a parameter, each value from rest and from bouncing.",
+        .options = scenarioOptions(
+            {{"blows", "N", "short for --set drill.blows=N; 1000, of a scan 300, if not given"},
+             {"settle", "N", "short for --set drill.settle=N: the first blows, which no statistic counts"},
+             {"seed", "N", "short for --set drill.seed=N, of the scatter of the intervals"},
+             {"cells", "N", "cells of time per t0, 10 to 400; 40, of a scan 20, if not given"},
+             {"scan", "KEY=START:STOP:COUNT", "over these values; :log behind it, or KEY=A,B,C"},
+             {"gaps", "FILE.csv", "with --scan, also write the gap of every blow that counts"},
+             {"json", "", "print one JSON object in place of the table"},
+             {"si", "", "numbers in SI, as if not given"},
+             {"dimensionless", "", "numbers as multiples of d0, v0, I0, F0 and t0"},
+             {"j", "N", "threads of a scan, all of them if not given"},
+             {"work-limit", "N", "cells times nodes that are permitted, 4e9 if not given"},
+             {"o", "FILE.csv|DIR",
+              "also write a row for every blow, or all files into DIR; - prints the rows"},
+             {"force", "", "overwrite existing files"}}),
+        .leastOperands = 1,
+        .mostOperands = 1,
+        .draws = [](const Arguments&) { return false; },
+        .run = runDrill,
+    };
+    return command;
+}
+
+}  // namespace drillwave

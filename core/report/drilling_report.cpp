@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/drilling_report.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/blow/feed_force.h"
+#include "core/model/version.h"
+#include "core/report/alert_words.h"
+#include "core/report/blow_csv.h"
+#include "core/report/json_value.h"
+#include "core/report/report_text.h"
+#include "core/text/number_text.h"
+#include "core/text/unit_heading.h"
+
+namespace drillwave {
+
+namespace {
+
+using enum DrillingMeasure;
+
+constexpr DrillingColumn columnTable[] = {{"time", time, &DrillingBlow::time},
+                                          {"gap", length, &DrillingBlow::gap},
+                                          {"velocity", velocity, &DrillingBlow::velocity},
+                                          {"rock_impulse", impulse, &DrillingBlow::rockImpulse},
+                                          {"penetration", length, &DrillingBlow::penetration},
+                                          {"hole_depth", length, &DrillingBlow::holeDepth},
+                                          {"peak_force", force, &DrillingBlow::peakForce},
+                                          {"contacts", count, &DrillingBlow::contacts},
+                                          {"contact_time", time, &DrillingBlow::contactTime},
+                                          {"damper_peak_force", force, &DrillingBlow::damperPeak},
+                                          {"face_impulse", impulse, &DrillingBlow::faceImpulse},
+                                          {"hammer_rebound_velocity", velocity, &DrillingBlow::hammerRebound},
+                                          {"shank_offset", length, &DrillingBlow::shankOffset}};
+
+/// Contacts of a blow are told to a hundredth.
+constexpr int statisticDigits = 5;
+
+double thrustMark(const DrillingResult& result, double times) {
+    return times * result.meanImpulse * result.units.impulse() * result.frequencyUsed;
+}
+
+/// Without units a number of the groups.
+Json valueOf(double ofProblem, DrillingMeasure measure, const DrillingResult& result, OutputUnits units) {
+    return scaleOf(measure, result).value(ofProblem, units);
+}
+
+JsonObject spreadJson(const DrillingResult& result, std::size_t quantity, OutputUnits units) {
+    const BlowSpread& spread = result.spread(quantity);
+    const DrillingMeasure measure = measureOf(blowQuantities[quantity]);
+    const auto value = [&](double number) { return valueOf(number, measure, result, units); };
+    const std::optional<double> error = result.meanError(quantity);
+    return {{"mean", value(spread.mean)},
+            {"mean_error", error ? value(*error) : Json()},
+            {"deviation", value(spread.deviation)},
+            {"q05", value(spread.q05)},
+            {"q50", value(spread.q50)},
+            {"q95", value(spread.q95)},
+            {"least", value(spread.least)},
+            {"largest", value(spread.largest)}};
+}
+
+JsonObject unitsJson(const DrillingResult& result, OutputUnits units) {
+    const auto unit = [&](DrillingMeasure measure, const char* multiple) {
+        if (units == OutputUnits::dimensionless) return Json(multiple);
+        return unitJson(scaleOf(measure, result).quantity);
+    };
+    return {{"gap", unit(length, "d0")},
+            {"penetration", unit(length, "d0")},
+            {"velocity", unit(velocity, "v0")},
+            {"rock_impulse", unit(impulse, "I0")},
+            {"face_impulse", unit(impulse, "I0")},
+            {"peak_force", unit(force, "F0")},
+            {"damper_peak_force", unit(force, "F0")},
+            {"contact_time", unit(time, "t0")},
+            {"contacts", "1"},
+            {"ledger", unit(energy, "W0")},
+            {"penetration_rate", "m/s"},
+            {"thrust_marks", "N"},
+            {"blow_frequency_used", "Hz"}};
+}
+
+JsonArray alertList(const std::vector<Alert>& alerts) {
+    JsonArray array;
+    for (const Alert& alert : alerts)
+        array.emplace_back(
+            JsonObject{{"level", alert.level == AlertLevel::warning ? "warning" : "information"},
+                       {"code", name(alert.code)},
+                       {"text", alertText(alert)}});
+    return array;
+}
+
+std::size_t placeOf(std::string_view name) {
+    const auto found = std::ranges::find(
+        blowQuantities, name, [](const BlowQuantity& quantity) { return std::string_view(quantity.name); });
+    return static_cast<std::size_t>(found - blowQuantities.begin());
+}
+
+Json statisticsJson(const DrillingResult& result, OutputUnits units) {
+    if (!result.statistics) return Json();
+    JsonObject object;
+    for (std::size_t q = 0; q < blowQuantities.size(); ++q)
+        object[blowQuantities[q].name] = spreadJson(result, q, units);
+    return object;
+}
+
+std::string regimeWords(const DrillingResult& result, const ReadingStyle& style) {
+    const DrillingStatistics& statistics = *result.statistics;
+    std::string text =
+        statistics.regime == DrillingRegime::rest ? "at rest before every blow"
+        : statistics.regime == DrillingRegime::period
+            ? "repeats every " +
+                  (statistics.period == 1 ? "blow" : std::to_string(statistics.period) + " blows")
+            : "irregular: single blows are no result";
+    if (!result.lyapunov) return text;
+    text += "; Lyapunov exponent " + style.number(result.lyapunov->value, 3);
+    if (result.lyapunov->error) text += " +- " + style.number(*result.lyapunov->error, 2);
+    return text + " a blow";
+}
+
+}  // namespace
+
+std::span<const DrillingColumn> drillingColumns() {
+    return columnTable;
+}
+
+DrillingMeasure measureOf(const BlowQuantity& quantity) {
+    return std::ranges::find(columnTable, std::string_view(quantity.name), &DrillingColumn::name)->measure;
+}
+
+DrillingScale scaleOf(DrillingMeasure measure, const DrillingResult& result) {
+    const DrillingUnits& units = result.units;
+    const Scales& scales = result.scales;
+    switch (measure) {
+        case count:
+            break;
+        case time:
+            return {Quantity::time, units.time, scales.time};
+        case length:
+            return {Quantity::length, units.length(), scales.penetration};
+        case velocity:
+            return {Quantity::velocity, units.velocity, scales.velocity};
+        case impulse:
+            return {Quantity::impulse, units.impulse(), scales.impulse};
+        case force:
+            return {Quantity::force, units.force, scales.force};
+        case energy:
+            return {Quantity::energy, units.energy(), scales.energy};
+    }
+    return {};
+}
+
+std::string damperWords(const Scenario& scenario, const ReadingStyle& style) {
+    const Drill& drill = scenario.drill;
+    std::string words;
+    if (drill.machineMass.value_or(0) > 0) {
+        if (drill.damperDamping.value_or(0) > 0)
+            words = "a dashpot of " + style.quantity(*drill.damperDamping, Quantity::damping, 4);
+        if (drill.damperStiffness.value_or(0) > 0)
+            words += (words.empty() ? "a spring of " : " and a spring of ") +
+                     style.quantity(*drill.damperStiffness, Quantity::stiffness, 4);
+    }
+    return words.empty() ? "with constant force" : "with " + words;
+}
+
+std::string verdictSentence(const DrillingResult& result, const ReadingStyle& style) {
+    const std::string damper = damperWords(result.scenario, style);
+    const auto gap = [&](double value) {
+        return style.quantity(value * result.units.length(), Quantity::length, 3);
+    };
+    if (result.outcome == DrillingOutcome::notSolved) return "Not solved: " + result.reason + ".";
+    if (result.outcome == DrillingOutcome::stopped) return "Stopped before all blows were done.";
+    const std::string begin = "With " + damper.substr(5);
+    const std::string share =
+        result.fullRateShare ? style.number(100 * *result.fullRateShare, 3) + " % of full rate" : "";
+    switch (result.verdict) {
+        case DrillingVerdict::pushedBack:
+            return begin + " the machine is pushed back.";
+        case DrillingVerdict::rests:
+            return begin + " the bit rests on the rock before every blow" +
+                   (share.empty() ? "." : "; " + share + ".");
+        case DrillingVerdict::fullRate:
+            return begin + " it drills at full rate (" + share +
+                   "); the bit leaves the rock between blows, gaps of " + gap(result.spread(0).q05) + " to " +
+                   gap(result.spread(0).q95) + " when the next one comes.";
+        case DrillingVerdict::rateLost:
+            return begin + " penetration is lost" + (share.empty() ? "" : ": " + share) + "; gaps of " +
+                   gap(result.spread(0).q05) + " to " + gap(result.spread(0).q95) +
+                   " when the next blow comes.";
+    }
+    return {};
+}
+
+std::string adviceSentence(const DrillingResult& result, const ReadingStyle& style) {
+    if (result.outcome != DrillingOutcome::done && result.outcome != DrillingOutcome::pushedBack) return {};
+    const auto thrust = [&](double times) {
+        return style.quantity(thrustMark(result, times), Quantity::force, 3);
+    };
+    if (result.verdict == DrillingVerdict::pushedBack)
+        return "Bounded motion needs more than f I0 = " + thrust(1) + ".";
+    if (!std::isfinite(result.cor)) return {};
+    if (result.verdict == DrillingVerdict::rateLost)
+        return "Waves alone ask for f I0 (1 + e) = " + thrust(1 + result.cor) +
+               " for the full rate; with another damper it is another thrust.";
+    return {};
+}
+
+std::string drillingJson(const DrillingReport& report, OutputUnits units) {
+    const DrillingResult& result = report.result;
+    const DrillingGroups& groups = result.groups;
+    const auto number = [&](double value, DrillingMeasure measure) {
+        return valueOf(value, measure, result, units);
+    };
+    JsonObject object{{"version", versionText},
+                      {"title", result.scenario.title},
+                      {"method", "cells"},
+                      {"outcome", name(result.outcome)},
+                      {"reason", result.reason.empty() ? Json() : Json(result.reason)},
+                      {"run_time", result.runTime},
+                      {"blows", result.settings.blows},
+                      {"settle", result.settings.settle},
+                      {"cells_per_duration", result.cellsPerDuration},
+                      {"blow_frequency_used", result.frequencyUsed}};
+    JsonObject groupObject = groupsJson(groups.blow);
+    groupObject["phi"] = groups.phi;
+    groupObject["round_trips"] = groups.roundTrips;
+    groupObject["mu"] = groups.mu;
+    groupObject["zeta"] = groups.zeta;
+    groupObject["kappa"] = groups.kappa;
+    groupObject["wave_loss"] = result.scenario.drill.waveLoss.value_or(0);
+    object["groups"] = groupObject;
+    object["statistics"] = statisticsJson(result, units);
+    const auto ofStatistics = [&](const auto& value) { return result.statistics ? value() : Json(); };
+    object["contact_share"] = ofStatistics([&] { return Json(result.statistics->contactShare); });
+    object["regime"] = ofStatistics([&] { return Json(name(result.statistics->regime)); });
+    object["period"] = ofStatistics([&] { return Json(result.statistics->period); });
+    object["frac_gap"] = ofStatistics([&] {
+        JsonArray counts;
+        for (const int count : result.statistics->gapParts) counts.emplace_back(count);
+        return Json(counts);
+    });
+    object["ks_distance"] = ofStatistics([&] { return Json(result.statistics->ksDistance); });
+    object["ks_level"] = ofStatistics([&] { return Json(result.statistics->ksLevel); });
+    object["lyapunov"] = result.lyapunov ? Json(result.lyapunov->value) : Json();
+    object["lyapunov_error"] = result.lyapunov ? Json(result.lyapunov->error) : Json();
+    object["penetration_rate"] = ofStatistics([&] {
+        return Json(result.spread(placeOf("penetration")).mean * result.units.length() *
+                    result.frequencyUsed);
+    });
+    object["full_rate_share"] = result.fullRateShare;
+    object["thrust_marks"] = JsonObject{{"pushed_back", thrustMark(result, 1)},
+                                        {"full_rate", thrustMark(result, 1 + result.cor)},
+                                        {"back_in_time", thrustMark(result, 1 + 2 * result.cor)}};
+    const DrillingLedger& ledger = result.ledger;
+    object["ledger"] =
+        JsonObject{{"hammer", number(ledger.hammer, energy)}, {"feed", number(ledger.feed, energy)},
+                   {"rock", number(ledger.rock, energy)},     {"damper", number(ledger.damper, energy)},
+                   {"waves", number(ledger.waves, energy)},   {"faces", number(ledger.faces, energy)},
+                   {"stored", number(ledger.stored, energy)}};
+    object["momentum_residual"] = result.momentumResidual;
+    object["energy_residual"] = result.energyResidual;
+    object["verdict"] = verdictSentence(result);
+    const std::string advice = adviceSentence(result);
+    object["advice"] = advice.empty() ? Json() : Json(advice);
+    object["alerts"] = alertList(result.alerts);
+    object["units"] = unitsJson(result, units);
+    object["scenario"] = report.scenarioText;
+    return Json(object).text();
+}
+
+std::string drillingText(const DrillingReport& report, OutputUnits units, const ReadingStyle& style) {
+    const DrillingResult& result = report.result;
+    const auto quantity = [&](double value, DrillingMeasure measure, int digits = statisticDigits) {
+        const DrillingScale scale = scaleOf(measure, result);
+        const double shown = scale.value(value, units);
+        return units == OutputUnits::si ? style.quantity(shown, scale.quantity, digits)
+                                        : style.number(shown, digits);
+    };
+    std::string text = headingOf(result.scenario);
+    text += "\n" + paragraph(verdictSentence(result, style));
+    if (const std::string advice = adviceSentence(result, style); !advice.empty()) text += paragraph(advice);
+    text += "\n  phi = " + style.number(result.groups.phi, 4) +
+            " (thrust over mean reaction), n_b = " + style.number(result.groups.roundTrips, 4) +
+            " round trips a blow\n";
+    if (result.statistics) {
+        TextGrid grid;
+        grid.add({std::to_string(result.settings.blows - result.settings.settle) + " blows", "mean", "+-",
+                  "deviation", "5 %", "median", "95 %"});
+        static constexpr const char* labels[][2] = {{"gap", "gap at the blow"},
+                                                    {"penetration", "penetration"},
+                                                    {"rock_impulse", "rock impulse"},
+                                                    {"peak_force", "peak force"}};
+        for (const auto& [key, label] : labels) {
+            const std::size_t q = placeOf(key);
+            const BlowSpread& spread = result.spread(q);
+            const DrillingMeasure measure = measureOf(blowQuantities[q]);
+            const std::optional<double> error = result.meanError(q);
+            grid.add({label, quantity(spread.mean, measure), error ? quantity(*error, measure, 2) : "",
+                      quantity(spread.deviation, measure, 3), quantity(spread.q05, measure, 4),
+                      quantity(spread.q50, measure, 4), quantity(spread.q95, measure, 4)});
+        }
+        text += "\n" + grid.text();
+        const double rate =
+            result.spread(placeOf("penetration")).mean * result.units.length() * result.frequencyUsed;
+        text += "\n  penetration rate up to " + style.number(60 * rate, 4) +
+                " m/min: an upper limit, all rock under the bit gives way and cuttings vanish\n";
+        text += "  contact share    " + style.number(100 * result.statistics->contactShare, 4) +
+                " % of the blows begin on the rock\n";
+        text += "  motion           " + regimeWords(result, style) + "\n";
+    }
+    if (!result.blows.empty()) {
+        const double all = result.ledger.hammer + result.ledger.feed;
+        const auto share = [&](double part) { return style.number(100 * part / all, 3) + " %"; };
+        text += "  energy           rock " + share(result.ledger.rock) + ", damper " +
+                share(result.ledger.damper) + ", waves " + share(result.ledger.waves) + ", new faces " +
+                share(result.ledger.faces) + " of what hammer and feed bring\n";
+        text += "  balances         momentum to " + style.bound(std::abs(result.momentumResidual)) +
+                ", energy to " + style.bound(std::abs(result.energyResidual)) + "\n";
+    }
+    if (!result.alerts.empty()) text += "\n";
+    for (const Alert& alert : result.alerts) text += paragraph(alertText(alert, style));
+    return text;
+}
+
+std::string drillingCsv(const DrillingReport& report, OutputUnits units) {
+    const DrillingResult& result = report.result;
+    std::string csv = scenarioHeader(report.scenarioText) + "blow";
+    for (const DrillingColumn& column : columnTable) {
+        const Quantity quantity = scaleOf(column.measure, result).quantity;
+        csv += "," + withUnit(column.name, units == OutputUnits::si && column.measure != count
+                                               ? &unitsOf(quantity).front()
+                                               : nullptr);
+    }
+    csv += "\n";
+    long number = 0;
+    for (const DrillingBlow& blow : result.blows) {
+        csv += std::to_string(++number);
+        for (const DrillingColumn& column : columnTable) {
+            csv += ',';
+            const double value = scaleOf(column.measure, result).value(blow.*column.value, units);
+            if (std::isfinite(value)) appendNumber(csv, value);
+        }
+        csv += '\n';
+    }
+    return csv;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What reports of many blows have in common: columns, units, the verdict in words.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/blow/outputs.h"
+#include "core/study/drilling/drilling_scan.h"
+#include "core/study/drilling/drilling_study.h"
+#include "core/text/handy_text.h"
+
+namespace drillwave {
+
+/// Many blows, and the text of the scenario they are of.
+struct DrillingReport {
+    DrillingResult result;
+    std::string scenarioText;
+};
+
+/// What a number of a blow is, and of what it is a multiple: times, gaps, impulses, forces, velocities.
+enum class DrillingMeasure { count, time, length, velocity, impulse, force, energy };
+
+/// SI value of the unit of Problem, of the multiple that is told without units, and the quantity.
+struct DrillingScale {
+    Quantity quantity = Quantity::ratio;
+    double si = 1;        ///< SI value of 1 in units of Problem
+    double multiple = 1;  ///< SI value of what multiples are told of
+
+    double value(double ofProblem, OutputUnits units) const {
+        return units == OutputUnits::si ? ofProblem * si : ofProblem * si / multiple;
+    }
+};
+DrillingScale scaleOf(DrillingMeasure measure, const DrillingResult& result);
+
+/// A column of blows.
+struct DrillingColumn {
+    std::string_view name;
+    DrillingMeasure measure;
+    double DrillingBlow::*value;
+};
+std::span<const DrillingColumn> drillingColumns();
+/// Of one of blowQuantities.
+DrillingMeasure measureOf(const BlowQuantity& quantity);
+
+/// "with a dashpot of 6.3 kN s/m", "with constant force".
+std::string damperWords(const Scenario& scenario, const ReadingStyle& style = plainStyle());
+/// The verdict in one sentence, with its damper.
+std::string verdictSentence(const DrillingResult& result, const ReadingStyle& style = plainStyle());
+/// What to do about it; may be empty.
+std::string adviceSentence(const DrillingResult& result, const ReadingStyle& style = plainStyle());
+
+std::string drillingJson(const DrillingReport& report, OutputUnits units);
+std::string drillingText(const DrillingReport& report, OutputUnits units,
+                         const ReadingStyle& style = plainStyle());
+/// A row for every blow, behind the scenario.
+std::string drillingCsv(const DrillingReport& report, OutputUnits units);
+
+}  // namespace drillwave

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/drilling/drilling_scan.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+#include "core/numeric/ordered_work.h"
+
+namespace drillwave {
+
+namespace {
+
+/// Values at which it is tried what half as many cells change.
+constexpr std::uint64_t triedValues = 5;
+
+/// Statistics agree to that share of what they are of without any error.
+constexpr double sameMean = 1e-6;
+
+/// One value of a scan.
+struct ValueWork {
+    std::uint64_t index = 0;
+    DrillingResult rest, bouncing;
+};
+
+bool isTried(std::uint64_t index, std::uint64_t count) {
+    if (count <= triedValues) return true;
+    for (std::uint64_t i = 0; i < triedValues; ++i)
+        if (index == i * (count - 1) / (triedValues - 1)) return true;
+    return false;
+}
+
+Scenario scenarioAt(const Scenario& base, const SweepAxis& axis, std::uint64_t index) {
+    Scenario scenario = base;
+    (void)axis.assign(scenario, axis.value(index));
+    return scenario;
+}
+
+/// Whether both come to the same, as far as their errors tell.
+bool isSameMotion(const DrillingResult& one, const DrillingResult& other) {
+    if (one.outcome != other.outcome) return false;
+    if (!one.statistics || !other.statistics) return true;
+    for (const std::size_t q : {0UL, 2UL, 3UL}) {
+        const double errors = one.spread(q).meanError.value_or(0) + other.spread(q).meanError.value_or(0);
+        const double size = std::max(std::abs(one.spread(q).mean), std::abs(other.spread(q).mean));
+        if (std::abs(one.spread(q).mean - other.spread(q).mean) > errors + sameMean * (1 + size))
+            return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+std::vector<std::string> scanRefusals(const Scenario& base, const SweepAxis& axis,
+                                      const DrillingSettings& settings) {
+    for (const std::uint64_t index : axis.extremes()) {
+        Scenario scenario = base;
+        if (std::string problem = axis.assign(scenario, axis.value(index)); !problem.empty())
+            return {problem};
+        if (std::vector<std::string> problems = drillingRefusals(scenario, settings); !problems.empty())
+            return problems;
+    }
+    return {};
+}
+
+DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const DrillingSettings& settings,
+                          const DrillingScanWork& work) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    DrillingScan scan{.base = base, .axis = axis, .settings = settings, .points = {}};
+    std::uint64_t next = 0;
+    const auto fill = [&](ValueWork& chunk) {
+        if (next == axis.count) return false;
+        chunk.index = next++;
+        return true;
+    };
+    const auto makeWorker = [&] {
+        return [&](ValueWork& chunk, const std::stop_token& stop) {
+            const Scenario scenario = scenarioAt(base, axis, chunk.index);
+            DrillingWants wants{
+                .cellError = isTried(chunk.index, axis.count), .lyapunov = false, .fullRate = false};
+            DrillingSettings from = settings;
+            chunk.rest = studyDrilling(scenario, from, wants, stop);
+            wants.cellError = false;
+            from.start = DrillingStart::bouncing;
+            chunk.bouncing = studyDrilling(scenario, from, wants, stop);
+        };
+    };
+    const auto deliver = [&](ValueWork& chunk) {
+        const double value = axis.value(chunk.index);
+        for (std::size_t q = 0; q < blowQuantities.size(); ++q)
+            scan.cellErrors[q] = std::max(scan.cellErrors[q], chunk.rest.cellErrors[q]);
+        const bool differs = !isSameMotion(chunk.rest, chunk.bouncing);
+        if (differs)
+            for (DrillingResult* result : {&chunk.rest, &chunk.bouncing})
+                result->alerts.push_back({AlertLevel::warning, AlertCode::coexistingMotions, {}, {}});
+        scan.points.push_back({value, DrillingStart::rest, std::move(chunk.rest)});
+        if (differs) scan.points.push_back({value, DrillingStart::bouncing, std::move(chunk.bouncing)});
+        if (work.progress) work.progress(1);
+        return true;
+    };
+    processInOrder<ValueWork>(work.jobs, work.stop, fill, makeWorker, deliver);
+    for (DrillingScanPoint& point : scan.points) point.result.cellErrors = scan.cellErrors;
+    scan.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
+    return scan;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Many blows over the values of a parameter, each from rest and from bouncing (drilling §6).
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/study/drilling/drilling_study.h"
+#include "core/study/rows/sweep_axis.h"
+
+namespace drillwave {
+
+/// The march at one value.
+struct DrillingScanPoint {
+    double value = 0;  ///< SI
+    DrillingStart start = DrillingStart::rest;
+    DrillingResult result;
+};
+
+struct DrillingScan {
+    Scenario base;
+    SweepAxis axis;
+    DrillingSettings settings;
+    /// In the order of the values; of each from rest, and from bouncing where that differs by more than the
+    /// errors.
+    std::vector<DrillingScanPoint> points;
+    /// What half as many cells change, the largest of five values; of blowQuantities.
+    std::array<double, blowQuantities.size()> cellErrors{};
+    double runTime = 0;
+};
+
+struct DrillingScanWork {
+    int jobs = 1;
+    std::stop_token stop;
+    DrillingProgress progress;
+};
+
+/// Why a value of the axis cannot be drilled with, all of them; empty where all can.
+std::vector<std::string> scanRefusals(const Scenario& base, const SweepAxis& axis,
+                                      const DrillingSettings& settings);
+
+/// Requires that there are no scanRefusals(). Values are marched side by side; what comes out does not depend
+/// on the number of threads. After a stop it is not to be used.
+DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const DrillingSettings& settings,
+                          const DrillingScanWork& work);
+
+}  // namespace drillwave

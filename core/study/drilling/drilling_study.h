@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Many blows of a scenario, with what they come to (drilling §6, §7).
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "core/model/alerts.h"
+#include "core/model/scales.h"
+#include "core/model/scenario.h"
+#include "core/study/drilling/drilling_case.h"
+#include "core/study/drilling/drilling_statistics.h"
+
+namespace drillwave {
+
+enum class DrillingOutcome {
+    done,
+    pushedBack,  ///< the machine is pushed back: no bounded motion
+    notSolved,
+    stopped,
+};
+/// "done", "pushed_back", …
+std::string_view name(DrillingOutcome outcome);
+
+/// What the thrust comes to, in one word.
+enum class DrillingVerdict {
+    pushedBack,  ///< "the machine is pushed back"
+    rests,       ///< "the bit rests on the rock before every blow"
+    fullRate,    ///< "drills at full rate; the bit leaves the rock between blows"
+    rateLost,    ///< "penetration is lost"
+};
+std::string_view name(DrillingVerdict verdict);
+
+/// The groups of drilling §8.
+struct DrillingGroups {
+    double phi = 0;                      ///< Fe/(f I0), of a string with the mean J
+    double roundTrips = 0;               ///< n_b
+    double mu = 0, zeta = 0, kappa = 0;  ///< of machine and damper; 0 without
+    Groups blow;
+};
+
+/// λ per blow, with its 95 % error.
+struct Lyapunov {
+    double value = 0;
+    std::optional<double> error;
+};
+
+/// What is wanted beside the blows: each costs a march of its own.
+struct DrillingWants {
+    bool cellError = true;  ///< the same with half as many cells
+    bool lyapunov = true;
+    bool fullRate = true;  ///< the penetration at 2(1 + 2e)
+};
+
+struct DrillingResult {
+    Scenario scenario;
+    DrillingSettings settings;
+    DrillingOutcome outcome = DrillingOutcome::done;
+    std::string reason;  ///< where it is not solved
+    std::vector<DrillingBlow> blows;
+    /// Nothing where nothing bounded comes of it.
+    std::optional<DrillingStatistics> statistics;
+    /// Of the means, what half as many cells change; 0 where that was not wanted.
+    std::array<double, blowQuantities.size()> cellErrors{};
+    std::optional<Lyapunov> lyapunov;
+    DrillingGroups groups;
+    double cor = 0;                       ///< e of the blow at zero gap
+    std::optional<double> fullRateShare;  ///< of the mean penetration at 2(1 + 2e)
+    double meanImpulse = 1;               ///< J [units of Problem]
+    DrillingLedger ledger;
+    double momentumResidual = 0;  ///< over N Fe/f
+    double energyResidual = 0;    ///< over the hammer work
+    double frequencyUsed = 0;     ///< [Hz]
+    double cellsPerDuration = 0;  ///< that were taken
+    DrillingVerdict verdict = DrillingVerdict::rateLost;
+    std::vector<Alert> alerts;
+    DrillingUnits units;
+    Scales scales;
+    double runTime = 0;  ///< [s]
+
+    bool hasLoss = false;  ///< waves fade
+    /// Of a mean, by batches and cells; nothing where either is not known.
+    std::optional<double> meanError(std::size_t quantity) const;
+    const BlowSpread& spread(std::size_t quantity) const { return statistics->spreads[quantity]; }
+};
+
+/// Told how many blows more are done, of foreseenBlows().
+using DrillingProgress = std::function<void(long)>;
+
+/// Blows of all marches of a study.
+long foreseenBlows(const DrillingSettings& settings, const DrillingWants& wants);
+
+/// What it takes, in cells times nodes.
+double drillingWork(const Scenario& scenario, const DrillingSettings& settings, const DrillingWants& wants);
+
+/// Requires that there are no drillingRefusals().
+DrillingResult studyDrilling(const Scenario& scenario, const DrillingSettings& settings,
+                             const DrillingWants& wants = {}, const std::stop_token& stop = {},
+                             const DrillingProgress& progress = {});
+
+}  // namespace drillwave

@@ -1,0 +1,338 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/drilling/drilling_march.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <limits>
+
+#include "core/numeric/normal_quantile.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// How often it is asked whether to stop, in cells.
+constexpr long cellsBetweenStops = 2048;
+
+/// An interval is at most so many deviations off its mean.
+constexpr double mostDeviations = 3;
+
+/// Fa over the parts of cells that follow the front, as long as it acts.
+std::vector<WaveCell> cellsOf(const PulseForce& force, const CellCuts& cuts) {
+    std::vector<WaveCell> cells;
+    CellCuts::Walk at(cuts, 0);
+    const double last = force.end - 1e-12 * std::max(1.0, force.end);
+    for (; at.clock() < last; at.next()) {
+        const double time = at.clock(), width = at.width();
+        CellProjection projection;
+        auto segment = std::ranges::upper_bound(force.segments, time, {}, &PulseSegment::start);
+        if (segment != force.segments.begin()) --segment;
+        for (; segment != force.segments.end() && segment->start < time + width; ++segment) {
+            const double from = std::max(time, segment->start) - segment->start;
+            const double to = std::min(time + width - segment->start, segment->length);
+            const double offset = segment->start - time;
+            if (to > from)
+                projection.add((offset + from) / width, (offset + to) / width,
+                               [&](double u) { return segment->forceAt(u * width - offset); });
+        }
+        cells.push_back(projection.cell());
+    }
+    return cells;
+}
+
+}  // namespace
+
+DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid& grid)
+    : m_problem(problem),
+      m_grid(grid),
+      m_hammer(problem.blow.hammerSections()),
+      m_interval(grid.interval()),
+      m_random(problem.seed) {
+    const Problem& blow = problem.blow;
+    const std::size_t count = blow.sections.size();
+    assert(problem.waveLosses.size() == count);
+    const std::vector<double>& widths = grid.cuts.widths();
+    m_lines.resize(count);
+    m_arriving.resize(count);
+    for (std::size_t j = 0; j < count; ++j) {
+        const auto trip = static_cast<std::size_t>(grid.cells.roundTrips[j]);
+        m_lines[j].begin(trip * grid.cuts.count(), static_cast<double>(trip) * grid.cells.cell,
+                         problem.waveLosses[j], widths);
+        const double mass = blow.sections[j].impedance * static_cast<double>(trip) * grid.cells.cell / 2;
+        (j < m_hammer ? m_hammerMass : m_stringMass) += mass + blow.sections[j].massAfter;
+        if (j + 1 == count) continue;
+        UniformSection near = blow.sections[j];
+        near.loss = 0;  // those are in the sections
+        m_joints.emplace_back(near, blow.sections[j + 1], 0);
+        m_joints.back().setWidths(widths);
+    }
+    m_bit =
+        BitNode(blow.sections.back().impedance, blow.sections.back().massAfter, blow.law, blow.distance());
+    m_bit.setWidths(widths);
+    m_bit.notePeaksOfCycles();
+    RearNode::Parts parts{
+        .impedance = blow.sections[m_hammer].impedance, .face = {}, .machine = problem.machine};
+    if (m_hammer > 0) {
+        parts.hammerImpedance = blow.sections[m_hammer - 1].impedance;
+        parts.face = blow.hammer().face;
+        m_hammerMomentum = m_hammerMass * blow.hammer().velocity;
+    } else {
+        m_force = cellsOf(blow.force(), grid.cuts);
+    }
+    m_rear = RearNode(parts, widths);
+    m_lastImpulse = m_hammerMomentum;
+    if (problem.start == DrillingStart::bouncing) {
+        const double velocity = blow.velocity() / 2;
+        for (std::size_t j = m_hammer; j < count; ++j) {
+            m_lines[j].fill(-velocity * blow.sections[j].impedance / 2);
+            if (j + 1 < count) m_joints[j].setVelocity(velocity);
+        }
+        m_bit.setVelocity(velocity);
+        m_momentumAtBlow = velocity * m_stringMass;
+    }
+    m_next.gap = blow.distance();
+    m_nextInterval = cellsOfNextInterval();
+    m_startMomentum = momentum();
+    m_storedBefore = storedEnergy();
+    m_trouble = m_rear.trouble();
+}
+
+/// Of rod or string, machine and masses, each on its own clock.
+double DrillingMarch::momentum() const {
+    double sum = m_rear.bodyMass() * m_rear.state().bodyVelocity;
+    for (std::size_t j = m_hammer; j < m_lines.size(); ++j) {
+        sum -= m_lines[j].held();
+        if (j + 1 < m_lines.size()) sum += m_joints[j].mass() * m_joints[j].velocity();
+    }
+    return sum + m_bit.mass() * m_bit.state().velocity;
+}
+
+double DrillingMarch::storedEnergy() const {
+    const double velocity = m_rear.state().bodyVelocity;
+    double sum = m_rear.bodyMass() * velocity * velocity / 2;
+    for (std::size_t j = m_hammer; j < m_lines.size(); ++j) {
+        sum += m_lines[j].square() / m_problem.blow.sections[j].impedance;
+        if (j + 1 < m_lines.size())
+            sum += m_joints[j].mass() * m_joints[j].velocity() * m_joints[j].velocity() / 2;
+    }
+    return sum + m_bit.mass() * m_bit.state().velocity * m_bit.state().velocity / 2;
+}
+
+double DrillingMarch::hammerEnergy() const {
+    double sum = 0;
+    for (std::size_t j = 0; j < m_hammer; ++j) {
+        sum += m_lines[j].square() / m_problem.blow.sections[j].impedance;
+        if (j + 1 < m_hammer) sum += m_joints[j].mass() * m_joints[j].velocity() * m_joints[j].velocity() / 2;
+    }
+    return sum;
+}
+
+long DrillingMarch::cellsOfNextInterval() {
+    if (m_problem.intervalScatter == 0) return m_grid.cellsOfInterval;
+    double deviation = 0;
+    do {
+        const double share = (static_cast<double>(m_random()) + 0.5) / 4294967296.0;
+        deviation = normalQuantile(share);
+    } while (std::abs(deviation) > mostDeviations);
+    return std::max(1L, std::lround(static_cast<double>(m_grid.cellsOfInterval) *
+                                    (1 + m_problem.intervalScatter * deviation)));
+}
+
+/// The front is there: new rock, a new piston, the mean force of the cycle.
+void DrillingMarch::beginBlow() {
+    m_blow = m_next;
+    m_next = {};
+    m_blow.time = static_cast<double>(m_cells) * m_grid.cells.cell;
+    m_blow.velocity = m_momentumAtBlow / m_stringMass;
+    m_blow.shankOffset = m_problem.machine ? -m_rear.state().stretch : nothing;
+    m_rear.resetSums();
+    m_rear.beginBlow(m_problem.feedForce - m_lastImpulse / m_interval);
+    if (m_hammer > 0) {
+        const double velocity = m_problem.blow.hammer().velocity;
+        for (std::size_t j = 0; j < m_hammer; ++j) {
+            m_lines[j].fill(-velocity * m_problem.blow.sections[j].impedance / 2);
+            if (j + 1 < m_hammer) m_joints[j].setVelocity(velocity);
+        }
+        m_ledger.hammer += hammerEnergy();
+    }
+    // of the string alone: half a cell where the round trips are odd
+    long trips = 0;
+    for (std::size_t j = m_hammer; j < m_lines.size(); ++j) trips += m_grid.cells.roundTrips[j];
+    const long twice = 2 * m_nextInterval - trips;
+    m_gapCell = twice >= 0 ? twice / 2 : 0;
+    m_gapShare = twice % 2 == 0 ? 0 : 0.5;
+}
+
+/// What the bit is away from the rock when the next blow comes at the rear end, and what it has felt so far.
+void DrillingMarch::noteGap(const WaveCell& arriving, std::size_t part, double share) {
+    const BitNode::Part there = m_bit.partOfStep(arriving, static_cast<int>(part), share, 0);
+    m_next.gap = there.state.isApart() ? std::max(0.0, there.state.distance) : 0;
+    m_impulseToGap = there.state.record.impulse;
+}
+
+bool DrillingMarch::takeBlow(const std::stop_token& stop) {
+    beginBlow();
+    const double worked = m_bit.state().law.worked(m_bit.state().force);
+    const std::size_t parts = m_grid.cuts.count();
+    const std::vector<double>& places = m_grid.cuts.places();
+    std::size_t forced = 0;
+    const WaveCell noForce;
+    for (long cell = 0; cell < m_nextInterval && m_trouble.empty(); ++cell) {
+        if (cell % cellsBetweenStops == 0 && stop.stop_requested()) return false;
+        for (std::size_t part = 0; part < parts; ++part) {
+            const WaveCell& force = forced < m_force.size() ? m_force[forced++] : noForce;
+            const double end = part + 1 < parts ? places[part + 1] : 1;
+            std::optional<double> gapShare;
+            if (m_gapCell == cell && m_gapShare >= places[part] && m_gapShare < end)
+                gapShare = (m_gapShare - places[part]) / (end - places[part]);
+            step(part, force, gapShare);
+        }
+    }
+    if (m_trouble.empty() && !m_bit.trouble().empty()) m_trouble = m_bit.trouble();
+    if (m_trouble.empty() && !m_rear.trouble().empty()) m_trouble = m_rear.trouble();
+    if (!m_trouble.empty()) return false;
+    m_ledger.rock += m_bit.state().law.worked(m_bit.state().force) - worked;
+    endBlow();
+    return true;
+}
+
+/// All nodes over one part of a cell, from the rear end to the bit.
+void DrillingMarch::step(std::size_t part, const WaveCell& force, std::optional<double> gapShare) {
+    const std::size_t count = m_lines.size(), parts = m_grid.cuts.count();
+    const double width = m_grid.cuts.widths()[part];
+    const bool hammers = m_rear.hasHammer();
+    for (std::size_t j = hammers ? 0 : m_hammer; j < count; ++j)
+        m_arriving[j] = m_lines[j].arrive(part, width);
+    WaveCell down;
+    if (hammers) {
+        down = -1.0 * m_arriving[0];
+        for (std::size_t j = 1; j < m_hammer; ++j) {
+            WaveCell back, next;
+            m_joints[j - 1].step(&down, &m_arriving[j], &back, &next, 1, part, parts);
+            m_lines[j - 1].enter(back, width);
+            down = next;
+        }
+    }
+    const RearNode::Forces rear = m_rear.step(down, m_arriving[m_hammer], force, part);
+    if (hammers) m_lines[m_hammer - 1].enter(rear.face - down, width);
+    down = rear.sum() - m_arriving[m_hammer];
+    for (std::size_t j = m_hammer + 1; j < count; ++j) {
+        WaveCell back, next;
+        m_joints[j - 1].step(&down, &m_arriving[j], &back, &next, 1, part, parts);
+        m_lines[j - 1].enter(back, width);
+        down = next;
+    }
+    if (gapShare) noteGap(down, part, *gapShare);
+    WaveCell back;
+    CellJump none;
+    m_bit.step(down, back, static_cast<int>(part), 0, CutAt::nothing, none);
+    m_lines[count - 1].enter(back, width);
+}
+
+void DrillingMarch::endBlow() {
+    const RearSums& sums = m_rear.sums();
+    const BitNodeState& bit = m_bit.state();
+    m_cells += m_nextInterval;
+    m_blow.rockImpulse = bit.record.impulse;
+    m_blow.peakForce = bit.record.peakForce;
+    m_blow.contacts = bit.record.contacts;
+    m_blow.contactTime = bit.record.contactDuration;
+    m_blow.damperPeak = sums.damperPeak;
+    m_blow.faceImpulse = sums.faceImpulse;
+    m_blow.hammerRebound =
+        m_hammer > 0 ? sums.faceImpulse / m_hammerMass - m_problem.blow.hammer().velocity : nothing;
+    m_lateShare = sums.lateImpulse / m_hammerMomentum;
+    m_momentumAtBlow += sums.faceImpulse + sums.damperImpulse - m_owed - m_impulseToGap;
+    m_owed = bit.record.impulse - m_impulseToGap;
+    m_rockImpulse += bit.record.impulse;
+    // what the machine was given, and what has gone into rod or string
+    m_fed += m_rear.meanForce() * static_cast<double>(m_nextInterval) * m_grid.cells.cell + sums.faceImpulse;
+    m_ledger.feed += sums.feedWork;
+    m_ledger.damper += m_problem.machine ? sums.damperWork : 0;
+    m_ledger.hammer += m_hammer > 0 ? -hammerEnergy() : sums.forceWork;
+    m_ledger.waves = 0;
+    for (std::size_t j = m_hammer; j < m_lines.size(); ++j)
+        m_ledger.waves += m_lines[j].lost() / m_problem.blow.sections[j].impedance;
+    m_ledger.stored = storedEnergy() - m_storedBefore;
+    m_lastImpulse = sums.faceImpulse;
+    const BitNode::Turned turned = m_bit.beginCycle(m_problem.isFresh);
+    m_blow.penetration = turned.penetration;
+    m_holeDepth += turned.penetration;
+    m_blow.holeDepth = m_holeDepth;
+    m_ledger.faces += turned.lostEnergy;
+    m_ledger.rock -= turned.lostEnergy;
+    m_nextInterval = cellsOfNextInterval();
+    ++m_count;
+}
+
+double DrillingMarch::momentumResidual() const {
+    return m_rockImpulse - m_fed + momentum() - m_startMomentum;
+}
+
+void DrillingMarch::displace(double distance) {
+    for (std::size_t j = m_hammer; j < m_lines.size(); ++j) {
+        LossyLine::Sums sums = m_lines[j].sums();
+        double wave = distance;
+        for (WaveCell& cell : m_lines[j].stored()) {
+            cell.c[0] += wave;
+            wave = -0.7 * wave + 0.1 * distance;
+        }
+        sums.mean += distance / 2;
+        m_lines[j].setSums(sums);
+    }
+    m_bit.putAt(m_bit.placeFromBottom() - distance, m_bit.state().law.largestForce());
+}
+
+double DrillingMarch::distanceTo(const DrillingMarch& other) const {
+    const auto square = [](double a, double b) { return (a - b) * (a - b); };
+    double sum = square(m_bit.placeFromBottom(), other.m_bit.placeFromBottom()) +
+                 square(m_bit.state().force, other.m_bit.state().force) +
+                 square(m_bit.state().velocity, other.m_bit.state().velocity) * m_bit.mass();
+    for (std::size_t j = m_hammer; j < m_lines.size(); ++j) {
+        const auto own = m_lines[j].stored(), others = other.m_lines[j].stored();
+        double waves = 0;
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            const WaveCell difference = own[i] - others[i];
+            waves += m_grid.cuts.widths()[i % m_grid.cuts.count()] * difference.meanSquare();
+        }
+        sum += waves + square(m_lines[j].sums().mean, other.m_lines[j].sums().mean);
+        if (j + 1 < m_lines.size())
+            sum += square(m_joints[j].velocity(), other.m_joints[j].velocity()) * m_joints[j].mass();
+    }
+    if (!m_problem.machine) return std::sqrt(sum);
+    sum += square(m_rear.state().bodyVelocity, other.m_rear.state().bodyVelocity);
+    if (m_problem.machine->stiffness > 0) sum += square(m_rear.state().stretch, other.m_rear.state().stretch);
+    return std::sqrt(sum);
+}
+
+void DrillingMarch::approach(const DrillingMarch& other, double distance) {
+    const double away = distanceTo(other);
+    const double share = away > 0 ? distance / away : 0;
+    const auto moved = [share](double own, double others) { return others + share * (own - others); };
+    for (std::size_t j = m_hammer; j < m_lines.size(); ++j) {
+        const auto own = m_lines[j].stored();
+        const auto others = other.m_lines[j].stored();
+        for (std::size_t i = 0; i < own.size(); ++i)
+            for (int k = 0; k < WaveCell::count; ++k) own[i].c[k] = moved(own[i].c[k], others[i].c[k]);
+        const LossyLine::Sums mine = m_lines[j].sums(), theirs = other.m_lines[j].sums();
+        m_lines[j].setSums({moved(mine.mean, theirs.mean), moved(mine.held, theirs.held),
+                            moved(mine.square, theirs.square), moved(mine.flux, theirs.flux)});
+        if (j + 1 < m_lines.size())
+            m_joints[j].setVelocity(moved(m_joints[j].velocity(), other.m_joints[j].velocity()));
+    }
+    const BitNodeState &bit = m_bit.state(), &otherBit = other.m_bit.state();
+    const double velocity = moved(bit.velocity, otherBit.velocity);
+    m_bit.putAt(moved(m_bit.placeFromBottom(), other.m_bit.placeFromBottom()),
+                moved(bit.law.largestForce(), otherBit.law.largestForce()));
+    m_bit.setVelocity(velocity);
+    RearState rear = m_rear.state();
+    rear.bodyVelocity = moved(rear.bodyVelocity, other.m_rear.state().bodyVelocity);
+    rear.stretch = moved(rear.stretch, other.m_rear.state().stretch);
+    m_rear.setState(rear);
+    m_lastImpulse = moved(m_lastImpulse, other.m_lastImpulse);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Blow after blow on cells: waves, motions and machine live on between them (drilling §11).
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <random>
+#include <stop_token>
+#include <string_view>
+#include <vector>
+
+#include "core/wave/drilling/drilling_grid.h"
+#include "core/wave/drilling/drilling_problem.h"
+#include "core/wave/drilling/lossy_line.h"
+#include "core/wave/drilling/rear_node.h"
+#include "core/wave/network/bit_node.h"
+#include "core/wave/network/joint.h"
+
+namespace drillwave {
+
+/// What can be watched of a blow, at the end of every part of a cell, each on the clock of its place.
+struct DrillingSample {
+    double time = 0;         ///< since the first blow
+    double force = 0;        ///< on the rock, on the clock of the bit
+    double penetration = 0;  ///< from the face of the rock before the first blow
+    double frontVelocity = 0;
+    double rearVelocity = 0;
+    double damperForce = 0;
+    double bodyPlace = 0;  ///< x_b
+};
+
+/// Takes one blow after another in the same memory: memory and work of a blow do not depend on how many there
+/// were. Every node has its own clock, as in CellLattice: the one of the bit is behind that of the rear end
+/// by the transit time of the string.
+class DrillingMarch {
+  public:
+    /// The problem must outlive it.
+    DrillingMarch(const DrillingProblem& problem, const DrillingGrid& grid);
+
+    /// One blow and the cycle behind it. False where it was stopped, or cannot go on: see trouble().
+    bool takeBlow(const std::stop_token& stop);
+    /// The last one.
+    const DrillingBlow& blow() const { return m_blow; }
+    long blows() const { return m_count; }
+    /// Of all cycles so far.
+    const DrillingLedger& ledger() const { return m_ledger; }
+    /// Σ rock impulse − N Fe/f + p_end − p_start, which is rounding [I0].
+    double momentumResidual() const;
+    /// What passed the face after its first separation, in the last cycle, as a share of m_h v0.
+    double lateShare() const { return m_lateShare; }
+    /// Why it could not go on; empty where it could.
+    std::string_view trouble() const { return m_trouble; }
+    /// m_h v0; 1 under a prescribed force.
+    double hammerMomentum() const { return m_hammerMomentum; }
+
+    /// Watches the blows that follow; nullptr: none.
+    void watch(std::vector<DrillingSample>* samples) { m_samples = samples; }
+
+    /// Moves waves and bit a little, to where approach() can bring it nearer.
+    void displace(double distance);
+    /// How far this state is from another of the same problem, between blows: waves, place of the bit, v_b, x
+    /// where there is a spring.
+    double distanceTo(const DrillingMarch& other) const;
+    /// Moves the state towards the other one until it is so far away from it.
+    void approach(const DrillingMarch& other, double distance);
+
+  private:
+    void beginBlow();
+    void step(std::size_t part, const WaveCell& force, std::optional<double> gapShare);
+    void noteGap(const WaveCell& arriving, std::size_t part, double share);
+    void endBlow();
+    double storedEnergy() const;
+    double momentum() const;
+    double hammerEnergy() const;
+    long cellsOfNextInterval();
+
+    const DrillingProblem& m_problem;
+    DrillingGrid m_grid;
+    std::size_t m_hammer = 0;  ///< sections of it
+    double m_interval = 1;     ///< mean [t0]
+    double m_stringMass = 0, m_hammerMomentum = 1, m_hammerMass = 0;
+    std::vector<WaveCell> m_force;  ///< Fa over the parts of cells from its front on
+    std::vector<LossyLine> m_lines;
+    std::vector<Joint> m_joints;  ///< in front of section j + 1 at [j]
+    RearNode m_rear;
+    BitNode m_bit;
+    std::vector<WaveCell> m_arriving;  ///< b of all lines over a part
+    std::mt19937 m_random;
+
+    long m_count = 0;
+    long m_cells = 0;         ///< whole cells since the first blow
+    long m_nextInterval = 1;  ///< cells of the cycle
+    long m_gapCell = 0;       ///< counted from the blow: where the bit is when the next one comes
+    double m_gapShare = 0;    ///< where in it
+    DrillingBlow m_blow, m_next;
+    DrillingLedger m_ledger;
+    double m_impulseToGap = 0;    ///< of the rock, in the cycle, until the next blow comes at the rear end
+    double m_momentumAtBlow = 0;  ///< of the string, at the physical time of the blow
+    double m_owed = 0;            ///< impulse of the rock after that time, in the cycle before
+    double m_lastImpulse = 0;     ///< J of the cycle before
+    double m_startMomentum = 0, m_rockImpulse = 0, m_fed = 0;
+    double m_storedBefore = 0;
+    double m_lateShare = 0;
+    double m_holeDepth = 0;
+    double m_bodyPlace = 0;
+    std::string_view m_trouble;
+    std::vector<DrillingSample>* m_samples = nullptr;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The waves on their way back through a section that loses some of them and keeps its momentum (drilling §4).
+#pragma once
+
+#include <cmath>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/wave/network/delay_line.h"
+#include "core/wave/network/wave_cell.h"
+
+namespace drillwave {
+
+/// Content b over one round trip 2T that relaxes to its own mean at the rate λ = −ln(1 − η)/2T (D5):
+///
+///     B' = b_in − b_out,   A' = λ (B/2T − A),   stored: c = b_in − A,   b_out(t) = (1 − η) c(t − 2T) + A(t)
+///
+/// −B is the momentum of the section, B/Z its shortening: neither is changed by the loss.
+class LossyLine {
+  public:
+    /// `delay` parts of cells, whose widths follow each other in turn.
+    void begin(std::size_t delay, double roundTrip, double loss, std::span<const double> widths) {
+        m_line.restart(delay, 1);
+        m_roundTrip = roundTrip;
+        m_kept = 1 - loss;
+        m_rate = loss > 0 ? -std::log1p(-loss) / roundTrip : 0;
+        m_keptOfCell.clear();
+        for (const double width : widths) m_keptOfCell.push_back(std::exp(-m_rate * width));
+        fill(0);
+    }
+    /// All of it is the same, and steady.
+    void fill(double wave) {
+        for (WaveCell& cell : m_line.content()) cell = WaveCell::constant(isLossy() ? 0 : wave);
+        m_mean = wave;
+        m_held = wave * m_roundTrip;
+        m_square = wave * wave * m_roundTrip;
+        m_flux = 0;
+        m_lost = 0;
+    }
+    bool isLossy() const { return m_rate > 0; }
+
+    /// b_out over the next part of a cell, the `part`-th of its cell.
+    const WaveCell& arrive(std::size_t part, double width) {
+        if (!isLossy()) return m_out = *m_line.arriving();
+        const double goal = (m_held + width * m_flux / 2) / m_roundTrip;
+        m_next = goal + (m_mean - goal) * m_keptOfCell[part];
+        m_out = m_kept * *m_line.arriving();
+        m_out.c[0] += (m_mean + m_next) / 2;
+        m_out.c[1] += (m_next - m_mean) / 2;
+        return m_out;
+    }
+    /// b_in over that part.
+    void enter(const WaveCell& in, double width) {
+        m_flux = in.mean() - m_out.mean();
+        m_held += width * m_flux;
+        m_square += width * (in.meanSquare() - m_out.meanSquare());
+        WaveCell stored = in;
+        if (isLossy()) {
+            stored.c[0] -= (m_mean + m_next) / 2;
+            stored.c[1] -= (m_next - m_mean) / 2;
+            m_mean = m_next;
+            const double lost = 2 * m_rate * width * (m_square - m_held * m_held / m_roundTrip);
+            m_square -= lost;
+            m_lost += lost;
+        }
+        *m_line.leaving() = stored;
+        m_line.advance(1);
+    }
+
+    double held() const { return m_held; }      ///< B = ∫ content
+    double square() const { return m_square; }  ///< Q = ∫ content²
+    double lost() const { return m_lost; }      ///< ∫ 2λ(Q − B²/2T) dt since the filling
+
+    // For what compares and moves states
+
+    std::span<const WaveCell> stored() const { return m_line.content(); }
+    std::span<WaveCell> stored() { return m_line.content(); }
+    /// A, B, Q and B' of the last cell.
+    struct Sums {
+        double mean, held, square, flux;
+    };
+    Sums sums() const { return {m_mean, m_held, m_square, m_flux}; }
+    void setSums(const Sums& sums) {
+        m_mean = sums.mean;
+        m_held = sums.held;
+        m_square = sums.square;
+        m_flux = sums.flux;
+    }
+
+  private:
+    DelayLine<WaveCell> m_line;
+    double m_roundTrip = 1;            ///< 2T
+    double m_kept = 1;                 ///< 1 − η
+    double m_rate = 0;                 ///< λ
+    std::vector<double> m_keptOfCell;  ///< e^−λΔ
+    double m_mean = 0, m_next = 0;     ///< A before and behind the cell
+    double m_held = 0, m_square = 0;   ///< B, Q
+    double m_flux = 0;                 ///< B' over the last cell
+    double m_lost = 0;
+    WaveCell m_out;
+};
+
+}  // namespace drillwave
