@@ -273,16 +273,7 @@ double DrillingMarch::momentumResidual() const {
 }
 
 void DrillingMarch::displace(double distance) {
-    for (std::size_t j = m_hammer; j < m_lines.size(); ++j) {
-        LossyLine::Sums sums = m_lines[j].sums();
-        double wave = distance;
-        for (WaveCell& cell : m_lines[j].stored()) {
-            cell.c[0] += wave;
-            wave = -0.7 * wave + 0.1 * distance;
-        }
-        sums.mean += distance / 2;
-        m_lines[j].setSums(sums);
-    }
+    for (std::size_t j = m_hammer; j < m_lines.size(); ++j) m_lines[j].displace(distance);
     m_bit.putAt(m_bit.placeFromBottom() - distance, m_bit.state().law.largestForce());
 }
 
@@ -298,7 +289,8 @@ double DrillingMarch::distanceTo(const DrillingMarch& other) const {
             const WaveCell difference = own[i] - others[i];
             waves += m_grid.cuts.widths()[i % m_grid.cuts.count()] * difference.meanSquare();
         }
-        sum += waves + square(m_lines[j].sums().mean, other.m_lines[j].sums().mean);
+        sum += waves;
+        if (m_lines[j].isLossy()) sum += square(m_lines[j].mean(), other.m_lines[j].mean());
         if (j + 1 < m_lines.size())
             sum += square(m_joints[j].velocity(), other.m_joints[j].velocity()) * m_joints[j].mass();
     }
@@ -313,13 +305,7 @@ void DrillingMarch::approach(const DrillingMarch& other, double distance) {
     const double share = away > 0 ? distance / away : 0;
     const auto moved = [share](double own, double others) { return others + share * (own - others); };
     for (std::size_t j = m_hammer; j < m_lines.size(); ++j) {
-        const auto own = m_lines[j].stored();
-        const auto others = other.m_lines[j].stored();
-        for (std::size_t i = 0; i < own.size(); ++i)
-            for (int k = 0; k < WaveCell::count; ++k) own[i].c[k] = moved(own[i].c[k], others[i].c[k]);
-        const LossyLine::Sums mine = m_lines[j].sums(), theirs = other.m_lines[j].sums();
-        m_lines[j].setSums({moved(mine.mean, theirs.mean), moved(mine.held, theirs.held),
-                            moved(mine.square, theirs.square), moved(mine.flux, theirs.flux)});
+        m_lines[j].approach(other.m_lines[j], share, m_grid.cuts.widths());
         if (j + 1 < m_lines.size())
             m_joints[j].setVelocity(moved(m_joints[j].velocity(), other.m_joints[j].velocity()));
     }
@@ -330,7 +316,10 @@ void DrillingMarch::approach(const DrillingMarch& other, double distance) {
     m_bit.setVelocity(velocity);
     RearState rear = m_rear.state();
     rear.bodyVelocity = moved(rear.bodyVelocity, other.m_rear.state().bodyVelocity);
-    rear.stretch = moved(rear.stretch, other.m_rear.state().stretch);
+    // places alone do not matter
+    const bool hasSpring = m_problem.machine && m_problem.machine->stiffness > 0;
+    rear.stretch =
+        hasSpring ? moved(rear.stretch, other.m_rear.state().stretch) : other.m_rear.state().stretch;
     m_rear.setState(rear);
     m_lastImpulse = moved(m_lastImpulse, other.m_lastImpulse);
 }

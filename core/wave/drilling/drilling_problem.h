@@ -61,12 +61,12 @@ struct DrillingBlow {
 struct DrillingLedger {
     double hammer = 0;  ///< ∫Fa v_r dt, or what the pistons brought less what they took away
     double feed = 0;    ///< ∫S v_b dt; of a constant force ∫S v_r dt
-    double rock = 0;    ///< ∫F dU
+    double rock = 0;    ///< ∫F dU, less what went with the faces
     double damper = 0;  ///< ∫D (v_b − v_r) dt
     double waves = 0;   ///< that the waves lost
     double faces = 0;   ///< that went with the rock that was left behind
     double stored = 0;  ///< change of what machine, waves and masses hold
-    double residual() const { return hammer + feed - rock - damper - waves - stored; }
+    double residual() const { return hammer + feed - rock - damper - waves - faces - stored; }
     bool operator==(const DrillingLedger&) const = default;
 };
 

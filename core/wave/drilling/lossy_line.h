@@ -76,16 +76,33 @@ class LossyLine {
 
     std::span<const WaveCell> stored() const { return m_line.content(); }
     std::span<WaveCell> stored() { return m_line.content(); }
-    /// A, B, Q and B' of the last cell.
-    struct Sums {
-        double mean, held, square, flux;
-    };
-    Sums sums() const { return {m_mean, m_held, m_square, m_flux}; }
-    void setSums(const Sums& sums) {
-        m_mean = sums.mean;
-        m_held = sums.held;
-        m_square = sums.square;
-        m_flux = sums.flux;
+    double mean() const { return m_mean; }  ///< A, which counts where there is a loss
+    /// c and A as share times the difference to another line, and B by what that is: so they stay together.
+    void approach(const LossyLine& other, double share, std::span<const double> widths) {
+        const auto others = other.stored();
+        const auto own = stored();
+        double moved = 0;
+        for (std::size_t i = 0; i < own.size(); ++i) {
+            for (int k = 0; k < WaveCell::count; ++k)
+                own[i].c[k] = others[i].c[k] + share * (own[i].c[k] - others[i].c[k]);
+            // the oldest one is first
+            const double width = widths[i % widths.size()];
+            const double age =
+                m_roundTrip * (1 - (static_cast<double>(i) + 0.5) / static_cast<double>(own.size()));
+            moved += width * std::exp(-m_rate * age) * (own[i].mean() - others[i].mean());
+        }
+        m_mean = isLossy() ? other.m_mean + share * (m_mean - other.m_mean) : other.m_mean;
+        if (isLossy()) moved += m_roundTrip * (m_mean - other.m_mean);
+        m_held = other.m_held + moved;
+        m_square = other.m_square;
+        m_flux = other.m_flux;
+    }
+    /// A wave that is added to all that is stored.
+    void displace(double wave) {
+        for (WaveCell& cell : stored()) {
+            cell.c[0] += wave;
+            wave = -0.7 * wave;  // not what a mean would take
+        }
     }
 
   private:

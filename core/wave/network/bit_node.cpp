@@ -179,7 +179,7 @@ BitNode::Turned BitNode::beginCycle(bool isFresh) {
         putAt(placeFromBottom(), 0);
         turned.lostEnergy = givenBack - (m_now.isApart() ? 0 : m_now.law.worked(m_now.force));
     }
-    m_residual = m_now.law.residualPenetration();
+    m_residual = isFresh ? 0 : m_now.law.residualPenetration();
     m_now.record = {};
     m_now.record.peakForce = m_now.force;
     return turned;
