@@ -34,8 +34,8 @@ struct DrillingScan {
 
 struct DrillingScanWork {
     int jobs = 1;
-    std::stop_token stop;
-    DrillingProgress progress;
+    std::stop_token stop = {};
+    DrillingProgress progress = {};
 };
 
 /// Why a value of the axis cannot be drilled with, all of them; empty where all can.

@@ -213,12 +213,20 @@ bool RearNode::quietStep(const WaveCell& push, const WaveCell& b2, double width,
         m_sums.damperWork += offDamper - width * damper.meanProduct(q + damper) / impedance;
         m_sums.damperImpulse += width * damper.mean();
     }
-    m_now.bodyVelocity = lastVelocity;
+    accelerate(width / mass * (mean - damper.mean()));
     m_now.stretch = lastStretch;
     m_sums.forceWork += width * push.meanProduct(q + damper) / impedance;
     m_sums.faceImpulse += width * push.mean();
     forces = {push, damper};
     return true;
+}
+
+/// Adds to v_b, and keeps what is lost in that.
+void RearNode::accelerate(double velocityChange) {
+    const double more = velocityChange - m_now.velocityRest;
+    const double sum = m_now.bodyVelocity + more;
+    m_now.velocityRest = (sum - m_now.bodyVelocity) - more;
+    m_now.bodyVelocity = sum;
 }
 
 /// A constant force of the machine, where nothing is to be looked for.
@@ -247,7 +255,6 @@ RearNode::Forces RearNode::step(const WaveCell& f1, const WaveCell& b2, const Wa
     const bool given = m_parts.hammerImpedance == 0 || m_now.released;
     if (given || staysApart(f1, b2, width)) {
         Forces forces{given && m_parts.hammerImpedance == 0 ? force : WaveCell(), {}};
-        const double stretch = m_now.stretch, velocity = m_now.bodyVelocity, feed = m_sums.feedWork;
         bool quiet = true;
         if (m_machine) {
             quiet = quietStep(forces.face, b2, width, part, forces);
@@ -262,7 +269,6 @@ RearNode::Forces RearNode::step(const WaveCell& f1, const WaveCell& b2, const Wa
             }
             return forces;
         }
-        m_now.stretch = stretch, m_now.bodyVelocity = velocity, m_sums.feedWork = feed;
     }
     return follow({f1.powers(), b2.powers(), force.powers(), width});
 }
@@ -306,7 +312,8 @@ RearNode::Forces RearNode::follow(const Inputs& in) {
             const double impulse = in.width * of[0].cell().mean();
             m_sums.faceImpulse += impulse;
             if (m_now.separated) m_sums.lateImpulse += impulse;
-            m_sums.damperImpulse += in.width * of[1].cell().mean();
+            const double damped = of[1].cell().mean();
+            m_sums.damperImpulse += in.width * damped;
             push += of[0].cell(), damper += of[1].cell(), rear += of[2].cell();
             double body = 0, power = end;  // ∫v_b
             for (int k = 0; k < piece.count; ++k, power *= end) body += piece.body[k] * power / (k + 1);
@@ -328,13 +335,13 @@ RearNode::Forces RearNode::follow(const Inputs& in) {
                                      m_machine->mass * (lastVelocity - m_now.bodyVelocity) *
                                          (lastVelocity + m_now.bodyVelocity) / 2 -
                                      unit * product;
+                accelerate(in.width / m_machine->mass * (m_meanForce * (to - from) - damped));
             } else {
                 double moved = 0, way = end;  // ∫v_r
                 for (int k = 0; k < piece.count; ++k, way *= end) moved += piece.rear[k] * way / (k + 1);
                 m_sums.feedWork += m_meanForce * unit * moved;
             }
         }
-        m_now.bodyVelocity = value(piece.body, end);
         m_now.stretch = value(piece.stretch, end);
         if (piece.modes.face == Face::touching) {
             m_now.touching = true;

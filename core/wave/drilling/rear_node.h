@@ -16,6 +16,7 @@ namespace drillwave {
 /// Where machine, rear end and hammer are to each other.
 struct RearState {
     double bodyVelocity = 0;  ///< v_b
+    double velocityRest = 0;  ///< what rounding took from it: a heavy body keeps its momentum
     double stretch = 0;       ///< x_b − x_r
     double faceGap = 0;       ///< between hammer and rear end
     double faceForce = 0;     ///< P of faces with a stiffness
@@ -110,6 +111,7 @@ class RearNode {
     Piece nextPiece(const Inputs& in, double from, double end) const;
     bool isConsistent(const Piece& piece) const;
     PressingMap pressingMap(double width) const;
+    void accelerate(double velocityChange);
     bool quietStep(const WaveCell& push, const WaveCell& b2, double width, std::size_t part, Forces& forces);
     bool staysApart(const WaveCell& f1, const WaveCell& b2, double width);
     Forces follow(const Inputs& in);

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Blow after blow on cells: what must be kept, what must come out, what must not matter (drilling §12).
+#include <QtTest>
+
+#include <cmath>
+#include <numbers>
+#include <random>
+
+#include "core/contact/contact_law.h"
+#include "core/wave/drilling/drilling_grid.h"
+#include "core/wave/drilling/drilling_march.h"
+#include "core/wave/exact/exact_solver.h"
+
+using namespace drillwave;
+
+namespace {
+
+/// Case B of drilling §10: β 0.5, γ 0.1, τ 3.5, n_b 12, η 0.1, with or without the soft damper of μ 6.8.
+DrillingProblem caseB(double phi, double zeta) {
+    DrillingProblem problem;
+    problem.blow = problemOf(pulseForceOf(PulseShape::rectangular), {.beta = 0.5, .gamma = 0.1, .tau = 3.5});
+    problem.interval = 2 * 3.5 * 12;
+    problem.feedForce = phi / problem.interval;
+    problem.waveLosses = {0.1};
+    if (zeta > 0) problem.machine = MachineBody{.mass = 6.8 * 3.5, .damping = zeta, .stiffness = 0};
+    return problem;
+}
+
+struct Marched {
+    std::vector<DrillingBlow> blows;
+    DrillingLedger ledger;
+    double momentumResidual = 0;
+};
+
+Marched march(const DrillingProblem& problem, int cells, long blows) {
+    DrillingMarch marching(problem, drillingGridOf(problem, cells));
+    Marched result;
+    for (long i = 0; i < blows; ++i) {
+        if (!marching.takeBlow({})) qFatal("%s", std::string(marching.trouble()).c_str());
+        result.blows.push_back(marching.blow());
+    }
+    result.ledger = marching.ledger();
+    result.momentumResidual = marching.momentumResidual();
+    return result;
+}
+
+double d0(double length) {
+    return length * lawUnitOfPenetration;
+}
+
+/// A rod, or a string of up to four sections under a hammer, in whole hundredths of t0.
+DrillingProblem randomProblem(std::mt19937& random, bool isString) {
+    const auto between = [&](double low, double high) {
+        return std::uniform_real_distribution(low, high)(random);
+    };
+    const auto alike = [&](double low, double high) {
+        return std::exp(between(std::log(low), std::log(high)));
+    };
+    DrillingProblem problem;
+    Problem& blow = problem.blow;
+    const auto time = [&](double low, double high) { return std::round(100 * alike(low, high)) / 100; };
+    if (isString) {
+        blow.sections.clear();
+        ElasticHammer hammer;
+        hammer.sections = 1;
+        hammer.face.restrike = between(0, 1) < 0.5;
+        if (between(0, 1) < 0.3) hammer.face.stiffness = alike(1, 30);
+        blow.drive = hammer;
+        blow.sections.push_back({.impedance = alike(0.5, 2), .transitTime = 0.5});
+        const int count = 1 + static_cast<int>(between(0, 4));
+        for (int i = 0; i < count; ++i)
+            blow.sections.push_back({.impedance = i == 0 ? 1 : alike(0.5, 2),
+                                     .transitTime = time(0.2, 3),
+                                     .massAfter = between(0, 1) < 0.3 ? alike(0.02, 0.5) : 0});
+        blow.law = {.beta = alike(0.05, 20), .gamma = alike(0.02, 1)};
+    } else {
+        blow = problemOf(pulseForceOf(between(0, 1) < 0.5 ? PulseShape::rectangular : PulseShape::halfSine),
+                         {.beta = alike(0.05, 20), .gamma = alike(0.02, 1), .tau = time(0.3, 20)});
+    }
+    if (between(0, 1) < 0.5) blow.gap = between(0, 2);
+    const double roundTrips = alike(1.5, 60);
+    problem.interval = std::max(2.0, 2 * blow.transitTime() * roundTrips);
+    const double impulse = isString ? blow.sections[0].mass() * blow.hammer().velocity : 1;
+    problem.feedForce = between(1.01, 5) * impulse / problem.interval * (isString ? 1.6 : 1);
+    problem.waveLosses.assign(blow.sections.size(), 0);
+    const double loss = between(0, 0.5);
+    for (std::size_t j = blow.hammerSections(); j < blow.sections.size(); ++j) problem.waveLosses[j] = loss;
+    if (between(0, 1) < 0.75) {
+        problem.machine = MachineBody{.mass = alike(1, 100) * blow.mass(),
+                                      .damping = between(0, 2),
+                                      .stiffness = between(0, 1) < 0.5 ? between(0, 0.3) : 0};
+        if (problem.machine->damping + problem.machine->stiffness == 0) problem.machine.reset();
+    }
+    problem.isFresh = between(0, 1) < 0.8;
+    return problem;
+}
+
+}  // namespace
+
+class TestDrillingMarch : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void aSingleBlowIsThatOfTheExactSolver_data();
+    void aSingleBlowIsThatOfTheExactSolver();
+    void periodicMotionsAreThoseOfTheTheory_data();
+    void periodicMotionsAreThoseOfTheTheory();
+    void frontsOfBlowsLieOnCellEnds();
+    void momentumAndEnergyAreKept_data();
+    void momentumAndEnergyAreKept();
+    void theEnergyErrorFallsWithTheSquareOfTheCell();
+    void aMatchedDashpotTakesAPushAndLetsATensionBack();
+    void aFreeRodKeepsItsVelocityAndAPressedOneItsLength();
+    void aWaveLosesItsShareInARoundTrip();
+    void withoutBlowsTheRockCarriesTheFeed();
+    void theSameCraterIsShakenDown();
+    void forcesGapsAndImpulsesScaleTogether();
+    void intervalsScatterAsTheSeedSays();
+};
+
+void TestDrillingMarch::aSingleBlowIsThatOfTheExactSolver_data() {
+    QTest::addColumn<double>("gamma");
+    QTest::addColumn<double>("gap");
+    QTest::addColumn<int>("cells");
+    QTest::addColumn<double>("tolerance");
+    QTest::newRow("50 cells") << 0.1 << 0.0 << 50 << 1e-5;
+    QTest::newRow("100 cells") << 0.1 << 0.0 << 100 << 1e-6;
+    QTest::newRow("elastic rock") << 1.0 << 0.0 << 100 << 1e-6;
+    QTest::newRow("a gap") << 0.3 << 0.4 << 100 << 1e-6;
+}
+
+/// A thrust of f I0, no damper, no loss: nothing but the blow acts.
+void TestDrillingMarch::aSingleBlowIsThatOfTheExactSolver() {
+    QFETCH(double, gamma);
+    QFETCH(double, gap);
+    QFETCH(int, cells);
+    QFETCH(double, tolerance);
+    DrillingProblem problem = caseB(1, 0);
+    problem.blow.law.gamma = gamma;
+    problem.blow.gap = gap;
+    problem.waveLosses = {0};
+    const Marched marched = march(problem, cells, 1);
+    const Impact exact = ExactSolver().solve(problem.blow, Detail::histories);
+    QVERIFY(exact.isSolved());
+    const double cor = marched.blows[0].rockImpulse - 1;
+    QVERIFY2(std::abs(cor - exact.cor) < tolerance, qPrintable(QString::number(cor - exact.cor)));
+    QVERIFY(std::abs(marched.blows[0].peakForce - exact.peakForce) < 10 * tolerance);
+    QCOMPARE(marched.blows[0].contacts, double(exact.contacts));
+    QVERIFY(std::abs(d0(marched.blows[0].gap) - gap) < 1e-15);
+}
+
+void TestDrillingMarch::periodicMotionsAreThoseOfTheTheory_data() {
+    QTest::addColumn<double>("phi");
+    QTest::addColumn<double>("zeta");
+    QTest::addColumn<double>("gamma");
+    QTest::addColumn<double>("gap");
+    QTest::addColumn<double>("penetration");
+    QTest::newRow("phi 1.4") << 1.4 << 0.15 << 0.1 << 0.35546 << 0.793786;
+    QTest::newRow("phi 1.2") << 1.2 << 0.15 << 0.1 << 1.12195 << 0.704678;
+    QTest::newRow("phi 2.2") << 2.2 << 0.15 << 0.1 << 0.002950 << 0.788229;
+    QTest::newRow("at rest") << 2.0 << 0.5 << 0.3 << 0.0 << 0.544516;
+}
+
+// drilling §10, to the digits of test 4 there.
+void TestDrillingMarch::periodicMotionsAreThoseOfTheTheory() {
+    QFETCH(double, phi);
+    QFETCH(double, zeta);
+    QFETCH(double, gamma);
+    QFETCH(double, gap);
+    QFETCH(double, penetration);
+    DrillingProblem problem = caseB(phi, zeta);
+    problem.blow.law.gamma = gamma;
+    const DrillingBlow last = march(problem, 40, 400).blows.back();
+    QVERIFY(std::abs(d0(last.gap) - gap) < 1e-3);
+    QVERIFY(std::abs(d0(last.penetration) - penetration) < 1e-4);
+}
+
+/// Inside a cell they cost a hundred times more than anything else gains.
+void TestDrillingMarch::frontsOfBlowsLieOnCellEnds() {
+    DrillingProblem problem = caseB(1.4, 0.15);
+    const DrillingGrid whole = drillingGridOf(problem, 40);
+    QCOMPARE(whole.cuts.count(), std::size_t{1});
+    QVERIFY(std::abs(whole.rounding(problem)) < 1e-12);
+    // where no cell divides the duration, all cells are cut where the force ends
+    problem.blow.sections[0].transitTime = 3.5 * std::numbers::sqrt2;
+    problem.interval = 2 * 3.5 * std::numbers::sqrt2 * 12;
+    const DrillingGrid cut = drillingGridOf(problem, 40);
+    QCOMPARE(cut.cuts.count(), std::size_t{2});
+    const double place = 1 / cut.cells.cell - std::floor(1 / cut.cells.cell);
+    QVERIFY(std::abs(cut.cuts.places()[1] - place) < 1e-9);
+    problem.feedForce = 1.4 / problem.interval;
+    const double coarse = march(problem, 20, 300).blows.back().gap;
+    QVERIFY(std::abs(coarse - march(problem, 80, 300).blows.back().gap) < 2e-3);
+}
+
+void TestDrillingMarch::momentumAndEnergyAreKept_data() {
+    QTest::addColumn<bool>("isString");
+    QTest::addColumn<int>("scenes");
+    QTest::newRow("rods") << false << 150;
+    QTest::newRow("strings") << true << 60;
+}
+
+/// In all of them, whatever rock, damper, hammer and thrust; and nothing pulls.
+void TestDrillingMarch::momentumAndEnergyAreKept() {
+    QFETCH(bool, isString);
+    QFETCH(int, scenes);
+    constexpr long blows = 20;
+    std::mt19937 random(26);
+    int solved = 0;
+    for (int i = 0; i < scenes; ++i) {
+        const DrillingProblem problem = randomProblem(random, isString);
+        const DrillingGrid grid = drillingGridOf(problem, 40);
+        DrillingMarch marching(problem, grid);
+        bool isDone = true;
+        double damper = 0;
+        for (long blow = 0; blow < blows && isDone; ++blow) {
+            isDone = marching.takeBlow({});
+            QVERIFY(!isDone || (marching.blow().peakForce >= 0 && marching.blow().gap >= 0));
+            damper = std::min(damper, marching.blow().damperPeak);
+        }
+        if (!isDone) continue;
+        ++solved;
+        QVERIFY(damper >= 0 || !problem.machine);
+        const double fed = blows * problem.feedForce * grid.interval();
+        QVERIFY2(std::abs(marching.momentumResidual()) < 1e-12 * fed,
+                 qPrintable(QStringLiteral("scene %1: %2").arg(i).arg(marching.momentumResidual() / fed)));
+        const DrillingLedger& ledger = marching.ledger();
+        const double brought = ledger.hammer + std::abs(ledger.feed);  // a strong feed outruns the hammer
+        // faces that meet again do so inside a cell: that costs in the first order of its size
+        const double tolerance = isString && problem.blow.hammer().face.restrike ? 5e-3 : 1e-3;
+        QVERIFY2(std::abs(ledger.residual()) < tolerance * brought,
+                 qPrintable(QStringLiteral("scene %1: %2").arg(i).arg(ledger.residual() / brought)));
+        QVERIFY(ledger.waves >= -1e-12 * brought && ledger.faces >= -1e-12 * brought);
+    }
+    QVERIFY2(solved >= scenes * 95 / 100, qPrintable(QString::number(solved)));
+}
+
+void TestDrillingMarch::theEnergyErrorFallsWithTheSquareOfTheCell() {
+    const DrillingProblem problem = caseB(1.2, 0.15);
+    double before = 0;
+    for (const int cells : {10, 40, 160}) {
+        const DrillingLedger ledger = march(problem, cells, 50).ledger;
+        const double error = std::abs(ledger.residual() / ledger.hammer);
+        if (before > 0) QVERIFY2(error < before / 10, qPrintable(QString::number(before / error)));
+        before = error;
+    }
+}
+
+// ζ = 1 and S = 0: pressing it reflects nothing, lifted it is a free end.
+void TestDrillingMarch::aMatchedDashpotTakesAPushAndLetsATensionBack() {
+    const std::vector<double> widths{0.025};
+    for (const double wave : {0.5, -0.5}) {
+        RearNode node({.impedance = 1, .face = {}, .machine = MachineBody{1e12, 1, 0}}, widths);
+        node.beginBlow(0);
+        const WaveCell back = WaveCell::constant(wave);
+        for (int i = 0; i < 40; ++i) {
+            const RearNode::Forces forces = node.step({}, back, {}, 0);
+            const double leaving = (forces.sum() - back).mean();
+            QVERIFY(std::abs(leaving - (wave > 0 ? 0 : -wave)) < 1e-10);  // the body moves by 1e-12
+        }
+    }
+}
+
+void TestDrillingMarch::aFreeRodKeepsItsVelocityAndAPressedOneItsLength() {
+    const std::vector<double> widths{0.1};
+    LossyLine line;
+    line.begin(70, 7, 0.3, widths);
+    // a uniform content is a uniform motion or, at a wall, a uniform compression
+    for (const double wave : {-0.25, 0.4}) {
+        line.fill(wave);
+        for (int i = 0; i < 70 * 10'000; ++i) {
+            const WaveCell out = line.arrive(0, 0.1);
+            line.enter(out, 0.1);
+        }
+        QVERIFY(std::abs(line.held() - 7 * wave) < 1e-13 * 7);
+        QVERIFY(std::abs(line.arrive(0, 0.1).mean() - wave) < 1e-13);
+        QVERIFY(std::abs(line.lost()) < 1e-10);  // rounding of 700 000 cells
+    }
+}
+
+void TestDrillingMarch::aWaveLosesItsShareInARoundTrip() {
+    const std::vector<double> widths{0.1};
+    LossyLine line;
+    line.begin(100, 10, 0.2, widths);
+    // a wave of no mean at a free end: what is left of its deviation comes back
+    double amplitude = 1;
+    for (int trip = 0; trip < 3; ++trip) {
+        double energy = 0;
+        for (int i = 0; i < 100; ++i) {
+            WaveCell out = line.arrive(0, 0.1);
+            energy += out.meanSquare();
+            if (trip == 0) out = WaveCell::constant(i % 2 ? 1 : -1);
+            line.enter(out, 0.1);
+            QVERIFY(line.lost() >= 0);
+        }
+        if (trip > 0)
+            QVERIFY2(std::abs(std::sqrt(energy / 100) / amplitude - 0.8) < 2e-3,
+                     qPrintable(QString::number(std::sqrt(energy / 100) / amplitude)));
+        if (trip > 0) amplitude *= 0.8;
+    }
+}
+
+void TestDrillingMarch::withoutBlowsTheRockCarriesTheFeed() {
+    DrillingProblem problem = caseB(2, 0.5);
+    PulseForce force = pulseForceOf(PulseShape::rectangular);
+    for (PulseSegment& segment : force.segments) segment.value *= 1e-9;
+    problem.blow.drive = force;
+    problem.isFresh = false;
+    problem.blow.law.gamma = 1;
+    const double pressing = problem.feedForce;  // nothing pushes the machine back
+    const Marched marched = march(problem, 20, 300);
+    const DrillingBlow& last = marched.blows.back();
+    QCOMPARE(last.contacts, 0.0);
+    QVERIFY(last.gap == 0);
+    QVERIFY(std::abs(last.rockImpulse / problem.interval - pressing) < 1e-6 * pressing + 1e-8);
+    QVERIFY(std::abs(last.penetration) < 1e-12);
+}
+
+void TestDrillingMarch::theSameCraterIsShakenDown() {
+    DrillingProblem problem = caseB(2, 0.15);
+    problem.isFresh = false;
+    const Marched marched = march(problem, 40, 60);
+    double largest = 0;
+    for (std::size_t i = 0; i < marched.blows.size(); ++i) {
+        QVERIFY(marched.blows[i].penetration >= 0);
+        if (marched.blows[i].penetration == 0) QVERIFY(marched.blows[i].peakForce <= largest);
+        largest = std::max(largest, marched.blows[i].peakForce);
+    }
+    QCOMPARE(marched.blows.back().penetration, 0.0);
+    QVERIFY(marched.blows.back().peakForce > 0);
+}
+
+/// Twice the blow, twice the feed and twice the gap: bit for bit.
+void TestDrillingMarch::forcesGapsAndImpulsesScaleTogether() {
+    DrillingProblem problem = caseB(1.3, 0.15);
+    problem.blow.gap = 0.25;
+    const Marched one = march(problem, 20, 40);
+    PulseForce force = pulseForceOf(PulseShape::rectangular);
+    for (PulseSegment& segment : force.segments) segment.value *= 2, segment.slope *= 2;
+    force.peak *= 2;
+    problem.blow.drive = force;
+    problem.blow.gap *= 2;
+    problem.feedForce *= 2;
+    // in the unit of the doubled impulse the reaction is 2 f: what is not scaled is the unit alone
+    DrillingProblem scaled = problem;
+    scaled.feedForce = problem.feedForce - 1 / drillingGridOf(problem, 20).interval();
+    const Marched two = march(scaled, 20, 1);
+    QVERIFY(std::abs(two.blows[0].peakForce - 2 * one.blows[0].peakForce) < 1e-12);
+    QVERIFY(std::abs(two.blows[0].penetration - 2 * one.blows[0].penetration) < 1e-12);
+}
+
+void TestDrillingMarch::intervalsScatterAsTheSeedSays() {
+    DrillingProblem problem = caseB(1.6, 0.15);
+    problem.intervalScatter = 0.02;
+    const Marched one = march(problem, 20, 200), again = march(problem, 20, 200);
+    problem.seed = 2;
+    const Marched other = march(problem, 20, 200);
+    double square = 0;
+    for (std::size_t i = 0; i + 1 < one.blows.size(); ++i) {
+        QVERIFY(one.blows[i] == again.blows[i] || std::isnan(one.blows[i].hammerRebound));
+        QCOMPARE(one.blows[i].gap, again.blows[i].gap);
+        const double off = (one.blows[i + 1].time - one.blows[i].time) / problem.interval - 1;
+        QVERIFY(std::abs(off) < 0.0601);
+        square += off * off;
+    }
+    QVERIFY(std::abs(std::sqrt(square / 199) - 0.02) < 0.004);
+    QVERIFY(one.blows[100].gap != other.blows[100].gap);
+}
+
+QTEST_GUILESS_MAIN(TestDrillingMarch)
+#include "tst_drilling_march.moc"
