@@ -24,7 +24,7 @@ namespace drillwave {
 
 namespace {
 
-const std::vector<std::string> drillFiles{"scenario.yaml", "summary.json", "blows.csv"};
+const std::vector<std::string> drillFiles{"scenario.yaml", "summary.json", "blows.csv", "histories.csv"};
 
 /// Cells times nodes that a march may take unless --work-limit permits more, and about how many a second has.
 constexpr double mostWork = 4e9, workOfSecond = 2e7;
@@ -54,6 +54,24 @@ void setShort(const Arguments& arguments, Scenario& scenario) {
         if (!problem.empty())
             throw CommandError(ExitCode::usage, "--" + std::string(option) + ": " + problem);
     }
+}
+
+/// --histories A:B.
+std::optional<BlowRange> historiesOf(const Arguments& arguments, const std::optional<std::string>& out,
+                                     const DrillingSettings& settings) {
+    const std::optional<std::string> text = arguments.value("histories");
+    if (!text) return std::nullopt;
+    const auto wrong = [&](const std::string& reason) {
+        throw CommandError(ExitCode::usage, "--histories " + shortened(*text) + " " + reason);
+    };
+    if (!out || *out == "-" || out->ends_with(".csv")) wrong("needs a folder: add -o DIR");
+    const std::size_t colon = text->find(':');
+    const std::optional<long> first = wholeNumberIn<long>(text->substr(0, colon));
+    const std::optional<long> last =
+        colon == std::string::npos ? first : wholeNumberIn<long>(text->substr(colon + 1));
+    if (!first || !last || *first < 1 || *last < *first || *last > settings.blows)
+        wrong("must be A:B, blows from 1 to " + std::to_string(settings.blows));
+    return BlowRange{*first, *last};
 }
 
 void refuse(const std::vector<std::string>& problems, const std::string& path) {
@@ -100,7 +118,9 @@ void remarkOnUnused(const Scenario& scenario, const std::string& path) {
 ExitCode scan(const Arguments& arguments, const ScenarioDocument& document, const std::string& path) {
     const OutputUnits units = outputUnits(arguments);
     const std::string word = *arguments.value("scan");
-    const SweepAxis axis = axisArgument("scan", word);
+    const ParsedAxis parsed = parseAxis(word);
+    if (!parsed.problem.empty()) throw CommandError(ExitCode::usage, "--scan: " + parsed.problem);
+    const SweepAxis& axis = parsed.axis;
     checkNotSet(arguments, document.scenario, std::span(&axis, 1), std::vector{quotedAxis("scan", word)});
     DrillingSettings settings = drillingSettingsOf(document.scenario, scanBlows);
     if (!document.scenario.drill.settle && !document.scenario.drill.blows) settings.settle = scanSettle;
@@ -153,6 +173,15 @@ bool isFolder(const std::string& out) {
     return out != "-" && !out.ends_with(".csv");
 }
 
+std::vector<NamedFile> filesOf(const DrillingReport& report, OutputUnits units) {
+    std::vector<NamedFile> files{{"scenario.yaml", report.scenarioText},
+                                 {"summary.json", drillingJson(report, units)},
+                                 {"blows.csv", drillingCsv(report, units)}};
+    if (!report.result.instants.empty())
+        files.push_back({"histories.csv", drillingHistoriesCsv(report, units)});
+    return files;
+}
+
 ExitCode runDrill(const Arguments& arguments, const Drawing*) {
     const std::string& path = arguments.operands().front();
     const std::optional<std::string> out = arguments.value("o");
@@ -171,7 +200,13 @@ ExitCode runDrill(const Arguments& arguments, const Drawing*) {
     DrillingSettings settings = drillingSettingsOf(document.scenario);
     settings.cells = cellsOf(arguments, settings.cells);
     refuse(drillingRefusals(document.scenario, settings), path);
-    const DrillingWants wants;
+    DrillingWants wants;
+    wants.histories = historiesOf(arguments, out, settings);
+    if (wants.histories && foreseenInstants(document.scenario, settings, *wants.histories) >
+                               static_cast<double>(mostDrillingInstants))
+        throw CommandError(ExitCode::usage, "--histories: these blows have more than " +
+                                                std::to_string(mostDrillingInstants) +
+                                                " samples; take fewer blows or fewer --cells");
     checkWork(drillingWork(document.scenario, settings, wants), arguments);
     if (out && *out != "-" && !isFolder(*out)) {
         checkOutputIsNoInput(*out, path, document);
@@ -197,9 +232,7 @@ ExitCode runDrill(const Arguments& arguments, const Drawing*) {
     if (out && isFolder(*out))
         writeFolder(
             *out,
-            {.files = {{"scenario.yaml", report.scenarioText},
-                       {"summary.json", drillingJson(report, units)},
-                       {"blows.csv", drillingCsv(report, units)}},
+            {.files = filesOf(report, units),
              .outdated = [](const std::string& there) { return studyFilesThere(there, "drilling.csv"); }},
             overwrite, &interruption);
     else if (out == "-")
@@ -233,6 +266,7 @@ const Command& drillCommand() {
              {"cells", "N", "cells of time per t0, 10 to 400; 40, of a scan 20, if not given"},
              {"scan", "KEY=START:STOP:COUNT", "over these values; :log behind it, or KEY=A,B,C"},
              {"gaps", "FILE.csv", "with --scan, also write the gap of every blow that counts"},
+             {"histories", "A:B", "with -o DIR, also write what happens from blow A to blow B"},
              {"json", "", "print one JSON object in place of the table"},
              {"si", "", "numbers in SI, as if not given"},
              {"dimensionless", "", "numbers as multiples of d0, v0, I0, F0 and t0"},

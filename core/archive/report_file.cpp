@@ -238,8 +238,8 @@ std::vector<ReportInput> inputsOf(const Scenario& scenario, std::string_view tex
     const ScenarioRemarks remarks(text);
     std::vector<ReportInput> inputs;
     for (const SavedValue& saved : savedValues(scenario)) {
-        const bool isStraightLaw = saved.key == lawKey && saved.isDefault;
-        if ((saved.parameter || !saved.section.empty()) && !isOfList(saved) && !isStraightLaw)
+        const bool isUsualWord = (saved.key == lawKey || saved.key == "indexing") && saved.isDefault;
+        if ((saved.parameter || !saved.section.empty()) && !isOfList(saved) && !isUsualWord)
             inputs.push_back(inputOf(scenario, saved, remarks));
     }
     for (std::size_t place = 1; place <= scenario.bitRock.corners.size(); ++place)

@@ -345,4 +345,35 @@ std::string drillingCsv(const DrillingReport& report, OutputUnits units) {
     return csv;
 }
 
+std::string drillingHistoriesCsv(const DrillingReport& report, OutputUnits units) {
+    struct Column {
+        std::string_view name;
+        DrillingMeasure measure;
+        double DrillingInstant::*value;
+    };
+    static constexpr Column columns[] = {{"time", time, &DrillingInstant::time},
+                                         {"impact_force", force, &DrillingInstant::force},
+                                         {"penetration", length, &DrillingInstant::penetration},
+                                         {"front_velocity", velocity, &DrillingInstant::frontVelocity},
+                                         {"rear_velocity", velocity, &DrillingInstant::rearVelocity},
+                                         {"damper_force", force, &DrillingInstant::damperForce},
+                                         {"machine_place", length, &DrillingInstant::bodyPlace}};
+    const DrillingResult& result = report.result;
+    std::string csv = scenarioHeader(report.scenarioText);
+    for (const Column& column : columns) {
+        const Quantity quantity = scaleOf(column.measure, result).quantity;
+        if (&column != columns) csv += ',';
+        csv += withUnit(column.name, units == OutputUnits::si ? &unitsOf(quantity).front() : nullptr);
+    }
+    csv += '\n';
+    for (const DrillingInstant& instant : result.instants) {
+        for (const Column& column : columns) {
+            if (&column != columns) csv += ',';
+            appendNumber(csv, scaleOf(column.measure, result).value(instant.*column.value, units));
+        }
+        csv += '\n';
+    }
+    return csv;
+}
+
 }  // namespace drillwave

@@ -57,5 +57,7 @@ std::string drillingText(const DrillingReport& report, OutputUnits units,
                          const ReadingStyle& style = plainStyle());
 /// A row for every blow, behind the scenario.
 std::string drillingCsv(const DrillingReport& report, OutputUnits units);
+/// The blows that are told in full, instant by instant.
+std::string drillingHistoriesCsv(const DrillingReport& report, OutputUnits units);
 
 }  // namespace drillwave

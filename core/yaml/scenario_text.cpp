@@ -135,8 +135,9 @@ void addLaw(std::vector<SavedValue>& values, const Scenario& scenario) {
     }
 }
 
-/// What of the drill is a word.
+/// What of the drill is a word; nothing of one of which nothing is told.
 void addIndexing(std::vector<SavedValue>& values, const Scenario& scenario) {
+    if (scenario.drill == Drill()) return;
     SavedValue indexing = savedText("drill", "indexing", name(scenario.drill.indexing));
     indexing.isDefault = scenario.drill.indexing == RockIndexing::fresh;
     indexing.isUnusual = true;

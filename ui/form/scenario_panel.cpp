@@ -91,7 +91,9 @@ void ScenarioPanel::addSection(const QString& section, const QString& title) {
         connect(m_string, &StringSection::sectionsRequested, this, &ScenarioPanel::sectionsRequested);
     }
     for (const Parameter& parameter : parameters())
-        if (formSection(parameter) == section) addRow(parameter, title, grid, box->content());
+        if (formSection(parameter) == section &&
+            parameter.scope != Scope::manyBlows)  // for the command alone
+            addRow(parameter, title, grid, box->content());
     if (section == QLatin1String("bit_rock")) m_law = new LawSection(m_document, grid, box->content());
     if (section == QLatin1String("hammer")) m_string->addRestrike(grid, box->content());
     widget()->layout()->addWidget(box);

@@ -35,7 +35,7 @@ constexpr Units<1> squareMillimetre{"mm^2"}, squareInch{"in^2"};
 constexpr Units<1> gigapascal{"GPa"}, megapsi{"Mpsi"};
 constexpr Units<1> kilogram{"kg"}, poundMass{"lb"}, degree{"deg"};
 constexpr Units<1> perMetre{"1/m"}, perFoot{"1/ft"};
-constexpr Units<3> newtonSecondPerMetre{"N s/m", "kN s/m", "MN s/m"};
+constexpr Units<3> newtonSecondPerMetre{"MN s/m", "kN s/m", "N s/m"};
 constexpr Units<1> poundSecondPerInch{"lbf s/in"};
 constexpr Units<1> kilogramPerVolume{"kg/m^3"}, poundPerVolume{"lb/ft^3"};
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many blows over the values of a parameter, each from rest and from bouncing (drilling §6).
+// Many blows over the values of a parameter, each from rest and from bouncing (drilling §5).
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What many blows have in common: means with errors, contact share, period, how gaps scatter (drilling §7).
+// What many blows have in common: means with errors, contact share, period, how gaps scatter (drilling §5).
 #pragma once
 
 #include <array>

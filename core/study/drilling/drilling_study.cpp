@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -68,13 +69,15 @@ struct March {
     std::string reason;
     DrillingLedger ledger;
     double momentumResidual = 0;
-    double lateShare = 0;         ///< largest
+    double lateShare = 0;  ///< largest
+    std::vector<DrillingInstant> instants;
     std::vector<double> growths;  ///< ln of how a small distance has grown, of each blow
 };
 
 struct MarchLength {
     long blows;
     bool lyapunov = false;
+    std::optional<BlowRange> histories = {};
 };
 
 double meanImpulse(const std::vector<DrillingBlow>& blows, std::size_t last) {
@@ -90,6 +93,30 @@ bool isPushedBack(const DrillingProblem& problem, double interval, const std::ve
     if (blows.back().gap * lawUnitOfPenetration > mostGap) return true;
     if (problem.blow.isForced() || growing < growingBlows) return false;
     return problem.feedForce * interval <= meanImpulse(blows, growingBlows);
+}
+
+/// What was watched, from one time to another.
+std::vector<DrillingInstant> instantsOf(const DrillingSamples& samples, double from, double to) {
+    std::vector<DrillingInstant> instants;
+    std::size_t next = 0;
+    for (const RearSample& rear : samples.rear) {
+        if (rear.time < from || rear.time > to) continue;
+        while (next < samples.bit.size() && samples.bit[next].time < rear.time) ++next;
+        if (next == 0 || next == samples.bit.size()) continue;
+        const BitSample &before = samples.bit[next - 1], &behind = samples.bit[next];
+        const double share = (rear.time - before.time) / (behind.time - before.time);
+        const auto between = [&](double BitSample::*value) {
+            return before.*value + share * (behind.*value - before.*value);
+        };
+        instants.push_back({.time = rear.time,
+                            .force = between(&BitSample::force),
+                            .penetration = between(&BitSample::penetration),
+                            .frontVelocity = between(&BitSample::velocity),
+                            .rearVelocity = rear.velocity,
+                            .damperForce = rear.damperForce,
+                            .bodyPlace = rear.bodyPlace});
+    }
+    return instants;
 }
 
 March march(const DrillingProblem& problem, const DrillingGrid& grid, const MarchLength& length,
@@ -108,7 +135,14 @@ March march(const DrillingProblem& problem, const DrillingGrid& grid, const Marc
     }
     result.blows.reserve(static_cast<std::size_t>(length.blows));
     long growing = 0;
+    DrillingSamples samples;
+    double historyEnd = 0;
     while (result.outcome == DrillingOutcome::done && main.blows() < length.blows) {
+        if (length.histories) {  // the bit is behind: of the first blow it tells of the one before
+            const long next = main.blows() + 1;
+            main.watch(next >= length.histories->first - 1 && next <= length.histories->last ? &samples
+                                                                                             : nullptr);
+        }
         const bool taken = main.takeBlow(stop) && (!beside || beside->takeBlow(stop));
         if (!taken) {
             const std::string_view trouble =
@@ -128,7 +162,13 @@ March march(const DrillingProblem& problem, const DrillingGrid& grid, const Marc
         if (isPushedBack(problem, grid.interval(), result.blows, growing))
             result.outcome = DrillingOutcome::pushedBack;
         if (progress) progress(beside ? 2 : 1);
+        if (length.histories && main.blows() == length.histories->last && !samples.rear.empty())
+            historyEnd = samples.rear.back().time;
     }
+    if (length.histories && static_cast<std::size_t>(length.histories->first) <= result.blows.size())
+        result.instants =
+            instantsOf(samples, result.blows[static_cast<std::size_t>(length.histories->first) - 1].time,
+                       historyEnd > 0 ? historyEnd : std::numeric_limits<double>::max());
     result.ledger = main.ledger();
     result.momentumResidual = main.momentumResidual();
     return result;
@@ -150,12 +190,14 @@ class Study {
         solveBlowAlone();
         const DrillingGrid grid = drillingGridOf(m_problem, m_result.settings.cells);
         takeGrid(grid);
-        March main = march(m_problem, grid, {m_result.settings.blows, m_wants.lyapunov}, m_stop, m_progress);
+        March main = march(m_problem, grid, {m_result.settings.blows, m_wants.lyapunov, m_wants.histories},
+                           m_stop, m_progress);
         m_result.outcome = main.outcome;
         m_result.reason = main.reason;
         m_result.ledger = main.ledger;
         takeResiduals(main, grid);
         m_result.blows = std::move(main.blows);
+        m_result.instants = std::move(main.instants);
         if (m_result.outcome == DrillingOutcome::done) takeStatistics(main.growths);
         takeGroups();
         takeVerdict();
@@ -327,6 +369,13 @@ std::optional<double> DrillingResult::meanError(std::size_t quantity) const {
 
 long foreseenBlows(const DrillingSettings& settings, const DrillingWants& wants) {
     return settings.blows * (1 + wants.lyapunov + wants.cellError) + (wants.fullRate ? scanBlows : 0);
+}
+
+double foreseenInstants(const Scenario& scenario, const DrillingSettings& settings, const BlowRange& range) {
+    const DrillingProblem problem = drillingProblemOf(scenario, problemOf(scenario));
+    const DrillingGrid grid = drillingGridOf(problem, settings.cells);
+    return static_cast<double>(range.last - range.first + 1) * static_cast<double>(grid.cellsOfInterval) *
+           static_cast<double>(grid.cuts.count());
 }
 
 double drillingWork(const Scenario& scenario, const DrillingSettings& settings, const DrillingWants& wants) {

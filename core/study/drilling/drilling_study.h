@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many blows of a scenario, with what they come to (drilling §6, §7).
+// Many blows of a scenario, with what they come to (drilling §5).
 #pragma once
 
 #include <functional>
@@ -34,7 +34,7 @@ enum class DrillingVerdict {
 };
 std::string_view name(DrillingVerdict verdict);
 
-/// The groups of drilling §8.
+/// The groups of many blows (drilling §5).
 struct DrillingGroups {
     double phi = 0;                      ///< Fe/(f I0), of a string with the mean J
     double roundTrips = 0;               ///< n_b
@@ -48,11 +48,24 @@ struct Lyapunov {
     std::optional<double> error;
 };
 
-/// What is wanted beside the blows: each costs a march of its own.
+/// Blows that are told in full, from 1.
+struct BlowRange {
+    long first = 1, last = 1;
+};
+
+/// All of them at one time, by straight lines between what was marched; in units of Problem.
+struct DrillingInstant {
+    double time = 0, force = 0, penetration = 0, frontVelocity = 0, rearVelocity = 0, damperForce = 0,
+           bodyPlace = 0;
+};
+inline constexpr std::size_t mostDrillingInstants = 200'000;
+
+/// What is wanted beside the blows: each march costs one of its own.
 struct DrillingWants {
     bool cellError = true;  ///< the same with half as many cells
     bool lyapunov = true;
     bool fullRate = true;  ///< the penetration at 2(1 + 2e)
+    std::optional<BlowRange> histories = {};
 };
 
 struct DrillingResult {
@@ -61,6 +74,7 @@ struct DrillingResult {
     DrillingOutcome outcome = DrillingOutcome::done;
     std::string reason;  ///< where it is not solved
     std::vector<DrillingBlow> blows;
+    std::vector<DrillingInstant> instants;  ///< of the blows that are told in full
     /// Nothing where nothing bounded comes of it.
     std::optional<DrillingStatistics> statistics;
     /// Of the means, what half as many cells change; 0 where that was not wanted.
@@ -92,6 +106,9 @@ using DrillingProgress = std::function<void(long)>;
 
 /// Blows of all marches of a study.
 long foreseenBlows(const DrillingSettings& settings, const DrillingWants& wants);
+
+/// How many instants that many blows have.
+double foreseenInstants(const Scenario& scenario, const DrillingSettings& settings, const BlowRange& range);
 
 /// What it takes, in cells times nodes.
 double drillingWork(const Scenario& scenario, const DrillingSettings& settings, const DrillingWants& wants);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The cells of many blows: the fronts of all of them lie between cells (drilling §11).
+// The cells of many blows: the fronts of all of them lie between cells (drilling §6).
 #pragma once
 
 #include <vector>

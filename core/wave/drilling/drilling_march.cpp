@@ -62,6 +62,7 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
         m_lines[j].begin(trip * grid.cuts.count(), static_cast<double>(trip) * grid.cells.cell,
                          problem.waveLosses[j], widths);
         const double mass = blow.sections[j].impedance * static_cast<double>(trip) * grid.cells.cell / 2;
+        if (j >= m_hammer) m_stringTransit += static_cast<double>(trip) * grid.cells.cell / 2;
         (j < m_hammer ? m_hammerMass : m_stringMass) += mass + blow.sections[j].massAfter;
         if (j + 1 == count) continue;
         UniformSection near = blow.sections[j];
@@ -182,6 +183,7 @@ bool DrillingMarch::takeBlow(const std::stop_token& stop) {
     const WaveCell noForce;
     for (long cell = 0; cell < m_nextInterval && m_trouble.empty(); ++cell) {
         if (cell % cellsBetweenStops == 0 && stop.stop_requested()) return false;
+        m_cell = cell;
         for (std::size_t part = 0; part < parts; ++part) {
             const WaveCell& force = forced < m_force.size() ? m_force[forced++] : noForce;
             const double end = part + 1 < parts ? places[part + 1] : 1;
@@ -218,6 +220,9 @@ void DrillingMarch::step(std::size_t part, const WaveCell& force, std::optional<
     }
     const RearNode::Forces rear = m_rear.step(down, m_arriving[m_hammer], force, part);
     if (hammers) m_lines[m_hammer - 1].enter(rear.face - down, width);
+    const WaveCell rearVelocity =
+        (1 / m_problem.blow.sections[m_hammer].impedance) * (rear.sum() - 2.0 * m_arriving[m_hammer]);
+    m_rearPlace += width * rearVelocity.mean();
     down = rear.sum() - m_arriving[m_hammer];
     for (std::size_t j = m_hammer + 1; j < count; ++j) {
         WaveCell back, next;
@@ -230,6 +235,20 @@ void DrillingMarch::step(std::size_t part, const WaveCell& force, std::optional<
     CellJump none;
     m_bit.step(down, back, static_cast<int>(part), 0, CutAt::nothing, none);
     m_lines[count - 1].enter(back, width);
+    if (m_samples) addSamples(part, rearVelocity, rear.damper.end(), down);
+}
+
+void DrillingMarch::addSamples(std::size_t part, const WaveCell& rearVelocity, double damperForce,
+                               const WaveCell& arriving) {
+    const std::vector<double>& places = m_grid.cuts.places();
+    const double end = part + 1 < places.size() ? places[part + 1] : 1;
+    const double time = (static_cast<double>(m_cells + m_cell) + end) * m_grid.cells.cell;
+    m_samples->rear.push_back({time, rearVelocity.end(), damperForce, m_rearPlace + m_rear.state().stretch});
+    const BitNodeState& bit = m_bit.state();
+    const double velocity = m_bit.mass() > 0
+                                ? bit.velocity
+                                : (2 * arriving.end() - bit.force) / m_problem.blow.sections.back().impedance;
+    m_samples->bit.push_back({time + m_stringTransit, bit.force, m_holeDepth + bit.penetration(), velocity});
 }
 
 void DrillingMarch::endBlow() {

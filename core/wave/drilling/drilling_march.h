@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blow after blow on cells: waves, motions and machine live on between them (drilling §11).
+// Blow after blow on cells: waves, motions and machine live on between them (drilling §6).
 #pragma once
 
 #include <cstddef>
@@ -18,15 +18,25 @@
 
 namespace drillwave {
 
-/// What can be watched of a blow, at the end of every part of a cell, each on the clock of its place.
-struct DrillingSample {
-    double time = 0;         ///< since the first blow
-    double force = 0;        ///< on the rock, on the clock of the bit
-    double penetration = 0;  ///< from the face of the rock before the first blow
-    double frontVelocity = 0;
-    double rearVelocity = 0;
+/// What can be watched at the rear end, at the end of every part of a cell.
+struct RearSample {
+    double time = 0;  ///< since the first blow
+    double velocity = 0;
     double damperForce = 0;
-    double bodyPlace = 0;  ///< x_b
+    double bodyPlace = 0;  ///< x_b, of a constant force that of the rear end
+};
+
+/// The same at the bit, whose clock is behind by the transit time: here it is put right.
+struct BitSample {
+    double time = 0;
+    double force = 0;
+    double penetration = 0;  ///< from the face of the rock before the first blow
+    double velocity = 0;
+};
+
+struct DrillingSamples {
+    std::vector<RearSample> rear;
+    std::vector<BitSample> bit;
 };
 
 /// Takes one blow after another in the same memory: memory and work of a blow do not depend on how many there
@@ -54,7 +64,7 @@ class DrillingMarch {
     double hammerMomentum() const { return m_hammerMomentum; }
 
     /// Watches the blows that follow; nullptr: none.
-    void watch(std::vector<DrillingSample>* samples) { m_samples = samples; }
+    void watch(DrillingSamples* samples) { m_samples = samples; }
 
     /// Moves waves and bit a little, to where approach() can bring it nearer.
     void displace(double distance);
@@ -67,6 +77,8 @@ class DrillingMarch {
   private:
     void beginBlow();
     void step(std::size_t part, const WaveCell& force, std::optional<double> gapShare);
+    void addSamples(std::size_t part, const WaveCell& rearVelocity, double damperForce,
+                    const WaveCell& arriving);
     void noteGap(const WaveCell& arriving, std::size_t part, double share);
     void endBlow();
     double storedEnergy() const;
@@ -102,9 +114,11 @@ class DrillingMarch {
     double m_storedBefore = 0;
     double m_lateShare = 0;
     double m_holeDepth = 0;
-    double m_bodyPlace = 0;
+    double m_rearPlace = 0;  ///< x_r
+    double m_stringTransit = 0;
+    long m_cell = 0;  ///< of the cycle
     std::string_view m_trouble;
-    std::vector<DrillingSample>* m_samples = nullptr;
+    DrillingSamples* m_samples = nullptr;
 };
 
 }  // namespace drillwave

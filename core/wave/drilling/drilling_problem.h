@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// What rides on the feed and presses on the rear end (D1).
+/// What rides on the feed and presses on the rear end (D2).
 struct MachineBody {
     double mass = 1;       ///< M/(Zr t0); > 0
     double damping = 0;    ///< ζ = c_d/Zr; ≥ 0
@@ -31,7 +31,7 @@ struct DrillingProblem {
     double feedForce = 0;  ///< Fe/F0
     std::optional<MachineBody>
         machine;                     ///< nothing: a constant force, Fe less the mean reaction of the blows
-    std::vector<double> waveLosses;  ///< η_j of every section, 0 ≤ η_j < 1 (drilling §4)
+    std::vector<double> waveLosses;  ///< η_j of every section, 0 ≤ η_j < 1 (drilling §3)
     bool isFresh = true;             ///< new rock for every blow
     double intervalScatter = 0;      ///< normal deviation of an interval over its mean, cut at three of them
     std::uint32_t seed = 1;          ///< of that

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The waves on their way back through a section that loses some of them and keeps its momentum (drilling §4).
+// The waves on their way back through a section that loses some of them and keeps its momentum (drilling §3).
 #pragma once
 
 #include <cmath>
@@ -12,7 +12,7 @@
 
 namespace drillwave {
 
-/// Content b over one round trip 2T that relaxes to its own mean at the rate λ = −ln(1 − η)/2T (D5):
+/// Content b over one round trip 2T that relaxes to its own mean at the rate λ = −ln(1 − η)/2T (D3) (D4):
 ///
 ///     B' = b_in − b_out,   A' = λ (B/2T − A),   stored: c = b_in − A,   b_out(t) = (1 − η) c(t − 2T) + A(t)
 ///

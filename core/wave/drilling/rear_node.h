@@ -40,7 +40,7 @@ struct RearSums {
 /// P or Fa pushes the rear end of impedance Z2, and so does D:
 ///
 ///     f2 + b2 = P + D,   v_r = (P + D − 2 b2)/Z2
-///     M v_b' = S − D,   x' = v_b − v_r,   D = max(0, S + κ x + ζ (v_b − v_r))                  (D1) – (D4)
+///     M v_b' = S − D,   x' = v_b − v_r,   D = max(0, S + κ x + ζ (v_b − v_r))                  (D1) (D2)
 ///
 /// without a body D = S. The face of the hammer, P = f1 + b1 ≥ 0, is that of FaceNode.
 class RearNode {

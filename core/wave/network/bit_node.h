@@ -72,7 +72,7 @@ class BitNode {
     };
     Part partOfStep(const WaveCell& g, int index, double share, double time) const;
 
-    // Many blows (drilling §5)
+    // Many blows (drilling §4)
 
     /// What the rock of a cycle is left with.
     struct Turned {

@@ -110,7 +110,7 @@ void TestParameter::rulesFitWhatTheValuesDo() {
         QVERIFY2(!parameter.value(scenario) && scenario == Scenario(), key);
         ++cleared;
     }
-    QCOMPARE(cleared, 11);
+    QCOMPARE(cleared, 18);
 }
 
 void TestParameter::aValueThatWasSetReadsBackExactly() {

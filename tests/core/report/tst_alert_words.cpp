@@ -162,6 +162,36 @@ const std::vector<Example>& examples() {
          "After 16.7 ms bit or hammer may still meet again: these are the numbers at the next blow, not "
          "final "
          "ones."},
+        {{warning,
+          AlertCode::pushedBack,
+          "",
+          {{"force", 3000, Quantity::force}, {"needed", 3060, Quantity::force}}},
+         "The feed, 3 kN, is less than the mean reaction of the blows, 3.06 kN, or so near to it that gaps "
+         "grow without bound."},
+        {{note, AlertCode::noWaveLoss, "", {}},
+         "Nothing takes from the waves: jumps never fade. A wave_loss of 1 to 30 % in a round trip is "
+         "usual."},
+        {{warning, AlertCode::restrikeInTheWay, "", {{"share", 0.1234}}},
+         "After it has separated, the piston still passes up to 12.3 % of its momentum: it is in the way of "
+         "the rebounding string, where a machine would have drawn it back; restrike: false says so."},
+        {{warning, AlertCode::shankOff, "", {{"offset", 0.006, Quantity::length}}},
+         "At a blow the shank is up to 6 mm off its mean place in the machine: the stroke, and so the blow, "
+         "would be another one."},
+        {{note,
+          AlertCode::frequencyRounded,
+          "",
+          {{"frequency", 60, Quantity::frequency}, {"used", 60.01, Quantity::frequency}}},
+         "The blow frequency is marched as 60.01 Hz, so that blows come at the end of a cell."},
+        {{warning, AlertCode::notSettled, "", {}},
+         "The means of the first and the second half of the blows differ by more than three of their errors: "
+         "more blows, or more that settle, are needed."},
+        {{warning, AlertCode::coexistingMotions, "", {}},
+         "From rest and from bouncing it comes to different motions: which one a machine takes is not "
+         "known."},
+        {{note, AlertCode::irregularMotion, "", {}},
+         "The motion does not repeat: means are results, single blows are none."},
+        {{note, AlertCode::damperAssumed, "", {}},
+         "No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the rod."},
         {{warning, AlertCode::stressesLeftOut, "", {}},
          "The largest stresses of the sections take more work than is permitted: they were left out and no "
          "strength was checked. A shorter end_time may leave room for them."},

@@ -107,12 +107,17 @@ std::vector<Section> randomSections(Random& random) {
     return sections;
 }
 
+double plausibleValue(const Parameter& parameter, Random& random) {
+    const double value = between(parameter.plausible, random);
+    return parameter.rules.wholeNumber ? std::round(value) : value;
+}
+
 Scenario randomString(Random& random) {
     Scenario scenario;
     scenario.form = ScenarioForm::string;
     for (const Parameter& parameter : parameters())
         if (parameter.applies(scenario) && !parameter.isGroup() && random() % 2 == 0)
-            parameter.assign(scenario, between(parameter.plausible, random));
+            parameter.assign(scenario, plausibleValue(parameter, random));
     DrillString& drillString = scenario.drillString;
     drillString.hammer.restrike = random() % 2 == 0;
     drillString.hammer.sections = randomSections(random);
@@ -471,7 +476,7 @@ void TestStringFile::randomEditsReadBackTheSame() {
         if (i % 3 == 0) document.scenario.drillString.hammer.restrike = i % 2 == 0;
         for (const Parameter& parameter : parameters()) {
             if (!parameter.applies(document.scenario) || parameter.isGroup() || random() % 8 != 0) continue;
-            parameter.assign(document.scenario, between(parameter.plausible, random));
+            parameter.assign(document.scenario, plausibleValue(parameter, random));
             if (parameter.rules.clear && random() % 2 == 0) parameter.rules.clear(document.scenario);
         }
         if (i % 11 == 0) document.scenario.drill = {};

@@ -36,7 +36,9 @@ void offerParameters(QComboBox& box, const Scenario& scenario) {
         box.setItemData(box.count() - 1, fromView(parameter.meaning), Qt::ToolTipRole);
     };
     for (const Parameter& parameter : parameters())
-        if (parameter.applies(scenario)) offer(parameter, fromView(parameter.section()));
+        // studies are of one blow
+        if (parameter.applies(scenario) && parameter.scope != Scope::manyBlows)
+            offer(parameter, fromView(parameter.section()));
     for (const KeptParameter& parameter : variableSectionParameters(scenario))
         offer(*parameter, sectionsOf(*parameter));
     // A number of a section may be asked for by another key than the one that is offered.

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Blow after blow on cells: what must be kept, what must come out, what must not matter (drilling §12).
+// Blow after blow on cells: what must be kept, what must come out, what must not matter (drilling).
 #include <QtTest>
 
 #include <cmath>
@@ -15,7 +15,7 @@ using namespace drillwave;
 
 namespace {
 
-/// Case B of drilling §10: β 0.5, γ 0.1, τ 3.5, n_b 12, η 0.1, with or without the soft damper of μ 6.8.
+/// Case B: β 0.5, γ 0.1, τ 3.5, n_b 12, η 0.1, with or without the soft damper of μ 6.8.
 DrillingProblem caseB(double phi, double zeta) {
     DrillingProblem problem;
     problem.blow = problemOf(pulseForceOf(PulseShape::rectangular), {.beta = 0.5, .gamma = 0.1, .tau = 3.5});
@@ -161,7 +161,7 @@ void TestDrillingMarch::periodicMotionsAreThoseOfTheTheory_data() {
     QTest::newRow("at rest") << 2.0 << 0.5 << 0.3 << 0.0 << 0.544516;
 }
 
-// drilling §10, to the digits of test 4 there.
+// As an independent plain lattice has them.
 void TestDrillingMarch::periodicMotionsAreThoseOfTheTheory() {
     QFETCH(double, phi);
     QFETCH(double, zeta);

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// drillwave drill: what it prints and writes, and what it refuses.
+#include <QtTest>
+
+#include <QDir>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <csignal>
+
+#include "tests/support/program.h"
+
+using namespace drillwave::test;
+
+namespace {
+
+/// The T38 rod with a soft damper, few blows.
+QStringList soft(std::initializer_list<QString> more = {}) {
+    QStringList words{"drill",
+                      example("t38_medium_rock"),
+                      "--set",
+                      "drill.thrust=4.3kN",
+                      "drill.machine_mass=200kg",
+                      "drill.damper_damping=6.3kNs/m",
+                      "drill.wave_loss=10%",
+                      "--blows",
+                      "60",
+                      "--cells",
+                      "20"};
+    for (const QString& word : more) words << word;
+    return words;
+}
+
+}  // namespace
+
+class TestDrill : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void theVerdictNamesItsDamper();
+    void numbersAreSiOrMultiples();
+    void aRowForEveryBlowIsWritten();
+    void aFolderHoldsAllOfIt();
+    void aThrustBelowTheReactionIsAnAnswer();
+    void aScanTellsEveryValue();
+    void theSameOnAnyNumberOfThreads();
+    void theKeysOfManyBlowsChangeNoSingleBlow();
+    void badInputIsRefusedInOneLineEach_data();
+    void badInputIsRefusedInOneLineEach();
+    void anInterruptedMarchLeavesNothing();
+    void germanUsersGetTheSameNumbers();
+};
+
+void TestDrill::theVerdictNamesItsDamper() {
+    QVERIFY(output(soft()).contains("With a dashpot of 6300 N s/m it drills at full rate"));
+    QVERIFY(output({"drill", example("t38_medium_rock"), "--blows", "40", "--cells", "20"})
+                .contains("With constant force"));
+}
+
+void TestDrill::numbersAreSiOrMultiples() {
+    const QJsonObject si = json(soft()), multiples = json(soft({"--dimensionless"}));
+    const double d0 = json({"run", example("t38_medium_rock")})["si_scales"]["penetration"].toDouble();
+    const auto mean = [](const QJsonObject& result, const char* name) {
+        return result["statistics"][QLatin1String(name)]["mean"].toDouble();
+    };
+    QVERIFY(mean(si, "penetration") > 1e-3 && mean(si, "penetration") < 3e-3);
+    if (d0 > 0) QVERIFY(std::abs(mean(multiples, "penetration") * d0 / mean(si, "penetration") - 1) < 1e-12);
+    QVERIFY(std::abs(mean(multiples, "face_impulse") - 1) < 1e-12);
+    QCOMPARE(si["units"]["penetration"].toString(), QString("m"));
+    QCOMPARE(multiples["units"]["penetration"].toString(), QString("d0"));
+    // Fe/f in any bounded motion, but for what the ends of a march hold
+    QVERIFY(std::abs(mean(si, "rock_impulse") - 4300 / 60.0) < 1);
+    QVERIFY(std::abs(si["momentum_residual"].toDouble()) < 1e-12);
+    QVERIFY(std::abs(si["energy_residual"].toDouble()) < 1e-3);
+    QCOMPARE(si["frac_gap"].toArray().size(), 20);
+    QVERIFY(std::abs(si["groups"]["phi"].toDouble() - 4300 / (60 * 51.0)) < 1e-4);
+}
+
+void TestDrill::aRowForEveryBlowIsWritten() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("blows.csv");
+    output(soft({"-o", path}));
+    const auto rows = rowsOf(read(path));
+    QCOMPARE(
+        rows[0].join(','),
+        QByteArray("blow,time [s],gap [m],velocity [m/s],rock_impulse [N s],penetration [m],hole_depth [m],"
+                   "peak_force [N],contacts,contact_time [s],damper_peak_force [N],face_impulse [N s],"
+                   "hammer_rebound_velocity [m/s],shank_offset [m]"));
+    QCOMPARE(rows.size(), 61);
+    QCOMPARE(rows[1][0], QByteArray("1"));
+    QCOMPARE(rows[1][12], QByteArray());  // of a hammer alone
+    QCOMPARE(run(soft({"-o", path})).exitCode, 4);
+    QCOMPARE(run(soft({"-o", path, "--force"})).exitCode, 0);
+    QCOMPARE(output(soft({"-o", "-"})), read(path));
+    // the file is a scenario again
+    QCOMPARE(json({"drill", path, "--cells", "20"})["statistics"]["gap"]["mean"].toDouble(),
+             json(soft())["statistics"]["gap"]["mean"].toDouble());
+}
+
+void TestDrill::aFolderHoldsAllOfIt() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("drilled");
+    output(soft({"-o", path, "--histories", "10:12"}));
+    QCOMPARE(QDir(path).entryList(QDir::Files),
+             (QStringList{"blows.csv", "histories.csv", "scenario.yaml", "summary.json"}));
+    const auto blows = rowsOf(read(path + "/blows.csv")), instants = rowsOf(read(path + "/histories.csv"));
+    QCOMPARE(instants[0].first(), QByteArray("time [s]"));
+    QVERIFY(std::abs(instants[1][0].toDouble() - blows[10][1].toDouble()) < 1e-4);
+    QVERIFY(std::abs(instants.last()[0].toDouble() - blows[13][1].toDouble()) < 1e-4);
+    double largest = 0, impulse = 0, before = instants[1][0].toDouble();
+    for (qsizetype i = 1; i < instants.size(); ++i) {
+        const double time = instants[i][0].toDouble(), force = instants[i][1].toDouble();
+        largest = std::max(largest, force);
+        impulse += force * (time - before);
+        before = time;
+    }
+    // as the rows have it, of cycles that are behind by the transit time
+    double rows = 0, peak = 0;
+    for (int n = 10; n <= 12; ++n)
+        rows += blows[n][4].toDouble(), peak = std::max(peak, blows[n][7].toDouble());
+    QVERIFY2(std::abs(impulse / rows - 1) < 0.02, qPrintable(QString::number(impulse / rows)));
+    QVERIFY(std::abs(largest / peak - 1) < 0.03);
+    const QJsonObject summary = QJsonDocument::fromJson(read(path + "/summary.json")).object();
+    QCOMPARE(summary["outcome"].toString(), QString("done"));
+}
+
+void TestDrill::aThrustBelowTheReactionIsAnAnswer() {
+    const QJsonObject result = json({"drill", example("t38_medium_rock"), "--set", "drill.thrust=3kN"});
+    QCOMPARE(result["outcome"].toString(), QString("pushed_back"));
+    QVERIFY(result["statistics"].isNull());
+    QVERIFY(result["verdict"].toString().contains("the machine is pushed back"));
+}
+
+void TestDrill::aScanTellsEveryValue() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("scan.csv"), gaps = folder.filePath("gaps.csv");
+    QStringList words = soft({"--scan", "drill.thrust=3kN,3.4kN,8kN", "-o", path, "--gaps", gaps});
+    words.removeAll("drill.thrust=4.3kN");
+    const QByteArray text = output(words);
+    QVERIFY(text.contains("pushed_back") && text.contains("over-feed"));
+    const auto rows = rowsOf(read(path));
+    QVERIFY(rows.size() >= 4);
+    QVERIFY(rows[0].join(',').startsWith("drill.thrust [kN],start,drill_gap_mean [m],"));
+    QCOMPARE(rows[1][0], QByteArray("3"));
+    QCOMPARE(rows[1][2], QByteArray());  // no statistics of what is pushed back
+    QCOMPARE(rows[2][1], QByteArray("rest"));
+    QVERIFY(rows.last()[2].toDouble() < rows[2][2].toDouble());
+    QVERIFY(rowsOf(read(gaps)).size() >= 2 * 48);
+}
+
+void TestDrill::theSameOnAnyNumberOfThreads() {
+    QStringList words = soft({"--scan", "drill.thrust=3.2kN:8kN:5", "-o", "-"});
+    words.removeAll("drill.thrust=4.3kN");
+    QCOMPARE(output(words + QStringList{"-j", "1"}), output(words + QStringList{"-j", "7"}));
+}
+
+void TestDrill::theKeysOfManyBlowsChangeNoSingleBlow() {
+    const QStringList keys{"--set",
+                           "drill.machine_mass=200kg",
+                           "drill.damper_damping=6.3kNs/m",
+                           "drill.blows=5",
+                           "drill.wave_loss=20%",
+                           "drill.indexing=same",
+                           "drill.interval_scatter=1%",
+                           "drill.seed=7"};
+    const QString file = example("t38_medium_rock");
+    for (const char* command : {"run", "thrust"}) {
+        QJsonObject plain = json({command, file, "--set", "drill.machine_mass=200kg"});
+        QJsonObject told = json(QStringList{command, file} + keys);
+        for (const char* key : {"run_time", "scenario"})
+            plain.remove(QLatin1String(key)), told.remove(QLatin1String(key));
+        QCOMPARE(told, plain);
+    }
+}
+
+void TestDrill::badInputIsRefusedInOneLineEach_data() {
+    QTest::addColumn<QStringList>("words");
+    QTest::addColumn<int>("exitCode");
+    QTest::addColumn<QByteArray>("says");
+    const QString file = example("t38_medium_rock");
+    const auto set = [&](const char* word) { return QStringList{file, "--set", word}; };
+    QTest::newRow("a damper without a body")
+        << set("drill.damper_damping=6kNs/m") << 5 << QByteArray("needs drill.machine_mass");
+    QTest::newRow("an impulse as a damping") << set("drill.damper_damping=6kN s") << 5 << QByteArray("N s/m");
+    QTest::newRow("all is lost") << set("drill.wave_loss=100%") << 5 << QByteArray("[0, 1)");
+    QTest::newRow("half a blow") << set("drill.blows=2.5") << 5 << QByteArray("whole number");
+    QTest::newRow("settles all the time") << QStringList{file, "--blows", "5", "--settle", "5"} << 5
+                                          << QByteArray("must be less than the blows");
+    QTest::newRow("longer than the interval")
+        << set("drill.blow_frequency=6kHz") << 5 << QByteArray("interval");
+    QTest::newRow("the reference case") << set("pulse.shape=rigid_body") << 5 << QByteArray("pulse.shape");
+    QTest::newRow("without units") << QStringList{example("paper_fig4a")} << 5 << QByteArray("has no drill");
+    QTest::newRow("another crater") << set("drill.indexing=old") << 5 << QByteArray("fresh, same");
+    QTest::newRow("too few cells") << QStringList{file, "--cells", "5"} << 2 << QByteArray("from 10 to 400");
+    QTest::newRow("an unknown axis") << QStringList{file, "--scan", "drill.push=1:2:3"} << 2
+                                     << QByteArray("drill.push");
+    QTest::newRow("no values") << QStringList{file, "--scan", "drill.thrust=3kN:4kN:0"} << 2
+                               << QByteArray("--scan");
+    QTest::newRow("no number") << QStringList{file, "--scan", "drill.thrust=nan"} << 2
+                               << QByteArray("--scan");
+    QTest::newRow("histories without a folder")
+        << QStringList{file, "--histories", "1:2"} << 2 << QByteArray("-o DIR");
+    QTest::newRow("too much work") << QStringList{file, "--blows", "1000000", "--cells", "400"} << 6
+                                   << QByteArray("--work-limit");
+}
+
+void TestDrill::badInputIsRefusedInOneLineEach() {
+    QFETCH(QStringList, words);
+    QFETCH(int, exitCode);
+    QFETCH(QByteArray, says);
+    const Finished finished = run(QStringList{"drill"} + words);
+    QVERIFY2(finished.error.contains(says), finished.error);
+    QCOMPARE(finished.exitCode, exitCode);
+    QVERIFY(finished.out.isEmpty());
+}
+
+void TestDrill::anInterruptedMarchLeavesNothing() {
+    QTemporaryDir folder;
+    QProcess process;
+    process.start(QStringLiteral(DRILLWAVE_PROGRAM),
+                  {"drill", example("t38_medium_rock"), "--blows", "300000", "--cells", "10", "-o",
+                   folder.filePath("blows.csv")});
+    QVERIFY(process.waitForStarted());
+    QVERIFY(waitForThreads(process, 2));
+    ::kill(static_cast<pid_t>(process.processId()), SIGINT);
+    QVERIFY(process.waitForFinished(30'000));
+    QCOMPARE(process.exitCode(), 130);
+    QVERIFY(QDir(folder.path()).entryList(QDir::Files | QDir::Hidden).isEmpty());
+}
+
+void TestDrill::germanUsersGetTheSameNumbers() {
+    QProcessEnvironment german = QProcessEnvironment::systemEnvironment();
+    german.insert("LC_ALL", "de_DE.UTF-8");
+    QCOMPARE(run(soft({"-o", "-"}), german).out, output(soft({"-o", "-"})));
+}
+
+QTEST_GUILESS_MAIN(TestDrill)
+#include "tst_drill.moc"

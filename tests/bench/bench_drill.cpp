@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What many blows cost, beside a plain lattice of straight cells, and how their errors fall with the cells:
+// bench_drill --help. ctest only tries that it runs.
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <ctime>
+#include <string_view>
+#include <vector>
+
+#include "core/study/drilling/drilling_scan.h"
+#include "core/wave/drilling/drilling_grid.h"
+#include "core/wave/drilling/drilling_march.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
+#include "tests/bench/bench_table.h"
+
+using namespace drillwave;
+using namespace drillwave::bench;
+
+namespace {
+
+constexpr const char* usage =
+    R"(usage: bench_drill [--speed | --errors] [--blows N] [--csv | --json]
+  --speed    processor time of a blow and of a cell at a node, beside a plain lattice of straight cells (default)
+  --errors   gap and penetration of a motion that repeats by the number of cells, against 640 per t0
+  --blows N  so many of each (400)
+)";
+
+using Kind = Column::Kind;
+
+double seconds() {
+    return double(std::clock()) / CLOCKS_PER_SEC;
+}
+
+/// β 0.5, γ 0.1, τ 3.5, n_b 12, η 0.1; with the damper ζ 0.15, μ 6.8.
+DrillingProblem rod(double phi, bool damped) {
+    DrillingProblem problem;
+    problem.blow = problemOf(pulseForceOf(PulseShape::rectangular), {.beta = 0.5, .gamma = 0.1, .tau = 3.5});
+    problem.interval = 2 * 3.5 * 12;
+    problem.feedForce = phi / problem.interval;
+    problem.waveLosses = {0.1};
+    if (damped) problem.machine = MachineBody{.mass = 6.8 * 3.5, .damping = 0.15, .stiffness = 0};
+    return problem;
+}
+
+DrillingProblem string() {
+    Scenario scenario = parseScenario(findExample("t38_string")->text, "t38_string").scenario;
+    scenario.drill.machineMass = 200;
+    scenario.drill.damperDamping = 6300;
+    scenario.drill.waveLoss = 0.1;
+    if (!scenario.drill.blowFrequency) scenario.drill.blowFrequency = 60;
+    if (!scenario.drill.thrust) scenario.drill.thrust = 8000;
+    return drillingProblemOf(scenario, problemOf(scenario));
+}
+
+/// A rod of straight cells by their means, without damper and loss: the least that a blow can cost.
+double plainBlow(long blows) {
+    constexpr int cells = 40, trip = 280, interval = 3360;
+    constexpr double width = 1.0 / cells, beta = 0.5, gamma = 0.1;
+    std::vector<double> line(trip, 0.0);
+    double place = 0, largest = 0, sum = 0;
+    std::size_t at = 0;
+    const double start = seconds();
+    for (long blow = 0; blow < blows; ++blow) {
+        for (int cell = 0; cell < interval; ++cell) {
+            const double down = (cell < cells ? 1.0 : 0.0) + 0.4 / 84 - line[at];
+            // the trapezoidal rule for U' = 2g − F(U)
+            const auto force = [&](double u) {
+                const double most = largest / beta;
+                return u >= most ? beta * u : std::max(0.0, largest - beta / gamma * (most - u));
+            };
+            const double before = force(place), guess = place + width * (2 * down - before);
+            const double after = force(guess);
+            place += width * (2 * down - (before + after) / 2);
+            const double now = force(place);
+            largest = std::max(largest, now);
+            line[at] = now - down;
+            at = at + 1 == trip ? 0 : at + 1;
+            sum += now;
+        }
+        place -= (1 - gamma) * largest / beta;
+        largest = 0;
+    }
+    const double spent = seconds() - start;
+    if (sum < 0) std::puts("no such sum");
+    return spent / double(blows);
+}
+
+void benchSpeed(Format format, long blows) {
+    Table table(format, {{"scene", 26, Kind::word},
+                         {"cells", 8},
+                         {"nodes", 6},
+                         {"blow_s", 11, Kind::time},
+                         {"cell_and_node_s", 15, Kind::time},
+                         {"over_plain", 10}});
+    const double plain = plainBlow(blows);
+    const auto add = [&](const char* name, const DrillingProblem& problem) {
+        const DrillingGrid grid = drillingGridOf(problem, 40);
+        DrillingMarch march(problem, grid);
+        for (int i = 0; i < 5; ++i) (void)march.takeBlow({});
+        const double start = seconds();
+        for (long i = 0; i < blows; ++i) (void)march.takeBlow({});
+        const double each = (seconds() - start) / double(blows);
+        const double cells = double(grid.cellsOfInterval) * double(grid.cuts.count());
+        table.add({name, cells, double(problem.blow.sections.size() + 1), each, each / grid.work(problem),
+                   each / plain});
+    };
+    table.add({"rod, plain lattice", 3360.0, 2.0, plain, plain / 6720, 1.0});
+    add("rod, constant force", rod(2, false));
+    add("rod, damper", rod(2, true));
+    add("T38 string, damper", string());
+}
+
+void benchErrors(Format format, long blows) {
+    Table table(format, {{"cells", 6},
+                         {"gap_error", 12},
+                         {"penetration_error", 18},
+                         {"energy_residual", 16},
+                         {"blow_s", 11, Kind::time}});
+    const DrillingProblem problem = rod(1.4, true);
+    struct Found {
+        double gap, penetration, residual, time;
+    };
+    const auto find = [&](int cells) {
+        DrillingMarch march(problem, drillingGridOf(problem, cells));
+        const double start = seconds();
+        for (long i = 0; i < blows; ++i) (void)march.takeBlow({});
+        const double each = (seconds() - start) / double(blows);
+        return Found{march.blow().gap / 2, march.blow().penetration / 2,
+                     march.ledger().residual() / march.ledger().hammer, each};
+    };
+    const Found exact = find(640);
+    for (const int cells : {10, 20, 40, 80, 160}) {
+        const Found found = find(cells);
+        table.add({double(cells), std::abs(found.gap - exact.gap),
+                   std::abs(found.penetration - exact.penetration), found.residual, found.time});
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Format format = Format::text;
+    bool errors = false;
+    long blows = 400;
+    for (int i = 1; i < argc; ++i) {
+        const std::string_view word = argv[i];
+        if (word == "--errors")
+            errors = true;
+        else if (word == "--csv")
+            format = Format::csv;
+        else if (word == "--json")
+            format = Format::json;
+        else if (word == "--blows" && i + 1 < argc)
+            blows = std::max(1L, std::strtol(argv[++i], nullptr, 10));
+        else if (word != "--speed")
+            return std::fputs(usage, word == "--help" ? stdout : stderr), word == "--help" ? 0 : 2;
+    }
+    errors ? benchErrors(format, blows) : benchSpeed(format, blows);
+    return 0;
+}
