@@ -220,9 +220,9 @@ void DrillingMarch::step(std::size_t part, const WaveCell& force, std::optional<
     }
     const RearNode::Forces rear = m_rear.step(down, m_arriving[m_hammer], force, part);
     if (hammers) m_lines[m_hammer - 1].enter(rear.face - down, width);
-    const WaveCell rearVelocity =
-        (1 / m_problem.blow.sections[m_hammer].impedance) * (rear.sum() - 2.0 * m_arriving[m_hammer]);
-    m_rearPlace += width * rearVelocity.mean();
+    const double rearMobility = 1 / m_problem.blow.sections[m_hammer].impedance;
+    m_rearPlace +=
+        width * rearMobility * (rear.face.mean() + rear.damper.mean() - 2 * m_arriving[m_hammer].mean());
     down = rear.sum() - m_arriving[m_hammer];
     for (std::size_t j = m_hammer + 1; j < count; ++j) {
         WaveCell back, next;
@@ -235,7 +235,8 @@ void DrillingMarch::step(std::size_t part, const WaveCell& force, std::optional<
     CellJump none;
     m_bit.step(down, back, static_cast<int>(part), 0, CutAt::nothing, none);
     m_lines[count - 1].enter(back, width);
-    if (m_samples) addSamples(part, rearVelocity, rear.damper.end(), down);
+    if (m_samples)
+        addSamples(part, rearMobility * (rear.sum() - 2.0 * m_arriving[m_hammer]), rear.damper.end(), down);
 }
 
 void DrillingMarch::addSamples(std::size_t part, const WaveCell& rearVelocity, double damperForce,

@@ -23,6 +23,7 @@ class LossyLine {
     void begin(std::size_t delay, double roundTrip, double loss, std::span<const double> widths) {
         m_line.restart(delay, 1);
         m_roundTrip = roundTrip;
+        m_ofRoundTrip = 1 / roundTrip;
         m_kept = 1 - loss;
         m_rate = loss > 0 ? -std::log1p(-loss) / roundTrip : 0;
         m_keptOfCell.clear();
@@ -41,30 +42,33 @@ class LossyLine {
     bool isLossy() const { return m_rate > 0; }
 
     /// b_out over the next part of a cell, the `part`-th of its cell.
-    const WaveCell& arrive(std::size_t part, double width) {
-        if (!isLossy()) return m_out = *m_line.arriving();
-        const double goal = (m_held + width * m_flux / 2) / m_roundTrip;
-        m_next = goal + (m_mean - goal) * m_keptOfCell[part];
-        m_out = m_kept * *m_line.arriving();
-        m_out.c[0] += (m_mean + m_next) / 2;
-        m_out.c[1] += (m_next - m_mean) / 2;
-        return m_out;
+    WaveCell arrive(std::size_t part, double width) {
+        WaveCell out = *m_line.arriving();
+        if (isLossy()) {
+            const double goal = (m_held + width * m_flux / 2) * m_ofRoundTrip;
+            m_next = goal + (m_mean - goal) * m_keptOfCell[part];
+            for (double& coefficient : out.c) coefficient *= m_kept;
+            out.c[0] += (m_mean + m_next) / 2;
+            out.c[1] += (m_next - m_mean) / 2;
+        }
+        m_out = {out.mean(), out.meanSquare()};
+        return out;
     }
     /// b_in over that part.
     void enter(const WaveCell& in, double width) {
-        m_flux = in.mean() - m_out.mean();
+        m_flux = in.mean() - m_out.mean;
         m_held += width * m_flux;
-        m_square += width * (in.meanSquare() - m_out.meanSquare());
-        WaveCell stored = in;
+        m_square += width * (in.meanSquare() - m_out.meanSquare);
+        WaveCell& stored = *m_line.leaving();
+        stored = in;
         if (isLossy()) {
             stored.c[0] -= (m_mean + m_next) / 2;
             stored.c[1] -= (m_next - m_mean) / 2;
             m_mean = m_next;
-            const double lost = 2 * m_rate * width * (m_square - m_held * m_held / m_roundTrip);
+            const double lost = 2 * m_rate * width * (m_square - m_held * m_held * m_ofRoundTrip);
             m_square -= lost;
             m_lost += lost;
         }
-        *m_line.leaving() = stored;
         m_line.advance(1);
     }
 
@@ -107,7 +111,8 @@ class LossyLine {
 
   private:
     DelayLine<WaveCell> m_line;
-    double m_roundTrip = 1;            ///< 2T
+    double m_roundTrip = 1;  ///< 2T
+    double m_ofRoundTrip = 1;
     double m_kept = 1;                 ///< 1 − η
     double m_rate = 0;                 ///< λ
     std::vector<double> m_keptOfCell;  ///< e^−λΔ
@@ -115,7 +120,9 @@ class LossyLine {
     double m_held = 0, m_square = 0;   ///< B, Q
     double m_flux = 0;                 ///< B' over the last cell
     double m_lost = 0;
-    WaveCell m_out;
+    struct {
+        double mean = 0, meanSquare = 0;
+    } m_out;  ///< of what has arrived last
 };
 
 }  // namespace drillwave

@@ -231,10 +231,13 @@ void RearNode::accelerate(double velocityChange) {
 
 /// A constant force of the machine, where nothing is to be looked for.
 void RearNode::addConstant(const Forces& forces, const WaveCell& b2, double width) {
-    const WaveCell rear = (1 / m_parts.impedance) * (forces.sum() - 2.0 * b2);
-    m_sums.forceWork += width * forces.face.meanProduct(rear);
-    m_sums.feedWork += width * m_meanForce * rear.mean();
-    m_sums.faceImpulse += width * forces.face.mean();
+    const double rear = (forces.face.mean() + m_meanForce - 2 * b2.mean()) / m_parts.impedance;
+    m_sums.feedWork += width * m_meanForce * rear;
+    if (forces.face != WaveCell()) {
+        const WaveCell moved = forces.sum() - 2.0 * b2;
+        m_sums.forceWork += width / m_parts.impedance * forces.face.meanProduct(moved);
+        m_sums.faceImpulse += width * forces.face.mean();
+    }
     m_sums.damperImpulse += width * m_meanForce;
     m_sums.damperPeak = std::max(m_sums.damperPeak, m_meanForce);
 }

@@ -84,6 +84,7 @@ struct WaveCell {
         return fromPowers(p);
     }
 
+    bool operator==(const WaveCell&) const = default;
     WaveCell& operator+=(const WaveCell& g) {
         for (int k = 0; k < count; ++k) c[k] += g.c[k];
         return *this;
