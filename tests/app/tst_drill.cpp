@@ -220,7 +220,7 @@ void TestDrill::anInterruptedMarchLeavesNothing() {
     QTemporaryDir folder;
     QProcess process;
     process.start(QStringLiteral(DRILLWAVE_PROGRAM),
-                  {"drill", example("t38_medium_rock"), "--blows", "300000", "--cells", "10", "-o",
+                  {"drill", example("t38_medium_rock"), "--blows", "300000", "--work-limit", "1e15", "-o",
                    folder.filePath("blows.csv")});
     QVERIFY(process.waitForStarted());
     QVERIFY(waitForThreads(process, 2));

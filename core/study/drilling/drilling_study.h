@@ -77,7 +77,7 @@ struct DrillingResult {
     std::vector<DrillingInstant> instants;  ///< of the blows that are told in full
     /// Nothing where nothing bounded comes of it.
     std::optional<DrillingStatistics> statistics;
-    /// Of the means, what half as many cells change; 0 where that was not wanted.
+    /// Of the means, three times what half as many cells change; 0 where that was not wanted.
     std::array<double, blowQuantities.size()> cellErrors{};
     std::optional<Lyapunov> lyapunov;
     DrillingGroups groups;

@@ -12,6 +12,12 @@ namespace {
 /// A time may differ from whole cells by that share of it and be whole.
 constexpr double wholeShare = 1e-9;
 
+/// A frequency that is rounded by less is kept; ten times more is worth cells a third as large.
+constexpr double keptRounding = 1e-7;
+
+/// A blow may take so many cells to have its interval in whole ones.
+constexpr double affordableCells = 2000;
+
 /// Round trips that share a cell smaller than the one wanted by more than this are rounded instead.
 constexpr double mostRefinement = 8;
 
@@ -19,7 +25,7 @@ constexpr double mostRefinement = 8;
 constexpr std::size_t mostFronts = 8;
 
 /// Fewer cells in a round trip of a rod place no contact.
-constexpr long fewestCells = 8;
+constexpr long fewestCells = 4;
 
 /// Less than that of the largest force is no jump of it.
 constexpr double leastJump = 1e-9;
@@ -58,6 +64,12 @@ std::vector<double> placesOf(const std::vector<double>& jumps, double cell) {
     return places;
 }
 
+/// All cells in as many parts as there are places of jumps inside them, and one more.
+void cutAtJumps(DrillingGrid& grid, const std::vector<double>& jumps) {
+    grid.cuts.begin(grid.cells.cell, {}, {});
+    for (const double place : placesOf(jumps, grid.cells.cell)) grid.cuts.endPartAt(place);
+}
+
 /// The sizes of cells among which one is chosen, the largest first: all divide `trip`.
 struct Choices {
     double trip;
@@ -70,38 +82,56 @@ double bestCell(const Choices& choices, double interval, const std::vector<doubl
     double best = 0, least = std::numeric_limits<double>::infinity();
     for (long count = choices.fewest; count <= choices.most; ++count) {
         const double cell = choices.trip / static_cast<double>(count);
-        const double rounding = std::max(misfit(interval, cell), wholeShare);
+        const double rounding = std::max(misfit(interval, cell), keptRounding);
         const double parts = static_cast<double>(1 + placesOf(jumps, cell).size());
-        // a hundred times the rounding is worth a cell half as large
-        const double cost = static_cast<double>(count) * parts * std::pow(rounding / wholeShare, 0.15);
+        const double cost = static_cast<double>(count) * parts * std::sqrt(rounding / keptRounding);
         if (cost < least) least = cost, best = cell;
     }
     return best;
 }
 
-}  // namespace
-
-DrillingGrid drillingGridOf(const DrillingProblem& problem, int cellsPerDuration) {
+/// With cells of that size at most, as few as do.
+DrillingGrid gridOf(const DrillingProblem& problem, double wanted) {
     const Problem& blow = problem.blow;
-    const double wanted = 1.0 / cellsPerDuration;
     const std::vector<double> jumps = blow.isForced() ? jumpsOf(blow.force()) : std::vector<double>();
+    // a short interval is rounded the more by its cells, and has few of them
+    const auto most = [&](double trip, long fewest, long usual) {
+        const double affordable = affordableCells * trip / problem.interval;
+        return std::max(usual * fewest, static_cast<long>(std::min(affordable, 1e6)));
+    };
     DrillingGrid grid;
     if (blow.sections.size() == 1) {
         const double trip = 2 * blow.sections.front().transitTime;
         const long fewest = std::max(fewestCells, static_cast<long>(std::ceil(trip / wanted - wholeShare)));
-        roundGrid(blow.sections, bestCell({trip, fewest, 2 * fewest}, problem.interval, jumps), grid.cells);
+        roundGrid(blow.sections, bestCell({trip, fewest, most(trip, fewest, 2)}, problem.interval, jumps),
+                  grid.cells);
     } else if (shareGrid(blow.sections, wanted / mostRefinement, grid.cells)) {
         const double shared = grid.cells.cell;
         const long fewest = std::max(1L, static_cast<long>(std::ceil(shared / wanted - wholeShare)));
-        roundGrid(blow.sections, bestCell({shared, fewest, std::max(fewest, 8L)}, problem.interval, jumps),
+        roundGrid(blow.sections,
+                  bestCell({shared, fewest, std::min(most(shared, fewest, 2), std::max(fewest, 8L))},
+                           problem.interval, jumps),
                   grid.cells);
     } else {
         roundGrid(blow.sections, problem.interval / std::ceil(problem.interval / wanted), grid.cells);
     }
     grid.cellsOfInterval = std::max(1L, std::lround(problem.interval / grid.cells.cell));
-    grid.cuts.begin(grid.cells.cell, {}, {});
-    for (const double place : placesOf(jumps, grid.cells.cell)) grid.cuts.endPartAt(place);
+    cutAtJumps(grid, jumps);
     return grid;
+}
+
+}  // namespace
+
+DrillingGrid drillingGridOf(const DrillingProblem& problem, int cellsPerDuration) {
+    DrillingGrid grid = gridOf(problem, 2.0 / cellsPerDuration);
+    grid.cells.halve();
+    grid.cellsOfInterval *= 2;
+    cutAtJumps(grid, problem.blow.isForced() ? jumpsOf(problem.blow.force()) : std::vector<double>());
+    return grid;
+}
+
+DrillingGrid coarseDrillingGridOf(const DrillingProblem& problem, int cellsPerDuration) {
+    return gridOf(problem, 2.0 / cellsPerDuration);
 }
 
 }  // namespace drillwave
