@@ -13,11 +13,11 @@ std::string line(const std::string& left, std::string_view right, std::size_t wi
     return "  " + left + std::string(width - left.size() + 2, ' ') + std::string(right) + "\n";
 }
 
+}  // namespace
+
 std::string synopsis(const OptionSpec& option) {
     return option.value.empty() ? option.text() : option.text() + " " + std::string(option.value);
 }
-
-}  // namespace
 
 std::string programHelp() {
     std::string help =
@@ -29,9 +29,8 @@ std::string programHelp() {
         "\n  drillwave help COMMAND  says more, as COMMAND --help and -h do; version prints the version.\n"
         "  Without a display the window needs `-platform offscreen`.\n"
         "  drillwave --reset-ui  opens the window with its first layout, page, units and choices.\n"
-        "\nExit codes: 0 done, 1 internal error or out of memory, 2 usage, 3 input cannot be read,\n"
-        "4 output cannot be written, 5 scenario invalid, 6 a case could not be solved, 130 interrupted.\n";
-    return help;
+        "\nExit codes: ";
+    return help + std::string(exitCodesHelp) + ".\n";
 }
 
 std::string commandHelp(const Command& command) {

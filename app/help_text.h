@@ -3,10 +3,19 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "app/command.h"
 
 namespace drillwave {
+
+/// What the exit codes mean, apart by commas (commands §6).
+inline constexpr std::string_view exitCodesHelp =
+    "0 done, 1 internal error or out of memory, 2 usage, 3 input cannot be read,\n"
+    "4 output cannot be written, 5 scenario invalid, 6 a case could not be solved, 130 interrupted";
+
+/// "--set KEY=VALUE", "--json".
+std::string synopsis(const OptionSpec& option);
 
 /// Help of the whole program.
 std::string programHelp();

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/describe/value_kind.h"
+
+#include <algorithm>
+
+#include "core/archive/picture_formats.h"
+#include "core/blow/method.h"
+#include "core/blow/outputs.h"
+#include "core/model/parameter.h"
+#include "core/text/enum_names.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/preset_file.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr EnumNames<ValueKind> kindNames{{{ValueKind::free, "free"},
+                                          {ValueKind::folder, "folder"},
+                                          {ValueKind::file, "file"},
+                                          {ValueKind::scenario, "scenario"},
+                                          {ValueKind::example, "example"},
+                                          {ValueKind::parameter, "parameter"},
+                                          {ValueKind::output, "output"},
+                                          {ValueKind::outputs, "outputs"},
+                                          {ValueKind::formats, "formats"},
+                                          {ValueKind::method, "method"},
+                                          {ValueKind::rod, "rod"},
+                                          {ValueKind::hammer, "hammer"},
+                                          {ValueKind::rock, "rock"}}};
+
+/// Those options whose name tells more than what they take.
+struct NamedKind {
+    std::string_view option;
+    ValueKind kind;
+};
+constexpr NamedKind namedKinds[]{{"outputs", ValueKind::outputs}, {"output", ValueKind::output},
+                                 {"plots", ValueKind::formats},   {"method", ValueKind::method},
+                                 {"rod", ValueKind::rod},         {"hammer", ValueKind::hammer},
+                                 {"rock", ValueKind::rock}};
+
+std::vector<std::string> parameterWords() {
+    std::vector<std::string> words;
+    for (const Parameter& parameter : parameters()) words.push_back(std::string(parameter.key) + "=");
+    for (const std::string_view key : {pulseShapeKey, rockLawKey, rockIndexingKey, restrikeKey})
+        words.push_back(std::string(key) + "=");
+    return words;
+}
+
+std::vector<std::string> outputWords() {
+    std::vector<std::string> words;
+    for (const Output& output : outputs()) words.emplace_back(output.name);
+    return words;
+}
+
+std::vector<std::string> exampleWords() {
+    std::vector<std::string> words;
+    for (const Example& example : builtInExamples()) words.push_back(example.name);
+    return words;
+}
+
+std::vector<std::string> presetWords(PresetKind kind) {
+    std::vector<std::string> words;
+    for (const Preset& preset : builtInPresets())
+        if (preset.kind == kind) words.push_back(preset.name);
+    return words;
+}
+
+}  // namespace
+
+std::string_view name(ValueKind kind) {
+    return kindNames[kind];
+}
+
+ValueKind valueKind(const OptionSpec& option) {
+    const auto named = std::ranges::find(namedKinds, option.name, &NamedKind::option);
+    if (named != std::end(namedKinds)) return named->kind;
+    if (option.value.starts_with("KEY=")) return ValueKind::parameter;
+    if (option.value == "DIR") return ValueKind::folder;
+    return option.value.find("FILE") == std::string_view::npos ? ValueKind::free : ValueKind::file;
+}
+
+ValueKind operandKind(const Command& command) {
+    if (command.mostOperands == 0) return ValueKind::free;
+    if (command.operands.starts_with("[NAME]")) return ValueKind::example;
+    return command.operands.starts_with("FILE") ? ValueKind::scenario : ValueKind::file;
+}
+
+std::vector<std::string> wordsOf(ValueKind kind) {
+    switch (kind) {
+        case ValueKind::scenario:
+        case ValueKind::example:
+            return exampleWords();
+        case ValueKind::parameter:
+            return parameterWords();
+        case ValueKind::output:
+        case ValueKind::outputs:
+            return outputWords();
+        case ValueKind::formats:
+            return {pictureFormats.begin(), pictureFormats.end()};
+        case ValueKind::method:
+            return {methodNames().begin(), methodNames().end()};
+        case ValueKind::rod:
+            return presetWords(PresetKind::rod);
+        case ValueKind::hammer:
+            return presetWords(PresetKind::hammer);
+        case ValueKind::rock:
+            return presetWords(PresetKind::rock);
+        case ValueKind::free:
+        case ValueKind::folder:
+        case ValueKind::file:
+            return {};
+    }
+    return {};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Manual page and completions against the help of every command, and as bash and man take them.
+#include <QFile>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+#include <QtTest>
+
+#include "app/describe/completions.h"
+#include "app/describe/man_page.h"
+#include "app/help_text.h"
+
+using namespace drillwave;
+
+namespace {
+
+/// "--set", "-o" of the lines of a help that tell of options.
+QStringList optionsIn(const QString& help) {
+    static const QRegularExpression line("^  (--?[a-z][a-z-]*)", QRegularExpression::MultilineOption);
+    QStringList options;
+    const qsizetype begin = help.indexOf("\nOptions:\n");
+    const qsizetype end = help.indexOf("\n\n", begin + 1);
+    for (auto match = line.globalMatch(help.mid(begin, end - begin)); match.hasNext();)
+        options.append(match.next().captured(1));
+    options.removeOne("-h");
+    options.removeOne("--version");
+    return options;
+}
+
+QString helpOf(const Command& command) {
+    return QString::fromStdString(commandHelp(command));
+}
+
+/// Without the marks of man(7).
+QString pageText() {
+    QString page = QString::fromStdString(manPage("2000-01-01"));
+    return page.replace("\\-", "-")
+        .replace("\\(aq", "'")
+        .replace("\\(ha", "^")
+        .replace("\\(ti", "~")
+        .remove("\\fB")
+        .remove("\\fR")
+        .remove("\\&");
+}
+
+/// The part of a page between the title of a command and the next one.
+QString pagePart(const QString& page, std::string_view command) {
+    const qsizetype begin = page.indexOf(".SS " + QString::fromUtf8(command.data(), command.size()) + "\n");
+    return begin < 0 ? QString() : page.mid(begin, page.indexOf("\n.S", begin + 1) - begin);
+}
+
+/// What bash offers for a line that ends in the last of the words.
+QStringList offered(const QStringList& words) {
+    QProcess bash;
+    bash.setWorkingDirectory("/");
+    const QString script = QString::fromStdString(bashCompletion()) +
+                           "\ncompopt() { :; }\nCOMP_WORDS=(\"$@\")\nCOMP_CWORD=$(($# - 1))\n_drillwave\n"
+                           "printf '%s\\n' \"${COMPREPLY[@]}\"\n";
+    bash.start("bash", QStringList{"--norc", "-c", script, "bash"} + words);
+    if (!bash.waitForFinished(60000) || bash.exitCode() != 0)
+        return {"failed: " + bash.readAllStandardError()};
+    return QString::fromUtf8(bash.readAllStandardOutput()).split('\n', Qt::SkipEmptyParts);
+}
+
+}  // namespace
+
+class TestDescriptions : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void thePageTellsOfEveryCommandAndOption() {
+        const QString page = pageText();
+        for (const Command* command : commands()) {
+            const QString part = pagePart(page, command->name);
+            QVERIFY2(part.contains(QString::fromUtf8(command->summary.data())), command->name.data());
+            const QStringList options = optionsIn(helpOf(*command));
+            QCOMPARE(options.size(), qsizetype(command->options.size()));
+            for (const QString& option : options)
+                QVERIFY2(part.contains("\n.TP\n" + option),
+                         qPrintable(command->name.data() + (" " + option)));
+        }
+    }
+
+    void thePageHasAllWordsOfTheDetails() {
+        static const QRegularExpression blanks("\\s+");
+        const QString page = pageText();
+        for (const Command* command : commands()) {
+            const QString part = pagePart(page, command->name);
+            const std::string details(command->details);
+            for (const QString& word :
+                 QString::fromStdString(details).remove('`').split(blanks, Qt::SkipEmptyParts))
+                QVERIFY2(part.contains(word), qPrintable(command->name.data() + (" " + word)));
+        }
+    }
+
+    void manSetsThePageWithoutAWarning() {
+        if (QStandardPaths::findExecutable("man").isEmpty()) QSKIP("no man here");
+        for (const std::string& page : {manPage("2000-01-01"), windowManPage("2000-01-01")}) {
+            QTemporaryDir folder;
+            QFile file(folder.filePath("page.1"));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write(page.c_str()) > 0);
+            file.close();
+            QProcess man;
+            man.start("man", {"--warnings", "-E", "UTF-8", "-l", "-Tutf8", "-Z", file.fileName()});
+            QVERIFY(man.waitForFinished(60000));
+            QCOMPARE(man.readAllStandardError(), QByteArray());
+        }
+    }
+
+    void theLanguageOfThePageIsKeptFromText() {
+        QCOMPARE(manText(".x -y"), std::string("\\&.x \\-y"));
+        QCOMPARE(manText("it's\n'a` b`\\"), std::string("it\\(aqs\n\\&\\(aqa\\fB b\\fR\\e"));
+        QCOMPARE(manDetails("Two\nlines:\n  key  what\n       more\nEnd"),
+                 std::string(".PP\nTwo\n.PP\nlines:\n.TP\n\\fBkey\\fR\nwhat\nmore\n.PP\nEnd\n"));
+    }
+
+    void bashOffersEveryCommandAndOption() {
+        const QStringList names = offered({"drillwave", ""});
+        for (const Command* command : commands()) {
+            QVERIFY2(names.contains(command->name.data()), command->name.data());
+            QStringList options = offered({"drillwave", command->name.data(), "-"});
+            QStringList expected = optionsIn(helpOf(*command)) + QStringList{"--help"};
+            QCOMPARE(QSet(options.begin(), options.end()), QSet(expected.begin(), expected.end()));
+        }
+    }
+
+    void zshKnowsEveryCommandAndOption() {
+        const QString script = QString::fromStdString(zshCompletion());
+        for (const Command* command : commands()) {
+            const QString name = command->name.data();
+            QVERIFY2(script.contains("\n        '" + name + ":"), command->name.data());
+            const qsizetype begin = script.indexOf("\n        " + name + ")\n");
+            QVERIFY2(begin >= 0, command->name.data());
+            const QString part = script.mid(begin, script.indexOf("\n            ;;\n", begin) - begin);
+            for (const QString& option : optionsIn(helpOf(*command)))
+                QVERIFY2(part.contains("'" + option + "[") || part.contains("'*" + option + "["),
+                         qPrintable(name + " " + option));
+        }
+    }
+
+    void fishKnowsEveryCommandAndOption() {
+        const QStringList lines = QString::fromStdString(fishCompletion()).split('\n');
+        for (const Command* command : commands()) {
+            const QString name = command->name.data();
+            QCOMPARE(lines.filter("use_subcommand -a " + name + " ").size(), 1);
+            const QStringList own = lines.filter("seen_subcommand_from " + name + "'");
+            for (const QString& option : optionsIn(helpOf(*command))) {
+                const bool isLong = option.startsWith("--");
+                QCOMPARE(own.filter((isLong ? " -l " : " -s ") + option.mid(isLong ? 2 : 1) + " ").size(), 1);
+            }
+        }
+    }
+
+    void bashOffersWhatAnOptionTakes_data() {
+        QTest::addColumn<QStringList>("words");
+        QTest::addColumn<QStringList>("expected");
+        QTest::newRow("a parameter") << QStringList{"run", "x", "--set", "rod.le"}
+                                     << QStringList{"rod.length="};
+        // Bash splits at "=".
+        QTest::newRow("a second one")
+            << QStringList{"run", "--set", "rod.length", "=", "4m", "bet"} << QStringList{"beta="};
+        QTest::newRow("its value") << QStringList{"run", "--set", "rod.length", "="} << QStringList{};
+        QTest::newRow("an axis") << QStringList{"map", "x", "--y", "delt"} << QStringList{"delta="};
+        QTest::newRow("an output") << QStringList{"sweep", "x", "--outputs", "rebound_e"}
+                                   << QStringList{"rebound_energy"};
+        QTest::newRow("one more") << QStringList{"sweep", "x", "--outputs", "cor,rebound_e"}
+                                  << QStringList{"cor,rebound_energy"};
+        QTest::newRow("a format") << QStringList{"run", "x", "--plots", "png,s"} << QStringList{"png,svg"};
+        QTest::newRow("a method") << QStringList{"run", "x", "--method", "c"} << QStringList{"closed_form"};
+        QTest::newRow("a rod") << QStringList{"run", "x", "--rod", "T45"}
+                               << QStringList{"T45\\,\\ round\\ 46\\ mm"};
+        QTest::newRow("a number") << QStringList{"sweep", "x", "-j", ""} << QStringList{};
+        QTest::newRow("an example as FILE") << QStringList{"run", "t38_m"} << QStringList{"t38_medium_rock"};
+        QTest::newRow("an example for the window") << QStringList{"t38_m"} << QStringList{"t38_medium_rock"};
+        QTest::newRow("a command to be helped with")
+            << QStringList{"help", "stab"} << QStringList{"stability"};
+    }
+
+    void bashOffersWhatAnOptionTakes() {
+        QFETCH(QStringList, words);
+        QFETCH(QStringList, expected);
+        QCOMPARE(offered(QStringList{"drillwave"} + words), expected);
+    }
+
+    void shellsReadTheirScripts() {
+        QTemporaryDir folder;
+        const std::pair<const char*, std::string> scripts[]{
+            {"bash", bashCompletion()}, {"zsh", zshCompletion()}, {"fish", fishCompletion()}};
+        for (const auto& [shell, script] : scripts) {
+            if (QStandardPaths::findExecutable(shell).isEmpty()) continue;
+            QFile file(folder.filePath(shell));
+            QVERIFY(file.open(QIODevice::WriteOnly) && file.write(script.c_str()) > 0);
+            file.close();
+            QProcess process;
+            process.start(shell, {"-n", file.fileName()});
+            QVERIFY(process.waitForFinished(60000));
+            const QByteArray said = process.readAllStandardError();
+            QVERIFY2(process.exitCode() == 0 && said.isEmpty(), said);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestDescriptions)
+#include "tst_descriptions.moc"
