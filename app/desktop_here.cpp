@@ -26,6 +26,7 @@
 #include "ui/text/settings.h"
 #include "ui/text/shown_text.h"
 #include "ui/window/main_window.h"
+#include "ui/window/program_icon.h"
 
 namespace drillwave {
 
@@ -139,6 +140,9 @@ int openWindow(int argc, char** argv) {
     QCoreApplication::setApplicationName("Drillwave");
     QCoreApplication::setOrganizationName("Drillwave");
     QCoreApplication::setApplicationVersion(versionText);
+    // By its entry in the menu a desktop knows which window is whose.
+    QGuiApplication::setDesktopFileName("drillwave");
+    QGuiApplication::setWindowIcon(programIcon());
 
     const WindowArguments arguments = wordsFor(QCoreApplication::arguments());
     if (arguments.resetsUi) resetSettings();
