@@ -23,8 +23,8 @@ void goOnBeside(char** argv) {
 }
 
 constexpr const char* builtWithout =
-    " there is no drillwave-window beside this program, which was built or installed without it "
-    "(DRILLWAVE_GUI)";
+    " there is no drillwave-window beside this program, which was built without it (DRILLWAVE_GUI), or "
+    "installed without it (the package drillwave)";
 
 }  // namespace
 

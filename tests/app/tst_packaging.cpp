@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// packaging/run and packaging/test on a bare system, whose commands are stood in for: what they ask for, show
-// and leave behind.
+// packaging/run, test and check-package on a bare system, whose commands are stood in for: what they ask for,
+// show and leave behind.
 #include <QtTest>
 
 #include <QDir>
@@ -19,7 +19,7 @@ class BareSystem {
     BareSystem() {
         for (const char* folder : {"bin", "tmp", "repo/packaging", "repo/build/release/app"})
             QDir(m_folder.path()).mkpath(folder);
-        for (const char* name : {"run", "test", "dependencies.sh"})
+        for (const char* name : {"run", "test", "check-package", "dependencies.sh"})
             put(QStringLiteral("repo/packaging/") + name,
                 read(QStringLiteral(DRILLWAVE_SOURCE_DIR "/packaging/") + name));
         put("repo/build/release/app/drillwave", "#!/bin/sh\nexit 0\n");
@@ -43,6 +43,7 @@ class BareSystem {
 
     Finished packagingRun(const QProcessEnvironment& more = {}) const { return packaging("run", more); }
     Finished packagingTest(const QProcessEnvironment& more = {}) const { return packaging("test", more); }
+    Finished packagingCheck() const { return packaging("check-package", {}); }
 
     /// In place of a command, a script of bash.
     void standIn(const char* command, const QByteArray& script) const {
@@ -138,6 +139,28 @@ class TestPackaging : public QObject {
         QCOMPARE(finished.exitCode, 1);
         QVERIFY2(!system.calls().contains("ctest"), system.calls());
         QVERIFY2(finished.error.endsWith("packaging/test: failed: the build\n"), finished.error);
+    }
+
+    void aSystemOfItsOwnNeedsRoot() {
+        const BareSystem system;
+        system.standIn("id", "echo 1000\n");
+        const Finished finished = system.packagingCheck();
+        QCOMPARE(finished.exitCode, 1);
+        QVERIFY2(finished.error.contains("needs root"), finished.error);
+        QCOMPARE(finished.error.count('\n'), 1);
+        QVERIFY2(finished.out.isEmpty(), finished.out);
+    }
+
+    void aSystemThatCannotBeMadeIsToldAndLeavesNothing() {
+        const BareSystem system;
+        system.standIn("id", "echo 0\n");
+        for (const char* tool : {"dpkg-shlibdeps", "file", "lintian"}) system.standIn(tool, "");
+        system.standIn("cpack", "mkdir -p ${@: -1} && touch ${@: -1}/drillwave_1.deb\n");
+        system.standIn("debootstrap", "echo 'E: no such mirror'; exit 1\n");
+        const Finished finished = system.packagingCheck();
+        QCOMPARE(finished.exitCode, 1);
+        QVERIFY2(finished.error.endsWith("packaging/check-package: E: no such mirror\n"), finished.error);
+        QCOMPARE(system.leftBehind(), QStringList());
     }
 
     void whatIsMissingIsNamedWhereNothingIsMounted() {
