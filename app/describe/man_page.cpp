@@ -117,11 +117,11 @@ std::string manText(std::string_view text) {
     return shown;
 }
 
-std::string manDetails(std::string_view details) {
+std::string manDetails(std::string_view lines) {
     std::string text;
     enum class Before { nothing, paragraph, item, line } before = Before::nothing;
     std::size_t indent = 0;  // of the last item
-    for (const std::string_view line : linesOf(details)) {
+    for (const std::string_view line : linesOf(lines)) {
         const Entry entry = entryOf(line);
         if (indentOf(line) == 0) {
             // A line that only announces what follows stands alone, and does not end the paragraph before it.
@@ -164,7 +164,7 @@ std::string manPage(std::string_view date) {
         ".SS help\n.B drillwave help\n.RI [ COMMAND ]\n.PP\nsay what there is, or what a command takes.\n"
         ".SS version\n.B drillwave version\n.PP\nprint the version of the program.\n"
         ".SH OPTIONS\nEvery command also has\n" +
-        item("\\fB\\-h\\fR, \\fB\\-\\-help\\fR", "what it takes") +
+        item(bold("-h") + ", " + bold("--help"), "what it takes") +
         item(bold("--version"), "version of the program") + "The window has\n" +
         item(bold("--reset-ui"), "open with the first layout, page, units and choices") +
         ".SH EXIT STATUS\n" + exitCodes() +
