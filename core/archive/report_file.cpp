@@ -100,6 +100,7 @@ std::string presetSource(const Scenario& scenario, const SavedValue& saved) {
         if (!matches(preset, scenario)) continue;
         if (!saved.parameter && preset.shape && saved.key == "shape")
             return presetRemark(preset, preset.shapeSource);
+        if (saved.key == lawKey && !preset.lawSource.empty()) return presetRemark(preset, preset.lawSource);
         for (const PresetValue& value : preset.values)
             if (value.parameter == saved.parameter && saved.parameter)
                 return presetRemark(preset, value.source);

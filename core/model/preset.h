@@ -24,12 +24,15 @@ struct PresetValue {
     bool operator==(const PresetValue&) const = default;
 };
 
-/// What it names it sets; everything else of the scenario stays.
+/// What it names it sets; everything else of the scenario stays. A rock has a loading curve, named or not.
 struct Preset {
     PresetKind kind = PresetKind::rod;
     std::string name;
     std::optional<PulseShape> shape;  ///< of a hammer, else nothing
     std::string shapeSource;
+    RockLaw law = RockLaw::bilinear;  ///< of a rock, with its corners in SI
+    std::vector<RockCorner> corners;
+    std::string lawSource;            ///< empty where the file says nothing of the law
     std::vector<PresetValue> values;  ///< in the order of parameters()
     bool operator==(const Preset&) const = default;
 };
@@ -42,7 +45,7 @@ Scenario withPreset(Scenario scenario, const Preset& preset);
 /// Whether taking the preset would change nothing; never where it cannot be taken.
 bool matches(const Preset& preset, const Scenario& scenario);
 
-/// "diameter: 38 mm — nominal", one line for the shape and for each value.
+/// "diameter: 38 mm — nominal", one line for the shape or the law and for each value.
 std::string description(const Preset& preset);
 
 }  // namespace drillwave

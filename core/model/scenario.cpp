@@ -47,6 +47,17 @@ std::span<const std::string_view> rockLawNames() {
     return lawNames.all();
 }
 
+BitRock withLaw(BitRock rock, RockLaw law) {
+    rock.law = law;
+    if (law != RockLaw::corners) rock.corners.clear();
+    const BitRock usual;
+    if (law != RockLaw::power) {
+        rock.exponent = usual.exponent;
+        rock.referencePenetration = usual.referencePenetration;
+    }
+    return rock;
+}
+
 std::string_view name(RockIndexing indexing) {
     return indexingNames[indexing];
 }

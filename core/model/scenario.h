@@ -106,6 +106,9 @@ struct BitRock {
     bool operator==(const BitRock&) const = default;
 };
 
+/// The rock with another law: what only the one before has is dropped.
+BitRock withLaw(BitRock rock, RockLaw law);
+
 /// What the buttons of the bit hit at the next blow.
 enum class RockIndexing {
     fresh,  ///< new rock: the bit has turned

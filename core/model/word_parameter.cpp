@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "core/model/parameter_text.h"
 
@@ -16,16 +17,8 @@ std::string setShape(Scenario& scenario, std::size_t word) {
     return refusal;
 }
 
-/// What another law has is dropped.
 std::string setLaw(Scenario& scenario, std::size_t word) {
-    BitRock& rock = scenario.bitRock;
-    rock.law = static_cast<RockLaw>(word);
-    if (rock.law != RockLaw::corners) rock.corners.clear();
-    const BitRock usual;
-    if (rock.law != RockLaw::power) {
-        rock.exponent = usual.exponent;
-        rock.referencePenetration = usual.referencePenetration;
-    }
+    scenario.bitRock = withLaw(std::move(scenario.bitRock), static_cast<RockLaw>(word));
     return {};
 }
 

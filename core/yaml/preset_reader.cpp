@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/text/name_text.h"
+#include "core/yaml/law_reader.h"
 #include "core/yaml/preset_file.h"
 #include "core/yaml/section_preset_reader.h"
 
@@ -14,7 +15,8 @@ struct PresetReader::Section {
     std::string_view list;
     std::string_view section;
     PresetKind kind;
-    std::vector<std::string_view> moreKeys;
+    std::vector<std::string_view> moreKeys;  // of numbers
+    std::vector<std::string_view> words;     // keys of what is no number
 };
 
 namespace {
@@ -28,9 +30,10 @@ const YamlNode& itemOf(const YamlNode& pair, std::size_t index) {
 }  // namespace
 
 std::vector<Preset> PresetReader::read(const YamlNode& root) {
-    static const std::vector<Section> sections{{"rods", "rod", PresetKind::rod, {}},
-                                               {"hammers", "pulse", PresetKind::hammer, {"blow_frequency"}},
-                                               {"rocks", "bit_rock", PresetKind::rock, {}}};
+    static const std::vector<Section> sections{
+        {"rods", "rod", PresetKind::rod, {}, {}},
+        {"hammers", "pulse", PresetKind::hammer, {"blow_frequency"}, {"shape"}},
+        {"rocks", "bit_rock", PresetKind::rock, {}, {lawKey, cornersKey}}};
     if (root.kind != YamlKind::map) {
         m_reader.problems().reportKey(root.offset, formatKey,
                                       "the file must begin with `drillwave_presets: 1`");
@@ -67,7 +70,7 @@ void PresetReader::readList(const YamlNode& list, const Section& section) {
 
 void PresetReader::readPreset(PresetList& list, const YamlNode& item, const Section& section) {
     std::vector<std::string_view> known{"name"};
-    if (section.kind == PresetKind::hammer) known.push_back("shape");
+    known.insert(known.end(), section.words.begin(), section.words.end());
     for (const Parameter& parameter : parameters())
         if (parameter.section() == section.section) known.push_back(parameter.localKey());
     known.insert(known.end(), section.moreKeys.begin(), section.moreKeys.end());
@@ -79,8 +82,8 @@ void PresetReader::readPreset(PresetList& list, const YamlNode& item, const Sect
     Preset preset;
     preset.kind = section.kind;
     preset.name = list.nameOf(entries, item);
-    readShape(preset, values, entries);
-    readValues(preset, values, entries, section);
+    const bool isKindKnown = readKind(preset, values, entries);
+    readValues(preset, values, entries, section, isKindKnown);
     requireKeys(preset, entries, item);
     checkPhysics(item, section);
     m_presets.push_back(std::move(preset));
@@ -107,26 +110,58 @@ YamlEntries PresetReader::valuesOf(const YamlEntries& entries, const Section& se
     return values;
 }
 
-void PresetReader::readShape(Preset& preset, const YamlEntries& values, const YamlEntries& entries) {
+/// The shape of a hammer or the loading curve of a rock, without which there is no telling what applies.
+bool PresetReader::readKind(Preset& preset, const YamlEntries& values, const YamlEntries& entries) {
+    switch (preset.kind) {
+        case PresetKind::rod:
+            break;
+        case PresetKind::hammer:
+            return readShape(preset, values, entries);
+        case PresetKind::rock:
+            return readCurve(preset, values, entries);
+    }
+    return false;
+}
+
+bool PresetReader::readShape(Preset& preset, const YamlEntries& values, const YamlEntries& entries) {
     const auto found = values.find("shape");
-    if (found == values.end()) return;
+    if (found == values.end()) return false;
     const YamlNode& value = *found->second.value;
     const std::optional<PulseShape> shape = findPulseShape(value.text);
     if (!shape || shape == PulseShape::table || shape == PulseShape::rigidBody) {
         m_reader.problems().reportValue(found->second.place(), pulseShapeKey, value.text,
                                         "must be a shape of a hammer blow that needs no table");
-        return;
+        return false;
     }
     preset.shape = m_reader.scenario().pulse.shape = *shape;
     preset.shapeSource = itemOf(*entries.at("shape").value, 1).text;
+    return true;
+}
+
+bool PresetReader::readCurve(Preset& preset, const YamlEntries& values, const YamlEntries& entries) {
+    // What has no source is reported already.
+    const auto isLeftOut = [&](std::string_view key) {
+        return entries.contains(key) && !values.contains(key);
+    };
+    if (isLeftOut(lawKey) || !readLaw(m_reader, values)) return false;
+    if (!isLeftOut(cornersKey)) readCorners(m_reader, values);
+    preset.law = m_reader.scenario().bitRock.law;
+    preset.corners = m_reader.scenario().bitRock.corners;
+    for (const std::string_view key : {lawKey, cornersKey}) {
+        if (!values.contains(key)) continue;
+        const std::string& source = itemOf(*entries.find(key)->second.value, 1).text;
+        if (preset.lawSource.empty())
+            preset.lawSource = source;
+        else if (source != preset.lawSource)
+            preset.lawSource += "; corners: " + source;
+    }
+    return true;
 }
 
 void PresetReader::readValues(Preset& preset, const YamlEntries& values, const YamlEntries& entries,
-                              const Section& section) {
-    // Without its shape there is no telling what applies to a hammer.
-    const auto applicability = section.kind == PresetKind::hammer && preset.shape
-                                   ? SectionReader::Applicability::checked
-                                   : SectionReader::Applicability::ignored;
+                              const Section& section, bool isKindKnown) {
+    const auto applicability =
+        isKindKnown ? SectionReader::Applicability::checked : SectionReader::Applicability::ignored;
     m_reader.readParameters(values, section.section, applicability);
     if (!section.moreKeys.empty()) {
         YamlEntries more;

@@ -32,8 +32,10 @@ class PresetReader {
     void readPreset(PresetList& list, const YamlNode& item, const Section& section);
     YamlEntries valuesOf(const YamlEntries& entries, const Section& section);
     void readValues(Preset& preset, const YamlEntries& values, const YamlEntries& entries,
-                    const Section& section);
-    void readShape(Preset& preset, const YamlEntries& values, const YamlEntries& entries);
+                    const Section& section, bool isKindKnown);
+    bool readKind(Preset& preset, const YamlEntries& values, const YamlEntries& entries);
+    bool readShape(Preset& preset, const YamlEntries& values, const YamlEntries& entries);
+    bool readCurve(Preset& preset, const YamlEntries& values, const YamlEntries& entries);
     void requireKeys(const Preset& preset, const YamlEntries& entries, const YamlNode& item);
     void checkPhysics(const YamlNode& item, const Section& section);
 

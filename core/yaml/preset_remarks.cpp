@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/text/text_edit.h"
+#include "core/yaml/law_reader.h"
 #include "core/yaml/scenario_reader.h"
 #include "core/yaml/scenario_text.h"
 #include "core/yaml/yaml_extent.h"
@@ -13,6 +14,7 @@ namespace {
 
 /// Where the preset says that the value is from; empty for values of others.
 std::string sourceOf(const Preset& preset, const SavedValue& saved) {
+    if (!saved.parameter && saved.key == lawKey) return preset.lawSource;
     if (!saved.parameter) return preset.shape && saved.key == "shape" ? preset.shapeSource : std::string();
     const auto found = std::ranges::find(preset.values, saved.parameter, &PresetValue::parameter);
     return found == preset.values.end() ? std::string() : found->source;

@@ -10,6 +10,7 @@
 #include "core/report/alert_words.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/preset_file.h"
+#include "core/yaml/preset_remarks.h"
 #include "core/yaml/yaml_tree.h"
 #include "tests/support/scenario_texts.h"
 
@@ -33,6 +34,17 @@ rocks:
   - name: my quarry
     stiffness: [120 MN/m, fitted]
     gamma: [0.2, fitted]
+  - name: my layers
+    stiffness: [250 MN/m, fitted]
+    gamma: [0.15, fitted]
+    law: [corners, drop test]
+    corners: [[{force: 90 kN, slope: 0.35}, {force: 150 kN, slope: 0.2}], fitted]
+  - name: my powder
+    stiffness: [80 MN/m, fitted]
+    gamma: [0.1, fitted]
+    law: [power, fitted]
+    exponent: [1.5, handbook]
+    reference_penetration: [0.5 mm, fitted]
 )";
 
 std::string with(const std::string& from, const std::string& to) {
@@ -59,6 +71,10 @@ class TestPresetFile : public QObject {
     void aHammerWithoutAMaterialHasTheRods();
     void presetsNeverMatchGroupsAlone();
     void aFileOfTheUserIsRead();
+    void aRockHasItsLoadingCurve();
+    void aCurveMatchesUntilItChanges();
+    void aRockThatSaysNothingOfItsLawIsBilinear();
+    void theCurveLeavesItsSourceInTheFile();
     void problemsAreReportedAtTheirPlace_data();
     void problemsAreReportedAtTheirPlace();
     void allProblemsAreReportedAtOnce();
@@ -188,7 +204,7 @@ void TestPresetFile::presetsNeverMatchGroupsAlone() {
 
 void TestPresetFile::aFileOfTheUserIsRead() {
     const std::vector<Preset> presets = parsePresets(good, "mine.yaml").presets;
-    QCOMPARE(presets.size(), std::size_t(3));
+    QCOMPARE(presets.size(), std::size_t(5));
     QCOMPARE(presets[1].name, std::string("my drill"));
     QVERIFY(presets[1].shape == PulseShape::piston);
     QCOMPARE(presets[1].values.size(), std::size_t(4));
@@ -197,6 +213,61 @@ void TestPresetFile::aFileOfTheUserIsRead() {
     QCOMPARE(presets[2].values.front().source, std::string("fitted"));
     QVERIFY(description(presets[2]).starts_with("stiffness: 120 MN/m — fitted"));
     QVERIFY(parsePresets("drillwave_presets: 1\n", "").presets.empty());
+}
+
+void TestPresetFile::aRockHasItsLoadingCurve() {
+    const std::vector<Preset> presets = parsePresets(good, "mine.yaml").presets;
+    const Preset &layers = presets[3], &powder = presets[4];
+    const Scenario corners = withPreset({}, layers);
+    QVERIFY(corners.bitRock.law == RockLaw::corners);
+    QCOMPARE(corners.bitRock.corners.size(), std::size_t(2));
+    QCOMPARE(corners.bitRock.corners[1].force, 150e3);
+    QCOMPARE(corners.bitRock.corners[1].slope, 0.2);
+    QVERIFY(validate(corners).empty());
+    QCOMPARE(
+        description(layers),
+        std::string("law: corners, from 90 kN on slope 0.35, from 150 kN on slope 0.2 — drop test; corners: "
+                    "fitted\nstiffness: 250 MN/m — fitted\nelasticity: 0.15 — fitted"));
+    // From one law to another nothing of the first is left.
+    const Scenario power = withPreset(corners, powder);
+    QVERIFY(power.bitRock.law == RockLaw::power && power.bitRock.corners.empty());
+    QCOMPARE(power.bitRock.exponent, 1.5);
+    QCOMPARE(power.bitRock.referencePenetration, 0.5e-3);
+    QVERIFY(withPreset(power, layers) == corners);
+}
+
+void TestPresetFile::aCurveMatchesUntilItChanges() {
+    const Preset layers = parsePresets(good, "mine.yaml").presets[3];
+    const Scenario taken = withPreset({}, layers);
+    QVERIFY(matches(layers, taken));
+    Scenario other = taken;
+    other.bitRock.corners[1].slope = 0.3;
+    QVERIFY(!matches(layers, other));
+    other = taken;
+    other.bitRock.corners.pop_back();
+    QVERIFY(!matches(layers, other));
+    other.bitRock = withLaw(taken.bitRock, RockLaw::bilinear);
+    QVERIFY(!matches(layers, other));
+}
+
+void TestPresetFile::aRockThatSaysNothingOfItsLawIsBilinear() {
+    const std::vector<Preset> presets = parsePresets(good, "mine.yaml").presets;
+    const Scenario layers = withPreset({}, presets[3]);
+    Scenario ofTheSameNumbers = layers;
+    ofTheSameNumbers.bitRock.stiffness = 120e6;
+    ofTheSameNumbers.bitRock.gamma = 0.2;
+    QVERIFY(!matches(presets[2], ofTheSameNumbers));
+    QVERIFY(withPreset(layers, presets[2]) == withPreset({}, presets[2]));
+}
+
+void TestPresetFile::theCurveLeavesItsSourceInTheFile() {
+    const Preset layers = parsePresets(good, "mine.yaml").presets[3];
+    ScenarioDocument document = parseScenario(findExample("t38_medium_rock")->text, "");
+    document.scenario = withPreset(document.scenario, layers);
+    const std::string text = writeWithPreset(document, layers);
+    QVERIFY2(text.find("law: corners  # preset my layers: drop test; corners: fitted\n") != std::string::npos,
+             text.c_str());
+    QVERIFY(parseScenario(text, "").scenario == document.scenario);
 }
 
 void TestPresetFile::problemsAreReportedAtTheirPlace_data() {
@@ -230,6 +301,23 @@ void TestPresetFile::problemsAreReportedAtTheirPlace_data() {
         "rod.bore = ... (the source must have a letter)");
     row("a source that turns the line", with("[15 mm, measured]", "[15 mm, \"\u202Emeasured\"]"),
         "(the source must have no characters that turn the direction of reading)");
+    row("no such law", with("[power, fitted]", "[cubic, fitted]"),
+        "mine.yaml:25:11: bit_rock.law = cubic (must be one of bilinear, corners, power)");
+    row("corners of no law", with("    law: [corners, drop test]\n", ""),
+        "bit_rock.corners (only a law with corners has it");
+    row("a law without its corners",
+        with("    corners: [[{force: 90 kN, slope: 0.35}, {force: 150 kN, slope: 0.2}], fitted]\n", ""),
+        "mine.yaml:17:5: bit_rock.corners (is missing");
+    row("corners without a source", with("slope: 0.2}], fitted]", "slope: 0.2}]]"),
+        "mine.yaml:21:14: bit_rock.corners (must be [value, source]");
+    row("a force that does not grow", with("150 kN", "50 kN"),
+        "bit_rock.corners.2.force = 50 kN (must be greater");
+    row("a slope that creates energy", with("slope: 0.2", "slope: 7"),
+        "bit_rock.corners.2.slope = 7 (must be at");
+    row("a power law without its exponent", with("    exponent: [1.5, handbook]\n", ""),
+        "bit_rock.exponent (is missing");
+    row("an exponent of no power law", with("    law: [power, fitted]\n", ""),
+        "bit_rock.exponent (only a power law has it");
     row("no list", with("rods:\n  - name: mine\n    diameter", "rods:\n    diameter"),
         "rods (must be a list");
     row("other list", with("rocks:", "stones:"), "mine.yaml:13:1: stones (is not a known key");

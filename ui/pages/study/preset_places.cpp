@@ -21,6 +21,8 @@ std::optional<Scenario> taken(const Preset& preset, const Scenario& scenario) {
     const bool isTaken =
         preset.kind == PresetKind::rock ? hasUnits(scenario) : scenario.form == ScenarioForm::dimensional;
     if (!isTaken) return std::nullopt;
+    // On another loading curve the same numbers are another rock.
+    if (preset.kind == PresetKind::rock && preset.law != scenario.bitRock.law) return std::nullopt;
     const Scenario with = withPreset(scenario, preset);
     if (!validate(with).empty()) return std::nullopt;
     return with;

@@ -14,6 +14,9 @@ Preset rock(const char* name, double stiffness, double gamma) {
             .name = name,
             .shape = {},
             .shapeSource = {},
+            .law = RockLaw::bilinear,
+            .corners = {},
+            .lawSource = {},
             .values = {{&*findParameter("bit_rock.stiffness"), stiffness, "assumed"},
                        {&*findParameter("bit_rock.gamma"), gamma, "assumed"}}};
 }
@@ -31,6 +34,7 @@ class TestPresetPlaces : public QObject {
     void otherParametersHaveNone();
     void inAMapTheyArePointsOfBoth();
     void withoutUnitsThereAreNone();
+    void onAnotherLoadingCurveTheyAreOtherRocks();
 };
 
 void TestPresetPlaces::theyAscendAndShareAPlace() {
@@ -64,6 +68,17 @@ void TestPresetPlaces::withoutUnitsThereAreNone() {
     Scenario scenario;
     scenario.form = ScenarioForm::dimensionless;
     QVERIFY(presetPlaces(rocks, *findParameter("beta"), scenario).empty());
+}
+
+void TestPresetPlaces::onAnotherLoadingCurveTheyAreOtherRocks() {
+    Scenario scenario;
+    scenario.bitRock.law = RockLaw::corners;
+    scenario.bitRock.corners = {{9e4, 0.35}};
+    QVERIFY(presetPlaces(rocks, *findParameter("bit_rock.stiffness"), scenario).empty());
+    std::vector<Preset> layered = rocks;
+    layered[0].law = RockLaw::corners;
+    layered[0].corners = scenario.bitRock.corners;
+    QCOMPARE(presetPlaces(layered, *findParameter("bit_rock.stiffness"), scenario).size(), std::size_t{1});
 }
 
 QTEST_MAIN(TestPresetPlaces)
