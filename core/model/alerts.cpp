@@ -7,6 +7,7 @@
 
 #include "core/model/blow_interval.h"
 #include "core/model/blow_traits.h"
+#include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
@@ -22,16 +23,32 @@ constexpr double negligibleImpulse = 1e-3;
 /// Hammer and rod within one percent pass for equal.
 constexpr double matchedImpedances = 0.01;
 
+void addImplausibleValue(const Parameter& parameter, const Scenario& scenario, std::vector<Alert>& alerts) {
+    const std::optional<double> value = parameter.value(scenario);
+    if (!value || parameter.plausible.contains(*value)) return;
+    alerts.push_back({AlertLevel::warning,
+                      AlertCode::implausibleValue,
+                      std::string(parameter.key),
+                      {{"value", *value, parameter.quantity}}});
+}
+
 void addImplausibleValues(const Scenario& scenario, std::vector<Alert>& alerts) {
-    for (const Parameter& parameter : parameters()) {
-        if (parameter.scope == Scope::manyBlows || !isGiven(parameter, scenario)) continue;
-        const std::optional<double> value = parameter.value(scenario);
-        if (!value || parameter.plausible.contains(*value)) continue;
-        alerts.push_back({AlertLevel::warning,
-                          AlertCode::implausibleValue,
-                          std::string(parameter.key),
-                          {{"value", *value, parameter.quantity}}});
-    }
+    for (const Parameter& parameter : parameters())
+        if (parameter.scope != Scope::manyBlows && isGiven(parameter, scenario))
+            addImplausibleValue(parameter, scenario, alerts);
+}
+
+/// What of the loading curve is no row of the table of parameters.
+void addImplausibleCurve(const Scenario& scenario, std::vector<Alert>& alerts) {
+    const BitRock& rock = scenario.bitRock;
+    if (rock.law == RockLaw::corners)
+        for (std::size_t place = 1; place <= rock.corners.size(); ++place)
+            for (const std::string_view field : {"force", "slope"})
+                addImplausibleValue(*inFormOf(scenario, *findParameter(cornerKey(place, field))), scenario,
+                                    alerts);
+    if (rock.law == RockLaw::power && !hasUnits(scenario))
+        addImplausibleValue(*inFormOf(scenario, *findParameter("bit_rock.reference_penetration")), scenario,
+                            alerts);
 }
 
 void addImplausibleSection(SectionAddress::Chain chain, std::uint64_t place, const Section& section,
@@ -157,6 +174,7 @@ const AlertArgument& Alert::argument(std::string_view name) const {
 std::vector<Alert> alertsFor(const Scenario& scenario) {
     std::vector<Alert> alerts;
     addImplausibleValues(scenario, alerts);
+    addImplausibleCurve(scenario, alerts);
     if (hasSections(scenario)) addImplausibleSections(scenario.drillString, alerts);
     if (isForced(scenario)) {
         addLongPulse(scenario, alerts);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/alert_words.h"
 
+#include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
 #include "core/report/feed_words.h"
 #include "core/text/handy_text.h"
@@ -34,7 +35,9 @@ std::string nameOf(const Parameter& parameter) {
 }
 
 std::string implausible(const Alert& alert, const ReadingStyle& style) {
-    const KeptParameter parameter = findParameter(alert.parameter);
+    const KeptParameter named = findParameter(alert.parameter);
+    const bool isByRatio = alert.argument("value").quantity != named->quantity;
+    const KeptParameter parameter = isByRatio ? inScales(*named) : named;
     const auto end = [&](double value) { return style.quantity(value, parameter->quantity, 4); };
     return "The " + nameOf(*parameter) + " = " + inUnit(alert, "value", style) +
            " is outside the usual range, " + end(parameter->plausible.low) + " to " +

@@ -51,6 +51,7 @@ class TestValidation : public QObject {
     void aPistonMayBeTooStiff();
     void groupsThatOverflowAreFound();
     void implausibleValuesAreRemarkedOn();
+    void numbersOfTheLoadingCurveAreRemarkedOn();
     void aBlowLongerThanTheRoundTripIsRemarkedOn_data();
     void aBlowLongerThanTheRoundTripIsRemarkedOn();
     void aGapHasNoEffectOnTheReferenceCase();
@@ -188,6 +189,31 @@ void TestValidation::implausibleValuesAreRemarkedOn() {
     QCOMPARE(alerts.front().parameter, std::string_view("rod.youngs_modulus"));
     QCOMPARE(alerts.front().argument("value").value, 210.0);
     QVERIFY(alerts.front().level == AlertLevel::warning);
+}
+
+void TestValidation::numbersOfTheLoadingCurveAreRemarkedOn() {
+    const auto remarked = [](const Scenario& scenario) {
+        std::vector<std::string> keys;
+        for (const Alert& alert : alertsFor(scenario))
+            if (alert.code == AlertCode::implausibleValue) keys.push_back(alert.parameter);
+        return keys;
+    };
+    using Keys = std::vector<std::string>;
+    Scenario scenario;
+    scenario.bitRock.law = RockLaw::corners;
+    scenario.bitRock.corners = {{90e3, 0.35}, {600e3, 0.04}};  // usual: 5 to 500 kN, 0.05 to 5
+    QCOMPARE(remarked(scenario), (Keys{"bit_rock.corner.2.force", "bit_rock.corner.2.slope"}));
+    scenario.bitRock = withLaw(scenario.bitRock, RockLaw::power);
+    scenario.bitRock.exponent = 2.5;                // 0.5 to 2
+    scenario.bitRock.referencePenetration = 10e-3;  // 0.05 to 5 mm
+    QCOMPARE(remarked(scenario), (Keys{"bit_rock.exponent", "bit_rock.reference_penetration"}));
+    // In groups: forces in F0, penetrations in d0.
+    scenario.form = ScenarioForm::dimensionless;
+    scenario.bitRock.referencePenetration = 0.01;
+    QCOMPARE(remarked(scenario), (Keys{"bit_rock.exponent", "bit_rock.reference_penetration"}));
+    scenario.bitRock = withLaw(scenario.bitRock, RockLaw::corners);
+    scenario.bitRock.corners = {{0.5, 1}, {3, 1}};
+    QCOMPARE(remarked(scenario), Keys{"bit_rock.corner.2.force"});
 }
 
 void TestValidation::aBlowLongerThanTheRoundTripIsRemarkedOn_data() {

@@ -84,6 +84,10 @@ const std::vector<Example>& examples() {
           {{"bit_rock.law", 2}, {"closed_form_cor", 0.5}, {"difference", 0.125}}},
          "The closed form for elastic rock does not hold, because the loading curve of the rock is no "
          "straight line: its e = 0.5 is off by 0.125."},
+        {{warning, AlertCode::implausibleValue, "bit_rock.corner.2.force", {{"value", 1e6, Quantity::force}}},
+         "The force of corner 2 = 1000 kN is outside the usual range, 5 kN to 500 kN."},
+        {{warning, AlertCode::implausibleValue, "bit_rock.corner.2.force", {{"value", 9, Quantity::ratio}}},
+         "The force of corner 2 = 9 is outside the usual range, 0.05 to 2."},
         {{note,
           AlertCode::cornersWithoutEffect,
           "bit_rock.law",
