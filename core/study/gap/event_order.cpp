@@ -53,8 +53,10 @@ std::uint64_t eventOrder(const Impact& impact, const PulseForce& pulse) {
     }
     sources.push_back(field.arrival() + pulse.end);
     Fingerprint fingerprint;
-    for (std::size_t i = 0; i < std::min(impact.events.size(), mostEvents); ++i) {
-        const ImpactEvent& event = impact.events[i];
+    std::size_t counted = 0;
+    for (const ImpactEvent& event : impact.events) {
+        // Each corner is passed at most once in a blow.
+        if (event.kind != ContactEvent::corner && ++counted > mostEvents) break;
         fingerprint.add(static_cast<std::uint64_t>(event.kind));
         for (const double source : sources)
             fingerprint.add(roundTripsBetween(source, event.time, field.roundTrip()));

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/blow/impact_summary.h"
+#include "core/study/gap/event_order.h"
 #include "core/study/gap/gap_curve.h"
 #include "core/wave/exact/exact_solver.h"
 
@@ -39,6 +40,7 @@ class TestGapCurve : public QObject {
     void aHammerThatPushesForEverIsRefused();
     void aStopEndsTheWork();
     void theWorkEndsAfterTheMostPieces();
+    void manyCornersHideNoLaterEvent();
 };
 
 void TestGapCurve::theCurveIsWhatTheSolverSaysAtEveryGap_data() {
@@ -205,6 +207,19 @@ void TestGapCurve::theWorkEndsAfterTheMostPieces() {
     const auto many = static_cast<long>(whole.solves) * 100 * aBlow;
     QCOMPARE(gapCurve(problem, Detail::cor, {}, {}, many).solves, whole.solves);
     QVERIFY(gapCurve(problem, Detail::cor, {}, {}, many).isComplete());
+}
+
+// Forty corners on the way up come before all else that happens.
+void TestGapCurve::manyCornersHideNoLaterEvent() {
+    Problem problem = problemOf(PulseShape::rectangular, {0.5, 0.1, 10, 0.3});
+    for (int i = 1; i <= 40; ++i) problem.law.corners.push_back({0.01 * i, 1});
+    const auto solved = [&](double gamma) {
+        problem.law.gamma = gamma;
+        return ExactSolver().solve(problem, Detail::events);
+    };
+    const Impact soft = solved(0.1), springy = solved(0.9);
+    QVERIFY(soft.contacts != springy.contacts);
+    QVERIFY(eventOrder(soft, problem.force()) != eventOrder(springy, problem.force()));
 }
 
 QTEST_GUILESS_MAIN(TestGapCurve)
