@@ -106,9 +106,7 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
     const bool inFolder = !directory.empty() && directory != "-";
     if (inFolder) {
         checkOutputIsNoInput(directory + "/" + accuracyCsvName, path, document);
-        std::vector<std::string> names = plots.names();
-        names.push_back(accuracyCsvName);
-        checkFolder(directory, names, overwrite);
+        checkFolder(directory, plots.namesWith({accuracyCsvName}), overwrite);
         plots.check(path, document, overwrite);
     }
 

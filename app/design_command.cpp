@@ -102,9 +102,7 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     if (folder) {
         for (const std::string& name : fileNames)
             checkOutputIsNoInput(*folder + "/" + name, path, document, arguments.values("draws"));
-        std::vector<std::string> names = plots.names();
-        names.insert(names.end(), fileNames.begin(), fileNames.end());
-        checkFolder(*folder, names, overwrite);
+        checkFolder(*folder, plots.namesWith(fileNames), overwrite);
         plots.check(path, document, overwrite);
     }
 

@@ -24,9 +24,7 @@ ExitCode runStability(const Arguments& arguments, const Drawing* drawing) {
     const std::string directory = arguments.value("o").value_or(std::string());
     const bool inFolder = !directory.empty() && directory != "-";
     const StudyPlots plots = StudyPlots::inFolder(arguments, "stability");
-    std::vector<std::string> names = plots.names();
-    names.push_back(stabilityCsvName);
-    if (inFolder) checkFolder(directory, names, overwrite);
+    if (inFolder) checkFolder(directory, plots.namesWith({stabilityCsvName}), overwrite);
     checkStandardOutput();
     const Interruption interruption;
     const std::vector<StabilityCase> cases = stabilityCases();

@@ -87,10 +87,9 @@ StudyPlots StudyPlots::inFolder(const Arguments& arguments, std::string_view nam
     return plots;
 }
 
-std::vector<std::string> StudyPlots::names() const {
-    std::vector<std::string> names;
-    for (const std::string& format : m_order.formats) names.push_back(m_order.stem + "." + format);
-    return names;
+std::vector<std::string> StudyPlots::namesWith(std::vector<std::string> files) const {
+    for (const std::string& format : m_order.formats) files.push_back(m_order.stem + "." + format);
+    return files;
 }
 
 void StudyPlots::check(const std::string& input, const ScenarioDocument& document,

@@ -33,8 +33,8 @@ class StudyPlots {
     static StudyPlots inFolder(const Arguments& arguments, std::string_view name);
 
     bool areWanted() const { return !m_order.formats.empty(); }
-    /// Without their folder.
-    std::vector<std::string> names() const;
+    /// All that goes into the folder, without it: these files and the pictures.
+    std::vector<std::string> namesWith(std::vector<std::string> files) const;
     /// Throws CommandError (unwritable output) where one of them is an input or may not be overwritten:
     /// before anything is computed.
     void check(const std::string& input, const ScenarioDocument& document, Overwrite overwrite) const;
@@ -43,6 +43,8 @@ class StudyPlots {
                                 const Interruption& interruption) const;
 
   private:
+    std::vector<std::string> names() const { return namesWith({}); }
+
     std::string m_folder;  // "out/", empty for the present one
     PictureOrder m_order;
 };
