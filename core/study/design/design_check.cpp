@@ -152,14 +152,14 @@ void checkDesign(const DesignStudy& study, std::uint64_t design, AxisScenario& c
 
 }  // namespace
 
-std::vector<DesignProblemLine> problemsOf(const DesignStudy& study) {
+std::vector<DesignProblemLine> problemsOf(const DesignStudy& study, const std::stop_token& stop) {
     Lines lines;
     checkCounts(study, lines);
     checkKeys(study, lines);
     checkOutputs(study, lines);
     if (!lines.empty()) return lines.take();
     AxisScenario chosen(study.base, study.choices);
-    for (std::uint64_t design = 0; design < study.designCount(); ++design)
+    for (std::uint64_t design = 0; design < study.designCount() && !stop.stop_requested(); ++design)
         checkDesign(study, design, chosen, lines);
     return lines.take();
 }

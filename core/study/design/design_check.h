@@ -2,6 +2,7 @@
 // What makes a design study unusable, found before anything is computed.
 #pragma once
 
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -16,7 +17,8 @@ struct DesignProblemLine {
 };
 
 /// All of it: too many of anything, nothing uncertain, two that set one thing, keys and outputs that a design
-/// has not, ranges that no design takes, an energy that cannot be kept. Empty when it can run.
-std::vector<DesignProblemLine> problemsOf(const DesignStudy& study);
+/// has not, ranges that no design takes, an energy that cannot be kept. Empty when it can run. Ten thousand
+/// designs take some tenths of a second: a stop ends it with what was found by then.
+std::vector<DesignProblemLine> problemsOf(const DesignStudy& study, const std::stop_token& stop = {});
 
 }  // namespace drillwave

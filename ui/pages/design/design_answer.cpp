@@ -12,8 +12,8 @@ DesignAnswer answerDesign(const DesignStudy& asked, const StudyFeed<DesignAnswer
     DesignAnswer answer{.report = {.study = asked, .findings = {}, .scenarioText = {}},
                         .wanted = asked.samples,
                         .problems = {}};
-    for (const DesignProblemLine& line : problemsOf(asked)) answer.problems.push_back(line.text);
-    if (!answer.problems.empty()) return answer;
+    for (const DesignProblemLine& line : problemsOf(asked, feed.stop)) answer.problems.push_back(line.text);
+    if (!answer.problems.empty() || feed.stop.stop_requested()) return answer;
     DesignStudy quick = asked;
     quick.samples = std::min(quickSamples, asked.samples);
     const bool isAll = quick.samples == asked.samples;

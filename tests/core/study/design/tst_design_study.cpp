@@ -95,6 +95,7 @@ class TestDesignStudy : public QObject {
     void quantilesAreWithinTheirErrorsForNineOfTenSeeds();
     void keptEnergiesAreEqual();
     void problemsAreToldTogether();
+    void aStopEndsTheCheckOfDesigns();
     void drawsNeedEveryCell();
 };
 
@@ -244,6 +245,16 @@ void TestDesignStudy::problemsAreToldTogether() {
     }
     QVERIFY(parseUncertain("bit_rock.gamma=0.1:0.2:odd").isMistyped);
     QVERIFY(!findStatistic("q0") && !findStatistic("q00") && !findStatistic("q100"));
+}
+
+void TestDesignStudy::aStopEndsTheCheckOfDesigns() {
+    DesignStudy study = studyOf(cases()[0].toObject());
+    study.uncertain = {parseUncertain("bit_rock.gamma=+-50%").input};
+    study.choices = {parseAxis("bit_rock.gamma=0.2:0.9:8").axis};  // the last one reaches 1.35
+    QVERIFY(!problemsOf(study).empty());
+    std::stop_source stop;
+    stop.request_stop();
+    QVERIFY(problemsOf(study, stop.get_token()).empty());
 }
 
 void TestDesignStudy::drawsNeedEveryCell() {
