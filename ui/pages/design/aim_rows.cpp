@@ -111,7 +111,10 @@ void AimRow::setRemovable(bool removable) {
 }
 
 AimRows::AimRows(QWidget* parent)
-    : QWidget(parent), m_layout(new QVBoxLayout(this)), m_add(new QToolButton(this)) {
+    : QWidget(parent),
+      m_layout(new QVBoxLayout(this)),
+      m_add(new QToolButton(this)),
+      m_rows(*m_layout, *m_add, 1, mostAims) {
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setSpacing(2);
     m_add->setObjectName(QStringLiteral("addAim"));
@@ -127,8 +130,8 @@ AimRows::AimRows(QWidget* parent)
 
 void AimRows::present(const Scenario& scenario) {
     m_scenario = scenario;
-    for (AimRow* row : m_rows) row->present(scenario);
-    if (m_isChosen && !m_rows.empty()) return;
+    for (AimRow* row : rows()) row->present(scenario);
+    if (m_isChosen && !rows().empty()) return;
     if (const std::vector<DesignAim> customary = customaryAims(scenario); customary != aims()) {
         const QSignalBlocker quiet(this);
         setAims(customary);
@@ -138,51 +141,30 @@ void AimRows::present(const Scenario& scenario) {
 
 std::vector<DesignAim> AimRows::aims() const {
     std::vector<DesignAim> aims;
-    for (const AimRow* row : m_rows) aims.push_back(row->aim());
+    for (const AimRow* row : rows()) aims.push_back(row->aim());
     return aims;
 }
 
 void AimRows::setAims(const std::vector<DesignAim>& aims) {
     {
         const QSignalBlocker quiet(this);
-        while (!m_rows.empty()) remove(m_rows.back());
+        m_rows.clear();
         for (const DesignAim& aim : aims) append(aim);
         m_isChosen = true;
     }
     emit changed();
 }
 
-AimRow* AimRows::append(const DesignAim& aim) {
-    auto* row = new AimRow(m_rows.empty() ? tr("for the") : tr("then the"), this);
-    m_layout->insertWidget(m_layout->count() - 1, row);
-    m_rows.push_back(row);
+void AimRows::append(const DesignAim& aim) {
+    auto* row = new AimRow(rows().empty() ? tr("for the") : tr("then the"), this);
     row->present(m_scenario);
     row->setAim(aim);
-    connect(row, &AimRow::changed, this, [this] {
+    const auto choose = [this] {
         m_isChosen = true;
         emit changed();
-    });
-    connect(row, &AimRow::removed, this, [this, row] {
-        m_isChosen = true;
-        remove(row);
-        emit changed();
-    });
-    row->show();
-    showButtons();
-    return row;
-}
-
-void AimRows::remove(AimRow* row) {
-    std::erase(m_rows, row);
-    m_layout->removeWidget(row);
-    row->hide();
-    row->deleteLater();
-    showButtons();
-}
-
-void AimRows::showButtons() {
-    m_add->setVisible(m_rows.size() < mostAims);
-    for (AimRow* row : m_rows) row->setRemovable(m_rows.size() > 1);
+    };
+    connect(row, &AimRow::changed, this, choose);
+    m_rows.append(row, choose);
 }
 
 }  // namespace drillwave

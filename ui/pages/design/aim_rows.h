@@ -6,9 +6,7 @@
 #include <vector>
 
 #include "core/study/design/design_study.h"
-
-class QVBoxLayout;
-class QToolButton;
+#include "ui/pages/design/row_list.h"
 
 namespace drillwave {
 
@@ -51,22 +49,20 @@ class AimRows : public QWidget {
     /// Offers the results that the scenario has.
     void present(const Scenario& scenario);
     std::vector<DesignAim> aims() const;
-    const std::vector<AimRow*>& rows() const { return m_rows; }
+    const std::vector<AimRow*>& rows() const { return m_rows.rows(); }
     void setAims(const std::vector<DesignAim>& aims);
 
   signals:
     void changed();
 
   private:
-    AimRow* append(const DesignAim& aim);
-    void remove(AimRow* row);
-    void showButtons();
+    void append(const DesignAim& aim);
 
     Scenario m_scenario;
     bool m_isChosen = false;  // by the user
-    std::vector<AimRow*> m_rows;
     QVBoxLayout* m_layout;
     QToolButton* m_add;
+    RowList<AimRow> m_rows;  // in those
 };
 
 }  // namespace drillwave

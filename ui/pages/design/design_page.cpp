@@ -169,10 +169,12 @@ void DesignPage::draw(const DesignAnswer& answer) {
         [&choice](const Parameter& parameter) -> const Unit& { return choice.fieldUnit(parameter); },
         locale());
     const DesignPicture picture = designPicture(answer.report, units);
+    const bool wasMap = m_plot->isMap();
     m_plot->present(picture);
     for (const QCPGraph* graph : m_plot->curves())
         plot()->setMeaning(graph, CurveMeaning::overParameter(picture.x.unit, picture.value.unit.unit));
-    plot()->reader().setUsual(m_plot->graphs()[picture.marked]);
+    plot()->reader().setUsual(picture.map ? nullptr : m_plot->graphs()[picture.marked]);
+    if (m_plot->isMap() != wasMap) plot()->keyPoint().offer(m_plot->keyPlaces());
     m_card->present(answer, units);
     QStringList aims;
     for (const DesignAim& aim : answer.report.study.aims)
@@ -213,6 +215,7 @@ std::optional<QPointF> DesignPage::placeOf(const SolvedBlow& blow) const {
     if (study.choices.empty() || !blow.fault.isEmpty()) return {};
     const Parameter& along = *study.choices.back().parameter;
     if (!along.applies(blow.scenario) || hasUnits(blow.scenario) != hasUnits(study.base)) return {};
+    if (const auto& map = m_plot->picture().map) return map->placeOf(blow.scenario);
     const AimedOutput& value = m_plot->picture().value;
     const std::optional<double> x = along.value(blow.scenario);
     const std::optional<double> y = value.output->value({blow.summary, blow.scenario});

@@ -7,6 +7,7 @@
 #include "core/model/scales.h"
 #include "core/report/design_words.h"
 #include "ui/pages/design/aim_rows.h"
+#include "ui/pages/design/design_map.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/result/output_unit.h"
@@ -90,6 +91,14 @@ void addSeries(DesignPicture& picture, const DesignReport& report, const DesignU
         const auto [series, i] = placeOf(tie);
         picture.ties.append(series->aim[i]);
     }
+}
+
+void addMap(DesignPicture& picture, const DesignReport& report, const DesignUnits& units) {
+    picture.map = designMap(report, units, picture.value);
+    const BestDesigns& best = report.findings.best;
+    if (best.robust) picture.robust = placeOnMap(*picture.map, *best.robust);
+    if (best.nominal) picture.nominal = placeOnMap(*picture.map, *best.nominal);
+    for (const std::size_t tie : best.ties) picture.ties.append(placeOnMap(*picture.map, tie));
 }
 
 void addPareto(DesignPicture& picture, const DesignReport& report, const DesignUnits& units) {
@@ -183,7 +192,10 @@ DesignPicture designPicture(const DesignReport& report, const DesignUnits& units
     picture.value = units.of(*study.aims.front().output, largestAimed(read, report, study.aims.front()));
     picture.aimName = aimName(study.aims.front());
     picture.statisticName = statisticWords(study.aims.front().statistic, study.aims.front().sense);
-    addSeries(picture, report, units);
+    if (hasMap(study))
+        addMap(picture, report, units);
+    else
+        addSeries(picture, report, units);
     addPareto(picture, report, units);
     addBars(picture, report);
     picture.summary = tr("%1 of %2 designs, robust best %3")

@@ -10,6 +10,7 @@
 #include <optional>
 
 #include "core/report/design_report.h"
+#include "ui/pages/map/map_picture.h"
 #include "ui/text/shown_units.h"
 
 namespace drillwave {
@@ -44,7 +45,8 @@ struct DesignPicture {
     QString statisticName;   ///< "in the worst 5 %"
     QVector<DesignSeries> series;
     int marked = 0;                          ///< the series of the robust best, which has the band
-    std::optional<QPointF> robust, nominal;  ///< best; the nominal one at its nominal value
+    std::optional<MapPicture> map;           ///< in place of series, which are none then
+    std::optional<QPointF> robust, nominal;  ///< best; beside series the nominal one at its nominal value
     QVector<QPointF> ties;
 
     QString firstAim, secondAim;  ///< names of the axes; the second empty where there is one aim alone

@@ -19,6 +19,7 @@ constexpr double halfWidthOfOne = 0.4;
 constexpr double barWidth = 0.8;
 
 bool haveSameAxes(const DesignPicture& a, const DesignPicture& b) {
+    if (a.map || b.map) return a.map && b.map && haveSameAxes(*a.map, *b.map);
     return a.xName == b.xName && a.x == b.x && a.isLogarithmic == b.isLogarithmic &&
            a.value.output == b.value.output && a.value.unit.unit == b.value.unit.unit &&
            a.series.size() == b.series.size() &&
@@ -45,11 +46,11 @@ void setPoint(QCPGraph& graph, const std::optional<QPointF>& point) {
 DesignPlot::DesignPlot(QCustomPlot* plot) : StudyFrame(plot) {
     layOutAnew();
     addRects();
+    m_map = std::make_unique<DesignMap>(m_plot, m_rect);
     const auto curve = [&](const QString& name) {
         QCPGraph* graph = addCurve(x(), y());
         graph->setAdaptiveSampling(false);
         graph->setName(name);
-        if (!name.isEmpty()) graph->addToLegend(m_legend);
         return graph;
     };
     m_low = curve(QString());
@@ -63,7 +64,6 @@ DesignPlot::DesignPlot(QCustomPlot* plot) : StudyFrame(plot) {
         graph->setLineStyle(QCPGraph::lsNone);
         graph->setName(name);
         graph->setSelectable(QCP::stNone);
-        graph->addToLegend(m_legend);
         return graph;
     };
     m_ties = mark(tr("ties"));
@@ -76,6 +76,8 @@ DesignPlot::DesignPlot(QCustomPlot* plot) : StudyFrame(plot) {
     setStyle(PlotStyle::forPaper());
     showNothing({});
 }
+
+DesignPlot::~DesignPlot() = default;
 
 void DesignPlot::addRects() {
     useLegend(QMargins(7, 6, 7, 4));
@@ -110,27 +112,22 @@ void DesignPlot::addRects() {
 }
 
 void DesignPlot::present(const DesignPicture& picture) {
-    const bool otherAxes = m_picture.series.isEmpty() || !haveSameAxes(m_picture, picture);
+    const bool otherAxes =
+        (m_picture.series.isEmpty() && !m_picture.map) || !haveSameAxes(m_picture, picture);
     m_picture = picture;
     m_summary = picture.summary;
     makeGraphs();
+    fillLegend();
     m_view->adjust([&] {
+        m_map->present(isMap() ? &*m_picture.map : nullptr);
+        if (isMap()) return;
+        setScale(*y(), QCPAxis::stLinear);
         const auto scale = picture.isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear;
         if (x()->scaleType() != scale && !picture.series.isEmpty())
             x()->setRange(picture.series[0].aim.first().x(), picture.series[0].aim.last().x());
         setScale(*x(), scale);
     });
-    if (picture.words.isEmpty()) {
-        if (x()->scaleType() == QCPAxis::stLinear) x()->setTicker(QSharedPointer<QCPAxisTicker>::create());
-    } else {
-        const auto words = QSharedPointer<QCPAxisTickerText>::create();
-        for (int i = 0; i < picture.words.size(); ++i) words->addTick(i, picture.words[i]);
-        x()->setTicker(words);
-    }
-    x()->setLabel(picture.xName.isEmpty() ? tr("this scenario") : picture.x.axisLabel(picture.xName));
-    x()->setTickLabels(!picture.xName.isEmpty());
-    y()->setLabel(picture.value.output ? picture.value.unit.axisLabel(outputName(*picture.value.output))
-                                       : QString());
+    nameAxes();
     showMarks();
     showScatter();
     showBars();
@@ -138,9 +135,28 @@ void DesignPlot::present(const DesignPicture& picture) {
     finish(otherAxes);
 }
 
+void DesignPlot::nameAxes() {
+    if (m_picture.words.isEmpty()) {
+        if (x()->scaleType() == QCPAxis::stLinear) x()->setTicker(QSharedPointer<QCPAxisTicker>::create());
+    } else {
+        const auto words = QSharedPointer<QCPAxisTickerText>::create();
+        for (int i = 0; i < m_picture.words.size(); ++i) words->addTick(i, m_picture.words[i]);
+        x()->setTicker(words);
+    }
+    x()->setLabel(m_picture.xName.isEmpty() ? tr("this scenario") : m_picture.x.axisLabel(m_picture.xName));
+    x()->setTickLabels(!m_picture.xName.isEmpty());
+    const QString value = m_picture.value.output
+                              ? m_picture.value.unit.axisLabel(outputName(*m_picture.value.output))
+                              : QString();
+    y()->setLabel(isMap() ? m_picture.map->yLabel() : value);
+    if (isMap()) m_map->setLabel(m_picture.value.unit.axisLabel(m_picture.aimName));
+}
+
 void DesignPlot::clear() {
+    m_map->present(nullptr);
     m_picture = {};
     makeGraphs();
+    fillLegend();
     showMarks();
     showScatter();
     showBars();
@@ -163,7 +179,6 @@ void DesignPlot::makeGraphs() {
             QCPGraph* graph = addCurve(x(), y());
             graph->setAdaptiveSampling(false);
             graph->setName(nameOf(series));
-            graph->addToLegend(m_legend);
             m_aims.append(graph);
         }
     }
@@ -174,6 +189,19 @@ void DesignPlot::makeGraphs() {
     setPoints(*m_high, marked.high);
     setPoints(*m_mean, marked.mean);
     setPoints(*m_nominal, marked.nominal);
+}
+
+// A map has no curves.
+void DesignPlot::fillLegend() {
+    QVector<QCPGraph*> entries{m_ties, m_nominalMark, m_robustMark};
+    if (!isMap()) entries = QVector<QCPGraph*>{m_high, m_mean, m_nominal} + entries + m_aims;
+    QVector<QCPGraph*> present;
+    for (int i = 0; i < m_legend->itemCount(); ++i)
+        if (auto* item = qobject_cast<QCPPlottableLegendItem*>(m_legend->item(i)))
+            present.append(qobject_cast<QCPGraph*>(item->plottable()));
+    if (present == entries) return;
+    m_legend->clearItems();
+    for (QCPGraph* graph : entries) graph->addToLegend(m_legend);
 }
 
 void DesignPlot::showMarks() {
@@ -251,6 +279,7 @@ void DesignPlot::restyle() {
     const PlotStyle& style = m_style;
     style.applyTo(*m_scatterRect);
     style.applyTo(*m_barRect);
+    m_map->setStyle(style);
     const bool isFew = !m_picture.series.isEmpty() && m_picture.series[0].aim.size() <= mostMarkedDesigns;
     for (int i = 0; i < m_aims.size(); ++i) {
         QPen pen = style.linePen(i);
@@ -290,6 +319,7 @@ void DesignPlot::restyle() {
 }
 
 void DesignPlot::setRanges() {
+    if (isMap()) return m_map->setRanges();
     if (m_picture.series.isEmpty()) return;
     QCPRange along, values;
     bool isFirst = true;
@@ -321,7 +351,10 @@ QVector<QCPGraph*> DesignPlot::curves() const {
 KeyPlaces DesignPlot::keyPlaces() const {
     KeyPlaces places;
     places.rect = m_rect;
-    places.on = KeyPlaces::On::points;
+    places.on = isMap() ? KeyPlaces::On::area : KeyPlaces::On::points;
+    places.words = [this](QPointF place) {
+        return mapWords(place).replace(QStringLiteral(" · "), QStringLiteral("\n"));
+    };
     places.start = [this] { return m_picture.robust; };
     places.marks = [this] {
         QVector<QPointF> marks;
@@ -330,6 +363,11 @@ KeyPlaces DesignPlot::keyPlaces() const {
         return marks;
     };
     return places;
+}
+
+QString DesignPlot::mapWords(QPointF place) const {
+    const auto point = isMap() ? m_picture.map->pointAt(place) : std::nullopt;
+    return point ? m_picture.map->textAt(*point, m_plot->locale()) : QString();
 }
 
 std::optional<std::uint64_t> DesignPlot::designAt(const QCPAxisRect* rect, QPointF coordinates) const {
@@ -350,6 +388,7 @@ std::optional<std::uint64_t> DesignPlot::designAt(const QCPAxisRect* rect, QPoin
         return found;
     }
     if (rect != m_rect) return {};
+    if (isMap()) return m_map->designAt(coordinates);
     // Along the choice any height will do while there is one series; of several the nearest point.
     const bool isOne = m_picture.series.size() == 1;
     if (isOne) nearest = std::numeric_limits<double>::infinity();

@@ -2,20 +2,23 @@
 // A study of designs: the band of the first aim over the choice, the Pareto set, and what is worth measuring.
 #pragma once
 
+#include <memory>
 #include <optional>
 
-#include "ui/pages/design/design_picture.h"
+#include "ui/pages/design/design_map.h"
 #include "ui/plot/study_frame.h"
 
 namespace drillwave {
 
-/// Above, the first aim over the last choice, in the band from its 5 % to its 95 % quantile; below, the
-/// second aim over the first, and the Sobol indices. The plot above is fitted and zoomed.
+/// Above, the first aim over the last choice, in the band from its 5 % to its 95 % quantile, or over two
+/// choices in colours; below, the second aim over the first, and the Sobol indices. The plot above is fitted
+/// and zoomed.
 class DesignPlot : public StudyFrame {
     Q_OBJECT
 
   public:
     explicit DesignPlot(QCustomPlot* plot);
+    ~DesignPlot() override;
 
     /// Shows the picture; the view stays where it is unless it was fitted, or choice or units changed.
     void present(const DesignPicture& picture);
@@ -24,6 +27,10 @@ class DesignPlot : public StudyFrame {
     const QVector<QCPGraph*>& graphs() const { return m_aims; }
     /// All curves over the choice.
     QVector<QCPGraph*> curves() const;
+    /// Whether colours take the place of curves.
+    bool isMap() const { return m_picture.map.has_value(); }
+    /// What is at a place of the map, in words; empty elsewhere.
+    QString mapWords(QPointF place) const;
     /// The design nearest to a click, in the coordinates of its rect; nothing where there is none near.
     std::optional<std::uint64_t> designAt(const QCPAxisRect* rect, QPointF coordinates) const;
     KeyPlaces keyPlaces() const override;
@@ -34,11 +41,14 @@ class DesignPlot : public StudyFrame {
     void setRanges() override;
     void addRects();
     void makeGraphs();
+    void fillLegend();
+    void nameAxes();
     void showMarks();
     void showScatter();
     void showBars();
 
     DesignPicture m_picture;
+    std::unique_ptr<DesignMap> m_map;
     QVector<QCPGraph*> m_aims;
     QCPGraph *m_low, *m_high, *m_mean, *m_nominal;
     QCPGraph *m_robustMark, *m_nominalMark, *m_ties;

@@ -240,11 +240,10 @@ RangeRows::RangeRows(RangeUse use, const QString& words, std::size_t least, std:
                      const UnitChoice& units, QWidget* parent)
     : QWidget(parent),
       m_use(use),
-      m_least(least),
-      m_most(most),
       m_units(units),
       m_layout(new QVBoxLayout(this)),
-      m_add(new QToolButton(this)) {
+      m_add(new QToolButton(this)),
+      m_rows(*m_layout, *m_add, least, most) {
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setSpacing(2);
     m_add->setObjectName(QStringLiteral("add"));
@@ -266,20 +265,20 @@ void RangeRows::present(const Scenario& scenario) {
     const auto applies = [&](const RangeRow* row) {
         return row->range().parameter && row->range().parameter->applies(scenario);
     };
-    if (!m_isProposed || !std::ranges::all_of(m_rows, applies)) return propose();
-    for (RangeRow* row : m_rows) row->present(scenario);
+    if (!m_isProposed || !std::ranges::all_of(rows(), applies)) return propose();
+    for (RangeRow* row : rows()) row->present(scenario);
 }
 
 std::vector<std::string> RangeRows::texts() const {
     std::vector<std::string> texts;
-    for (const RangeRow* row : m_rows) texts.push_back(row->text());
+    for (const RangeRow* row : rows()) texts.push_back(row->text());
     return texts;
 }
 
 // The first of the usual ones that is not there; none of them is left when it has no parameter.
 StudyRange RangeRows::proposal() const {
     const auto isThere = [&](std::string_view key) {
-        return std::ranges::any_of(m_rows,
+        return std::ranges::any_of(rows(),
                                    [&](const RangeRow* row) { return row->range().parameter->key == key; });
     };
     for (const std::string_view key : usualKeys(m_use, m_scenario)) {
@@ -293,46 +292,26 @@ StudyRange RangeRows::proposal() const {
 void RangeRows::propose() {
     m_isProposed = true;
     const QSignalBlocker quiet(this);
-    while (!m_rows.empty()) remove(m_rows.back());
+    m_rows.clear();
     const std::size_t usual = m_use == RangeUse::uncertain ? 3 : 1;
     for (std::size_t i = 0; i < usual; ++i) add();
 }
 
 void RangeRows::add() {
-    if (m_rows.size() >= m_most) return;
-    RangeRow* row = append(proposal());
-    if (QWidget* first = row->findChild<QWidget*>(QStringLiteral("parameter")); first && isVisible())
+    if (m_rows.isFull()) return;
+    append(proposal());
+    if (QWidget* first = rows().back()->findChild<QWidget*>(QStringLiteral("parameter"));
+        first && isVisible())
         first->setFocus();
     emit changed();
 }
 
-RangeRow* RangeRows::append(const StudyRange& range) {
+void RangeRows::append(const StudyRange& range) {
     auto* row = new RangeRow(m_use, m_units, this);
-    m_layout->addWidget(row);
-    m_rows.push_back(row);
     row->present(m_scenario);
     if (range.parameter) row->setRange(range);
     connect(row, &RangeRow::changed, this, &RangeRows::changed);
-    connect(row, &RangeRow::removed, this, [this, row] {
-        remove(row);
-        emit changed();
-    });
-    row->show();
-    showButtons();
-    return row;
-}
-
-void RangeRows::remove(RangeRow* row) {
-    std::erase(m_rows, row);
-    m_layout->removeWidget(row);
-    row->hide();
-    row->deleteLater();
-    showButtons();
-}
-
-void RangeRows::showButtons() {
-    m_add->setVisible(m_rows.size() < m_most);
-    for (RangeRow* row : m_rows) row->setRemovable(m_rows.size() > m_least);
+    m_rows.append(row, [this] { emit changed(); });
 }
 
 }  // namespace drillwave

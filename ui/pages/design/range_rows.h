@@ -7,12 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "ui/pages/design/row_list.h"
 #include "ui/pages/study/study_range.h"
 
 class QCheckBox;
 class QSpinBox;
-class QToolButton;
-class QVBoxLayout;
 
 namespace drillwave {
 
@@ -84,7 +83,7 @@ class RangeRows : public QWidget {
     void present(const Scenario& scenario);
     /// The texts of the rows.
     std::vector<std::string> texts() const;
-    const std::vector<RangeRow*>& rows() const { return m_rows; }
+    const std::vector<RangeRow*>& rows() const { return m_rows.rows(); }
 
   public slots:
     /// One more row, of what is usually asked next.
@@ -95,20 +94,17 @@ class RangeRows : public QWidget {
     void changed();
 
   private:
-    RangeRow* append(const StudyRange& range);
-    void remove(RangeRow* row);
+    void append(const StudyRange& range);
     StudyRange proposal() const;
     void propose();
-    void showButtons();
 
     RangeUse m_use;
-    std::size_t m_least, m_most;
     const UnitChoice& m_units;
     Scenario m_scenario;
     bool m_isProposed = false;
-    std::vector<RangeRow*> m_rows;
     QVBoxLayout* m_layout;
     QToolButton* m_add;
+    RowList<RangeRow> m_rows;  // in those
 };
 
 }  // namespace drillwave

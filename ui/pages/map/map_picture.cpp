@@ -8,10 +8,13 @@
 
 #include "core/model/scales.h"
 #include "core/yaml/preset_file.h"
+#include "ui/pages/map/map_raster.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/result/output_unit.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
@@ -46,6 +49,35 @@ std::optional<QPointF> MapPicture::placeOf(const Scenario& scenario) const {
     };
     const auto atX = shown(report->study.x, x), atY = shown(report->study.y, y);
     return atX && atY ? std::optional(QPointF(*atX, *atY)) : std::nullopt;
+}
+
+std::optional<MapGrid::Place> MapPicture::pointAt(QPointF shown) const {
+    const auto column = AxisPlaces(report->study.x).nearest(shown.x() / x.factor);
+    const auto row = AxisPlaces(report->study.y).nearest(shown.y() / y.factor);
+    if (!column || !row) return std::nullopt;
+    return MapGrid::Place{*column, *row};
+}
+
+QString MapPicture::textAt(MapGrid::Place place, const QLocale& locale) const {
+    const double value = grid().value(place.column, place.row);
+    QString result = outputText(value, locale);
+    if (!grid().isThere(place.column, place.row))
+        result = tr("not solved yet");
+    else if (const auto reason = grid().reason(place.column, place.row); !reason.empty())
+        result = tr("not solved: %1").arg(fromView(reason));
+    else if (std::isnan(value))
+        result = tr("no such result here");
+    return tr("%1 · %2 · %3")
+        .arg(xText(grid().xs()[place.column], locale), yText(grid().ys()[place.row], locale), result);
+}
+
+bool haveSameAxes(const MapPicture& a, const MapPicture& b) {
+    const auto isSameAxis = [](const SweepAxis& one, const SweepAxis& other) {
+        return one.parameter == other.parameter && one.kind == other.kind && one.start == other.start &&
+               one.stop == other.stop;
+    };
+    return isSameAxis(a.report->study.x, b.report->study.x) &&
+           isSameAxis(a.report->study.y, b.report->study.y) && a.x == b.x && a.y == b.y;
 }
 
 double MapColours::share(double value) const {
@@ -124,30 +156,31 @@ ShownUnit mapUnit(const OutputColumn& output, const Scenario& scenario, const Sh
     return unit;
 }
 
+MapColours coloursOf(const MapGrid& grid, std::optional<double> level) {
+    MapColours colours;
+    const std::optional<MapGrid::Extent>& extent = grid.extent();
+    if (!extent) return colours;
+    colours.level = level;
+    colours.least = extent->least;
+    colours.largest = extent->largest;
+    if (colours.largest > colours.least) return colours;
+    const double room = std::max(std::abs(colours.least), 1.0) / 100;
+    colours.least -= room;
+    colours.largest += room;
+    return colours;
+}
+
 MapPicture mapPicture(std::shared_ptr<const MapReport> report, const ShownUnits& units) {
     const MapStudy& study = report->study;
     const Unit &xUnit = axisUnit(study.x, units), &yUnit = axisUnit(study.y, units);
-    MapPicture picture{
-        .report = report,
-        .xUnit = &xUnit,
-        .yUnit = &yUnit,
-        .x = shownUnit(xUnit),
-        .y = shownUnit(yUnit),
-        .output = mapUnit(study.output, study.base, units),
-        .colours = {},
-        .presets = presetPoints(builtInPresets(), *study.x.parameter, *study.y.parameter, study.base)};
-    if (const std::optional<MapGrid::Extent>& extent = report->grid.extent()) {
-        MapColours& colours = picture.colours;
-        colours.level = decisiveLevel(*study.output.output);
-        colours.least = extent->least;
-        colours.largest = extent->largest;
-        if (!(colours.largest > colours.least)) {
-            const double room = std::max(std::abs(colours.least), 1.0) / 100;
-            colours.least -= room;
-            colours.largest += room;
-        }
-    }
-    return picture;
+    return {.report = report,
+            .xUnit = &xUnit,
+            .yUnit = &yUnit,
+            .x = shownUnit(xUnit),
+            .y = shownUnit(yUnit),
+            .output = mapUnit(study.output, study.base, units),
+            .colours = coloursOf(report->grid, decisiveLevel(*study.output.output)),
+            .presets = presetPoints(builtInPresets(), *study.x.parameter, *study.y.parameter, study.base)};
 }
 
 }  // namespace drillwave

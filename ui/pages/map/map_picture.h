@@ -49,13 +49,23 @@ struct MapPicture {
     QString outputText(double value, const QLocale& locale) const;
     /// Where a scenario is, in shown units; nullopt where it has no value of a parameter.
     std::optional<QPointF> placeOf(const Scenario& scenario) const;
+    /// The point of the map nearest to a place in shown units; nullopt outside.
+    std::optional<MapGrid::Place> pointAt(QPointF shown) const;
+    /// Both parameters of a point, and its value or why there is none: "k = 120 MN/m · γ = 0.2 · e = 0.43".
+    QString textAt(MapGrid::Place place, const QLocale& locale) const;
 };
+
+/// Whether both are over the same ranges of the same parameters, in the same units.
+bool haveSameAxes(const MapPicture& a, const MapPicture& b);
 
 /// The level of an output that decides something: 1 of e, 0 of the margin of the thrust.
 std::optional<double> decisiveLevel(const Output& output);
 
 /// The levels of which a map of an output has contours at first: what decides, or tenths of an efficiency.
 std::vector<double> usualLevels(const Output& output);
+
+/// The colours of the values of a map, about a level that matters where there is one.
+MapColours coloursOf(const MapGrid& grid, std::optional<double> level);
 
 /// In which numbers a map of an output is asked for where results are shown in such units.
 OutputUnits mapUnits(const Output& output, UnitSystem system);

@@ -31,15 +31,6 @@ QCPRange rangeOf(const SweepAxis& axis, double factor) {
     return {range.lower - room, range.upper + room};
 }
 
-bool isSameMap(const MapPicture& a, const MapPicture& b) {
-    const auto isSameAxis = [](const SweepAxis& one, const SweepAxis& other) {
-        return one.parameter == other.parameter && one.kind == other.kind && one.start == other.start &&
-               one.stop == other.stop;
-    };
-    return isSameAxis(a.report->study.x, b.report->study.x) &&
-           isSameAxis(a.report->study.y, b.report->study.y) && a.x == b.x && a.y == b.y;
-}
-
 }  // namespace
 
 MapPlot::MapPlot(QCustomPlot* plot) : StudyFrame(plot) {
@@ -114,7 +105,7 @@ void MapPlot::linkAxes() {
 }
 
 void MapPlot::present(const MapPicture& picture) {
-    const bool isOther = !m_picture || !isSameMap(*m_picture, picture);
+    const bool isOther = !m_picture || !haveSameAxes(*m_picture, picture);
     const bool hasOtherPresets = isOther || m_picture->presets != picture.presets;
     m_picture = picture;
     if (!m_crosshair->place()) m_crosshair->setPlace(picture.placeOf(picture.report->study.base));
@@ -244,30 +235,13 @@ void MapPlot::setRanges() {
 }
 
 std::optional<MapGrid::Place> MapPlot::pointAt(QPointF shown) const {
-    if (!m_picture) return std::nullopt;
-    const auto column = AxisPlaces(m_picture->report->study.x).nearest(shown.x() / m_picture->x.factor);
-    const auto row = AxisPlaces(m_picture->report->study.y).nearest(shown.y() / m_picture->y.factor);
-    if (!column || !row) return std::nullopt;
-    return MapGrid::Place{*column, *row};
+    return m_picture ? m_picture->pointAt(shown) : std::nullopt;
 }
 
 QString MapPlot::readout(QPointF pixel) const {
     if (!m_picture || !m_rect->rect().contains(pixel.toPoint())) return {};
     const auto place = pointAt({x()->pixelToCoord(pixel.x()), y()->pixelToCoord(pixel.y())});
-    if (!place) return {};
-    const MapGrid& grid = m_picture->grid();
-    const QLocale locale = m_plot->locale();
-    const double value = grid.value(place->column, place->row);
-    QString result = m_picture->outputText(value, locale);
-    if (!grid.isThere(place->column, place->row))
-        result = tr("not solved yet");
-    else if (const auto reason = grid.reason(place->column, place->row); !reason.empty())
-        result = tr("not solved: %1").arg(fromView(reason));
-    else if (std::isnan(value))
-        result = tr("no such result here");
-    return tr("%1 · %2 · %3")
-        .arg(m_picture->xText(grid.xs()[place->column], locale),
-             m_picture->yText(grid.ys()[place->row], locale), result);
+    return place ? m_picture->textAt(*place, m_plot->locale()) : QString();
 }
 
 KeyPlaces MapPlot::keyPlaces() const {

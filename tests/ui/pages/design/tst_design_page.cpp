@@ -6,6 +6,7 @@
 #include <QLabel>
 #include <QProcess>
 #include <QSignalSpy>
+#include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -47,6 +48,7 @@ class TestDesignPage : public QObject {
     void aRangeUpsideDownIsMarkedAndAsksNothing();
     void whatCannotBeSolvedIsSaid();
     void theDesignsFillTheirPlot();
+    void twoChoicesAreAMap();
     void rowsAreAddedAndRemoved();
     void aimsAreCustomaryUntilTheyAreChosen();
     void anotherFormHasOtherRows();
@@ -255,6 +257,44 @@ void TestDesignPage::theDesignsFillTheirPlot() {
         QVERIFY(range.contains(least) && range.contains(most));
         QVERIFY2(range.size() < 1.5 * (most - least), qPrintable(QString::number(range.size())));
     }
+}
+
+void TestDesignPage::twoChoicesAreAMap() {
+    showPage();
+    RangeRows& choices = rows("choices");
+    choices.add();
+    choices.rows()[1]->setRange({findParameter("rod.length"), 3, 6, false});
+    for (RangeRow* row : choices.rows()) row->findChild<QSpinBox*>(QStringLiteral("count"))->setValue(5);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
+    m_page->plot()->replot();
+    const DesignReport& report = m_page->answer()->report;
+    QCOMPARE(report.findings.designs.size(), std::size_t{25});
+    const DesignPicture& picture = m_page->designPlot().picture();
+    QVERIFY(picture.map && m_page->designPlot().graphs().isEmpty());
+    const DesignAim& aim = report.study.aims.front();
+    const StatisticPlace place = report.study.placeOf(*aim.output, aim.statistic);
+    for (std::size_t d = 0; d < 25; ++d)
+        QCOMPARE(picture.map->grid().value(d % 5, d / 5),
+                 report.findings.designs[d].statistics[place.output][place.statistic].value *
+                     picture.value.factor);
+    QVERIFY(picture.robust == placeOnMap(*picture.map, *report.findings.best.robust));
+
+    // A click within a cell takes its design.
+    constexpr std::uint64_t taken = 7;
+    const QCPAxisRect* rect = m_page->plot()->axisRects()[0];
+    const QPointF at = placeOnMap(*picture.map, taken);
+    const QPointF pixel(rect->axis(QCPAxis::atBottom)->coordToPixel(at.x()) + 4,
+                        rect->axis(QCPAxis::atLeft)->coordToPixel(at.y()) - 4);
+    QVERIFY2(m_page->designPlot().mapWords(at).contains(QStringLiteral(" · ")), "no words");
+    QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, pixel.toPoint());
+    QVERIFY(std::abs(m_document->scenario().pulse.duration / report.study.choice(taken)[0] - 1) < 1e-12);
+    QVERIFY(std::abs(m_document->scenario().rod.length / report.study.choice(taken)[1] - 1) < 1e-12);
+
+    // Of one choice less there are curves again.
+    choices.rows()[1]->findChild<QToolButton*>(QStringLiteral("remove"))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
+    QVERIFY(!m_page->designPlot().isMap());
+    QCOMPARE(m_page->designPlot().graphs().size(), 1);
 }
 
 void TestDesignPage::rowsAreAddedAndRemoved() {

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The first aim over two choices: colours in place of many curves.
+#pragma once
+
+#include <optional>
+
+#include "ui/pages/design/design_picture.h"
+#include "ui/pages/map/map_raster.h"
+
+namespace drillwave {
+
+/// So many values of the first choice are a map; of fewer, curves with a band tell more.
+inline constexpr std::uint64_t leastRowsOfMap = 4;
+
+/// Whether what is chosen are two numbers along ranges, which a map can have as its axes.
+bool hasMap(const DesignStudy& study);
+
+/// Of such a study, in shown units: the last choice across, the first one upward, and in colours the
+/// statistic of the first aim, which is `value`.
+MapPicture designMap(const DesignReport& report, const DesignUnits& units, const AimedOutput& value);
+
+/// Where a design is on it.
+QPointF placeOnMap(const MapPicture& map, std::uint64_t design);
+
+/// The colours and the bar that explains them, which has a column of the plot's layout of its own while there
+/// is a map. Lives as long as the plot.
+class DesignMap {
+  public:
+    DesignMap(QCustomPlot* plot, QCPAxisRect* rect);
+
+    /// nullptr for no map. The picture must outlive the next call.
+    void present(const MapPicture* picture);
+    bool isShown() const { return m_picture != nullptr; }
+    /// `name` is that of the statistic, and stands beside the bar with the unit.
+    void setLabel(const QString& name) { m_bar->setLabel(name); }
+    void setStyle(const PlotStyle& style);
+    /// The whole map, with the cells at its edges.
+    void setRanges() const;
+    /// The design whose cell is there; nothing outside.
+    std::optional<std::uint64_t> designAt(QPointF place) const;
+
+  private:
+    QCustomPlot* m_plot;
+    QCPAxisRect* m_rect;
+    MapRaster* m_raster;
+    QCPColorScale* m_bar;
+    const MapPicture* m_picture = nullptr;
+};
+
+}  // namespace drillwave
