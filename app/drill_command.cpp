@@ -2,6 +2,7 @@
 // drillwave drill FILE
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 
 #include "app/axis_argument.h"
 #include "app/command.h"
@@ -115,6 +116,70 @@ void remarkOnUnused(const Scenario& scenario, const std::string& path) {
                     ": machine_mass without a damper: the machine presses with a constant force");
 }
 
+/// Finds out before anything is computed whether a file of rows can be written, with a record beside it.
+void checkRowFile(const std::string& file, const std::string& path, const ScenarioDocument& document,
+                  Overwrite overwrite) {
+    checkOutputIsNoInput(file, path, document);
+    checkOutput(file, overwrite);
+    if (isStream(file)) return;
+    checkOutputIsNoInput(recordName(file), path, document);
+    checkOverwrite(recordName(file), overwrite);
+}
+
+/// What the rows are and how to get them.
+NamedFile recordBeside(const std::string& file, const RowRecord& record) {
+    return {recordName(std::filesystem::path(file).filename().string()), recordText(record)};
+}
+
+RowRecord drillRecord(const Arguments& arguments, const std::string& scenarioText, std::uint64_t rows) {
+    return {.command = commandText("drill", arguments),
+            .method = {},
+            .rows = rows,
+            .shard = {},
+            .axes = {},
+            .cases = {},
+            .outputs = {},
+            .scenario = scenarioText};
+}
+
+/// The table of a scan and its gaps: one set where they are in one folder.
+void writeScan(const DrillingScanReport& report, const Arguments& arguments, OutputUnits units,
+               const Interruption& interruption) {
+    namespace fs = std::filesystem;
+    const std::optional<std::string> out = arguments.value("o"), gaps = arguments.value("gaps");
+    const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    const bool isFile = out && !isStream(*out);
+    std::vector<NamedFile> beside;
+    if (isFile) {
+        RowRecord record = drillRecord(arguments, report.scenarioText, report.scan.points.size());
+        record.axes.push_back(recordedAxis(report.scan.axis, *arguments.value("scan")));
+        for (const OutputColumn& column : drillingScanColumns(units))
+            record.outputs.push_back(column.header());
+        beside.push_back(recordBeside(*out, record));
+    }
+    const bool isOneSet =
+        isFile && gaps && !isStream(*gaps) && fs::path(*out).parent_path() == fs::path(*gaps).parent_path();
+    if (isOneSet)
+        beside.push_back({fs::path(*gaps).filename().string(), drillingGapsCsv(report, units)});
+    else if (gaps)
+        writeStudy(*gaps, drillingGapsCsv(report, units), {}, overwrite, interruption);
+    if (out) writeStudy(*out, drillingScanCsv(report, units), std::move(beside), overwrite, interruption);
+}
+
+/// Throws where values have no answer.
+void checkAnswers(const DrillingScan& scan, const std::string& path) {
+    std::size_t failed = 0;
+    std::string reason;
+    for (const DrillingScanPoint& point : scan.points) {
+        if (point.result.outcome != DrillingOutcome::notSolved) continue;
+        if (failed++ == 0) reason = point.result.reason;
+    }
+    if (failed == 0) return;
+    throw CommandError(ExitCode::unsolvedOrFailed,
+                       path + ": " + std::to_string(failed) + " of " + std::to_string(scan.points.size()) +
+                           " rows could not be solved: their cells are empty; the first: " + reason);
+}
+
 ExitCode scan(const Arguments& arguments, const ScenarioDocument& document, const std::string& path) {
     const OutputUnits units = outputUnits(arguments);
     const std::string word = *arguments.value("scan");
@@ -122,22 +187,18 @@ ExitCode scan(const Arguments& arguments, const ScenarioDocument& document, cons
     if (!parsed.problem.empty()) throw CommandError(ExitCode::usage, "--scan: " + parsed.problem);
     const SweepAxis& axis = parsed.axis;
     checkNotSet(arguments, document.scenario, std::span(&axis, 1), std::vector{quotedAxis("scan", word)});
-    DrillingSettings settings = drillingSettingsOf(document.scenario, scanBlows);
-    if (!document.scenario.drill.settle && !document.scenario.drill.blows) settings.settle = scanSettle;
+    DrillingSettings settings = scanSettingsOf(document.scenario);
     settings.cells = cellsOf(arguments, scanCells);
     refuse(scanRefusals(document.scenario, axis, settings), path);
     Scenario first = document.scenario;
     (void)axis.assign(first, axis.value(0));
-    checkWork(2 * static_cast<double>(axis.count) *
-                  drillingWork(first, settings, {.cellError = false, .lyapunov = false, .fullRate = false}),
-              arguments);
+    checkWork(static_cast<double>(axis.count) * scanWork(first, settings), arguments);
     const std::optional<std::string> out = arguments.value("o"), gaps = arguments.value("gaps");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     for (const std::optional<std::string>& file : {out, gaps})
-        if (file && *file != "-") {
-            checkOutputIsNoInput(*file, path, document);
-            checkOutput(*file, overwrite);
-        }
+        if (file && *file != "-") checkRowFile(*file, path, document, overwrite);
+    if (out && gaps && *out == *gaps)
+        throw CommandError(ExitCode::usage, "-o and --gaps name one file; give two");
     const int jobs = jobsOf(arguments);
     checkStandardOutput();
     const Interruption interruption;
@@ -149,24 +210,16 @@ ExitCode scan(const Arguments& arguments, const ScenarioDocument& document, cons
         .scan = scanDrilling(
             document.scenario, axis, settings,
             {.jobs = jobs,
+             .lyapunov = true,
              .stop = interruption.token(),
              .progress = [&](long more) { bar.show(done += static_cast<std::uint64_t>(more)); }}),
         .scenarioText = completeScenarioText(document)};
     interruption.check();
-    const std::string csv = drillingScanCsv(report, units);
-    if (out == "-") {
-        printText(csv);
-    } else if (out) {
-        writeStudy(*out, csv, {}, overwrite, interruption);
-    }
-    if (gaps) writeStudy(*gaps, drillingGapsCsv(report, units), {}, overwrite, interruption);
+    writeScan(report, arguments, units, interruption);
     if (out != "-")
         printText(arguments.has("json") ? drillingScanJson(report, units) : drillingScanText(report, units));
-    const auto isAnswer = [](const DrillingScanPoint& point) {
-        return point.result.outcome == DrillingOutcome::done ||
-               point.result.outcome == DrillingOutcome::pushedBack;
-    };
-    return std::ranges::all_of(report.scan.points, isAnswer) ? ExitCode::done : ExitCode::unsolvedOrFailed;
+    checkAnswers(report.scan, path);
+    return ExitCode::done;
 }
 
 bool isFolder(const std::string& out) {
@@ -180,6 +233,20 @@ std::vector<NamedFile> filesOf(const DrillingReport& report, OutputUnits units) 
     if (!report.result.instants.empty())
         files.push_back({"histories.csv", drillingHistoriesCsv(report, units)});
     return files;
+}
+
+/// The row of every blow.
+void writeBlows(const DrillingReport& report, const Arguments& arguments, OutputUnits units,
+                const Interruption& interruption) {
+    const std::string out = *arguments.value("o");
+    const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    std::vector<NamedFile> beside;
+    if (!isStream(out)) {
+        RowRecord record = drillRecord(arguments, report.scenarioText, report.result.blows.size());
+        record.outputs = drillingHeaders(report.result, units);
+        beside.push_back(recordBeside(out, record));
+    }
+    writeStudy(out, drillingCsv(report, units), std::move(beside), overwrite, interruption);
 }
 
 ExitCode runDrill(const Arguments& arguments, const Drawing*) {
@@ -207,10 +274,10 @@ ExitCode runDrill(const Arguments& arguments, const Drawing*) {
         throw CommandError(ExitCode::usage, "--histories: these blows have more than " +
                                                 std::to_string(mostDrillingInstants) +
                                                 " samples; take fewer blows or fewer --cells");
+    wants.jobs = jobsOf(arguments);
     checkWork(drillingWork(document.scenario, settings, wants), arguments);
     if (out && *out != "-" && !isFolder(*out)) {
-        checkOutputIsNoInput(*out, path, document);
-        checkOutput(*out, overwrite);
+        checkRowFile(*out, path, document, overwrite);
     } else if (out && isFolder(*out)) {
         for (const std::string& name : drillFiles) checkOutputIsNoInput(*out + "/" + name, path, document);
         checkFolder(*out, drillFiles, overwrite);
@@ -235,10 +302,8 @@ ExitCode runDrill(const Arguments& arguments, const Drawing*) {
             {.files = filesOf(report, units),
              .outdated = [](const std::string& there) { return studyFilesThere(there, "drilling.csv"); }},
             overwrite, &interruption);
-    else if (out == "-")
-        printText(drillingCsv(report, units));
     else if (out)
-        writeStudy(*out, drillingCsv(report, units), {}, overwrite, interruption);
+        writeBlows(report, arguments, units, interruption);
     if (out != "-")
         printText(arguments.has("json") ? drillingJson(report, units) : drillingText(report, units));
     return ExitCode::done;
@@ -270,10 +335,11 @@ const Command& drillCommand() {
              {"json", "", "print one JSON object in place of the table"},
              {"si", "", "numbers in SI, as if not given"},
              {"dimensionless", "", "numbers as multiples of d0, v0, I0, F0 and t0"},
-             {"j", "N", "threads of a scan, all of them if not given"},
+             {"j", "N", "threads to use, all of them if not given"},
              {"work-limit", "N", "cells times nodes that are permitted, 4e9 if not given"},
              {"o", "FILE.csv|DIR",
-              "also write a row for every blow, or all files into DIR; - prints the rows"},
+              "also write a row for every blow, with FILE.csv.yaml beside, or all files into DIR; - prints "
+              "the rows"},
              {"force", "", "overwrite existing files"}}),
         .leastOperands = 1,
         .mostOperands = 1,

@@ -29,7 +29,7 @@ OutputChoice outputsOf(const Arguments& arguments) {
 }
 
 /// What changes where the rows go and how fast, not what they are.
-constexpr std::string_view aboutTheFile[] = {"o", "force", "j", "plots"};
+constexpr std::string_view aboutTheFile[] = {"o", "force", "j", "plots", "gaps"};
 
 Shard shardOf(const Arguments& arguments) {
     const std::string text = arguments.value("shard").value_or("1/1");
@@ -117,12 +117,17 @@ OptionSpec shardOptionSpec() {
 std::string outputHelp() {
     std::string help = "\nOutputs:";
     std::size_t width = 0;
-    for (const Output& output : outputs()) width = std::max(width, output.name.size());
+    for (const std::span<const Output> table : {outputs(), drillOutputs()})
+        for (const Output& output : table) width = std::max(width, output.name.size());
     const auto add = [&](std::string_view name, std::string_view meaning) {
         help += "\n  " + std::string(name) + std::string(width - name.size() + 2, ' ') + std::string(meaning);
     };
     for (const Output& output : outputs()) add(output.name, output.meaning);
-    add("all", "all of them that FILE has: some need a blow frequency, thrust_margin a thrust too");
+    add("all", "all of these that FILE has: some need a blow frequency, thrust_margin a thrust too");
+    help +=
+        "\nOf many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency and "
+        "drill.thrust:";
+    for (const Output& output : drillOutputs()) add(output.name, output.meaning);
     return help;
 }
 
@@ -147,9 +152,13 @@ std::vector<OutputColumn> RowOptions::columnsFor(const Scenario& scenario) const
     return allOutputs ? allOutputsOf(scenario, units) : columns;
 }
 
+std::string commandText(std::string_view command, const Arguments& arguments) {
+    return "drillwave " + std::string(command) + " " + arguments.shellText(aboutTheFile);
+}
+
 RowRecord recordOf(std::string_view command, const Arguments& arguments, const RowOptions& options,
                    std::span<const OutputColumn> columns, const ScenarioDocument& base, std::uint64_t rows) {
-    RowRecord record{.command = "drillwave " + std::string(command) + " " + arguments.shellText(aboutTheFile),
+    RowRecord record{.command = commandText(command, arguments),
                      .method = options.method,
                      .rows = rows,
                      .shard = options.shard,

@@ -77,6 +77,9 @@ std::string limitHint(const Arguments& arguments, const Scenario& scenario);
 /// The same where that has stopped it, else nothing.
 std::string limitHint(const Arguments& arguments, const Scenario& scenario, Hindrance hindrance);
 
+/// The command that gives the same rows, wherever they go.
+std::string commandText(std::string_view command, const Arguments& arguments);
+
 /// The record of a run of `command` that writes these columns: all but its axes or cases. Throws
 /// ScenarioError where the scenario is too large for a file.
 RowRecord recordOf(std::string_view command, const Arguments& arguments, const RowOptions& options,

@@ -159,7 +159,8 @@ const Command& thrustCommand() {
         "thrust in all of this. Gap at the blow: how far the bit is off the rock when the hammer strikes if\n"
         "nothing damps the rebound; - where that never becomes steady. n_b: round trips of the waves "
         "between\n"
-        "two blows. Needs a scenario in physical units with drill.blow_frequency; verdict and margins need\n"
+        "two blows; what a damper changes `drillwave drill` follows. Needs a scenario in physical units with "
+        "drill.blow_frequency; verdict and margins need\n"
         "drill.thrust. Of a drill string I0 is the impulse of the hammer's face; its gaps have no period, so "
         "that\n"
         "only this blow and rigid rock are told.";

@@ -34,10 +34,10 @@ std::string line(std::string_view key, std::string_view value) {
 
 std::string recordText(const RowRecord& record) {
     std::string text = std::string(rowRecordKey) + " " + std::to_string(rowRecordFormat) + "\n" +
-                       line("version", versionText) + line("command", yamlScalar(record.command)) +
-                       line("method", name(record.method.method));
-    if (record.method.method == Method::lattice)
-        text += line("segments", std::to_string(record.method.lattice.segments));
+                       line("version", versionText) + line("command", yamlScalar(record.command));
+    if (record.method) text += line("method", name(record.method->method));
+    if (record.method && record.method->method == Method::lattice)
+        text += line("segments", std::to_string(record.method->lattice.segments));
     text += line("rows", std::to_string(record.rows));
     if (record.shard.count > 1)
         text += line("part", std::to_string(record.shard.index) + "/" + std::to_string(record.shard.count));

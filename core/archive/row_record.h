@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -26,8 +27,8 @@ struct RecordedAxis {
 
 /// What a record says beside the version of the program.
 struct RowRecord {
-    std::string command;  ///< that gives the same rows
-    MethodChoice method;
+    std::string command;                 ///< that gives the same rows
+    std::optional<MethodChoice> method;  ///< nothing of what has only one
     std::uint64_t rows = 0;
     Shard shard;
     std::vector<RecordedAxis> axes;    ///< of a sweep

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/blow/drill_problems.h"
 #include "core/blow/thrust.h"
 
 namespace drillwave {
@@ -44,6 +45,9 @@ std::string whyNone(OutputOf which, const Scenario& scenario) {
 }
 
 constexpr std::string_view thrustMarginName = "thrust_margin";
+
+/// Of all names of drillOutputs().
+constexpr std::string_view drillPrefix = "drill_";
 
 constexpr auto outputTable = std::to_array<Output>({
     {"cor", "coefficient of restitution e = -pf/p0", Measure::number, Detail::cor,
@@ -185,6 +189,72 @@ constexpr auto outputTable = std::to_array<Output>({
      number<&ImpactSummary::endTime>, "followed to", OutputOf::drillString},
 });
 
+template <DrillNumbers::Number DrillNumbers::*member>
+std::optional<double> drilled(const OutputSource& from) {
+    return from.drill ? from.drill->*member : std::nullopt;
+}
+
+template <DrillNumbers::Number DrillNumbers::*member>
+constexpr Output row(std::string_view name, std::string_view meaning, Measure measure,
+                     std::string_view title) {
+    return {.name = name,
+            .meaning = meaning,
+            .measure = measure,
+            .detail = Detail::cor,
+            .number = drilled<member>,
+            .title = title,
+            .lack = drillProblem};
+}
+
+using D = DrillNumbers;
+
+constexpr std::string_view lyapunovName = "drill_lyapunov", errorName = "drill_penetration_error";
+
+constexpr auto drillTable = std::to_array<Output>({
+    row<&D::gapMean>("drill_gap_mean", "mean gap at the blow, of many blows under a feed (drill)",
+                     Measure::penetration, "mean gap at the blow"),
+    row<&D::gapDeviation>("drill_gap_deviation", "standard deviation of that gap", Measure::penetration,
+                          "deviation of the gap"),
+    row<&D::gap05>("drill_gap_05", "gap that 5 % of the blows are below", Measure::penetration,
+                   "5 % of the gaps"),
+    row<&D::gap50>("drill_gap_50", "gap that half of the blows are below", Measure::penetration,
+                   "median of the gaps"),
+    row<&D::gap95>("drill_gap_95", "gap that 95 % of the blows are below", Measure::penetration,
+                   "95 % of the gaps"),
+    row<&D::penetration>("drill_penetration", "mean penetration of a blow: an upper limit",
+                         Measure::penetration, "mean penetration of a blow"),
+    row<&D::penetrationError>(errorName, "its 95 % error; takes a second march with half as many cells",
+                              Measure::penetration, "error of the mean penetration"),
+    row<&D::penetrationRate>("drill_penetration_rate",
+                             "mean penetration times blow frequency, m/s: an upper limit", Measure::speed,
+                             "penetration rate of many blows"),
+    row<&D::rockImpulse>("drill_rock_impulse", "mean impulse on the rock: feed force over frequency",
+                         Measure::impulse, "mean impulse on the rock"),
+    row<&D::peakForce>("drill_peak_force", "mean of the largest forces on the rock", Measure::force,
+                       "mean peak force"),
+    row<&D::damperForce>("drill_damper_force", "largest force of the damper", Measure::force,
+                         "largest force of the damper"),
+    row<&D::contactShare>("drill_contact_share", "share of blows that begin within 0.01 d0 of the rock",
+                          Measure::number, "blows that begin on the rock"),
+    row<&D::contacts>("drill_contacts", "contacts of a blow, mean", Measure::number, "contacts of a blow"),
+    row<&D::period>("drill_period", "blows after which the motion repeats, 1 to 16; 0 where it does not",
+                    Measure::number, "period of the motion"),
+    row<&D::lyapunov>(lyapunovName,
+                      "how fast motions part, per blow; above 0 single blows are no result; takes a second "
+                      "march",
+                      Measure::number, "Lyapunov exponent"),
+    row<&D::thrustNumber>("drill_thrust_number", "phi, feed force over mean reaction of the blows",
+                          Measure::number, "thrust number"),
+    row<&D::roundTrips>("drill_round_trips", "n_b, round trips of a wave from blow to blow", Measure::number,
+                        "round trips from blow to blow"),
+    row<&D::momentumResidual>("drill_momentum_residual",
+                              "error of the balance of momentum of all blows, over what the feed gave",
+                              Measure::error, "error of the momentum of many blows"),
+    row<&D::energyResidual>("drill_energy_residual",
+                            "error of the balance of energy of all blows, over the hammer work",
+                            Measure::error, "error of the energy of many blows"),
+});
+
 }  // namespace
 
 bool concerns(OutputOf which, const Scenario& scenario) {
@@ -223,6 +293,10 @@ bool Output::isOnlySi() const {
 
 bool Output::needsThrustStudy() const {
     return name == thrustMarginName;
+}
+
+bool Output::needsDrilling() const {
+    return name.starts_with(drillPrefix);
 }
 
 Quantity Output::quantity() const {
@@ -284,6 +358,16 @@ std::span<const Output> outputs() {
     return outputTable;
 }
 
+std::span<const Output> drillOutputs() {
+    return drillTable;
+}
+
+DrillWishes drillWishesOf(const Output& output) {
+    return {.any = output.needsDrilling(),
+            .lyapunov = output.name == lyapunovName,
+            .penetrationError = output.name == errorName};
+}
+
 std::string overflowProblem(const Output& output, double value) {
     const bool isNever = output.measure == Measure::time && std::isnan(value);
     if (std::isfinite(value) || isNever) return {};
@@ -302,8 +386,10 @@ std::string overflowProblem(const OutputSource& source, const Scales& scales, De
 }
 
 const Output* findOutput(std::string_view name) {
-    const auto found = std::ranges::find(outputTable, name, &Output::name);
-    return found == outputTable.end() ? nullptr : &*found;
+    for (const std::span<const Output> table : {outputs(), drillOutputs()})
+        if (const auto found = std::ranges::find(table, name, &Output::name); found != table.end())
+            return &*found;
+    return nullptr;
 }
 
 }  // namespace drillwave

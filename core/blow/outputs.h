@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/blow/drill_numbers.h"
 #include "core/blow/impact_summary.h"
 #include "core/model/scales.h"
 #include "core/model/scenario.h"
@@ -56,6 +57,7 @@ struct OutputSource {
     const ImpactSummary& summary;
     const Scenario& scenario;
     std::optional<double> thrustMargin = {};  ///< of the study of all gaps, where one was made
+    const DrillNumbers* drill = nullptr;      ///< of many blows, where they were marched
 };
 
 /// One named output: JSON key, CSV column, name for --outputs, and row of the window.
@@ -89,14 +91,22 @@ struct Output {
     std::string_view label() const;  ///< in the window: "peak force"; empty where it lists none
     bool isOnlySi() const;           ///< there is no dimensionless number
     bool needsThrustStudy() const;   ///< whether OutputSource::thrustMargin must be there
+    bool needsDrilling() const;      ///< whether OutputSource::drill must be: those of drillOutputs()
     /// `ratio` where SI is the same number.
     Quantity quantity() const;
     /// SI = value · scale.
     double scale(const Scales& scales) const;
 };
 
-/// All outputs in the order of files §4.
+/// All outputs of one blow, in the order of files §4.
 std::span<const Output> outputs();
+
+/// Those of many blows under a feed, `drill_…`: the rows of the table that come behind. Each case takes a
+/// march, so that they are computed only where they are asked for by name.
+std::span<const Output> drillOutputs();
+
+/// What is to be marched for some of them.
+DrillWishes drillWishesOf(const Output& output);
 
 /// Why a blow that was solved with `detail` is no result: "max_penetration is beyond the range of …" where an
 /// output, or its number in SI, is infinite or not a number. Empty when there is none: a time may be not a
@@ -105,7 +115,7 @@ std::string overflowProblem(const OutputSource& source, const Scales& scales, De
 /// The same of a single number of an output.
 std::string overflowProblem(const Output& output, double value);
 
-/// The output of that name, or nullptr.
+/// The output of that name, of one blow or of many, or nullptr.
 const Output* findOutput(std::string_view name);
 
 }  // namespace drillwave

@@ -91,9 +91,10 @@ std::string residualWaves(const Alert& alert, const ReadingStyle& style) {
         "The waves of a blow make only n_b = " + fourDigits(alert, "round_trips", style) +
         " round trips until the next blow, and meet it undamped";
     if (!alert.has("whole"))
-        return start + ": penetration may swing by 10 % up or down with frequency times length.";
+        return start +
+               ": penetration may swing by 10 % up or down with frequency times length; `drill` follows it.";
     return start + " and nearly in step (n_b close to " + whole(alert, "whole") +
-           "): penetration may swing by 10 % up or down; another blow frequency or length tells.";
+           "): penetration may swing by 10 % up or down; `drill` follows it.";
 }
 
 std::string lengthsRounded(const Alert& alert, const ReadingStyle& style) {

@@ -322,15 +322,21 @@ std::string drillingText(const DrillingReport& report, OutputUnits units, const 
     return text;
 }
 
+std::vector<std::string> drillingHeaders(const DrillingResult& result, OutputUnits units) {
+    std::vector<std::string> headers;
+    for (const DrillingColumn& column : columnTable) {
+        const Quantity quantity = scaleOf(column.measure, result).quantity;
+        headers.push_back(withUnit(column.name, units == OutputUnits::si && column.measure != count
+                                                    ? &unitsOf(quantity).front()
+                                                    : nullptr));
+    }
+    return headers;
+}
+
 std::string drillingCsv(const DrillingReport& report, OutputUnits units) {
     const DrillingResult& result = report.result;
     std::string csv = scenarioHeader(report.scenarioText) + "blow";
-    for (const DrillingColumn& column : columnTable) {
-        const Quantity quantity = scaleOf(column.measure, result).quantity;
-        csv += "," + withUnit(column.name, units == OutputUnits::si && column.measure != count
-                                               ? &unitsOf(quantity).front()
-                                               : nullptr);
-    }
+    for (const std::string& header : drillingHeaders(result, units)) csv += "," + header;
     csv += "\n";
     long number = 0;
     for (const DrillingBlow& blow : result.blows) {

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/blow/outputs.h"
-#include "core/study/drilling/drilling_scan.h"
 #include "core/study/drilling/drilling_study.h"
+#include "core/study/scan/drilling_scan.h"
 #include "core/text/handy_text.h"
 
 namespace drillwave {
@@ -55,6 +55,8 @@ std::string adviceSentence(const DrillingResult& result, const ReadingStyle& sty
 std::string drillingJson(const DrillingReport& report, OutputUnits units);
 std::string drillingText(const DrillingReport& report, OutputUnits units,
                          const ReadingStyle& style = plainStyle());
+/// "gap [m]" and so on: what heads the columns of drillingCsv() behind the number of the blow.
+std::vector<std::string> drillingHeaders(const DrillingResult& result, OutputUnits units);
 /// A row for every blow, behind the scenario.
 std::string drillingCsv(const DrillingReport& report, OutputUnits units);
 /// The blows that are told in full, instant by instant.

@@ -2,25 +2,14 @@
 // A scan of many blows as text and CSV.
 #pragma once
 
-#include <span>
 #include <string>
-#include <string_view>
+#include <vector>
 
 #include "core/report/drilling_report.h"
-#include "core/study/drilling/drilling_scan.h"
+#include "core/study/rows/output_column.h"
+#include "core/study/scan/drilling_scan.h"
 
 namespace drillwave {
-
-/// A number of many blows by name, for columns: `drill_…`.
-struct DrillingOutput {
-    std::string_view name;
-    std::string_view meaning;
-    DrillingMeasure measure;
-    bool isRate = false;  ///< in m/s, in SI alone
-    /// In units of Problem, a rate in SI; not a number where there is none.
-    double (*value)(const DrillingResult&);
-};
-std::span<const DrillingOutput> drillingOutputs();
 
 /// What is scanned, and the text of the scenario it starts from.
 struct DrillingScanReport {
@@ -28,7 +17,9 @@ struct DrillingScanReport {
     std::string scenarioText;
 };
 
-/// A row for each value and start.
+/// All of drillOutputs(), in the order of files §4.
+std::vector<OutputColumn> drillingScanColumns(OutputUnits units);
+/// A row for each value and start: the value, the start, and drillOutputs().
 std::string drillingScanCsv(const DrillingScanReport& report, OutputUnits units);
 /// The gap of every blow that counts, with value and start: a bifurcation diagram.
 std::string drillingGapsCsv(const DrillingScanReport& report, OutputUnits units);

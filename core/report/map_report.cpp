@@ -52,6 +52,9 @@ std::string contourText(const MapReport& report, const Contour& contour) {
             text += " " + std::string(unitsOf(report.study.output.output->quantity()).front().name);
         if (const std::uint64_t jumps = contour.jumpCount(); jumps > 0)
             text += ", but for " + std::to_string(jumps) + " where it jumps across";
+        if (const std::uint64_t irregular = contour.irregularCount(); irregular > 0)
+            text += "; " + counted(irregular, "point") +
+                    " where the blows do not repeat: a mean scatters there, and the contour with it";
     }
     if (contour.unplaced > 0)
         text += "; " + counted(contour.unplaced, "crossing") + " not placed: " + contour.reason;
@@ -93,13 +96,15 @@ JsonObject lineJson(const ContourLine& line) {
     return {{"x", x}, {"y", y}, {"residual", residual}, {"jump_width", jump}};
 }
 
-JsonObject contourJson(const Contour& contour) {
+JsonObject contourJson(const Contour& contour, bool isOfManyBlows) {
     JsonArray lines;
     for (const ContourLine& line : contour.lines) lines.emplace_back(lineJson(line));
-    return {{"level", contour.level},       {"points", contour.pointCount()},
-            {"jumps", contour.jumpCount()}, {"worst_residual", contour.worstResidual()},
-            {"unplaced", contour.unplaced}, {"reason", contour.reason},
-            {"solves", contour.solves},     {"lines", lines}};
+    JsonObject object{{"level", contour.level},       {"points", contour.pointCount()},
+                      {"jumps", contour.jumpCount()}, {"worst_residual", contour.worstResidual()},
+                      {"unplaced", contour.unplaced}, {"reason", contour.reason},
+                      {"solves", contour.solves},     {"lines", lines}};
+    if (isOfManyBlows) object["irregular"] = contour.irregularCount();
+    return object;
 }
 
 }  // namespace
@@ -128,8 +133,9 @@ std::string mapText(const MapReport& report) {
 
 std::string mapJson(const MapReport& report) {
     JsonArray contours;
-    for (const Contour& contour : report.contours) contours.emplace_back(contourJson(contour));
     const OutputColumn& output = report.study.output;
+    for (const Contour& contour : report.contours)
+        contours.emplace_back(contourJson(contour, output.output->needsDrilling()));
     return Json(JsonObject{{"version", versionText},
                            {"title", report.study.base.title},
                            {"scenario", report.scenarioText},

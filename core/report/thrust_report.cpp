@@ -205,7 +205,8 @@ std::string thrustText(const ThrustReport& report) {
     for (const std::string& sentence : sentences | std::views::drop(1)) text += paragraph(sentence);
     for (const Alert& alert : alertsFor(report.scenario))
         if (alert.code == AlertCode::residualWaves) text += paragraph(alertText(alert));
-    return text;
+    return text +
+           paragraph("What a damper changes, and what waves from blow to blow, `drillwave drill` follows.");
 }
 
 std::string thrustJson(const ThrustReport& report) {

@@ -46,6 +46,11 @@ class TestDrill : public QObject {
     void aThrustBelowTheReactionIsAnAnswer();
     void aScanTellsEveryValue();
     void theSameOnAnyNumberOfThreads();
+    void outputsOfManyBlowsAreThoseOfAScan();
+    void outputsOfManyBlowsAreThereByNameAlone();
+    void aMachineThatIsPushedBackHasNoMeans();
+    void aCurveOfManyBlowsIsStraightBetweenPoints();
+    void aRecordStandsBesideTheRows();
     void theKeysOfManyBlowsChangeNoSingleBlow();
     void badInputIsRefusedInOneLineEach_data();
     void badInputIsRefusedInOneLineEach();
@@ -154,6 +159,96 @@ void TestDrill::theSameOnAnyNumberOfThreads() {
     QStringList words = soft({"--scan", "drill.thrust=3.2kN:8kN:5", "-o", "-"});
     words.removeAll("drill.thrust=4.3kN");
     QCOMPARE(output(words + QStringList{"-j", "1"}), output(words + QStringList{"-j", "7"}));
+    // the marches of a plain one: of the blows, of lambda, of half as many cells, at full rate
+    const auto plain = [](const char* jobs) {
+        QJsonObject told = json(soft({"-j", jobs}));
+        told.remove("run_time");
+        return told;
+    };
+    QCOMPARE(plain("1"), plain("2"));
+}
+
+// One march a row, from rest, in as many blows and cells as those of a scan.
+void TestDrill::outputsOfManyBlowsAreThoseOfAScan() {
+    QStringList scanned = soft({"--scan", "drill.thrust=3kN,4.3kN,8kN", "-o", "-"});
+    scanned.removeAll("drill.thrust=4.3kN");
+    QStringList swept{"sweep",
+                      example("t38_medium_rock"),
+                      "--vary",
+                      "drill.thrust=3kN,4.3kN,8kN",
+                      "--si",
+                      "--outputs",
+                      "drill_gap_mean,drill_penetration,drill_period,drill_lyapunov,drill_thrust_number",
+                      "--set",
+                      "drill.machine_mass=200kg",
+                      "drill.damper_damping=6.3kNs/m",
+                      "drill.wave_loss=10%",
+                      "drill.blows=60"};
+    const auto fromScan = rowsOf(output(scanned)), rows = rowsOf(output(swept));
+    const auto scanColumn = [&](const QByteArray& header) { return fromScan[0].indexOf(header); };
+    QCOMPARE(rows.size(), 4);
+    for (qsizetype row = 1; row < rows.size(); ++row) {
+        const auto same = std::ranges::find_if(fromScan, [&](const QList<QByteArray>& each) {
+            return each[0] == rows[row][0] && each[1] == "rest";
+        });
+        QVERIFY(same != fromScan.end());
+        for (qsizetype column = 1; column < rows[0].size(); ++column)
+            QCOMPARE(rows[row][column], (*same)[scanColumn(rows[0][column])]);
+    }
+    QVERIFY(!rows[2][4].isEmpty());  // lambda, which a scan tells too
+}
+
+void TestDrill::outputsOfManyBlowsAreThereByNameAlone() {
+    const QString rod = example("t38_medium_rock"), groups = example("paper_fig4a");
+    const QByteArray all = output(
+        {"sweep", rod, "--vary", "bit_rock.gamma=0.1", "--set", "drill.thrust=5kN", "--outputs", "all"});
+    QVERIFY(!all.contains("drill_"));
+    QVERIFY(output({"help", "sweep"}).contains("drill_penetration_error"));
+    const Finished refused = run({"sweep", groups, "--vary", "beta=0.5", "--outputs", "cor,drill_gap_mean"});
+    QCOMPARE(refused.exitCode, 5);
+    QVERIFY(refused.error.contains("has no drill"));
+    const Finished work = run({"sweep", rod, "--vary", "bit_rock.gamma=0.1", "--set", "drill.thrust=5kN",
+                               "drill.blows=100000", "--outputs", "drill_period"});
+    QCOMPARE(work.exitCode, 6);
+    QVERIFY(work.error.contains("wave cells") && work.error.contains("--work-limit"));
+}
+
+void TestDrill::aMachineThatIsPushedBackHasNoMeans() {
+    const auto rows = rowsOf(output({"sweep", example("t38_medium_rock"), "--vary", "drill.thrust=2kN",
+                                     "--outputs", "cor,drill_gap_mean,drill_thrust_number"}));
+    QVERIFY(rows[1][1].toDouble() > 0);
+    QCOMPARE(rows[1][2], QByteArray());
+    QVERIFY(rows[1][3].toDouble() > 0 && rows[1][3].toDouble() < 1);
+}
+
+void TestDrill::aCurveOfManyBlowsIsStraightBetweenPoints() {
+    const QStringList words{
+        "curve",   example("t38_medium_rock"), "--outputs", "drill_penetration", "--set", "drill.blows=3",
+        "--along", "drill.thrust=4.3kN:4.4kN"};
+    QVERIFY(output(words).contains("straight between points"));
+}
+
+void TestDrill::aRecordStandsBesideTheRows() {
+    QTemporaryDir folder;
+    const QString blows = folder.filePath("blows.csv"), scan = folder.filePath("scan.csv");
+    output(soft({"-o", blows}));
+    const QByteArray ofBlows = read(blows + ".yaml");
+    QVERIFY(ofBlows.startsWith("drillwave_result: 1\n"));
+    QVERIFY(ofBlows.contains("command: drillwave drill ") && ofBlows.contains("rows: 60\n"));
+    QVERIFY(ofBlows.contains("  - gap [m]\n") && !ofBlows.contains("method:"));
+    QStringList words =
+        soft({"--scan", "drill.thrust=4.3kN,8kN", "-o", scan, "--gaps", folder.filePath("gaps.csv")});
+    words.removeAll("drill.thrust=4.3kN");
+    output(words);
+    const QByteArray ofScan = read(scan + ".yaml");
+    QVERIFY(ofScan.contains("  - column: drill.thrust [kN]\n") && ofScan.contains("count: 2\n"));
+    QVERIFY(ofScan.contains("  - drill_lyapunov\n") && !ofScan.contains("gaps.csv"));
+    // it is a scenario again
+    QCOMPARE(json({"drill", blows + ".yaml", "--cells", "20"})["statistics"]["gap"]["mean"],
+             json(soft())["statistics"]["gap"]["mean"]);
+    QCOMPARE(run(words).exitCode, 4);
+    // the record goes with the file that is replaced
+    QCOMPARE(run(words + QStringList{"--force"}).exitCode, 0);
 }
 
 void TestDrill::theKeysOfManyBlowsChangeNoSingleBlow() {

@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/study/drilling/drilling_scan.h"
+#include "core/study/scan/drilling_scan.h"
 #include "core/wave/drilling/drilling_grid.h"
 #include "core/wave/drilling/drilling_march.h"
 #include "core/yaml/examples.h"

@@ -33,6 +33,13 @@ constexpr long leastStringBlows = 150;
 constexpr std::uint64_t blowsOfKink = 80;
 constexpr std::string_view notSmooth = "not smooth within the work permitted";
 constexpr std::string_view isRounding = "an error, which has no smooth course";
+constexpr std::string_view isOfManyBlows = "of many blows, which need not be smooth: straight between points";
+
+/// Why an output is not fitted at all; empty where it is.
+std::string_view whyRough(const Output& output) {
+    if (output.needsDrilling()) return isOfManyBlows;
+    return output.measure == Measure::error ? isRounding : std::string_view();
+}
 
 bool isRatio(Measure measure) {
     return measure == Measure::number || measure == Measure::share || measure == Measure::energy ||
@@ -99,7 +106,7 @@ CellOutput CellFitter::fit(CurveSampler& sampler, const CellTask& task, std::siz
                            const std::stop_token& stop) const {
     const std::array cuts{task.start, task.end};
     const Measure measure = m_question.columns[output].output->measure;
-    if (measure == Measure::error) return {{openPiece(cuts[0], cuts[1])}, {}};
+    if (!whyRough(*m_question.columns[output].output).empty()) return {{openPiece(cuts[0], cuts[1])}, {}};
     const double unit = unitIn(sampler, cuts, output);
     const bool grows = !isRatio(measure) || measure == Measure::work;
     FitSettings settings{.scale = {isRatio(measure) ? unit : unit * smallOfUnit, 0, 0},
@@ -132,9 +139,9 @@ void addStretch(std::vector<CurveStretch>& stretches, const CurveRange& range, c
 void addCell(CurveLine& line, const CurveQuestion& question, CellTask& task) {
     for (std::size_t i = 0; i < task.outputs.size(); ++i) {
         CurveOutput& output = line.outputs[i];
-        const bool isError = question.columns[i].output->measure == Measure::error;
+        const std::string_view rough = whyRough(*question.columns[i].output);
         for (FitPiece& piece : task.outputs[i].pieces) {
-            if (isOpen(piece)) addStretch(output.grid, line.range, piece, isError ? isRounding : notSmooth);
+            if (isOpen(piece)) addStretch(output.grid, line.range, piece, rough.empty() ? notSmooth : rough);
             if (!piece.solved) addStretch(output.unsolved, line.range, piece, task.outputs[i].reason);
             output.pieces.push_back(std::move(piece));
         }

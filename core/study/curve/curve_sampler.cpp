@@ -71,6 +71,7 @@ const CurveSampler::Blow& CurveSampler::blowAt(double share) {
     m_hasPulse = true;
     blow.values.resize(m_question.columns.size());
     blow.reason = m_solver.solve(scenario, blow.values, m_stop);
+    blow.lack = m_solver.lack();
     const Impact& impact = m_solver.impact();
     blow.pieces = impact.pieces;
     m_effort += impact.pieces;
@@ -89,7 +90,9 @@ FitSample CurveSampler::operator()(double share, std::size_t output) {
     FitSample sample{.x = share, .label = blow.contacts, .effort = blow.pieces};
     sample.solved = !blow.values.empty() && std::isfinite(blow.values[output]);
     if (!sample.solved) {
-        m_reason = blow.reason.empty() ? "the waves of such a blow are too many to be kept" : blow.reason;
+        m_reason = !blow.reason.empty() ? blow.reason
+                   : !blow.lack.empty() ? blow.lack
+                                        : "the waves of such a blow are too many to be kept";
         return sample;
     }
     sample.values[0] = blow.values[output];

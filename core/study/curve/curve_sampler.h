@@ -40,6 +40,7 @@ class CurveSampler {
     struct Blow {
         std::vector<double> values;  // of all outputs; none where it was not solved
         std::string reason;
+        std::string lack;  // why an output of it has none, where that is known
         double scatter = 0;
         std::uint64_t order = 0;
         int contacts = 0;

@@ -103,6 +103,9 @@ void checkOutputs(const DesignStudy& study, Lines& lines) {
     for (const OutputColumn& column : study.columns()) {
         if (column.output->needsThrustStudy())
             lines.invalid("thrust_margin is a study of all gaps by itself; aim at thrust");
+        else if (column.output->needsDrilling())
+            lines.invalid(std::string(column.output->name) +
+                          " is a march of many blows by itself; `drillwave drill` and sweeps have it");
         else
             lines.invalid(columnProblem({&column, 1}, study.base));
     }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/blow/drill_problems.h"
 #include "core/model/scales.h"
 #include "core/model/scenario.h"
 #include "core/wave/drilling/drilling_problem.h"
@@ -22,11 +23,13 @@ struct DrillingSettings {
 };
 
 inline constexpr int leastDrillingCells = 10, mostDrillingCells = 400, scanCells = 20;
-inline constexpr long scanBlows = 300, scanSettle = 100;
 inline constexpr long mostBlows = 1'000'000;
 
 /// Those of the scenario; where it says nothing of the blows, `usualBlows`, and a fifth of the blows settle.
 DrillingSettings drillingSettingsOf(const Scenario& scenario, long usualBlows = 1000);
+
+/// Those of a study of many values (scanLengthOf()).
+DrillingSettings scanSettingsOf(const Scenario& scenario);
 
 /// Why a valid scenario cannot be drilled with, each with its key: "drill.thrust: is missing …". Empty where
 /// it can.

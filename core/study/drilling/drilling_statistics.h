@@ -41,6 +41,13 @@ inline constexpr std::array<BlowQuantity, 9> blowQuantities{{
     {"face_impulse", &DrillingBlow::faceImpulse},
 }};
 
+/// Where it is in blowQuantities. Requires that it is there.
+constexpr std::size_t quantityPlace(double DrillingBlow::*value) {
+    std::size_t place = 0;
+    while (blowQuantities[place].value != value) ++place;
+    return place;
+}
+
 enum class DrillingRegime {
     rest,       ///< the bit is on the rock before every blow
     period,     ///< gap, velocity and penetration repeat

@@ -4,8 +4,12 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <future>
 #include <limits>
+#include <mutex>
 #include <numeric>
+#include <semaphore>
+#include <thread>
 #include <utility>
 
 #include "core/blow/blow.h"
@@ -61,11 +65,6 @@ constexpr double chaotic = 0.05;
 /// begin in contact which passes for rest.
 constexpr double fullShare = 0.95, restingShare = 0.95;
 
-std::size_t placeOf(double DrillingBlow::*value) {
-    const auto found = std::ranges::find(blowQuantities, value, &BlowQuantity::value);
-    return static_cast<std::size_t>(found - blowQuantities.begin());
-}
-
 /// One march of a study.
 struct March {
     std::vector<DrillingBlow> blows;
@@ -82,6 +81,38 @@ struct MarchLength {
     long blows;
     bool lyapunov = false;
     std::optional<BlowRange> histories = {};
+    int jobs = 1;  ///< the march of λ has a thread of its own where they are more
+};
+
+/// Takes the blows of a march on a thread of its own, one whenever it is told.
+class MarchBeside {
+  public:
+    /// Both must outlive it.
+    MarchBeside(DrillingMarch& march, const std::stop_token& stop)
+        : m_thread([this, &march, &stop] {
+              for (m_begun.acquire(); !m_ends; m_begun.acquire()) {
+                  m_isTaken = march.takeBlow(stop);
+                  m_done.release();
+              }
+          }) {}
+    ~MarchBeside() {
+        m_ends = true;
+        m_begun.release();
+    }
+    MarchBeside(const MarchBeside&) = delete;
+    MarchBeside& operator=(const MarchBeside&) = delete;
+
+    void beginBlow() { m_begun.release(); }
+    /// Waits for it.
+    bool hasTakenBlow() {
+        m_done.acquire();
+        return m_isTaken;
+    }
+
+  private:
+    std::binary_semaphore m_begun{0}, m_done{0};
+    bool m_ends = false, m_isTaken = false;
+    std::jthread m_thread;
 };
 
 double meanImpulse(const std::vector<DrillingBlow>& blows, std::size_t last) {
@@ -137,6 +168,14 @@ March march(const DrillingProblem& problem, const DrillingGrid& grid, const Marc
         beside->displace(displacement);
         beside->approach(main, displacement);
     }
+    std::optional<MarchBeside> thread;
+    if (beside && length.jobs > 1) thread.emplace(*beside, stop);
+    const auto takeBlow = [&] {
+        if (!thread) return main.takeBlow(stop) && (!beside || beside->takeBlow(stop));
+        thread->beginBlow();
+        const bool isTaken = main.takeBlow(stop);
+        return thread->hasTakenBlow() && isTaken;
+    };
     result.blows.reserve(static_cast<std::size_t>(length.blows));
     long growing = 0;
     DrillingSamples samples;
@@ -147,8 +186,7 @@ March march(const DrillingProblem& problem, const DrillingGrid& grid, const Marc
             main.watch(next >= length.histories->first - 1 && next <= length.histories->last ? &samples
                                                                                              : nullptr);
         }
-        const bool taken = main.takeBlow(stop) && (!beside || beside->takeBlow(stop));
-        if (!taken) {
+        if (!takeBlow()) {
             const std::string_view trouble =
                 main.trouble().empty() && beside ? beside->trouble() : main.trouble();
             result.outcome = trouble.empty() ? DrillingOutcome::stopped : DrillingOutcome::notSolved;
@@ -183,7 +221,12 @@ class Study {
   public:
     Study(const Scenario& scenario, const DrillingSettings& settings, const DrillingWants& wants,
           const std::stop_token& stop, const DrillingProgress& progress)
-        : m_wants(wants), m_stop(stop), m_progress(progress) {
+        : m_wants(wants), m_stop(stop) {
+        if (progress)
+            m_progress = [&](long more) {
+                const std::scoped_lock lock(m_told);
+                progress(more);
+            };
         m_result.scenario = scenario;
         m_result.settings = settings;
         m_result.units = drillingUnitsOf(scenario);
@@ -194,7 +237,8 @@ class Study {
         solveBlowAlone();
         const DrillingGrid grid = drillingGridOf(m_problem, m_result.settings.cells);
         takeGrid(grid);
-        March main = march(m_problem, grid, {m_result.settings.blows, m_wants.lyapunov, m_wants.histories},
+        March main = march(m_problem, grid,
+                           {m_result.settings.blows, m_wants.lyapunov, m_wants.histories, m_wants.jobs},
                            m_stop, m_progress);
         m_result.outcome = main.outcome;
         m_result.reason = main.reason;
@@ -239,18 +283,43 @@ class Study {
     void takeStatistics(const std::vector<double>& growths) {
         const auto settle = static_cast<std::size_t>(m_result.settings.settle);
         m_result.statistics = statisticsOf(m_result.blows, settle, m_problem.blow.velocity());
-        m_result.meanImpulse = m_result.spread(placeOf(&DrillingBlow::faceImpulse)).mean;
+        m_result.meanImpulse = m_result.spread(quantityPlace(&DrillingBlow::faceImpulse)).mean;
         if (m_wants.lyapunov) {
             const BlowSpread spread = spreadOf(std::span(growths).subspan(settle));
             m_result.lyapunov = Lyapunov{spread.mean, spread.meanError};
         }
-        if (m_wants.cellError) compareCells(settle);
-        if (m_wants.fullRate && std::isfinite(m_result.cor)) compareFullRate();
+        std::optional<March> half, full;
+        const auto marchHalf = [&] {
+            if (m_wants.cellError) half = marchWithHalfTheCells();
+        };
+        const auto marchFull = [&] {
+            if (m_wants.fullRate && std::isfinite(m_result.cor)) full = marchAtFullRate();
+        };
+        if (m_wants.jobs > 1) {
+            std::future<void> other = std::async(std::launch::async, marchFull);
+            marchHalf();
+            other.get();
+        } else {
+            marchHalf();
+            marchFull();
+        }
+        if (half) compareCells(*half, settle);
+        if (full && m_result.statistics) compareFullRate(*full);
     }
 
-    void compareCells(std::size_t settle) {
+    March marchWithHalfTheCells() const {
         const DrillingGrid coarse = coarseDrillingGridOf(m_problem, m_result.settings.cells);
-        const March half = march(m_problem, coarse, {m_result.settings.blows}, m_stop, m_progress);
+        return march(m_problem, coarse, {m_result.settings.blows}, m_stop, m_progress);
+    }
+
+    March marchAtFullRate() const {
+        DrillingProblem pressed = m_problem;
+        const DrillingGrid grid = drillingGridOf(pressed, std::min(m_result.settings.cells, scanCells));
+        pressed.feedForce = 2 * (1 + 2 * m_result.cor) * m_result.meanImpulse / grid.interval();
+        return march(pressed, grid, {scanBlows}, m_stop, m_progress);
+    }
+
+    void compareCells(const March& half, std::size_t settle) {
         if (half.outcome != DrillingOutcome::done) return fail(half);
         const DrillingStatistics statistics = statisticsOf(half.blows, settle, m_problem.blow.velocity());
         for (std::size_t q = 0; q < blowQuantities.size(); ++q)
@@ -258,16 +327,12 @@ class Study {
                 coveringCells * std::abs(statistics.spreads[q].mean - m_result.spread(q).mean);
     }
 
-    void compareFullRate() {
-        DrillingProblem pressed = m_problem;
-        const DrillingGrid grid = drillingGridOf(pressed, std::min(m_result.settings.cells, scanCells));
-        pressed.feedForce = 2 * (1 + 2 * m_result.cor) * m_result.meanImpulse / grid.interval();
-        const March full = march(pressed, grid, {scanBlows}, m_stop, m_progress);
+    void compareFullRate(const March& full) {
         if (full.outcome == DrillingOutcome::stopped) return fail(full);
         if (full.outcome != DrillingOutcome::done) return;
-        const std::size_t penetration = placeOf(&DrillingBlow::penetration);
+        const std::size_t penetration = quantityPlace(&DrillingBlow::penetration);
         const DrillingStatistics statistics =
-            statisticsOf(full.blows, static_cast<std::size_t>(scanSettle), pressed.blow.velocity());
+            statisticsOf(full.blows, static_cast<std::size_t>(scanSettle), m_problem.blow.velocity());
         const double most = statistics.spreads[penetration].mean;
         if (most > 0) m_result.fullRateShare = m_result.spread(penetration).mean / most;
     }
@@ -351,7 +416,8 @@ class Study {
 
     DrillingWants m_wants;
     const std::stop_token& m_stop;
-    const DrillingProgress& m_progress;
+    std::mutex m_told;
+    DrillingProgress m_progress;
     DrillingProblem m_problem;
     DrillingResult m_result;
 };

@@ -66,6 +66,7 @@ struct DrillingWants {
     bool lyapunov = true;
     bool fullRate = true;  ///< the penetration at 2(1 + 2e)
     std::optional<BlowRange> histories = {};
+    int jobs = 1;  ///< marches that may run side by side, each on a thread; what comes out is the same
 };
 
 struct DrillingResult {
@@ -101,7 +102,7 @@ struct DrillingResult {
     const BlowSpread& spread(std::size_t quantity) const { return statistics->spreads[quantity]; }
 };
 
-/// Told how many blows more are done, of foreseenBlows().
+/// Told how many blows more are done, of foreseenBlows(); by one thread at a time.
 using DrillingProgress = std::function<void(long)>;
 
 /// Blows of all marches of a study.

@@ -42,13 +42,16 @@ class Surveyor {
         Finding finding;
         m_below = start.value < m_level ? start : end;
         m_above = start.value < m_level ? end : start;
+        bool isIrregular = false;
         const auto miss = [&](double place) {
             Sample sample{place, 0};
             ++finding.solves;
             const double x = edge.isAlongX ? place : m_nodes.x(edge.i);
             const double y = edge.isAlongX ? m_nodes.y(edge.j) : place;
             finding.reason = m_point.solve(x, y, sample.value, stop);
-            if (finding.reason.empty() && std::isnan(sample.value)) finding.reason = "it has no such output";
+            if (finding.reason.empty() && std::isnan(sample.value))
+                finding.reason = m_point.lack().empty() ? "it has no such output" : m_point.lack();
+            isIrregular |= m_point.isIrregular();
             if (!finding.reason.empty()) return 0.0;  // ends the search
             (sample.value < m_level ? m_below : m_above) = sample;
             return std::abs(sample.value - m_level) <= contourAccuracy * step ? 0.0 : sample.value - m_level;
@@ -60,7 +63,8 @@ class Surveyor {
         ContourPoint point{.x = edge.isAlongX ? found.place : m_nodes.x(edge.i),
                            .y = edge.isAlongX ? m_nodes.y(edge.j) : found.place,
                            .value = found.value,
-                           .residual = found.residual(m_level)};
+                           .residual = found.residual(m_level),
+                           .isIrregular = isIrregular};
         if (point.residual > coarsestAccuracy * step)
             point.jumpWidth = std::abs((m_above.place - m_below.place) / (end.place - start.place));
         finding.point = point;
@@ -216,6 +220,14 @@ std::uint64_t Contour::jumpCount() const {
     for (const ContourLine& line : lines)
         for (std::size_t n = line.size() > 1 && line.front() == line.back() ? 1 : 0; n < line.size(); ++n)
             count += line[n].isJump() ? 1 : 0;
+    return count;
+}
+
+std::uint64_t Contour::irregularCount() const {
+    std::uint64_t count = 0;
+    for (const ContourLine& line : lines)
+        for (std::size_t n = line.size() > 1 && line.front() == line.back() ? 1 : 0; n < line.size(); ++n)
+            count += line[n].isIrregular ? 1 : 0;
     return count;
 }
 

@@ -24,6 +24,9 @@ struct ContourPoint {
     /// mostly below contourAccuracy, and always below a hundred times as much, of the level or of the step
     /// between the two points, whichever is larger.
     double jumpWidth = 0;
+    /// On the way to it the output was a mean of blows that do not repeat: it scatters, and so does the
+    /// place.
+    bool isIrregular = false;
     bool isJump() const { return jumpWidth > 0; }
     bool operator==(const ContourPoint&) const = default;
 };
@@ -45,7 +48,8 @@ struct Contour {
 
     std::uint64_t pointCount() const;  ///< a closed line's first point counted once
     std::uint64_t jumpCount() const;
-    double worstResidual() const;  ///< of the points that are no jumps; 0 without any
+    std::uint64_t irregularCount() const;  ///< likewise
+    double worstResidual() const;          ///< of the points that are no jumps; 0 without any
     bool operator==(const Contour&) const = default;
 };
 

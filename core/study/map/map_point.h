@@ -22,6 +22,10 @@ class MapPoint {
     /// why the blow could not be solved (`value` is left alone then), or an empty string.
     std::string solve(double x, double y, double& value, const std::stop_token& stop);
 
+    /// Why the point last solved has no output, and whether its blows do not repeat (CaseSolver).
+    const std::string& lack() const { return m_solver.lack(); }
+    bool isIrregular() const { return m_solver.isIrregular(); }
+
   private:
     std::vector<SweepAxis> m_axes;
     AxisScenario m_scenario;

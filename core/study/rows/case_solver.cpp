@@ -8,9 +8,11 @@
 #include <utility>
 
 #include "core/blow/chain_solution.h"
+#include "core/blow/drill_problems.h"
 #include "core/blow/string_blow.h"
 #include "core/blow/wave_numbers.h"
 #include "core/model/blow_traits.h"
+#include "core/study/drilling/drilling_numbers.h"
 
 namespace drillwave {
 
@@ -23,6 +25,7 @@ CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice
       m_inSi(std::ranges::any_of(columns, [](const OutputColumn& c) { return c.units == OutputUnits::si; })),
       m_needsMargin(
           std::ranges::any_of(columns, [](const OutputColumn& c) { return c.output->needsThrustStudy(); })),
+      m_drillWishes(drillWishesFor(columns)),
       m_waveNumbers(waveNumbersFor(columns)),
       m_method(method),
       m_solver({workLimit, cellsOfPiece * workLimit}) {
@@ -57,7 +60,7 @@ std::string CaseSolver::fillFrom(const ImpactSummary& summary, const Scenario& s
     OutputSource source{summary, scenario};
     if (m_needsMargin)
         source.thrustMargin = m_margins.of(scenario, m_problem, {m_impact.cor, m_impact.corError}, stop);
-    return fill(source, outputs);
+    return fill(source, outputs, stop);
 }
 
 /// By one run: `efficiency_error` says how good it is.
@@ -73,10 +76,27 @@ std::string CaseSolver::solveDrillString(const Scenario& scenario, std::span<dou
     if (!m_impact.isSolved()) return m_impact.reason;
     ImpactSummary summary = summarize(m_impact, m_problem);
     addStresses(summary, scenario, m_impact);
-    return fill({summary, scenario}, outputs);
+    return fill({summary, scenario}, outputs, stop);
 }
 
-std::string CaseSolver::fill(const OutputSource& source, std::span<double> outputs) const {
+std::string CaseSolver::march(const Scenario& scenario, const std::stop_token& stop) {
+    m_drill.reset();
+    m_lack.clear();
+    if (!m_drillWishes.any || !drillProblem(scenario).empty()) return {};
+    const DrillingSettings settings = scanSettingsOf(scenario);
+    const DrillingWants wants{
+        .cellError = m_drillWishes.penetrationError, .lyapunov = m_drillWishes.lyapunov, .fullRate = false};
+    if (drillingWork(scenario, settings, wants) > static_cast<double>(m_solver.mostCells()))
+        return "its blows under a feed need more wave cells than permitted";
+    const DrillingResult result = studyDrilling(scenario, settings, wants, stop);
+    m_drill = drillNumbersOf(result);
+    m_lack = whyNoStatistics(result);
+    return result.outcome == DrillingOutcome::pushedBack ? std::string() : m_lack;
+}
+
+std::string CaseSolver::fill(OutputSource source, std::span<double> outputs, const std::stop_token& stop) {
+    if (std::string problem = march(source.scenario, stop); !problem.empty()) return problem;
+    if (m_drill) source.drill = &*m_drill;
     const Scales scales = m_inSi ? scalesOf(source.scenario) : Scales{};
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
     for (std::size_t c = 0; c < m_columns.size(); ++c) {

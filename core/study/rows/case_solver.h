@@ -2,6 +2,7 @@
 // One case after another solved into the outputs of a row.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <stop_token>
 #include <string>
@@ -31,6 +32,13 @@ class CaseSolver {
     /// be solved (there are none then), or an empty string.
     std::string solve(const Scenario& scenario, std::span<double> outputs, const std::stop_token& stop);
 
+    /// Why the case last solved has no number in a column that such scenarios have; empty where that is not
+    /// known.
+    const std::string& lack() const { return m_lack; }
+
+    /// Whether many blows of the case last solved do not repeat: their means scatter.
+    bool isIrregular() const { return m_drill && m_drill->period == 0.0; }
+
     /// Of the case last solved.
     const Impact& impact() const { return m_impact; }
     /// By how much e of neighbouring blows may scatter: what a curve need not resolve. Of a string less than
@@ -44,20 +52,25 @@ class CaseSolver {
     /// Of the uniform rod last solved.
     std::string fillFrom(const ImpactSummary& summary, const Scenario& scenario, std::span<double> outputs,
                          const std::stop_token& stop);
+    /// Marches where a column is of many blows. Returns why that has no answer.
+    std::string march(const Scenario& scenario, const std::stop_token& stop);
     /// Returns why the numbers are no result, and puts none then.
-    std::string fill(const OutputSource& source, std::span<double> outputs) const;
+    std::string fill(OutputSource source, std::span<double> outputs, const std::stop_token& stop);
 
     std::span<const OutputColumn> m_columns;
     Detail m_detail;
     bool m_needsLess;  ///< some column can be filled without histories
     bool m_inSi;
     bool m_needsMargin;  ///< of the thrust: a study of all gaps
+    DrillWishes m_drillWishes;
     WaveNumbers m_waveNumbers;
     MethodChoice m_method;
     MethodSolver m_solver;
     ThrustMargins m_margins;
     Problem m_problem;
     Impact m_impact;
+    std::optional<DrillNumbers> m_drill;
+    std::string m_lack;
     double m_scatter = 0;
 };
 

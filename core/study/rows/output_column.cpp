@@ -83,6 +83,17 @@ WaveNumbers waveNumbersFor(std::span<const OutputColumn> columns) {
     return wanted;
 }
 
+DrillWishes drillWishesFor(std::span<const OutputColumn> columns) {
+    DrillWishes wished;
+    for (const OutputColumn& column : columns) {
+        const DrillWishes own = drillWishesOf(*column.output);
+        wished.any |= own.any;
+        wished.lyapunov |= own.lyapunov;
+        wished.penetrationError |= own.penetrationError;
+    }
+    return wished;
+}
+
 std::string columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario) {
     const bool dimensional = hasUnits(scenario);
     for (const OutputColumn& column : columns) {
@@ -96,7 +107,8 @@ std::string columnProblem(std::span<const OutputColumn> columns, const Scenario&
 
 std::vector<std::string_view> outputNames() {
     std::vector<std::string_view> names;
-    for (const Output& output : outputs()) names.push_back(output.name);
+    for (const std::span<const Output> table : {outputs(), drillOutputs()})
+        for (const Output& output : table) names.push_back(output.name);
     return names;
 }
 

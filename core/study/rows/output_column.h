@@ -37,7 +37,7 @@ struct OutputChoice {
 };
 
 /// Reads "cor,peak_force"; names the nearest output for a mistyped one. "all" are all of outputs(), those
-/// too that a scenario may not have.
+/// too that a scenario may not have; drillOutputs() are there by name alone.
 OutputChoice chooseOutputs(std::string_view list, OutputUnits units);
 
 /// All outputs that such a scenario has.
@@ -48,6 +48,9 @@ Detail detailFor(std::span<const OutputColumn> columns);
 
 /// What must be found in the waves.
 WaveNumbers waveNumbersFor(std::span<const OutputColumn> columns);
+
+/// What must be marched.
+DrillWishes drillWishesFor(std::span<const OutputColumn> columns);
 
 /// Why a column would be empty for every such scenario and what to do; empty when none would.
 std::string columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario);

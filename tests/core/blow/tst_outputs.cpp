@@ -54,6 +54,7 @@ class TestOutputs : public QObject {
     void thrustIsFrequencyTimesTheImpulseThatComesBack();
     void powerAndRateAreThoseOfOneBlowTimesTheFrequency();
     void theMarginNeedsAnInstalledThrust();
+    void manyBlowsNeedAFrequencyAndAThrust();
     void theWindowListsWhatHasAGroup();
     void anOutputIsOfTheBlowsThatItsRowSays_data();
     void anOutputIsOfTheBlowsThatItsRowSays();
@@ -65,6 +66,13 @@ void TestOutputs::everyOutputIsFoundByItsName() {
     QCOMPARE(outputs().size(), std::size_t{38});
     for (const Output& output : outputs()) QCOMPARE(findOutput(output.name), &output);
     QCOMPARE(findOutput("peak"), nullptr);
+    // of many blows: behind those of one, for drill_gap_mean is no number of a blow
+    QCOMPARE(drillOutputs().size(), std::size_t{19});
+    for (const Output& output : drillOutputs()) {
+        QCOMPARE(findOutput(output.name), &output);
+        QVERIFY(output.needsDrilling() && !output.title.empty());
+    }
+    for (const Output& output : outputs()) QVERIFY(!output.needsDrilling());
 }
 
 void TestOutputs::everyOutputHasANumberWhereTheScenarioHasIt() {
@@ -189,6 +197,30 @@ void TestOutputs::theMarginNeedsAnInstalledThrust() {
     Scenario complete = drillOf(50);
     complete.drill.thrust = 5000;
     QVERIFY(margin.problem(complete).empty());
+}
+
+void TestOutputs::manyBlowsNeedAFrequencyAndAThrust() {
+    const Blow blow = solveBlow(Scenario(), {}, Detail::cor);
+    Scenario complete = drillOf(50);
+    complete.drill.thrust = 5000;
+    Scenario neverSettles = complete;
+    neverSettles.drill.settle = 400;  // of 300 blows
+    DrillNumbers numbers;
+    numbers.gapMean = 0.25;
+    const OutputSource source{blow.summary, complete, {}, &numbers};
+    for (const Output& output : drillOutputs()) {
+        const auto says = [&](const Scenario& scenario, const char* word) {
+            return output.problem(scenario).find(word) != std::string::npos;
+        };
+        QVERIFY(says(Scenario(), "drill.blow_frequency") && says(Scenario(), "drill.thrust"));
+        QVERIFY(!says(drillOf(50), "drill.blow_frequency") && says(drillOf(50), "drill.thrust"));
+        QVERIFY(says(neverSettles, "drill.settle"));
+        QVERIFY(output.problem(complete).empty());
+        QVERIFY(!output.value({blow.summary, complete}));  // without a march
+        QCOMPARE(output.value(source).has_value(), output.name == "drill_gap_mean");
+    }
+    QCOMPARE(findOutput("drill_gap_mean")->quantity(), Quantity::length);
+    QVERIFY(findOutput("drill_penetration_rate")->isOnlySi());
 }
 
 void TestOutputs::theWindowListsWhatHasAGroup() {

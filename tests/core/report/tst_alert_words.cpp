@@ -126,11 +126,11 @@ const std::vector<Example>& examples() {
          "blow, in the waves left (which nothing damps here), against a strength of 150 MPa."},
         {{note, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.5}}},
          "The waves of a blow make only n_b = 4.5 round trips until the next blow, and meet it undamped: "
-         "penetration may swing by 10 % up or down with frequency times length."},
+         "penetration may swing by 10 % up or down with frequency times length; `drill` follows it."},
         {{warning, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.06}, {"whole", 4}}},
          "The waves of a blow make only n_b = 4.06 round trips until the next blow, and meet it undamped and "
-         "nearly in step (n_b close to 4): penetration may swing by 10 % up or down; another blow frequency "
-         "or length tells."},
+         "nearly in step (n_b close to 4): penetration may swing by 10 % up or down; `drill` follows "
+         "it."},
         {{warning,
           AlertCode::stressAboveYield,
           "string.9.yield_strength",

@@ -55,7 +55,8 @@ ThrustTable::ThrustTable(QWidget* parent) : QTableWidget(rows, int(thrustCaseCou
            "next blow even if nothing damps"),
         tr("Effective force over what full penetration needs, less 1"),
         tr("Blow frequency at which the effective force is just what full penetration needs"),
-        tr("How far the bit is off the rock when the hammer strikes, if nothing damps the rebound"),
+        tr("How far the bit is off the rock when the hammer strikes, if nothing damps the rebound; with a "
+           "damper `drillwave drill` follows it"),
         tr("What the effective force does between blows with this e")};
     for (int row = 0; row < rows; ++row) verticalHeaderItem(row)->setToolTip(meanings[row]);
     for (int row = 0; row < rows; ++row)

@@ -7,8 +7,8 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 
-#include "core/study/drilling/drilling_scan.h"
 #include "core/study/drilling/drilling_study.h"
+#include "core/study/scan/drilling_scan.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/study/drilling/drilling_scan.h"
+#include "core/study/scan/drilling_scan.h"
 
 #include <algorithm>
 #include <chrono>
@@ -21,6 +21,7 @@ constexpr double sameMean = 1e-6;
 struct ValueWork {
     std::uint64_t index = 0;
     DrillingResult rest, bouncing;
+    bool differs = false;
 };
 
 bool isTried(std::uint64_t index, std::uint64_t count) {
@@ -63,6 +64,12 @@ std::vector<std::string> scanRefusals(const Scenario& base, const SweepAxis& axi
     return {};
 }
 
+double scanWork(const Scenario& scenario, const DrillingSettings& settings) {
+    const double march =
+        drillingWork(scenario, settings, {.cellError = false, .lyapunov = false, .fullRate = false});
+    return 3 * march;  // from rest with another beside for λ, and from bouncing
+}
+
 DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const DrillingSettings& settings,
                           const DrillingScanWork& work) {
     using Clock = std::chrono::steady_clock;
@@ -78,24 +85,27 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
         return [&](ValueWork& chunk, const std::stop_token& stop) {
             const Scenario scenario = scenarioAt(base, axis, chunk.index);
             DrillingWants wants{
-                .cellError = isTried(chunk.index, axis.count), .lyapunov = false, .fullRate = false};
+                .cellError = isTried(chunk.index, axis.count), .lyapunov = work.lyapunov, .fullRate = false};
             DrillingSettings from = settings;
             chunk.rest = studyDrilling(scenario, from, wants, stop);
-            wants.cellError = false;
+            wants.cellError = wants.lyapunov = false;
             from.start = DrillingStart::bouncing;
             chunk.bouncing = studyDrilling(scenario, from, wants, stop);
+            chunk.differs = !isSameMotion(chunk.rest, chunk.bouncing);
+            wants.lyapunov = work.lyapunov;
+            if (chunk.differs && wants.lyapunov)  // it is told, and so is its λ
+                chunk.bouncing = studyDrilling(scenario, from, wants, stop);
         };
     };
     const auto deliver = [&](ValueWork& chunk) {
         const double value = axis.value(chunk.index);
         for (std::size_t q = 0; q < blowQuantities.size(); ++q)
             scan.cellErrors[q] = std::max(scan.cellErrors[q], chunk.rest.cellErrors[q]);
-        const bool differs = !isSameMotion(chunk.rest, chunk.bouncing);
-        if (differs)
+        if (chunk.differs)
             for (DrillingResult* result : {&chunk.rest, &chunk.bouncing})
                 result->alerts.push_back({AlertLevel::warning, AlertCode::coexistingMotions, {}, {}});
         scan.points.push_back({value, DrillingStart::rest, std::move(chunk.rest)});
-        if (differs) scan.points.push_back({value, DrillingStart::bouncing, std::move(chunk.bouncing)});
+        if (chunk.differs) scan.points.push_back({value, DrillingStart::bouncing, std::move(chunk.bouncing)});
         if (work.progress) work.progress(1);
         return true;
     };

@@ -34,6 +34,7 @@ struct DrillingScan {
 
 struct DrillingScanWork {
     int jobs = 1;
+    bool lyapunov = false;  ///< λ of every motion that is told
     std::stop_token stop = {};
     DrillingProgress progress = {};
 };
@@ -41,6 +42,9 @@ struct DrillingScanWork {
 /// Why a value of the axis cannot be drilled with, all of them; empty where all can.
 std::vector<std::string> scanRefusals(const Scenario& base, const SweepAxis& axis,
                                       const DrillingSettings& settings);
+
+/// What a value takes at most, in cells times nodes, with λ.
+double scanWork(const Scenario& scenario, const DrillingSettings& settings);
 
 /// Requires that there are no scanRefusals(). Values are marched side by side; what comes out does not depend
 /// on the number of threads. After a stop it is not to be used.

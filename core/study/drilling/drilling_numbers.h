@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The outputs of many blows from their march.
+#pragma once
+
+#include <string>
+
+#include "core/blow/drill_numbers.h"
+#include "core/study/drilling/drilling_study.h"
+
+namespace drillwave {
+
+/// Those that there are. The error of the penetration needs `cellError`, λ `lyapunov` of DrillingWants.
+DrillNumbers drillNumbersOf(const DrillingResult& result);
+
+/// Why there are no statistics: pushed back, stopped, or not solved; empty where there are.
+std::string whyNoStatistics(const DrillingResult& result);
+
+}  // namespace drillwave
