@@ -80,7 +80,11 @@ QPointF placeOnMap(const MapPicture& map, std::uint64_t design) {
 }
 
 DesignMap::DesignMap(QCustomPlot* plot, QCPAxisRect* rect)
-    : m_plot(plot), m_rect(rect), m_raster(new MapRaster(plot, rect)), m_bar(new QCPColorScale(plot)) {
+    : m_plot(plot),
+      m_rect(rect),
+      m_raster(new MapRaster(plot, rect)),
+      m_bar(new QCPColorScale(plot)),
+      m_ends(new QCPMarginGroup(plot)) {
     constexpr int barPixels = 14;
     m_raster->setLayer(QStringLiteral("background"));
     m_bar->setType(QCPAxis::atRight);
@@ -100,6 +104,9 @@ void DesignMap::present(const MapPicture* picture) {
         grid->take(m_bar);
         grid->simplify();
     }
+    // As high as the map.
+    for (QCPLayoutElement* element : std::initializer_list<QCPLayoutElement*>{m_rect, m_bar})
+        element->setMarginGroup(QCP::msTop | QCP::msBottom, picture ? m_ends : nullptr);
     m_picture = picture;
     m_bar->setVisible(picture != nullptr);
     m_raster->present(picture);

@@ -44,6 +44,7 @@ class DesignMap {
     QCPAxisRect* m_rect;
     MapRaster* m_raster;
     QCPColorScale* m_bar;
+    QCPMarginGroup* m_ends;  // of both
     const MapPicture* m_picture = nullptr;
 };
 
