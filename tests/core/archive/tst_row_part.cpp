@@ -65,7 +65,7 @@ class TestRowPart : public QObject {
         QCOMPARE(differing([](RowRecord& r) { r.axes[0].values = "1:3:11"; }), std::string("axes"));
         QCOMPARE(differing([](RowRecord& r) { r.outputs = {"impulse"}; }), std::string("outputs"));
         QCOMPARE(differing([](RowRecord& r) { r.cases = "c.csv"; }), std::string("cases"));
-        QCOMPARE(differing([](RowRecord& r) { r.method.method = Method::closedForm; }),
+        QCOMPARE(differing([](RowRecord& r) { r.method->method = Method::closedForm; }),
                  std::string("method"));
     }
 
