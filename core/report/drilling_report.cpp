@@ -104,20 +104,6 @@ Json statisticsJson(const DrillingResult& result, OutputUnits units) {
     return object;
 }
 
-std::string regimeWords(const DrillingResult& result, const ReadingStyle& style) {
-    const DrillingStatistics& statistics = *result.statistics;
-    std::string text =
-        statistics.regime == DrillingRegime::rest ? "at rest before every blow"
-        : statistics.regime == DrillingRegime::period
-            ? "repeats every " +
-                  (statistics.period == 1 ? "blow" : std::to_string(statistics.period) + " blows")
-            : "irregular: single blows are no result";
-    if (!result.lyapunov) return text;
-    text += "; Lyapunov exponent " + style.number(result.lyapunov->value, 3);
-    if (result.lyapunov->error) text += " +- " + style.number(*result.lyapunov->error, 2);
-    return text + " a blow";
-}
-
 }  // namespace
 
 std::span<const DrillingColumn> drillingColumns() {
@@ -203,6 +189,20 @@ std::string adviceSentence(const DrillingResult& result, const ReadingStyle& sty
         return "Waves alone ask for f I0 (1 + e) = " + thrust(1 + result.cor) +
                " for the full rate; with another damper it is another thrust.";
     return {};
+}
+
+std::string regimeWords(const DrillingResult& result, const ReadingStyle& style) {
+    const DrillingStatistics& statistics = *result.statistics;
+    std::string text =
+        statistics.regime == DrillingRegime::rest ? "at rest before every blow"
+        : statistics.regime == DrillingRegime::period
+            ? "repeats every " +
+                  (statistics.period == 1 ? "blow" : std::to_string(statistics.period) + " blows")
+            : "irregular: single blows are no result";
+    if (!result.lyapunov) return text;
+    text += "; Lyapunov exponent " + style.number(result.lyapunov->value, 3);
+    if (result.lyapunov->error) text += " +- " + style.number(*result.lyapunov->error, 2);
+    return text + " a blow";
 }
 
 std::string drillingJson(const DrillingReport& report, OutputUnits units) {

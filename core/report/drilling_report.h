@@ -9,6 +9,7 @@
 
 #include "core/blow/outputs.h"
 #include "core/study/drilling/drilling_study.h"
+#include "core/study/rows/output_column.h"
 #include "core/study/scan/drilling_scan.h"
 #include "core/text/handy_text.h"
 
@@ -51,6 +52,9 @@ std::string damperWords(const Scenario& scenario, const ReadingStyle& style = pl
 std::string verdictSentence(const DrillingResult& result, const ReadingStyle& style = plainStyle());
 /// What to do about it; may be empty.
 std::string adviceSentence(const DrillingResult& result, const ReadingStyle& style = plainStyle());
+
+/// Whether the motion repeats, with λ; requires statistics.
+std::string regimeWords(const DrillingResult& result, const ReadingStyle& style = plainStyle());
 
 std::string drillingJson(const DrillingReport& report, OutputUnits units);
 std::string drillingText(const DrillingReport& report, OutputUnits units,

@@ -15,9 +15,12 @@ namespace {
 
 const QString groupsSection = QStringLiteral("groups");
 const QString stringSection = QStringLiteral("string");
+const QString machineSection = QStringLiteral("machine");
 
-// Where in the form a parameter is: what a string has beside its sections stands together.
+// Where in the form a parameter is: what a string has beside its sections stands together, and so does what
+// counts over many blows alone.
 QString formSection(const Parameter& parameter) {
+    if (parameter.scope == Scope::manyBlows) return machineSection;
     const QString section = fromView(parameter.section());
     return section.isEmpty() || section == QLatin1String("material") ? stringSection : section;
 }
@@ -44,6 +47,7 @@ ScenarioPanel::ScenarioPanel(Document& document, Questions& questions, QWidget* 
     addSection(QStringLiteral("pulse"), tr("Hammer blow"));
     addSection(QStringLiteral("bit_rock"), tr("Bit and rock"));
     addSection(QStringLiteral("drill"), tr("Drill"));
+    addSection(machineSection, tr("Machine"));
     addSection(groupsSection, tr("Groups"));
     layout->addStretch();
     alignColumns();
@@ -73,7 +77,9 @@ void ScenarioPanel::addTitle() {
 void ScenarioPanel::addSection(const QString& section, const QString& title) {
     auto* box = new SectionBox(title, widget());
     box->setObjectName(section);
-    if (section != groupsSection) box->rememberAs(QStringLiteral("panel/") + section);
+    if (section != groupsSection)
+        box->rememberAs(QStringLiteral("panel/") + section,
+                        section == machineSection ? SectionBox::Begin::folded : SectionBox::Begin::open);
     auto* grid = new QGridLayout(box->content());
     grid->setContentsMargins(4, 0, 0, 0);
     grid->setHorizontalSpacing(5);
@@ -91,9 +97,8 @@ void ScenarioPanel::addSection(const QString& section, const QString& title) {
         connect(m_string, &StringSection::sectionsRequested, this, &ScenarioPanel::sectionsRequested);
     }
     for (const Parameter& parameter : parameters())
-        if (formSection(parameter) == section &&
-            parameter.scope != Scope::manyBlows)  // for the command alone
-            addRow(parameter, title, grid, box->content());
+        if (formSection(parameter) == section) addRow(parameter, title, grid, box->content());
+    if (section == machineSection) m_indexing = new IndexingBox(m_document, grid, box->content());
     if (section == QLatin1String("bit_rock")) m_law = new LawSection(m_document, grid, box->content());
     if (section == QLatin1String("hammer")) m_string->addRestrike(grid, box->content());
     widget()->layout()->addWidget(box);
@@ -152,15 +157,18 @@ void ScenarioPanel::endDrag() {
     emit dragEnded();
 }
 
-// One set of columns through all sections.
+// One set of columns through all sections. The long units of a machine, which is folded at first, make them
+// no wider.
 void ScenarioPanel::alignColumns() {
     int label = 0;
     int unit = 0;
-    for (const Section& section : std::as_const(m_sections))
+    for (const Section& section : std::as_const(m_sections)) {
+        if (section.box->objectName() == machineSection) continue;
         for (const ParameterRow* row : section.rows) {
             label = std::max(label, row->labelWidth());
             unit = std::max(unit, row->unitWidth());
         }
+    }
     for (const Section& section : std::as_const(m_sections)) {
         section.grid->setColumnMinimumWidth(0, label);
         section.grid->setColumnMinimumWidth(3, unit);
@@ -175,6 +183,7 @@ void ScenarioPanel::showScenario() {
     showPresets();
     if (hasSections(scenario)) m_string->present(scenario);
     m_law->present(scenario);
+    m_indexing->present(scenario);
     if (isForced(scenario))
         m_pulse->present(scenario, m_dragged ? PulseSection::Shapes::asBefore : PulseSection::Shapes::asked);
     for (const Section& section : std::as_const(m_sections)) {

@@ -6,6 +6,7 @@
 
 #include "ui/document/document.h"
 #include "ui/document/preset_library.h"
+#include "ui/form/indexing_box.h"
 #include "ui/form/law_section.h"
 #include "ui/form/parameter_row.h"
 #include "ui/form/preset_box.h"
@@ -66,6 +67,7 @@ class ScenarioPanel : public SteadyScrollArea {
     PulseSection* m_pulse = nullptr;
     StringSection* m_string = nullptr;
     LawSection* m_law = nullptr;
+    IndexingBox* m_indexing = nullptr;
     QList<Section> m_sections;
     int m_gesture = m_document.newGesture();  // until edits have ended
     bool m_dragged = false;                   // a slider is held

@@ -24,6 +24,7 @@
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/design/design_page.h"
+#include "ui/pages/drilling/drilling_page.h"
 #include "ui/pages/gap/gap_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/rock/rock_page.h"
@@ -132,6 +133,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     });
     m_pages->add(new MapPage(m_document), PageGroup::studies);
     m_pages->add(new ThrustPage(m_document), PageGroup::studies);
+    m_pages->add(new DrillingPage(m_document), PageGroup::studies);
     m_pages->add(new DesignPage(m_document), PageGroup::studies);
     m_pages->add(new AccuracyPage(m_document), PageGroup::studies);
     m_runs->addTo(*m_pages);

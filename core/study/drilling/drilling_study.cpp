@@ -82,6 +82,7 @@ struct MarchLength {
     bool lyapunov = false;
     std::optional<BlowRange> histories = {};
     int jobs = 1;  ///< the march of λ has a thread of its own where they are more
+    std::function<void(const DrillingBlow&)> onBlow = {};
 };
 
 /// Takes the blows of a march on a thread of its own, one whenever it is told.
@@ -203,6 +204,7 @@ March march(const DrillingProblem& problem, const DrillingGrid& grid, const Marc
         result.lateShare = std::max(result.lateShare, main.lateShare());
         if (isPushedBack(problem, grid.interval(), result.blows, growing))
             result.outcome = DrillingOutcome::pushedBack;
+        if (length.onBlow) length.onBlow(main.blow());
         if (progress) progress(beside ? 2 : 1);
         if (length.histories && main.blows() == length.histories->last && !samples.rear.empty())
             historyEnd = samples.rear.back().time;
@@ -237,9 +239,10 @@ class Study {
         solveBlowAlone();
         const DrillingGrid grid = drillingGridOf(m_problem, m_result.settings.cells);
         takeGrid(grid);
-        March main = march(m_problem, grid,
-                           {m_result.settings.blows, m_wants.lyapunov, m_wants.histories, m_wants.jobs},
-                           m_stop, m_progress);
+        March main = march(
+            m_problem, grid,
+            {m_result.settings.blows, m_wants.lyapunov, m_wants.histories, m_wants.jobs, m_wants.onBlow},
+            m_stop, m_progress);
         m_result.outcome = main.outcome;
         m_result.reason = main.reason;
         m_result.ledger = main.ledger;

@@ -67,6 +67,8 @@ struct DrillingWants {
     bool fullRate = true;  ///< the penetration at 2(1 + 2e)
     std::optional<BlowRange> histories = {};
     int jobs = 1;  ///< marches that may run side by side, each on a thread; what comes out is the same
+    /// Told every blow of the march itself, as soon as it is done.
+    std::function<void(const DrillingBlow&)> onBlow = {};
 };
 
 struct DrillingResult {

@@ -107,6 +107,7 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
         scan.points.push_back({value, DrillingStart::rest, std::move(chunk.rest)});
         if (chunk.differs) scan.points.push_back({value, DrillingStart::bouncing, std::move(chunk.bouncing)});
         if (work.progress) work.progress(1);
+        if (work.onValue) work.onValue(scan);
         return true;
     };
     processInOrder<ValueWork>(work.jobs, work.stop, fill, makeWorker, deliver);

@@ -37,6 +37,8 @@ struct DrillingScanWork {
     bool lyapunov = false;  ///< λ of every motion that is told
     std::stop_token stop = {};
     DrillingProgress progress = {};
+    /// Told after every value what there is so far, still without the errors of cells.
+    std::function<void(const DrillingScan&)> onValue = {};
 };
 
 /// Why a value of the axis cannot be drilled with, all of them; empty where all can.

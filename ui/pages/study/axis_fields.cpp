@@ -12,7 +12,6 @@
 #include "ui/form/choice_box.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/study/flow_layout.h"
-#include "ui/pages/study/parameter_names.h"
 
 namespace drillwave {
 namespace {
@@ -27,9 +26,10 @@ QHBoxLayout* rowIn(QWidget& part) {
 }  // namespace
 
 AxisFields::AxisFields(const QString& words, std::vector<std::string_view> preferred, const UnitChoice& units,
-                       QWidget* parent)
+                       QWidget* parent, StudyOf of)
     : QWidget(parent),
       m_preferred(std::move(preferred)),
+      m_of(of),
       m_words(words),
       m_units(units),
       m_parameters(new ChoiceBox(this)),
@@ -61,7 +61,7 @@ AxisFields::AxisFields(const QString& words, std::vector<std::string_view> prefe
 
 void AxisFields::present(const Scenario& scenario) {
     m_scenario = scenario;
-    offerParameters(*m_parameters, scenario);
+    offerParameters(*m_parameters, scenario, m_of);
     if (m_range.parameter && m_range.parameter->applies(scenario)) {
         chooseParameter(*m_parameters, m_range.parameter);
         return widen();

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "ui/pages/study/parameter_names.h"
 #include "ui/pages/study/study_range.h"
 
 class QCheckBox;
@@ -25,7 +26,7 @@ class AxisFields : public QWidget {
     /// `words` stand in front ("vary"). Of `preferred`, keys of parameters, the first that applies to a
     /// scenario is chosen until the user chooses. The units must outlive it.
     AxisFields(const QString& words, std::vector<std::string_view> preferred, const UnitChoice& units,
-               QWidget* parent = nullptr);
+               QWidget* parent = nullptr, StudyOf of = StudyOf::oneBlow);
 
     /// Offers what applies to the scenario; takes a first choice, with a range around its value, or another
     /// one where the last does not apply any more. Tells changed() where the range has changed.
@@ -50,6 +51,7 @@ class AxisFields : public QWidget {
     QString take(double StudyRange::*end, double si);
 
     std::vector<std::string_view> m_preferred;
+    StudyOf m_of;
     QString m_words;
     const UnitChoice& m_units;
     Scenario m_scenario;

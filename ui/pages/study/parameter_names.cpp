@@ -23,7 +23,7 @@ QString parameterName(const Parameter& parameter) {
     return (fromView(parameter.label) + QLatin1Char(' ') + shownSymbol(parameter.symbol)).trimmed();
 }
 
-void offerParameters(QComboBox& box, const Scenario& scenario) {
+void offerParameters(QComboBox& box, const Scenario& scenario, StudyOf of) {
     const QSignalBlocker quiet(&box);
     const KeptParameter chosen = chosenParameter(box);
     // Parameters, and the separators between them, which have no text.
@@ -36,8 +36,7 @@ void offerParameters(QComboBox& box, const Scenario& scenario) {
         box.setItemData(box.count() - 1, fromView(parameter.meaning), Qt::ToolTipRole);
     };
     for (const Parameter& parameter : parameters())
-        // studies are of one blow
-        if (parameter.applies(scenario) && parameter.scope != Scope::manyBlows)
+        if (parameter.applies(scenario) && (parameter.scope != Scope::manyBlows || of == StudyOf::manyBlows))
             offer(parameter, fromView(parameter.section()));
     for (const KeptParameter& parameter : variableSectionParameters(scenario))
         offer(*parameter, sectionsOf(*parameter));

@@ -13,9 +13,12 @@ namespace drillwave {
 /// "stiffness k", as a box or an axis calls it.
 QString parameterName(const Parameter& parameter);
 
+/// Of what a study is: of one blow, which what counts over many blows alone does not change, or of many.
+enum class StudyOf { oneBlow, manyBlows };
+
 /// Fills the box with the parameters that apply to the scenario, keys as data, behind what it has without a
 /// parameter; what is chosen stays chosen where it still applies. Tells nobody.
-void offerParameters(QComboBox& box, const Scenario& scenario);
+void offerParameters(QComboBox& box, const Scenario& scenario, StudyOf of = StudyOf::oneBlow);
 
 /// What is chosen, or none.
 KeptParameter chosenParameter(const QComboBox& box);

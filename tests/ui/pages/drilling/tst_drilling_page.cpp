@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page Drilling: the blows and numbers of the command, scans, and what it says where something lacks.
+#include <QLabel>
+#include <QTableWidget>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QUndoStack>
+
+#include "core/report/drilling_report.h"
+#include "tests/support/program.h"
+#include "tests/support/window.h"
+#include "ui/form/quantity_field.h"
+#include "ui/pages/drilling/drilling_page.h"
+#include "ui/pages/drilling/drilling_plot.h"
+#include "ui/pages/drilling/march_rects.h"
+#include "ui/pages/drilling/scan_rects.h"
+#include "ui/pages/study/axis_fields.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/text/local_style.h"
+
+using namespace drillwave;
+using namespace drillwave::test;
+
+namespace {
+
+// For hundreds of blows on a machine that is busy with other tests.
+constexpr int patience = 120'000;
+
+}  // namespace
+
+class TestDrillingPage : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void initTestCase();
+    void init();
+    void aPageThatCannotBeSeenComputesNothing();
+    void blowsTableAndSentenceAreThoseOfTheStudy();
+    void anAnswerThatIsKnownIsNotMarchedAgain();
+    void theExportIsWhatTheCopiedCommandWrites();
+    void aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust();
+    void whatLacksIsSaidAndCanBeEntered();
+    void itIsNotThereWithoutUnits();
+
+  private:
+    void showPage();
+    bool isAnswered() const;
+    void set(const char* key, double si) const;
+    QString words() const { return m_page->findChild<QLabel*>(QStringLiteral("words"))->text(); }
+
+    QTemporaryDir m_folder;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<DrillingPage> m_page;
+};
+
+void TestDrillingPage::initTestCase() {
+    keepSettingsIn(m_folder.path());
+}
+
+// Fewer blows than the page takes by itself: what is tested here does not depend on how many there are.
+void TestDrillingPage::init() {
+    m_page.reset();
+    m_document = std::make_unique<Document>();
+    QVERIFY(m_document->open(example(QStringLiteral("t38_medium_rock"))).isEmpty());
+    set("drill.blows", 60);
+    set("drill.settle", 20);
+    set("drill.wave_loss", 0.1);
+    m_page = std::make_unique<DrillingPage>(*m_document);
+    m_page->resize(900, 800);
+}
+
+void TestDrillingPage::set(const char* key, double si) const {
+    QCOMPARE(m_document->assign(*findParameter(key), si, m_document->newGesture()), QString());
+}
+
+bool TestDrillingPage::isAnswered() const {
+    return m_page->activity()->state() == StudyState::finished && m_page->activity()->isCurrent();
+}
+
+void TestDrillingPage::showPage() {
+    m_page->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    m_page->plot()->replot();
+}
+
+void TestDrillingPage::aPageThatCannotBeSeenComputesNothing() {
+    set("drill.thrust", 6000);
+    QTest::qWait(0);
+    QCOMPARE(m_page->marches(), 0);
+    showPage();
+    QCOMPARE(m_page->marches(), 1);
+    m_page->hide();
+    set("drill.thrust", 7000);
+    QCOMPARE(m_page->marches(), 1);
+    QCOMPARE(m_page->scans(), 0);
+}
+
+void TestDrillingPage::blowsTableAndSentenceAreThoseOfTheStudy() {
+    showPage();
+    const DrillingSettings settings{.blows = 60, .settle = 20};
+    const DrillingResult expected = studyDrilling(m_document->scenario(), settings);
+    const DrillingResult& found = *m_page->answer()->result;
+    QCOMPARE(found.blows.size(), expected.blows.size());
+    const MarchRects& march = m_page->drillingPlot().march();
+    QCOMPARE(march.gapPoints()->dataCount(), 60);
+    const double millimetres = 1e3 * expected.units.length();
+    for (int i = 0; i < 60; ++i) {
+        const DrillingBlow& blow = expected.blows[std::size_t(i)];
+        QCOMPARE(march.gapPoints()->data()->at(i)->key, i + 1.0);
+        QCOMPARE(march.gapPoints()->data()->at(i)->value, blow.gap * millimetres);
+        QCOMPARE(march.penetrationPoints()->data()->at(i)->value, blow.penetration * millimetres);
+    }
+    QCOMPARE(march.parts()->dataCount(), 20);
+    QVERIFY(march.cor()->dataCount() > 20);
+    // Where the energy went is all of what was given, but for the residual of the cells.
+    double share = 0;
+    for (const QCPBarsData& part : *march.energy()->data()) share += part.value;
+    QVERIFY(std::abs(share - 100) < 1);
+    const LocalStyle style = LocalStyle::of(m_document->units());
+    QVERIFY(words().startsWith(QString::fromStdString(verdictSentence(expected, style))));
+    const auto* table = m_page->findChild<QTableWidget*>(QStringLiteral("statistics"));
+    const double mean =
+        scaleOf(DrillingMeasure::length, expected).value(expected.spread(3).mean, OutputUnits::si);
+    QCOMPARE(table->item(1, 0)->text(), QString::fromStdString(style.quantity(mean, Quantity::length, 5)));
+}
+
+void TestDrillingPage::anAnswerThatIsKnownIsNotMarchedAgain() {
+    showPage();
+    const auto first = m_page->answer()->result;
+    set("drill.thrust", 7000);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    QVERIFY(m_page->answer()->result != first);
+    m_document->undoStack().undo();
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    QCOMPARE(m_page->answer()->result, first);
+    // A title changes nothing of a march.
+    const int marches = m_page->marches();
+    m_document->setTitle(QStringLiteral("another title"));
+    QTest::qWait(0);
+    QCOMPARE(m_page->marches(), marches);
+}
+
+void TestDrillingPage::theExportIsWhatTheCopiedCommandWrites() {
+    showPage();
+    const PageExport numbers = m_page->exports().first();
+    QCOMPARE(numbers.obstacle(), QString());
+    const QByteArray csv = numbers.csv();
+    QVERIFY(csv.contains("hole_depth"));
+    QCOMPARE(csv, shell(m_page->command()).out);
+}
+
+void TestDrillingPage::aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust() {
+    showPage();
+    m_page->findChild<AxisFields*>()->setRange({findParameter("drill.thrust"), 4000, 8000, false});
+    m_page->scan();
+    QTRY_VERIFY_WITH_TIMEOUT(m_page->scanActivity().state() == StudyState::finished, patience);
+    const ScanRects& scan = m_page->drillingPlot().scan();
+    QVERIFY(scan.rate()->dataCount() > 20);
+    QVERIFY(scan.gapDots()->dataCount() >= scan.rate()->dataCount() * 40);
+    QCOMPARE(scan.marks().size(), 3);
+    QVERIFY(!m_page->drillingPlot().picture().isScanOld);
+    m_page->plot()->replot();
+    const int steps = m_document->undoStack().count();
+    const QPointF pixel(scan.rates()->axis(QCPAxis::atBottom)->coordToPixel(6),
+                        scan.rates()->axis(QCPAxis::atLeft)->coordToPixel(0.1));
+    QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, pixel.toPoint());
+    QTRY_VERIFY(std::abs(*m_document->scenario().drill.thrust - 6000) < 50);
+    QCOMPARE(m_document->undoStack().count(), steps + 1);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    // Another place along it is the same scan; another wave loss is not.
+    QVERIFY(!m_page->drillingPlot().picture().isScanOld);
+    set("drill.wave_loss", 0.2);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
+    QVERIFY(m_page->drillingPlot().picture().isScanOld);
+    QCOMPARE(m_page->scans(), 1);
+}
+
+void TestDrillingPage::whatLacksIsSaidAndCanBeEntered() {
+    m_document->clear(*findParameter("drill.thrust"), m_document->newGesture());
+    m_page->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+    QTRY_VERIFY_WITH_TIMEOUT(words().contains(QStringLiteral("drill.thrust")), patience);
+    QCOMPARE(m_page->command(), QString());
+    auto* field = m_page->findChild<QuantityField*>(QStringLiteral("missing.drill.thrust"));
+    QVERIFY(field->isVisible());
+    field->setFocus();
+    field->selectAll();
+    QTest::keyClicks(field, QStringLiteral("6 kN"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QTRY_VERIFY_WITH_TIMEOUT(m_page->answer()->isComplete() && isAnswered(), patience);
+    QCOMPARE(*m_document->scenario().drill.thrust, 6000.0);
+}
+
+void TestDrillingPage::itIsNotThereWithoutUnits() {
+    Scenario dimensionless;
+    dimensionless.form = ScenarioForm::dimensionless;
+    QVERIFY(!m_page->shows(dimensionless));
+    QVERIFY(m_page->elsewhere().contains(QStringLiteral("Drilling")));
+}
+
+QTEST_MAIN(TestDrillingPage)
+#include "tst_drilling_page.moc"

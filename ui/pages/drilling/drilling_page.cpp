@@ -1,0 +1,258 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/drilling/drilling_page.h"
+
+#include <QBoxLayout>
+#include <QCheckBox>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+#include "core/archive/result_scenario.h"
+#include "core/report/alert_words.h"
+#include "core/report/drilling_report.h"
+#include "core/report/drilling_scan_report.h"
+#include "ui/pages/drilling/drilling_plot.h"
+#include "ui/pages/drilling/drilling_table.h"
+#include "ui/pages/drilling/march_rects.h"
+#include "ui/pages/drilling/scan_rects.h"
+#include "ui/pages/study/axis_fields.h"
+#include "ui/pages/thrust/missing_fields.h"
+#include "ui/plot/plot_widget.h"
+#include "ui/text/local_style.h"
+#include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int plotLinesOfDrilling = 30;  // three rows of axes
+constexpr int clickedDigits = 3;         // a value that the hand has chosen to a pixel
+
+}  // namespace
+
+DrillingPage::DrillingPage(Document& document, QWidget* parent)
+    : StudyPage(document, parent),
+      m_missing(new MissingFields({"drill.blow_frequency", "drill.thrust"}, document.units(), this)),
+      m_table(new DrillingTable(this)),
+      m_march([student = std::make_shared<DrillingStudent>()](const DrillingQuestion& question,
+                                                              const StudyFeed<DrillingAnswer>& feed) {
+          return student->answer(question, feed);
+      }),
+      m_scan(answerDrillingScan) {
+    m_axis = new AxisFields(tr("scan over"), {"drill.thrust"}, document.units(), this, StudyOf::manyBlows);
+    PlotWidget* widget = arrange({m_missing, m_axis, makeScanControls()});
+    static_cast<QBoxLayout*>(layout())->addWidget(m_table);
+    setLeastLines(plotLinesOfDrilling);
+    m_plot = new DrillingPlot(widget);
+    useFrame(*m_plot, tr("Many blows under a feed"));
+    watch(m_march.job());
+    watchBeside(m_scan.job());
+    connect(m_axis, &AxisFields::changed, this, [this] {
+        if (isVisible()) present();
+    });
+    connect(m_missing, &MissingFields::entered, this, [this](const KeptParameter& parameter, double si) {
+        load({{parameter, si}});
+    });
+    connect(widget, &PlotWidget::clicked, this, &DrillingPage::click);
+    connect(&document.units(), &UnitChoice::changed, this, [this] {
+        if (isVisible()) present();
+    });
+}
+
+QWidget* DrillingPage::makeScanControls() {
+    auto* controls = new QWidget(this);
+    auto* row = new QHBoxLayout(controls);
+    row->setContentsMargins(0, 0, 0, 0);
+    m_scanButton = new QPushButton(tr("Scan"), controls);
+    m_scanButton->setObjectName(QStringLiteral("scan"));
+    m_scanButton->setToolTip(
+        tr("The statistics at values of this parameter, each from rest and from bouncing"));
+    connect(m_scanButton, &QPushButton::clicked, this, &DrillingPage::scan);
+    m_bracket = new QCheckBox(tr("bracket"), controls);
+    m_bracket->setObjectName(QStringLiteral("bracket"));
+    m_bracket->setToolTip(
+        tr("Also under a constant force, and with a dashpot of half the impedance where there is a machine "
+           "mass: no maker publishes its damper"));
+    row->addWidget(m_scanButton);
+    row->addWidget(m_bracket);
+    return controls;
+}
+
+QString DrillingPage::elsewhere() const {
+    return tr(
+        "Drilling is of scenarios in physical units, and this one is given by its dimensionless groups: it "
+        "has "
+        "no blow frequency and no thrust. File ▸ New begins a scenario that has them.");
+}
+
+void DrillingPage::ask() {
+    m_missing->present(scenario());
+    {
+        const QSignalBlocker quiet(m_axis);
+        m_axis->present(scenario());
+    }
+    keepBefore();
+    m_march.ask(drillingQuestion(scenario()));
+}
+
+// What was complete stays faintly behind what comes.
+void DrillingPage::keepBefore() {
+    if (m_complete && m_complete->question != drillingQuestion(scenario())) m_before = m_complete;
+}
+
+DrillingScanQuestion DrillingPage::scanQuestion() const {
+    return drillingScanQuestion(scenario(), m_axis->range(), m_bracket->isChecked());
+}
+
+void DrillingPage::scan() {
+    if (m_scan.job().state() == StudyState::running) {
+        m_wantsScan = false;
+        m_scan.job().cancel();
+    } else if (m_axis->isValid()) {
+        m_wantsScan = true;
+        m_scan.ask(scanQuestion());
+    }
+    present();
+}
+
+DrillingShown DrillingPage::shownUnitsNow() const {
+    const UnitChoice& choice = document().units();
+    const KeptParameter along =
+        m_scan.question() ? m_scan.question()->range.parameter : m_axis->range().parameter;
+    return drillingShown(scenario(), choice.fieldUnit(*along),
+                         shownUnits(choice.physicalSystem(), scalesOf(scenario()), choice.chosen()));
+}
+
+void DrillingPage::present() {
+    showScanState();
+    // One that went out of sight goes on; one that the user has stopped does not.
+    if (m_wantsScan && m_scan.job().state() == StudyState::stopped) m_scan.ask(*m_scan.question());
+    if (m_march.job().state() == StudyState::failed) return refuse({m_march.job().problem().toStdString()});
+    const std::shared_ptr<const DrillingAnswer> answer = m_march.job().value();
+    if (!answer) return;
+    if (!answer->refusals.empty()) return refuse(answer->refusals);
+    if (answer->isComplete()) m_complete = answer;
+    draw(*answer);
+}
+
+void DrillingPage::refuse(const std::vector<std::string>& problems) {
+    m_table->clearNumbers();
+    QStringList lines;
+    for (const std::string& problem : problems) lines << QString::fromStdString(problem);
+    showNothing(lines.join(QLatin1Char('\n')));
+}
+
+void DrillingPage::draw(const DrillingAnswer& answer) {
+    DrillingPicture picture;
+    picture.units = shownUnitsNow();
+    const DrillingUnits units = drillingUnitsOf(answer.question.scenario);
+    picture.march = marchPicture(answer.blows(), answer.question.settings, units, answer.result.get(),
+                                 answer.corOverGap, picture.units);
+    const bool isGrowing = !answer.isComplete();
+    if (isGrowing && m_before && m_before->question != answer.question)
+        picture.before =
+            blowPoints(m_before->blows(), drillingUnitsOf(m_before->question.scenario), picture.units);
+    addScan(picture);
+    m_plot->present(picture);
+    const QString blow = tr("blow");
+    plot()->setMeaning(m_plot->march().gapPoints(),
+                       {.xName = blow, .yUnit = picture.units.length.unit, .integralFactor = 0});
+    plot()->setMeaning(m_plot->march().penetrationPoints(),
+                       {.xName = blow, .yUnit = picture.units.length.unit, .integralFactor = 0});
+    for (const QCPGraph* graph :
+         {m_plot->scan().rate(), m_plot->scan().constantForce(), m_plot->scan().strongDamper()})
+        plot()->setMeaning(graph,
+                           CurveMeaning::overParameter(picture.units.along.unit, picture.units.rate.unit));
+    plot()->setMeaning(m_plot->scan().contactShare(),
+                       CurveMeaning::overParameter(picture.units.along.unit, QStringLiteral("%")));
+    if (answer.result && answer.result->statistics)
+        m_table->present(*answer.result, document().units());
+    else if (answer.result)
+        m_table->clearNumbers();
+    if (answer.result) say(wordsOf(answer));
+    redraw();
+}
+
+void DrillingPage::addScan(DrillingPicture& picture) const {
+    const DrillingScanAnswer* scan = m_scan.value();
+    if (!scan || !scan->scan || scan->scan->points.empty() || !m_scan.job().isCurrent()) return;
+    picture.scan =
+        scanPicture(*scan->scan, scan->constantForce.get(), scan->strongDamper.get(), picture.units);
+    const DrillingScanQuestion& asked = *m_scan.question();
+    picture.isScanOld = drillingScanQuestion(scenario(), asked.range, asked.hasBracket) != asked;
+    const Parameter& along = *asked.range.parameter;
+    if (along.applies(scenario()))
+        if (const std::optional<double> value = along.value(scenario()))
+            picture.installed = *value * picture.units.along.factor;
+}
+
+void DrillingPage::showScanState() {
+    const StudyActivity& job = m_scan.job();
+    const StudyProgress progress = job.progress();
+    const bool isRunning = job.state() == StudyState::running;
+    m_scanButton->setText(isRunning ? tr("Stop %1/%2").arg(progress.done).arg(progress.wanted) : tr("Scan"));
+    const DrillingScanAnswer* answer = m_scan.value();
+    QString problem = job.problem();
+    if (answer && job.isCurrent() && !answer->refusals.empty())
+        problem = QString::fromStdString(answer->refusals.front());
+    m_scanButton->setEnabled(m_axis->isValid() || isRunning);
+    m_scanButton->setStatusTip(problem);
+}
+
+QString DrillingPage::wordsOf(const DrillingAnswer& answer) const {
+    const DrillingResult& result = *answer.result;
+    const LocalStyle style = LocalStyle::of(document().units());
+    QStringList sentences{QString::fromStdString(verdictSentence(result, style))};
+    if (const std::string advice = adviceSentence(result, style); !advice.empty())
+        sentences << QString::fromStdString(advice);
+    QString numbers = tr("φ = %1, n_b = %2")
+                          .arg(numberText(result.groups.phi, 4, locale()),
+                               numberText(result.groups.roundTrips, 4, locale()));
+    if (result.statistics)
+        numbers += tr("; %1 % of the blows begin on the rock; %2")
+                       .arg(numberText(100 * result.statistics->contactShare, 3, locale()),
+                            QString::fromStdString(regimeWords(result, style)));
+    sentences << numbers + QLatin1Char('.');
+    for (const Alert& alert : result.alerts)
+        if (alert.level == AlertLevel::warning)
+            sentences << QStringLiteral("⚠ ") + QString::fromStdString(alertText(alert, style));
+    if (const DrillingScanAnswer* scan = m_scan.value(); scan && m_scan.job().isCurrent())
+        for (const std::string& refusal : scan->refusals)
+            sentences << tr("No scan: %1").arg(QString::fromStdString(refusal));
+    return sentences.join(QLatin1Char(' '));
+}
+
+void DrillingPage::click(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
+    if ((modifiers & ~Qt::ShiftModifier) || !m_plot->isScan(rect)) return;
+    const double shown = QString::number(at.x(), 'g', clickedDigits).toDouble();
+    take({{m_scan.question()->range.parameter, shown / m_plot->picture().units.along.factor}}, modifiers);
+}
+
+QString DrillingPage::obstacle() const {
+    if (QString unfinished = StudyPage::obstacle(); !unfinished.isEmpty()) return unfinished;
+    const DrillingAnswer* answer = m_march.value();
+    if (!answer->refusals.empty()) return QString::fromStdString(answer->refusals.front());
+    return answer->isComplete() ? QString() : QString::fromStdString(verdictSentence(*answer->result));
+}
+
+QByteArray DrillingPage::csv() const {
+    const DrillingAnswer* answer = m_march.value();
+    if (!answer || !answer->result) return {};
+    const DrillingSettings& settings = answer->question.settings;
+    ScenarioDocument contents;
+    const QString problem =
+        document().contentsWith({{findParameter("drill.blows"), double(settings.blows)},
+                                 {findParameter("drill.settle"), double(settings.settle)}},
+                                contents);
+    if (!problem.isEmpty()) return {};
+    return QByteArray::fromStdString(
+        drillingCsv({*answer->result, completeScenarioText(contents)}, OutputUnits::si));
+}
+
+QStringList DrillingPage::commandWords() const {
+    const DrillingQuestion question = drillingQuestion(scenario());
+    if (!drillingRefusals(question.scenario, question.settings).empty()) return {};
+    return {QStringLiteral("drill"), QStringLiteral("--blows"), QString::number(question.settings.blows),
+            QStringLiteral("--settle"), QString::number(question.settings.settle)};
+}
+
+}  // namespace drillwave

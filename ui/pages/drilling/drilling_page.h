@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page Drilling: many blows under a feed, and scans of them (drilling §7).
+#pragma once
+
+#include "ui/job/asked_study.h"
+#include "ui/pages/drilling/drilling_picture.h"
+#include "ui/pages/drilling/drilling_question.h"
+#include "ui/pages/study/study_page.h"
+
+class QCheckBox;
+class QPushButton;
+
+namespace drillwave {
+
+class AxisFields;
+class DrillingPlot;
+class DrillingTable;
+class MissingFields;
+
+class DrillingPage : public StudyPage {
+    Q_OBJECT
+
+  public:
+    explicit DrillingPage(Document& document, QWidget* parent = nullptr);
+
+    QString title() const override { return tr("Drilling"); }
+    bool shows(const Scenario& scenario) const override { return hasUnits(scenario); }
+    QString elsewhere() const override;
+    /// How many marches and scans were started.
+    int marches() const { return m_march.started(); }
+    int scans() const { return m_scan.started(); }
+    const DrillingPlot& drillingPlot() const { return *m_plot; }
+    /// What there is now; nullptr at first.
+    const DrillingAnswer* answer() const { return m_march.value(); }
+    const DrillingScanAnswer* scanAnswer() const { return m_scan.value(); }
+    const StudyActivity& scanActivity() const { return m_scan.job(); }
+
+  public slots:
+    /// Scans over what the fields say; stops the scan where one runs.
+    void scan();
+
+  protected:
+    void ask() override;
+    void present() override;
+    QString obstacle() const override;
+    QByteArray csv() const override;
+    QStringList commandWords() const override;
+
+  private:
+    QWidget* makeScanControls();
+    DrillingScanQuestion scanQuestion() const;
+    DrillingShown shownUnitsNow() const;
+    void keepBefore();
+    void refuse(const std::vector<std::string>& problems);
+    void draw(const DrillingAnswer& answer);
+    void addScan(DrillingPicture& picture) const;
+    void showScanState();
+    QString wordsOf(const DrillingAnswer& answer) const;
+    void click(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers);
+
+    MissingFields* m_missing;
+    AxisFields* m_axis = nullptr;
+    QPushButton* m_scanButton = nullptr;
+    QCheckBox* m_bracket = nullptr;
+    DrillingTable* m_table;
+    DrillingPlot* m_plot = nullptr;
+    std::shared_ptr<const DrillingAnswer> m_complete;  // the last that came to its end
+    std::shared_ptr<const DrillingAnswer> m_before;    // that of an earlier scenario
+    bool m_wantsScan = false;                          // it was stopped by going out of sight
+    AskedStudy<DrillingQuestion, DrillingAnswer> m_march;
+    AskedStudy<DrillingScanQuestion, DrillingScanAnswer> m_scan;
+};
+
+}  // namespace drillwave

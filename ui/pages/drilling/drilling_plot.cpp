@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/drilling/drilling_plot.h"
+
+#include "ui/pages/drilling/march_rects.h"
+#include "ui/pages/drilling/scan_rects.h"
+#include "ui/plot/legend_entries.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int mostColumnsOfScan = 5;  // of the legend
+
+bool isSameAxis(const DrillingPicture& a, const DrillingPicture& b) {
+    if (a.march.has_value() != b.march.has_value() || a.scan.has_value() != b.scan.has_value()) return false;
+    if (a.units != b.units) return false;
+    if (a.march && a.march->blows != b.march->blows) return false;
+    return !a.scan || (a.scan->along == b.scan->along && a.scan->from == b.scan->from &&
+                       a.scan->to == b.scan->to && a.scan->isLogarithmic == b.scan->isLogarithmic);
+}
+
+}  // namespace
+
+DrillingPlot::DrillingPlot(QCustomPlot* plot) : StudyFrame(plot) {
+    layOutAnew();
+    m_march = new MarchRects(*plot, this);
+    useLegend(QMargins(7, 6, 7, 0));
+    m_scan = new ScanRects(*plot, *m_legend, this);
+    m_legend->setWrap(mostColumnsOfScan);
+    connect(plot, &QCustomPlot::beforeReplot, this,
+            [this] { wrapLegend(*m_legend, m_plot->viewport().width(), mostColumnsOfScan); });
+    view(m_scan->rates());
+    for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft})
+        for (const QCPAxisRect* rect : {m_march->gaps(), m_march->penetrations()})
+            m_view->watch(rect->axis(side));
+    addHere();
+    setStyle(PlotStyle::forPaper());
+    showNothing({});
+}
+
+void DrillingPlot::present(const DrillingPicture& picture) {
+    const bool otherAxes = !isSameAxis(m_picture, picture);
+    m_picture = picture;
+    arrange(picture.march.has_value(), picture.scan.has_value());
+    m_march->present(picture.march.value_or(MarchPicture{}), picture.before, picture.units);
+    m_view->adjust(
+        [&] { m_scan->present(picture.scan.value_or(ScanPicture{}), picture.units, picture.isScanOld); });
+    setStyle(m_style);
+    setHere(picture.scan ? picture.installed : std::nullopt, {});
+    m_summary = picture.march ? picture.march->summary : QString();
+    if (picture.scan)
+        m_summary += (m_summary.isEmpty() ? QString() : QStringLiteral(" ")) +
+                     tr("Penetration rate, contact share and gaps over %1.").arg(picture.scan->along);
+    finish(otherAxes);
+}
+
+void DrillingPlot::clear() {
+    m_picture = {};
+    arrange(true, false);
+    m_march->present({}, {}, {});
+    m_scan->present({}, {}, false);
+}
+
+// What has nothing to show leaves its room to the others.
+void DrillingPlot::arrange(bool hasMarch, bool hasScan) {
+    QCPLayoutGrid* layout = m_plot->plotLayout();
+    struct Row {
+        QCPLayoutGrid* grid;
+        bool isShown;
+    };
+    const Row rows[] = {
+        {m_march->above(), hasMarch}, {m_march->middle(), hasMarch}, {m_scan->grid(), hasScan}};
+    int row = 0;
+    bool isArranged = true;
+    for (const auto& [grid, isShown] : rows) {
+        isArranged &= (grid->layout() == layout) == isShown;
+        row += isShown;
+    }
+    if (isArranged) return;
+    for (const auto& [grid, isShown] : rows)
+        if (grid->layout()) layout->take(grid);
+    layout->simplify();
+    row = 0;
+    for (const auto& [grid, isShown] : rows) {
+        grid->setVisible(isShown);
+        if (!isShown) continue;
+        layout->addElement(row, 0, grid);
+        layout->setRowStretchFactor(row++, 1);
+    }
+}
+
+void DrillingPlot::restyle() {
+    m_march->setStyle(m_style);
+    m_scan->setStyle(m_style);
+}
+
+void DrillingPlot::setRanges() {
+    if (m_picture.march) m_march->fit();
+    if (m_picture.scan) m_scan->fit();
+}
+
+bool DrillingPlot::isScan(const QCPAxisRect* rect) const {
+    return m_picture.scan && (rect == m_scan->rates() || rect == m_scan->gaps());
+}
+
+KeyPlaces DrillingPlot::keyPlaces() const {
+    KeyPlaces places;
+    places.rect = m_scan->rates();
+    places.on = KeyPlaces::On::points;
+    places.start = [this]() -> std::optional<QPointF> {
+        if (!m_picture.scan || m_picture.scan->scan.rate.isEmpty()) return std::nullopt;
+        const QCPGraphData& first = m_picture.scan->scan.rate.first();
+        return QPointF(first.key, first.value);
+    };
+    return places;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/drilling/drilling_question.h"
+
+#include <QThread>
+#include <algorithm>
+
+#include "core/blow/blow.h"
+#include "core/model/blow_traits.h"
+
+namespace drillwave {
+namespace {
+
+/// e over one period of the gap takes so many blows.
+constexpr int gapsOfPeriod = 40;
+
+/// The window looks at so many blows more each time, or at a share of those that there are: each look is a
+/// copy.
+constexpr std::size_t blowsAtATime = 5, shareAtATime = 8;
+
+/// Longer marches are not kept: a million of blows are a hundred megabytes.
+constexpr std::size_t mostKeptBlows = 20'000;
+
+void forgetStrengths(std::vector<Section>& sections) {
+    for (Section& section : sections) {
+        section.yieldStrength.reset();
+        section.fatigueStrength.reset();
+    }
+}
+
+Scenario withoutWords(Scenario scenario) {
+    scenario.title.clear();
+    scenario.rod.yieldStrength.reset();
+    scenario.rod.fatigueStrength.reset();
+    forgetStrengths(scenario.drillString.hammer.sections);
+    for (StringPart& part : scenario.drillString.parts) forgetStrengths(part.sections);
+    return scenario;
+}
+
+/// e of the blow alone, in what it meets the rock after gaps of one period.
+QVector<QPointF> corOverPeriod(const Scenario& scenario, const std::stop_token& stop) {
+    QVector<QPointF> curve;
+    if (!gapHasPeriod(scenario)) return curve;
+    Scenario at = scenario;
+    const double period = scalesOf(scenario).penetration;
+    for (int i = 0; i <= gapsOfPeriod && !stop.stop_requested(); ++i) {
+        const double share = double(i) / gapsOfPeriod;
+        at.bitRock.gap = share * period;
+        const Blow blow = solveBlow(at, {}, Detail::cor, stop);
+        if (blow.isSolved()) curve.append({share, blow.summary.cor});
+    }
+    return curve;
+}
+
+int threads() {
+    return std::max(1, QThread::idealThreadCount());
+}
+
+/// The dashpot of a bracket and no spring.
+Scenario withStrongDashpot(Scenario scenario) {
+    const Problem blow = problemOf(scenario);
+    const DrillingUnits units = drillingUnitsOf(scenario);
+    const double impedance = blow.sections[blow.hammerSections()].impedance * units.force / units.velocity;
+    scenario.drill.damperDamping = strongDashpot * impedance;
+    scenario.drill.damperStiffness.reset();
+    return scenario;
+}
+
+Scenario withConstantForce(Scenario scenario) {
+    scenario.drill.damperDamping.reset();
+    scenario.drill.damperStiffness.reset();
+    return scenario;
+}
+
+}  // namespace
+
+// As many as the command takes where fewer would not reach beyond the settling.
+DrillingQuestion drillingQuestion(const Scenario& scenario) {
+    const bool isShort = scenario.drill.settle.value_or(0) < double(scanBlows);
+    DrillingSettings settings =
+        isShort ? drillingSettingsOf(scenario, scanBlows) : drillingSettingsOf(scenario);
+    if (!scenario.drill.blows && !scenario.drill.settle) settings.settle = scanSettle;
+    return {withoutWords(scenario), settings};
+}
+
+DrillingAnswer DrillingStudent::answer(const DrillingQuestion& question,
+                                       const StudyFeed<DrillingAnswer>& feed) {
+    const auto known =
+        std::ranges::find(m_known, question, [](const DrillingAnswer& each) { return each.question; });
+    if (known != m_known.end()) {
+        m_known.splice(m_known.begin(), m_known, known);
+        return m_known.front();
+    }
+    DrillingAnswer found{.question = question,
+                         .refusals = drillingRefusals(question.scenario, question.settings),
+                         .growing = {},
+                         .result = nullptr,
+                         .corOverGap = {}};
+    if (!found.refusals.empty()) return found;
+    DrillingWants wants;
+    const auto wanted = static_cast<std::size_t>(foreseenBlows(question.settings, wants));
+    std::size_t done = 0, shown = 0;
+    wants.onBlow = [&](const DrillingBlow& blow) {
+        found.growing.push_back(blow);
+        if (found.growing.size() < shown + std::max(blowsAtATime, shown / shareAtATime)) return;
+        shown = found.growing.size();
+        feed.show(found);
+    };
+    auto result = std::make_shared<DrillingResult>(
+        studyDrilling(question.scenario, question.settings, wants, feed.stop, [&](long more) {
+            done += static_cast<std::size_t>(more);
+            feed.tell({std::min(done, wanted), wanted});
+        }));
+    found.result = std::move(result);
+    found.growing.clear();
+    if (!found.isComplete() || feed.stop.stop_requested()) return found;
+    feed.show(found);
+    found.corOverGap = corOverPeriod(question.scenario, feed.stop);
+    if (feed.stop.stop_requested() || found.result->blows.size() > mostKeptBlows) return found;
+    m_known.push_front(found);
+    if (m_known.size() > keptAnswers) m_known.pop_back();
+    return found;
+}
+
+std::string scanAxisText(const StudyRange& range) {
+    return range.text() + ":" + std::to_string(range.pointsWithin(scanPoints)) + range.tail();
+}
+
+DrillingScanQuestion drillingScanQuestion(const Scenario& scenario, const StudyRange& range,
+                                          bool hasBracket) {
+    DrillingScanQuestion question{withoutWords(scenario), range, drillingQuestion(scenario).settings,
+                                  hasBracket};
+    question.settings.cells = scanCells;
+    // Where the parameter is now does not matter.
+    if (range.parameter && range.parameter->applies(scenario))
+        range.parameter->assign(question.scenario, range.start);
+    return question;
+}
+
+DrillingScanAnswer answerDrillingScan(const DrillingScanQuestion& question,
+                                      const StudyFeed<DrillingScanAnswer>& feed) {
+    DrillingScanAnswer found;
+    const ParsedAxis parsed = parseAxis(scanAxisText(question.range));
+    if (!parsed.problem.empty()) {
+        found.refusals = {parsed.problem};
+        return found;
+    }
+    found.refusals = scanRefusals(question.scenario, parsed.axis, question.settings);
+    if (!found.refusals.empty()) return found;
+    const bool hasStrong = question.hasBracket && question.scenario.drill.machineMass.value_or(0) > 0;
+    const std::size_t scans = 1 + (question.hasBracket ? 1 : 0) + (hasStrong ? 1 : 0);
+    const std::size_t wanted = scans * parsed.axis.count;
+    std::size_t done = 0;
+    const auto scan = [&](const Scenario& base, std::shared_ptr<const DrillingScan>& into) {
+        if (feed.stop.stop_requested()) return;
+        auto end = std::make_shared<const DrillingScan>(
+            scanDrilling(base, parsed.axis, question.settings,
+                         {.jobs = threads(),
+                          .stop = feed.stop,
+                          .progress =
+                              [&](long more) {
+                                  feed.tell({done += std::size_t(more), wanted});
+                              },
+                          .onValue =
+                              [&](const DrillingScan& soFar) {
+                                  into = std::make_shared<const DrillingScan>(soFar);
+                                  feed.show(found);
+                              }}));
+        if (!feed.stop.stop_requested()) into = std::move(end);
+    };
+    scan(question.scenario, found.scan);
+    if (question.hasBracket) scan(withConstantForce(question.scenario), found.constantForce);
+    if (hasStrong) scan(withStrongDashpot(question.scenario), found.strongDamper);
+    return found;
+}
+
+}  // namespace drillwave

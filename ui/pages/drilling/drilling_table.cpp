@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/pages/drilling/drilling_table.h"
+
+#include <QHeaderView>
+#include <QScrollBar>
+
+#include "core/report/drilling_report.h"
+#include "ui/text/local_style.h"
+#include "ui/text/unit_choice.h"
+
+namespace drillwave {
+namespace {
+
+enum Column { mean, error, deviation, low, median, high, columns };
+
+struct TableRow {
+    std::size_t quantity;  ///< of blowQuantities
+    const char* name;
+    const char* meaning;
+};
+constexpr TableRow tableRows[] = {
+    {0, QT_TRANSLATE_NOOP("DrillingTable", "gap at the blow"),
+     QT_TRANSLATE_NOOP("DrillingTable", "Between bit and rock when the hammer strikes")},
+    {3, QT_TRANSLATE_NOOP("DrillingTable", "penetration"),
+     QT_TRANSLATE_NOOP("DrillingTable", "Of a blow, an upper limit: all rock under the bit gives way")},
+    {2, QT_TRANSLATE_NOOP("DrillingTable", "rock impulse"),
+     QT_TRANSLATE_NOOP("DrillingTable",
+                       "Of a blow and the cycle behind it; on the mean the feed times the "
+                       "interval")},
+    {4, QT_TRANSLATE_NOOP("DrillingTable", "peak force"),
+     QT_TRANSLATE_NOOP("DrillingTable", "Largest force of the rock in a cycle")},
+    {6, QT_TRANSLATE_NOOP("DrillingTable", "contacts"),
+     QT_TRANSLATE_NOOP("DrillingTable", "How many contacts begin in a cycle")}};
+constexpr int rowCountOfTable = int(std::size(tableRows));
+
+}  // namespace
+
+DrillingTable::DrillingTable(QWidget* parent) : QTableWidget(rowCountOfTable, columns, parent) {
+    setObjectName(QStringLiteral("statistics"));
+    setAccessibleName(tr("Statistics of the blows"));
+    setHorizontalHeaderLabels({tr("mean"), QStringLiteral("±"), tr("deviation"), QStringLiteral("5 %"),
+                               tr("median"), QStringLiteral("95 %")});
+    horizontalHeaderItem(error)->setToolTip(
+        tr("Error of the mean, 95 %: by batches of blows, and what half as many cells change"));
+    for (int row = 0; row < rowCountOfTable; ++row) {
+        auto* header = new QTableWidgetItem(tr(tableRows[row].name));
+        header->setToolTip(tr(tableRows[row].meaning));
+        setVerticalHeaderItem(row, header);
+        for (int column = 0; column < columns; ++column) {
+            auto* cell = new QTableWidgetItem;
+            cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            setItem(row, column, cell);
+        }
+    }
+    setEditTriggers(NoEditTriggers);
+    setTabKeyNavigation(false);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    horizontalHeader()->setStretchLastSection(true);
+    verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setWordWrap(false);
+}
+
+void DrillingTable::setText(int row, int column, const QString& text) {
+    item(row, column)->setText(text);
+    item(row, column)->setToolTip(text);
+}
+
+void DrillingTable::present(const DrillingResult& result, const UnitChoice& units) {
+    const LocalStyle style = LocalStyle::of(units);
+    for (int row = 0; row < rowCountOfTable; ++row) {
+        const std::size_t quantity = tableRows[row].quantity;
+        const DrillingMeasure measure = measureOf(blowQuantities[quantity]);
+        const DrillingScale scale = scaleOf(measure, result);
+        const auto text = [&](double value, int digits) {
+            const double si = scale.value(value, OutputUnits::si);
+            return QString::fromStdString(measure == DrillingMeasure::count
+                                              ? style.number(si, digits)
+                                              : style.quantity(si, scale.quantity, digits));
+        };
+        const BlowSpread& spread = result.spread(quantity);
+        const std::optional<double> errorOfMean = result.meanError(quantity);
+        setText(row, mean, text(spread.mean, 5));
+        setText(row, error, errorOfMean ? text(*errorOfMean, 2) : QString());
+        setText(row, deviation, text(spread.deviation, 3));
+        setText(row, low, text(spread.q05, 4));
+        setText(row, median, text(spread.q50, 4));
+        setText(row, high, text(spread.q95, 4));
+    }
+}
+
+void DrillingTable::clearNumbers() {
+    for (int row = 0; row < rowCountOfTable; ++row)
+        for (int column = 0; column < columns; ++column) setText(row, column, {});
+}
+
+// All rows in view, whatever the font.
+QSize DrillingTable::sizeHint() const {
+    return {500, horizontalHeader()->sizeHint().height() + verticalHeader()->length() + 2 * frameWidth()};
+}
+
+QSize DrillingTable::minimumSizeHint() const {
+    return {200, sizeHint().height() + horizontalScrollBar()->sizeHint().height()};
+}
+
+}  // namespace drillwave

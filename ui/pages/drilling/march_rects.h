@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rects of a march: gaps and penetrations above; in the middle how gaps scatter and follow each other,
+// and where the energy goes.
+#pragma once
+
+#include <qcustomplot.h>
+
+#include "ui/pages/drilling/drilling_picture.h"
+#include "ui/plot/plot_style.h"
+
+namespace drillwave {
+
+/// Lives as a child of what fits the plot.
+class MarchRects : public QObject {
+    Q_OBJECT
+
+  public:
+    MarchRects(QCustomPlot& plot, QObject* parent);
+
+    QCPLayoutGrid* above() const { return m_above; }
+    QCPLayoutGrid* middle() const { return m_middle; }
+    QCPAxisRect* gaps() const { return m_gaps.rect; }
+    QCPAxisRect* penetrations() const { return m_penetrations.rect; }
+    QCPGraph* gapPoints() const { return m_gaps.now; }
+    QCPGraph* penetrationPoints() const { return m_penetrations.now; }
+    QCPGraph* gapsBefore() const { return m_gaps.before; }
+    QCPBars* parts() const { return m_parts; }
+    QCPGraph* cor() const { return m_cor; }
+    QCPCurve* returns() const { return m_returns; }
+    QCPBars* energy() const { return m_energy; }
+
+    void present(const MarchPicture& picture, const BlowPoints& before, const DrillingShown& units);
+    void setStyle(const PlotStyle& style);
+    void fit();
+
+  private:
+    /// A number of every blow.
+    struct Series {
+        QCPAxisRect* rect;
+        QCPGraph *now, *before;
+        QCPItemRect* settled;
+    };
+    Series addSeries(int column);
+    void addMiddle();
+    QCPGraph* addPoints(QCPAxisRect* rect);
+    void showSettled(const Series& series, const MarchPicture& picture);
+    void showEnergy(const MarchPicture& picture);
+    void fitSeries(const Series& series);
+
+    QCustomPlot& m_plot;
+    QCPLayoutGrid *m_above, *m_middle;
+    Series m_gaps, m_penetrations;
+    QCPAxisRect *m_partsRect, *m_returnRect, *m_energyRect;
+    QCPBars *m_parts, *m_energy;
+    QCPGraph *m_cor, *m_returnPoints;
+    QCPCurve* m_returns;
+    QVector<QCPItemText*> m_shares;
+    double m_blows = 1;
+};
+
+}  // namespace drillwave
