@@ -14,7 +14,7 @@ RowRecord recordOf(std::uint64_t index, std::uint64_t count, std::uint64_t rows)
     return {.command = "drillwave sweep S --vary beta=1:2:11" +
                        (count > 1 ? " --shard " + std::to_string(index) + "/" + std::to_string(count)
                                   : std::string()),
-            .method = {},
+            .method = MethodChoice(),
             .rows = rows,
             .shard = {index, count},
             .axes = {{"beta", "1:2:11", 11}},
