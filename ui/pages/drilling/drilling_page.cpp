@@ -80,8 +80,7 @@ QWidget* DrillingPage::makeScanControls() {
 QString DrillingPage::elsewhere() const {
     return tr(
         "Drilling is of scenarios in physical units, and this one is given by its dimensionless groups: it "
-        "has "
-        "no blow frequency and no thrust. File ▸ New begins a scenario that has them.");
+        "has no blow frequency and no thrust. File ▸ New begins a scenario that has them.");
 }
 
 void DrillingPage::ask() {
