@@ -98,12 +98,8 @@ class ScenarioRemarks {
 std::string presetSource(const Scenario& scenario, const SavedValue& saved) {
     for (const Preset& preset : builtInPresets()) {
         if (!matches(preset, scenario)) continue;
-        if (!saved.parameter && preset.shape && saved.key == "shape")
-            return presetRemark(preset, preset.shapeSource);
-        if (saved.key == lawKey && !preset.lawSource.empty()) return presetRemark(preset, preset.lawSource);
-        for (const PresetValue& value : preset.values)
-            if (value.parameter == saved.parameter && saved.parameter)
-                return presetRemark(preset, value.source);
+        if (const std::string source = presetSource(preset, saved); !source.empty())
+            return presetRemark(preset, source);
     }
     return {};
 }

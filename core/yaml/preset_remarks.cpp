@@ -12,14 +12,6 @@
 namespace drillwave {
 namespace {
 
-/// Where the preset says that the value is from; empty for values of others.
-std::string sourceOf(const Preset& preset, const SavedValue& saved) {
-    if (!saved.parameter && saved.key == lawKey) return preset.lawSource;
-    if (!saved.parameter) return preset.shape && saved.key == "shape" ? preset.shapeSource : std::string();
-    const auto found = std::ranges::find(preset.values, saved.parameter, &PresetValue::parameter);
-    return found == preset.values.end() ? std::string() : found->source;
-}
-
 /// Behind a value that has its line to itself; nullopt elsewhere, and where a comment is.
 std::optional<std::size_t> placeBehind(std::string_view text, const YamlNode& root, const SavedValue& saved) {
     const YamlNode* section = root.valueOf(saved.section);
@@ -33,6 +25,13 @@ std::optional<std::size_t> placeBehind(std::string_view text, const YamlNode& ro
 
 }  // namespace
 
+std::string presetSource(const Preset& preset, const SavedValue& saved) {
+    if (!saved.parameter && saved.key == lawKey) return preset.lawSource;
+    if (!saved.parameter) return preset.shape && saved.key == "shape" ? preset.shapeSource : std::string();
+    const auto found = std::ranges::find(preset.values, saved.parameter, &PresetValue::parameter);
+    return found == preset.values.end() ? std::string() : found->source;
+}
+
 std::string presetRemark(const Preset& preset, const std::string& source) {
     return "preset " + preset.name + ": " + source;
 }
@@ -42,7 +41,7 @@ std::string writeWithPreset(const ScenarioDocument& document, const Preset& pres
     const YamlTree tree = parseYaml(text);
     std::vector<TextEdit> edits;
     for (const SavedValue& saved : savedValues(document.scenario)) {
-        const std::string source = sourceOf(preset, saved);
+        const std::string source = presetSource(preset, saved);
         if (source.empty()) continue;
         const std::optional<std::size_t> place = placeBehind(text, tree.root, saved);
         if (!place) continue;

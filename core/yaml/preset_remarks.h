@@ -6,11 +6,15 @@
 
 #include "core/model/preset.h"
 #include "core/yaml/scenario_file.h"
+#include "core/yaml/scenario_text.h"
 
 namespace drillwave {
 
 /// "preset T38, round 38 mm: nominal", as it stands behind a value and in a report.
 std::string presetRemark(const Preset& preset, const std::string& source);
+
+/// Where the preset says that the value is from; empty for values that are not of it.
+std::string presetSource(const Preset& preset, const SavedValue& saved);
 
 /// The file of a scenario that has just taken the preset, as writeScenario() writes it, with that remark as a
 /// comment behind each value of the preset. A comment that is there stays in its place; values in braces, of
