@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/scenario_argument.h"
+#include "core/manual/chapter.h"
 
 namespace drillwave {
 
@@ -11,6 +12,12 @@ namespace {
 
 std::string line(const std::string& left, std::string_view right, std::size_t width) {
     return "  " + left + std::string(width - left.size() + 2, ' ') + std::string(right) + "\n";
+}
+
+std::string chapterList() {
+    std::string list;
+    for (const Chapter& chapter : manualChapters()) list += (list.empty() ? "" : ", ") + chapter.name;
+    return list;
 }
 
 }  // namespace
@@ -26,7 +33,12 @@ std::string programHelp() {
         "\nCommands:\n";
     for (const Command* command : commands()) help += line(std::string(command->name), command->summary, 9);
     help +=
-        "\n  drillwave help COMMAND  says more, as COMMAND --help and -h do; version prints the version.\n"
+        "\n  drillwave help TOPIC  says more: of a command, as COMMAND --help and -h do; of a parameter\n"
+        "  (help bit_rock.gamma), an output (help cor), a symbol; it prints chapters of the manual and\n"
+        "  sections of them (help theory 10). drillwave version prints the version.\n"
+        "  Chapters: " +
+        chapterList() +
+        ".\n"
         "  Without a display the window needs `-platform offscreen`.\n"
         "  drillwave --reset-ui  opens the window with its first layout, page, units and choices.\n"
         "\nExit codes: ";

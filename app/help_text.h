@@ -14,6 +14,13 @@ inline constexpr std::string_view exitCodesHelp =
     "0 done, 1 internal error or out of memory, 2 usage, 3 input cannot be read,\n"
     "4 output cannot be written, 5 scenario invalid, 6 a case could not be solved, 130 interrupted";
 
+/// What `help` does, and what it can be asked for.
+inline constexpr std::string_view helpSummary =
+    "print the help of a command, a chapter of the manual, a parameter, an output";
+inline constexpr std::string_view helpDetails =
+    "TOPIC is a command (run), a chapter of the manual (theory) or a section of it (theory 10), a\n"
+    "parameter (bit_rock.gamma), an output (cor), a symbol (e), or what else a table of the manual names.";
+
 /// "--set KEY=VALUE", "--json".
 std::string synopsis(const OptionSpec& option);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Picks between the subcommands, which never need a display, and the window.
 #include <fcntl.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -20,7 +21,9 @@
 #include "app/command.h"
 #include "app/desktop.h"
 #include "app/help_text.h"
+#include "app/help_topic.h"
 #include "app/interruption.h"
+#include "core/manual/chapter.h"
 #include "core/model/version.h"
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"
@@ -70,14 +73,21 @@ int printVersionAlone(std::span<const std::string> words) {
     return asksForHelp(words) ? print(programHelp()) : printVersion();
 }
 
-/// `drillwave help [COMMAND]`.
+/// As wide as a terminal is, within what can be read; elsewhere as wide as terminals usually are.
+std::size_t readableWidth() {
+    constexpr std::size_t usual = 80, widest = 110, narrowest = 60;
+    winsize size{};
+    if (::ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0) return usual;
+    return std::clamp<std::size_t>(size.ws_col, narrowest, widest);
+}
+
+/// `drillwave help [TOPIC]`; of a chapter also the number of a section.
 int printHelp(std::span<const std::string> words) {
     if (words.empty() || asksForHelp(words)) return print(programHelp());
-    refuseMore(words, 1);
+    refuseMore(words, 2);
     if (words.front() == "help" || words.front() == "version") return print(programHelp());
-    if (const Command* command = findCommand(words.front())) return print(commandHelp(*command));
-    throw CommandError(ExitCode::usage,
-                       "`" + shortened(words.front()) + "` is not a command; `drillwave help` lists them");
+    if (words.size() > 1 && !findChapter(words.front())) refuseMore(words, 1);
+    return print(topicText(words, readableWidth()));
 }
 
 int runCommand(const Command& command, std::span<const std::string> words, int argc, char** argv) {

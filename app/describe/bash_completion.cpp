@@ -53,7 +53,7 @@ _drillwave() {
         return 0
     fi
     if [[ $command == help ]]; then
-        while IFS= read -r word; do COMPREPLY+=("$word"); done < <(compgen -W "$_drillwave_commands" -- "$current")
+        _drillwave_kind topic
         return 0
     fi
     kind=$(_drillwave_value "$command" "$previous")

@@ -2,6 +2,7 @@
 #include "app/command.h"
 #include "app/describe/completions.h"
 #include "app/describe/value_kind.h"
+#include "app/help_text.h"
 #include "core/text/enum_names.h"
 
 namespace drillwave {
@@ -70,20 +71,16 @@ std::string fishLines(const Command& command) {
 std::string fishCompletion() {
     std::string text = "# SPDX-License-Identifier: GPL-3.0-or-later\n# Completion of drillwave for fish.\n";
     for (const ValueKind kind : allValues<ValueKind>) text += fishFunction(kind);
-    std::string names;
     text += "\ncomplete -c drillwave -f\n";
     const auto add = [&](std::string_view name, std::string_view summary) {
         text += "complete -c drillwave -n __fish_use_subcommand -a " + std::string(name) + " -d " +
                 fishWord(summary) + "\n";
     };
-    for (const Command* command : commands()) {
-        add(command->name, command->summary);
-        names += " " + std::string(command->name);
-    }
-    add("help", "say what a command takes");
+    for (const Command* command : commands()) add(command->name, command->summary);
+    add("help", helpSummary);
     add("version", "print the version of the program");
     text += "complete -c drillwave -n __fish_use_subcommand" + choice(ValueKind::scenario) +
-            "\ncomplete -c drillwave -n '__fish_seen_subcommand_from help' -x -a '" + names.substr(1) + "'\n";
+            "\ncomplete -c drillwave -n '__fish_seen_subcommand_from help'" + choice(ValueKind::topic) + "\n";
     for (const Command* command : commands()) text += fishLines(*command);
     return text + "\ncomplete -c drillwave-window -w drillwave\n";
 }

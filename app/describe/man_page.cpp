@@ -147,7 +147,7 @@ std::string manPage(std::string_view date) {
     std::string page = heading("DRILLWAVE", date) +
                        ".SH NAME\ndrillwave \\- simulate percussive top\\-hammer drilling of rock\n"
                        ".SH SYNOPSIS\n.B drillwave\n.RI [ FILE ]\n.br\n.B drillwave\n.I COMMAND\n"
-                       ".RI [ ARGUMENT …]\n.br\n.B drillwave help\n.RI [ COMMAND ]\n"
+                       ".RI [ ARGUMENT …]\n.br\n.B drillwave help\n.RI [ TOPIC ]\n"
                        ".SH DESCRIPTION\n";
     page +=
         manText(
@@ -160,20 +160,23 @@ std::string manPage(std::string_view date) {
             "the\ncommands need neither that nor a display.") +
         "\n.PP\n" + manText(scenarioOperandHelp) + "\n.SH COMMANDS\n";
     for (const Command* command : commands()) page += manSection(*command);
-    page +=
-        ".SS help\n.B drillwave help\n.RI [ COMMAND ]\n.PP\nsay what there is, or what a command takes.\n"
-        ".SS version\n.B drillwave version\n.PP\nprint the version of the program.\n"
-        ".SH OPTIONS\nEvery command also has\n" +
-        item(bold("-h") + ", " + bold("--help"), "what it takes") +
-        item(bold("--version"), "version of the program") + "The window has\n" +
-        item(bold("--reset-ui"), "open with the first layout, page, units and choices") +
-        ".SH EXIT STATUS\n" + exitCodes() +
-        ".SH EXAMPLES\n.EX\ndrillwave run t38_medium_rock\n"
-        "drillwave run t38_medium_rock \\-\\-set rod.length=4.27m gamma=0.2\n"
-        "drillwave examples \\-o scenarios\n.EE\n"
-        ".SH SEE ALSO\n.BR drillwave\\-window (1)\n.PP\n"
-        "The manual, with theory, files, commands and a tutorial, is in the folder\n.I manual\n"
-        "of the documentation, beside\n.I examples\nof scenarios.\n";
+    page += ".SS help\n.B drillwave help\n.RI [ TOPIC ]\n.PP\n" + manText(helpSummary) + ".\n" +
+            manText(helpDetails) +
+            "\n"
+            ".SS version\n.B drillwave version\n.PP\nprint the version of the program.\n"
+            ".SH OPTIONS\nEvery command also has\n" +
+            item(bold("-h") + ", " + bold("--help"), "what it takes") +
+            item(bold("--version"), "version of the program") + "The window has\n" +
+            item(bold("--reset-ui"), "open with the first layout, page, units and choices") +
+            ".SH EXIT STATUS\n" + exitCodes() +
+            ".SH EXAMPLES\n.EX\ndrillwave run t38_medium_rock\n"
+            "drillwave run t38_medium_rock \\-\\-set rod.length=4.27m gamma=0.2\n"
+            "drillwave examples \\-o scenarios\n.EE\n"
+            ".SH SEE ALSO\n.BR drillwave\\-window (1)\n.PP\n"
+            "The manual, with theory, files, commands and a tutorial, is printed by\n.B drillwave help\n.IR "
+            "TOPIC ,\n"
+            "and is in the folder\n.I manual\n"
+            "of the documentation, beside\n.I examples\nof scenarios.\n";
     return page;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/help_topic.h"
 #include "core/archive/picture_formats.h"
 #include "core/blow/method.h"
 #include "core/blow/outputs.h"
@@ -27,7 +28,8 @@ constexpr EnumNames<ValueKind> kindNames{{{ValueKind::free, "free"},
                                           {ValueKind::method, "method"},
                                           {ValueKind::rod, "rod"},
                                           {ValueKind::hammer, "hammer"},
-                                          {ValueKind::rock, "rock"}}};
+                                          {ValueKind::rock, "rock"},
+                                          {ValueKind::topic, "topic"}}};
 
 /// Those options whose name tells more than what they take.
 struct NamedKind {
@@ -106,6 +108,8 @@ std::vector<std::string> wordsOf(ValueKind kind) {
             return presetWords(PresetKind::hammer);
         case ValueKind::rock:
             return presetWords(PresetKind::rock);
+        case ValueKind::topic:
+            return topicNames();
         case ValueKind::free:
         case ValueKind::folder:
         case ValueKind::file:

@@ -25,6 +25,7 @@ enum class ValueKind {
     rod,
     hammer,
     rock,
+    topic,  ///< of `help`
 };
 
 /// Its name, which the scripts of shells use.

@@ -2,6 +2,7 @@
 #include "app/command.h"
 #include "app/describe/completions.h"
 #include "app/describe/value_kind.h"
+#include "app/help_text.h"
 #include "core/text/enum_names.h"
 
 namespace drillwave {
@@ -83,14 +84,14 @@ std::string zshCompletion() {
     text += "\n_drillwave_command() {\n    local -a commands=(\n";
     for (const Command* command : commands())
         text += "        '" + std::string(command->name) + ":" + zshText(command->summary, ":\\") + "'\n";
-    text +=
-        "        'help:say what a command takes'\n        'version:print the version of the program'\n    )\n"
-        "    _describe command commands\n}\n"
-        "\n_drillwave() {\n"
-        "    if ((CURRENT == 2)); then\n        _drillwave_command\n        _drillwave_scenario\n        "
-        "return\n"
-        "    fi\n    local command=$words[2]\n    shift words\n    ((CURRENT--))\n    case $command in\n"
-        "        help) ((CURRENT > 2)) || _drillwave_command ;;\n";
+    text += "        'help:" + zshText(helpSummary, ":\\") +
+            "'\n        'version:print the version of the program'\n    )\n"
+            "    _describe command commands\n}\n"
+            "\n_drillwave() {\n"
+            "    if ((CURRENT == 2)); then\n        _drillwave_command\n        _drillwave_scenario\n        "
+            "return\n"
+            "    fi\n    local command=$words[2]\n    shift words\n    ((CURRENT--))\n    case $command in\n"
+            "        help) ((CURRENT > 2)) || _drillwave_topic ;;\n";
     for (const Command* command : commands()) {
         text += "        " + std::string(command->name) + ")\n            _arguments -S";
         for (const OptionSpec& option : command->options) text += " \\\n            " + specification(option);

@@ -27,6 +27,8 @@ class TestCommandLine : public QObject {
   private slots:
     void helpAndVersionAreEverywhere_data();
     void helpAndVersionAreEverywhere();
+    void helpTellsOfWhateverHasAName_data();
+    void helpTellsOfWhateverHasAName();
     void mistakesGetOneLineAndTheirExitCode_data();
     void mistakesGetOneLineAndTheirExitCode();
     void pointsBeyondTheLimitAreTold();
@@ -64,11 +66,36 @@ void TestCommandLine::helpAndVersionAreEverywhere() {
              help.out);
     QCOMPARE(help.error, QByteArray());
     QCOMPARE(run(words + QStringList{"-h"}).out, help.out);
-    QCOMPARE(run(QStringList{"help"} + words).out, help.out);
+    // What else is called so follows: `thrust` is an output, too.
+    QVERIFY(run(QStringList{"help"} + words).out.startsWith(help.out));
     const Finished version = run(words + QStringList{"--version"});
     QCOMPARE(version.exitCode, 0);
     QVERIFY(QRegularExpression("^drillwave \\d+\\.\\d+\\.\\d+\n$").match(version.out).hasMatch());
     QCOMPARE(run({"version"}).out, version.out);
+}
+
+void TestCommandLine::helpTellsOfWhateverHasAName_data() {
+    QTest::addColumn<QStringList>("topic");
+    QTest::addColumn<QString>("told");
+    QTest::newRow("a parameter") << QStringList{"bit_rock.gamma"} << "in (0, 1]";
+    QTest::newRow("a number of a section") << QStringList{"string.rod.length"} << "Length of the section";
+    QTest::newRow("a word") << QStringList{"pulse.shape"} << "half_sine";
+    QTest::newRow("an output") << QStringList{"peak_force"} << "multiple of: F0";
+    QTest::newRow("a command that is an output, too") << QStringList{"thrust"} << "in SI: N";
+    QTest::newRow("a chapter") << QStringList{"glossary"} << "Rod and string";
+    QTest::newRow("a section") << QStringList{"theory", "10"} << "(T34)";
+    QTest::newRow("a section with its sign") << QStringList{"theory", "§2.1"} << "`trapezoid`";
+    QTest::newRow("a symbol") << QStringList{"β"} << "k t0/Z";
+    QTest::newRow("an alert") << QStringList{"super_rebound"} << "e > 1";
+}
+
+void TestCommandLine::helpTellsOfWhateverHasAName() {
+    QFETCH(QStringList, topic);
+    QFETCH(QString, told);
+    const Finished help = run(QStringList{"help"} + topic);
+    QCOMPARE(help.exitCode, 0);
+    QCOMPARE(help.error, QByteArray());
+    QVERIFY2(help.out.contains(told.toUtf8()) && help.out.endsWith('\n'), help.out);
 }
 
 void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
@@ -262,7 +289,9 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
     QTest::newRow("lattices beyond what is permitted")
         << QStringList{"accuracy", paper, "--segments", "100", "--work-limit", "1000"} << 2
         << "more than --work-limit, now 1000";
-    QTest::newRow("help for nothing") << QStringList{"help", "rn"} << 2 << "is not a command";
+    QTest::newRow("help for nothing") << QStringList{"help", "rn"} << 2 << "near it `run`";
+    QTest::newRow("help for no section")
+        << QStringList{"help", "theory", "99"} << 2 << "`99` is not a section of theory, which has §1, §2";
     QTest::newRow("two forms of the columns")
         << QStringList{"run", drill, "--si", "--dimensionless", "-o", "x"} << 2 << "exclude each other";
     QTest::newRow("gap in SI of groups")

@@ -175,6 +175,9 @@ class TestDescriptions : public QObject {
         QTest::newRow("an example for the window") << QStringList{"t38_m"} << QStringList{"t38_medium_rock"};
         QTest::newRow("a command to be helped with")
             << QStringList{"help", "stab"} << QStringList{"stability"};
+        QTest::newRow("a chapter") << QStringList{"help", "glos"} << QStringList{"glossary"};
+        QTest::newRow("a parameter to be told of")
+            << QStringList{"help", "bit_rock.gam"} << QStringList{"bit_rock.gamma"};
     }
 
     void bashOffersWhatAnOptionTakes() {

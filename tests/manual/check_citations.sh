@@ -3,7 +3,7 @@
 # Holds citations to the manual: check_citations.sh ROOT
 #   theory §3, files §1.1, commands §4   a section must be a heading of resources/manual/<word>.md
 #   [paper (14)]                         an equation of the paper must stand in theory.md with that number
-#   (T14), (S2)                          an equation must stand in theory.md, in strings.md
+#   (T14), (S2), (D1)                    an equation must stand in theory.md, in strings.md, in drilling.md
 # in sources, tests and the manual itself. Other ways to cite these are refused: they would go unchecked.
 set -u
 export LC_ALL=C
@@ -13,7 +13,7 @@ manual=resources/manual
 work=$(mktemp -d) || exit 2
 trap 'rm -rf "$work"' EXIT
 
-pages="theory strings files commands tutorial evidence"
+pages="theory strings drilling files commands window glossary tutorial evidence"
 for page in $pages; do
     if [ ! -s "$manual/$page.md" ]; then
         echo "$manual/$page.md: is missing"
@@ -27,8 +27,9 @@ done | sed 's/\.$//' >"$work/there"
 # Lines of equations end in their number, behind the paper's own where it has one.
 sed -n '/  (T[0-9][0-9]*)$/p' "$manual/theory.md" >"$work/equations"
 sed -n '/  (S[0-9][0-9]*)$/p' "$manual/strings.md" >>"$work/equations"
+sed -n '/  (D[0-9][0-9]*)$/p' "$manual/drilling.md" >>"$work/equations"
 grep -o '\[paper ([0-9]*)\]' "$work/equations" >>"$work/there"
-sed 's/.*  \(([TS][0-9]*)\)$/\1/' "$work/equations" >"$work/numbers"
+sed 's/.*  \(([TSD][0-9]*)\)$/\1/' "$work/equations" >"$work/numbers"
 cat "$work/numbers" >>"$work/there"
 twice=$(sort "$work/numbers" | uniq -d)
 if [ -n "$twice" ]; then
@@ -44,9 +45,9 @@ citations() {
     tr '\n' '\0' <"$work/files" | xargs -0 grep -Hno "$1" /dev/null
 }
 {
-    citations '\(theory\|strings\|files\|commands\|tutorial\|evidence\) §[0-9][0-9.]*' | sed 's/\.$//'
+    citations '\(theory\|strings\|drilling\|files\|commands\|window\|glossary\|tutorial\|evidence\) §[0-9][0-9.]*' | sed 's/\.$//'
     citations '\[paper ([0-9]*)\]'
-    citations '([TS][0-9][0-9]*)'
+    citations '([TSD][0-9][0-9]*)'
 } >"$work/cited"
 
 awk -F: -v list="$work/there" '

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What `drillwave help TOPIC` says: a command, a chapter of the manual or a section of it, a parameter, an
+// output, a symbol, or whatever else a table of the manual names.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace drillwave {
+
+/// The text of the topic that these words name, in lines of at most `width` columns. Throws CommandError
+/// (usage) with the nearest names where there is none. Requires a word.
+std::string topicText(std::span<const std::string> words, std::size_t width);
+
+/// All that has a name: commands, chapters, parameters, outputs.
+std::vector<std::string> topicNames();
+
+}  // namespace drillwave

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The manual as the program has it: the pages of resources/manual, and the references that are written from
+// the tables.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+namespace drillwave {
+
+/// A page of the manual.
+struct Chapter {
+    std::string name;   ///< "theory": its file, and the word that cites it
+    std::string title;  ///< its first heading
+    std::string text;   ///< all of it, in Markdown
+};
+
+/// All of them, in the order of a list of contents.
+std::span<const Chapter> manualChapters();
+
+/// The one of that name, or nullptr.
+const Chapter* findChapter(std::string_view name);
+
+/// A chapter of that text, whose first line is its heading.
+Chapter chapterOf(std::string_view name, std::string text);
+
+}  // namespace drillwave

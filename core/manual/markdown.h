@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The Markdown of the manual as blocks: headings, paragraphs, items of lists, code and tables.
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace drillwave {
+
+/// Lines that belong together.
+struct ManualBlock {
+    enum class Kind { heading, paragraph, item, code, table };
+    Kind kind = Kind::paragraph;
+    int level = 0;     ///< of a heading, from 1; else how many blanks it is indented by
+    std::string mark;  ///< of an item: "-" or "3."
+    std::string text;  ///< one line with its marks; of code the lines as they stand; of a table none
+    std::vector<std::vector<std::string>> rows =
+        {};  ///< of a table, its header first; each with as many cells
+};
+
+/// The blocks of a text, in order.
+std::vector<ManualBlock> readMarkdown(std::string_view text);
+
+/// The blocks of a section, its heading first, up to the next heading of its level or above; none where no
+/// heading is that one. A heading is meant by its number, "§3.1", or by all of its words.
+std::vector<ManualBlock> sectionOf(std::span<const ManualBlock> blocks, std::string_view heading);
+
+/// "§3.1" of the heading "§3.1 Everything else"; empty where it has no number.
+std::string_view sectionNumber(std::string_view heading);
+
+}  // namespace drillwave

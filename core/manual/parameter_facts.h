@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the tables say of a number of a scenario, in words: for the reference, the tooltips and `help`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/model/parameter.h"
+#include "core/model/section_field.h"
+
+namespace drillwave {
+
+/// One row of a table of numbers.
+struct ParameterFacts {
+    std::string key;        ///< "bit_rock.gamma"; of sections "string.NAME.length"
+    std::string label;      ///< "elasticity"
+    std::string symbol;     ///< "γ", may be empty
+    std::string meaning;    ///< a sentence without its end
+    std::string unit;       ///< customary, may be empty
+    std::string range;      ///< "greater than 0", "in (0, 1]"
+    std::string usual;      ///< "1 – 10000 MN/m"; outside of it a value is remarked on
+    std::string presence;   ///< whether it may be left out, a sentence without its end
+    std::string condition;  ///< of which scenarios it is, likewise; empty where of all
+};
+
+ParameterFacts factsOf(const Parameter& parameter);
+ParameterFacts factsOf(const SectionField& field);
+
+/// "elasticity γ".
+std::string titleOf(const ParameterFacts& facts);
+
+/// Values that the built-in presets give it, each with who has it and where it is from, or from where to
+/// where where they are many; empty where none gives it.
+std::vector<std::string> presetValues(const Parameter& parameter);
+
+}  // namespace drillwave
