@@ -36,6 +36,9 @@ constexpr DrillingColumn columnTable[] = {{"time", time, &DrillingBlow::time},
 /// Contacts of a blow are told to a hundredth.
 constexpr int statisticDigits = 5;
 
+/// Deviations below that, in units of Problem, are rounding.
+constexpr double noSpread = 1e-9;
+
 double thrustMark(const DrillingResult& result, double times) {
     return times * result.meanImpulse * result.units.impulse() * result.frequencyUsed;
 }
@@ -134,6 +137,10 @@ DrillingScale scaleOf(DrillingMeasure measure, const DrillingResult& result) {
             return {Quantity::energy, units.energy(), scales.energy};
     }
     return {};
+}
+
+double withoutRounding(double spread) {
+    return std::abs(spread) < noSpread ? 0 : spread;
 }
 
 std::string damperWords(const Scenario& scenario, const ReadingStyle& style) {
@@ -295,9 +302,11 @@ std::string drillingText(const DrillingReport& report, OutputUnits units, const 
             const BlowSpread& spread = result.spread(q);
             const DrillingMeasure measure = measureOf(blowQuantities[q]);
             const std::optional<double> error = result.meanError(q);
-            grid.add({label, quantity(spread.mean, measure), error ? quantity(*error, measure, 2) : "",
-                      quantity(spread.deviation, measure, 3), quantity(spread.q05, measure, 4),
-                      quantity(spread.q50, measure, 4), quantity(spread.q95, measure, 4)});
+            grid.add({label, quantity(spread.mean, measure),
+                      error ? quantity(withoutRounding(*error), measure, 2) : "",
+                      quantity(withoutRounding(spread.deviation), measure, 3),
+                      quantity(spread.q05, measure, 4), quantity(spread.q50, measure, 4),
+                      quantity(spread.q95, measure, 4)});
         }
         text += "\n" + grid.text();
         const double rate =
@@ -310,7 +319,9 @@ std::string drillingText(const DrillingReport& report, OutputUnits units, const 
     }
     if (!result.blows.empty()) {
         const double all = result.ledger.hammer + result.ledger.feed;
-        const auto share = [&](double part) { return style.number(100 * part / all, 3) + " %"; };
+        const auto share = [&](double part) {
+            return style.number(std::round(1000 * part / all) / 10, 3) + " %";
+        };
         text += "  energy           rock " + share(result.ledger.rock) + ", damper " +
                 share(result.ledger.damper) + ", waves " + share(result.ledger.waves) + ", new faces " +
                 share(result.ledger.faces) + " of what hammer and feed bring\n";

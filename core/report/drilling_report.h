@@ -46,6 +46,9 @@ std::span<const DrillingColumn> drillingColumns();
 /// Of one of blowQuantities.
 DrillingMeasure measureOf(const BlowQuantity& quantity);
 
+/// A spread or an error, in units of Problem, as it is told: what is rounding alone is nothing.
+double withoutRounding(double spread);
+
 /// "with a dashpot of 6.3 kN s/m", "with constant force".
 std::string damperWords(const Scenario& scenario, const ReadingStyle& style = plainStyle());
 /// The verdict in one sentence, with its damper.

@@ -7,6 +7,20 @@
 
 namespace drillwave {
 
+namespace {
+
+/// 350 of two digits is "350", not "3.5e+02".
+std::string withoutPower(const ReadingStyle& style, double value, int digits) {
+    constexpr int mostBeforePoint = 6;
+    const double told = parseNumber(rounded(value, digits)).value_or(value);
+    if (!(std::abs(told) >= 1) || !std::isfinite(told)) return style.number(value, digits);
+    const int beforePoint = static_cast<int>(std::floor(std::log10(std::abs(told)))) + 1;
+    if (beforePoint <= digits || beforePoint > mostBeforePoint) return style.number(value, digits);
+    return style.number(told, beforePoint);
+}
+
+}  // namespace
+
 ReadUnit ReadingStyle::unitFor(double si, Quantity quantity) const {
     // Of each quantity from the smallest on.
     constexpr std::array<std::string_view, 20> handy{"us",  "ms",  "s",   "um",   "mm",   "m",   "N s",
@@ -26,7 +40,7 @@ ReadUnit ReadingStyle::unitFor(double si, Quantity quantity) const {
 
 std::string ReadingStyle::quantity(double si, Quantity quantity, int digits, Rounding rounding) const {
     const ReadUnit read = unitFor(si, quantity);
-    const std::string text = number(roundedTo(read.unit->fromSi(si), digits, rounding), digits);
+    const std::string text = withoutPower(*this, roundedTo(read.unit->fromSi(si), digits, rounding), digits);
     return read.name.empty() ? text : text + " " + read.name;
 }
 

@@ -43,6 +43,10 @@ class TestUnits : public QObject {
         QCOMPARE(inHandyUnit(71700, Quantity::force), "71.7 kN");
         QCOMPARE(inHandyUnit(0.0032, Quantity::length), "3.2 mm");
         QCOMPARE(inHandyUnit(2e-9, Quantity::length), "0.002 um");
+        QCOMPARE(inHandyUnit(3.46e-4, Quantity::length, 2), "350 um");
+        QCOMPARE(inHandyUnit(-3.46e-4, Quantity::length, 2), "-350 um");
+        QCOMPARE(inHandyUnit(9.99e-4, Quantity::length, 2), "1000 um");
+        QCOMPARE(inHandyUnit(12.34, Quantity::impulse, 1), "10 N s");
         QCOMPARE(inHandyUnit(0, Quantity::length), "0 m");
         QCOMPARE(inHandyUnit(0, Quantity::time), "0 s");
         QCOMPARE(inHandyUnit(0, Quantity::force), "0 N");
