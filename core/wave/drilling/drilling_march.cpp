@@ -84,6 +84,7 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
         m_force = cellsOf(blow.force(), grid.cuts);
     }
     m_rear = RearNode(parts, widths);
+    m_rearMobility = 1 / parts.impedance;
     m_lastImpulse = m_hammerMomentum;
     if (problem.start == DrillingStart::bouncing) {
         const double velocity = blow.velocity() / 2;
@@ -206,8 +207,7 @@ void DrillingMarch::step(std::size_t part, const WaveCell& force, std::optional<
     const std::size_t count = m_lines.size(), parts = m_grid.cuts.count();
     const double width = m_grid.cuts.widths()[part];
     const bool hammers = m_rear.hasHammer();
-    for (std::size_t j = hammers ? 0 : m_hammer; j < count; ++j)
-        m_arriving[j] = m_lines[j].arrive(part, width);
+    for (std::size_t j = hammers ? 0 : m_hammer; j < count; ++j) m_arriving[j] = m_lines[j].arrive(part);
     WaveCell down;
     if (hammers) {
         down = -1.0 * m_arriving[0];
@@ -220,9 +220,8 @@ void DrillingMarch::step(std::size_t part, const WaveCell& force, std::optional<
     }
     const RearNode::Forces rear = m_rear.step(down, m_arriving[m_hammer], force, part);
     if (hammers) m_lines[m_hammer - 1].enter(rear.face - down, width);
-    const double rearMobility = 1 / m_problem.blow.sections[m_hammer].impedance;
     m_rearPlace +=
-        width * rearMobility * (rear.face.mean() + rear.damper.mean() - 2 * m_arriving[m_hammer].mean());
+        width * m_rearMobility * (rear.face.mean() + rear.damper.mean() - 2 * m_arriving[m_hammer].mean());
     down = rear.sum() - m_arriving[m_hammer];
     for (std::size_t j = m_hammer + 1; j < count; ++j) {
         WaveCell back, next;
@@ -236,7 +235,7 @@ void DrillingMarch::step(std::size_t part, const WaveCell& force, std::optional<
     m_bit.step(down, back, static_cast<int>(part), 0, CutAt::nothing, none);
     m_lines[count - 1].enter(back, width);
     if (m_samples)
-        addSamples(part, rearMobility * (rear.sum() - 2.0 * m_arriving[m_hammer]), rear.damper.end(), down);
+        addSamples(part, m_rearMobility * (rear.sum() - 2.0 * m_arriving[m_hammer]), rear.damper.end(), down);
 }
 
 void DrillingMarch::addSamples(std::size_t part, const WaveCell& rearVelocity, double damperForce,

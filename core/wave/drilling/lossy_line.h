@@ -26,8 +26,9 @@ class LossyLine {
         m_ofRoundTrip = 1 / roundTrip;
         m_kept = 1 - loss;
         m_rate = loss > 0 ? -std::log1p(-loss) / roundTrip : 0;
-        m_keptOfCell.clear();
-        for (const double width : widths) m_keptOfCell.push_back(std::exp(-m_rate * width));
+        m_parts.clear();
+        for (const double width : widths)
+            m_parts.push_back({std::exp(-m_rate * width), width / 2, 2 * m_rate * width});
         fill(0);
     }
     /// All of it is the same, and steady.
@@ -42,14 +43,16 @@ class LossyLine {
     bool isLossy() const { return m_rate > 0; }
 
     /// b_out over the next part of a cell, the `part`-th of its cell.
-    WaveCell arrive(std::size_t part, double width) {
+    WaveCell arrive(std::size_t part) {
         WaveCell out = *m_line.arriving();
         if (isLossy()) {
-            const double goal = (m_held + width * m_flux / 2) * m_ofRoundTrip;
-            m_next = goal + (m_mean - goal) * m_keptOfCell[part];
+            const Part& of = m_parts[part];
+            const double goal = (m_held + of.halfWidth * m_flux) * m_ofRoundTrip;
+            m_next = goal + (m_mean - goal) * of.kept;
             for (double& coefficient : out.c) coefficient *= m_kept;
             out.c[0] += (m_mean + m_next) / 2;
             out.c[1] += (m_next - m_mean) / 2;
+            m_lossOfPart = of.loss;
         }
         m_out = {out.mean(), out.meanSquare()};
         return out;
@@ -65,7 +68,7 @@ class LossyLine {
             stored.c[0] -= (m_mean + m_next) / 2;
             stored.c[1] -= (m_next - m_mean) / 2;
             m_mean = m_next;
-            const double lost = 2 * m_rate * width * (m_square - m_held * m_held * m_ofRoundTrip);
+            const double lost = m_lossOfPart * (m_square - m_held * m_held * m_ofRoundTrip);
             m_square -= lost;
             m_lost += lost;
         }
@@ -113,12 +116,19 @@ class LossyLine {
     DelayLine<WaveCell> m_line;
     double m_roundTrip = 1;  ///< 2T
     double m_ofRoundTrip = 1;
-    double m_kept = 1;                 ///< 1 − η
-    double m_rate = 0;                 ///< λ
-    std::vector<double> m_keptOfCell;  ///< e^−λΔ
-    double m_mean = 0, m_next = 0;     ///< A before and behind the cell
-    double m_held = 0, m_square = 0;   ///< B, Q
-    double m_flux = 0;                 ///< B' over the last cell
+    double m_kept = 1;  ///< 1 − η
+    double m_rate = 0;  ///< λ
+    /// Of a part of a cell.
+    struct Part {
+        double kept;  ///< e^−λΔ
+        double halfWidth;
+        double loss;  ///< 2λΔ
+    };
+    std::vector<Part> m_parts;
+    double m_lossOfPart = 0;
+    double m_mean = 0, m_next = 0;    ///< A before and behind the cell
+    double m_held = 0, m_square = 0;  ///< B, Q
+    double m_flux = 0;                ///< B' over the last cell
     double m_lost = 0;
     struct {
         double mean = 0, meanSquare = 0;

@@ -192,7 +192,7 @@ bool RearNode::quietStep(const WaveCell& push, const WaveCell& b2, double width,
         lastStretch = stretch + width * ((velocity + lastVelocity) / 2 - q.mean() / impedance);
         m_sums.feedWork += mean * width * (velocity + lastVelocity) / 2;
     } else {
-        std::array<double, WaveCell::count + 3> out{};
+        std::array<double, PressingMap::outputs> out{};
         const std::array<double, PressingMap::inputs> in{q.c[0], q.c[1],   q.c[2], q.c[3],
                                                          mean,   velocity, stretch};
         const PressingMap& map = m_maps[part];

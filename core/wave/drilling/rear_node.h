@@ -103,7 +103,8 @@ class RearNode {
     /// the state.
     struct PressingMap {
         static constexpr int inputs = WaveCell::count + 3;
-        std::array<std::array<double, WaveCell::count + 3>, inputs> of{};
+        static constexpr int outputs = WaveCell::count + 2;  ///< D, v_b and x behind it
+        std::array<std::array<double, outputs>, inputs> of{};
     };
 
     Piece pieceOf(const Inputs& in, const Modes& modes, double from, double end, const RearState& start,

@@ -25,6 +25,7 @@ class Joint {
         : m_impedance1(near.impedance),
           m_impedance2(far.impedance),
           m_toVelocity(2 / (near.impedance + far.impedance)),
+          m_reflection((far.impedance - near.impedance) / (near.impedance + far.impedance)),
           m_mass(near.massAfter),
           m_passing(std::sqrt(1 - near.loss)),
           m_velocity(velocity) {}
@@ -40,7 +41,7 @@ class Joint {
     void step(const WaveCell* f1, const WaveCell* b2, WaveCell* b1, WaveCell* f2, std::size_t count,
               std::size_t part, std::size_t parts);
 
-    double reflection() const { return (m_impedance2 - m_impedance1) / (m_impedance1 + m_impedance2); }
+    double reflection() const { return m_reflection; }
     /// Amplitude that passes the loss.
     double passing() const { return m_passing; }
     double mass() const { return m_mass; }
@@ -55,6 +56,7 @@ class Joint {
 
     double m_impedance1 = 1, m_impedance2 = 1;
     double m_toVelocity = 1;  ///< 2/(Z1 + Z2)
+    double m_reflection = 0;  ///< R
     double m_mass = 0;
     double m_passing = 1;
     double m_velocity = 0;

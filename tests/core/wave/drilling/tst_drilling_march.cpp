@@ -269,11 +269,11 @@ void TestDrillingMarch::aFreeRodKeepsItsVelocityAndAPressedOneItsLength() {
     for (const double wave : {-0.25, 0.4}) {
         line.fill(wave);
         for (int i = 0; i < 70 * 10'000; ++i) {
-            const WaveCell out = line.arrive(0, 0.1);
+            const WaveCell out = line.arrive(0);
             line.enter(out, 0.1);
         }
         QVERIFY(std::abs(line.held() - 7 * wave) < 1e-13 * 7);
-        QVERIFY(std::abs(line.arrive(0, 0.1).mean() - wave) < 1e-13);
+        QVERIFY(std::abs(line.arrive(0).mean() - wave) < 1e-13);
         QVERIFY(std::abs(line.lost()) < 1e-10);  // rounding of 700 000 cells
     }
 }
@@ -287,7 +287,7 @@ void TestDrillingMarch::aWaveLosesItsShareInARoundTrip() {
     for (int trip = 0; trip < 3; ++trip) {
         double energy = 0;
         for (int i = 0; i < 100; ++i) {
-            WaveCell out = line.arrive(0, 0.1);
+            WaveCell out = line.arrive(0);
             energy += out.meanSquare();
             if (trip == 0) out = WaveCell::constant(i % 2 ? 1 : -1);
             line.enter(out, 0.1);
