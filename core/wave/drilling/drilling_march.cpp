@@ -243,6 +243,8 @@ void DrillingMarch::addSamples(std::size_t part, const WaveCell& rearVelocity, d
     const std::vector<double>& places = m_grid.cuts.places();
     const double end = part + 1 < places.size() ? places[part + 1] : 1;
     const double time = (static_cast<double>(m_cells + m_cell) + end) * m_grid.cells.cell;
+    // the polynomial of a cell in which the damper lifts passes a little below nothing
+    if (m_problem.machine) damperForce = std::max(0.0, damperForce);
     m_samples->rear.push_back({time, rearVelocity.end(), damperForce, m_rearPlace + m_rear.state().stretch});
     const BitNodeState& bit = m_bit.state();
     const double velocity = m_bit.mass() > 0
@@ -271,7 +273,7 @@ void DrillingMarch::endBlow() {
     m_fed += m_rear.meanForce() * static_cast<double>(m_nextInterval) * m_grid.cells.cell + sums.faceImpulse;
     m_ledger.feed += sums.feedWork;
     m_ledger.damper += m_problem.machine ? sums.damperWork : 0;
-    m_ledger.hammer += m_hammer > 0 ? -hammerEnergy() : sums.forceWork;
+    m_ledger.hammer += m_hammer > 0 ? -hammerEnergy() - m_rear.faceEnergy() : sums.forceWork;
     m_ledger.waves = 0;
     for (std::size_t j = m_hammer; j < m_lines.size(); ++j)
         m_ledger.waves += m_lines[j].lost() / m_problem.blow.sections[j].impedance;

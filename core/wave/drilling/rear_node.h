@@ -72,6 +72,10 @@ class RearNode {
     void resetSums() { m_sums = {}; }
     double meanForce() const { return m_meanForce; }
     void setMeanForce(double meanForce) { m_meanForce = meanForce; }
+    /// In the stiffness of the faces, which goes with a hammer that still touches.
+    double faceEnergy() const {
+        return m_parts.face.stiffness ? m_now.faceForce * m_now.faceForce / (2 * *m_parts.face.stiffness) : 0;
+    }
     double bodyMass() const { return m_machine ? m_machine->mass : 0; }
     /// Whether the waves of the hammer still matter.
     bool hasHammer() const { return m_parts.hammerImpedance > 0 && !m_now.released; }
