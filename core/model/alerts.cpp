@@ -157,6 +157,7 @@ std::string_view name(AlertCode code) {
                                                       {notSettled, "not_settled"},
                                                       {coexistingMotions, "coexisting_motions"},
                                                       {irregularMotion, "irregular_motion"},
+                                                      {energyUnbalanced, "energy_unbalanced"},
                                                       {damperAssumed, "damper_assumed"}}};
     return alertNames[code];
 }

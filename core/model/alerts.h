@@ -42,6 +42,7 @@ enum class AlertCode {
     notSettled,
     coexistingMotions,
     irregularMotion,
+    energyUnbalanced,
     damperAssumed,
 };
 

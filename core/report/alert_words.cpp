@@ -231,6 +231,11 @@ std::string alertText(const Alert& alert, const ReadingStyle& style) {
                    "not known.";
         case AlertCode::irregularMotion:
             return "The motion does not repeat: means are results, single blows are none.";
+        case AlertCode::energyUnbalanced:
+            return "The energy of all blows closes to " +
+                   style.number(100 * alert.argument("share").value, 2) +
+                   " % only: the cells are long for these contacts; shorter ones take it down with their "
+                   "length.";
         case AlertCode::damperAssumed:
             return "No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the "
                    "rod.";

@@ -29,6 +29,12 @@ std::vector<std::optional<double>> valuesOf(const std::vector<OutputColumn>& col
     return values;
 }
 
+/// Whether the damper is another one at every value.
+bool isOfDamper(const SweepAxis& axis) {
+    const std::string_view key = axis.key();
+    return key == "drill.machine_mass" || key == "drill.damper_damping" || key == "drill.damper_stiffness";
+}
+
 const char* nameOf(DrillingStart start) {
     return start == DrillingStart::rest ? "rest" : "bouncing";
 }
@@ -83,7 +89,7 @@ std::string drillingGapsCsv(const DrillingScanReport& report, OutputUnits units)
 std::string drillingScanText(const DrillingScanReport& report, OutputUnits units, const ReadingStyle& style) {
     const DrillingScan& scan = report.scan;
     std::string text = headingOf(scan.base);
-    text += "\n  " + damperWords(scan.base, style) + ", " +
+    text += "\n  " + (isOfDamper(scan.axis) ? "" : damperWords(scan.base, style) + ", ") +
             std::to_string(scan.settings.blows - scan.settings.settle) + " blows at each value\n\n";
     TextGrid grid;
     grid.add({std::string(scan.axis.key()), "start", "phi", "gap", "5 %", "95 %", "penetration", "+-",
@@ -107,7 +113,8 @@ std::string drillingScanText(const DrillingScanReport& report, OutputUnits units
         const BlowSpread &gaps = result.spread(gapPlace), &depths = result.spread(penetrationPlace);
         const std::optional<double> error = result.meanError(penetrationPlace);
         grid.add({value, nameOf(point.start), style.number(result.groups.phi, 4), told(gaps.mean, 4),
-                  told(gaps.q05, 3), told(gaps.q95, 3), told(depths.mean, 4), error ? told(*error, 2) : "",
+                  told(gaps.q05, 3), told(gaps.q95, 3), told(depths.mean, 4),
+                  error ? told(withoutRounding(*error), 2) : "",
                   style.number(100 * result.statistics->contactShare, 3) + " %",
                   result.statistics->period > 0 ? "period " + std::to_string(result.statistics->period)
                                                 : "irregular"});

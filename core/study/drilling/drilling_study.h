@@ -12,18 +12,10 @@
 #include "core/model/scales.h"
 #include "core/model/scenario.h"
 #include "core/study/drilling/drilling_case.h"
+#include "core/study/drilling/drilling_record.h"
 #include "core/study/drilling/drilling_statistics.h"
 
 namespace drillwave {
-
-enum class DrillingOutcome {
-    done,
-    pushedBack,  ///< the machine is pushed back: no bounded motion
-    notSolved,
-    stopped,
-};
-/// "done", "pushed_back", …
-std::string_view name(DrillingOutcome outcome);
 
 /// What the thrust comes to, in one word.
 enum class DrillingVerdict {
@@ -48,23 +40,15 @@ struct Lyapunov {
     std::optional<double> error;
 };
 
-/// Blows that are told in full, from 1.
-struct BlowRange {
-    long first = 1, last = 1;
-};
-
-/// All of them at one time, by straight lines between what was marched; in units of Problem.
-struct DrillingInstant {
-    double time = 0, force = 0, penetration = 0, frontVelocity = 0, rearVelocity = 0, damperForce = 0,
-           bodyPlace = 0;
-};
-inline constexpr std::size_t mostDrillingInstants = 200'000;
+/// What half as many cells change counts so often.
+inline constexpr double coveringCells = 3;
 
 /// What is wanted beside the blows: each march costs one of its own.
 struct DrillingWants {
     bool cellError = true;  ///< the same with half as many cells
     bool lyapunov = true;
-    bool fullRate = true;  ///< the penetration at 2(1 + 2e)
+    bool fullRate = true;  ///< the penetration at 2(1 + 2e), which takes `cor`
+    bool cor = true;       ///< e of the blow alone
     std::optional<BlowRange> histories = {};
     int jobs = 1;  ///< marches that may run side by side, each on a thread; what comes out is the same
     /// Told every blow of the march itself, as soon as it is done.
@@ -84,7 +68,7 @@ struct DrillingResult {
     std::array<double, blowQuantities.size()> cellErrors{};
     std::optional<Lyapunov> lyapunov;
     DrillingGroups groups;
-    double cor = 0;                       ///< e of the blow at zero gap
+    double cor = 0;                       ///< e of the blow at zero gap; not a number where it was not wanted
     std::optional<double> fullRateShare;  ///< of the mean penetration at 2(1 + 2e)
     double meanImpulse = 1;               ///< J [units of Problem]
     DrillingLedger ledger;
@@ -103,9 +87,6 @@ struct DrillingResult {
     std::optional<double> meanError(std::size_t quantity) const;
     const BlowSpread& spread(std::size_t quantity) const { return statistics->spreads[quantity]; }
 };
-
-/// Told how many blows more are done, of foreseenBlows(); by one thread at a time.
-using DrillingProgress = std::function<void(long)>;
 
 /// Blows of all marches of a study.
 long foreseenBlows(const DrillingSettings& settings, const DrillingWants& wants);

@@ -20,6 +20,9 @@ CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice
                        Detail least)
     : m_columns(columns),
       m_detail(std::max(least, detailFor(columns))),
+      m_needsBlow(
+          least > Detail::cor ||
+          !std::ranges::all_of(columns, [](const OutputColumn& c) { return c.output->needsDrilling(); })),
       m_needsLess(std::ranges::any_of(columns,
                                       [](const OutputColumn& c) { return c.detail() != Detail::histories; })),
       m_inSi(std::ranges::any_of(columns, [](const OutputColumn& c) { return c.units == OutputUnits::si; })),
@@ -36,6 +39,7 @@ CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice
 std::string CaseSolver::solve(const Scenario& scenario, std::span<double> outputs,
                               const std::stop_token& stop) {
     assert(outputs.size() == m_columns.size());
+    if (!m_needsBlow) return fill({ImpactSummary(), scenario}, outputs, stop);
     if (!isFollowedByEvents(scenario)) return solveDrillString(scenario, outputs, stop);
     setRod(m_problem, scenario);
     const auto solve = [&](Detail detail) -> const Impact& {
@@ -84,8 +88,10 @@ std::string CaseSolver::march(const Scenario& scenario, const std::stop_token& s
     m_lack.clear();
     if (!m_drillWishes.any || !drillProblem(scenario).empty()) return {};
     const DrillingSettings settings = scanSettingsOf(scenario);
-    const DrillingWants wants{
-        .cellError = m_drillWishes.penetrationError, .lyapunov = m_drillWishes.lyapunov, .fullRate = false};
+    const DrillingWants wants{.cellError = m_drillWishes.penetrationError,
+                              .lyapunov = m_drillWishes.lyapunov,
+                              .fullRate = false,
+                              .cor = false};
     if (drillingWork(scenario, settings, wants) > static_cast<double>(m_solver.mostCells()))
         return "its blows under a feed need more wave cells than permitted";
     const DrillingResult result = studyDrilling(scenario, settings, wants, stop);

@@ -39,7 +39,7 @@ class CaseSolver {
     /// Whether many blows of the case last solved do not repeat: their means scatter.
     bool isIrregular() const { return m_drill && m_drill->period == 0.0; }
 
-    /// Of the case last solved.
+    /// Of the case last solved; nothing where all columns are of many blows and no more was asked for.
     const Impact& impact() const { return m_impact; }
     /// By how much e of neighbouring blows may scatter: what a curve need not resolve. Of a string less than
     /// its stated error, most of which is the same from blow to blow.
@@ -59,6 +59,7 @@ class CaseSolver {
 
     std::span<const OutputColumn> m_columns;
     Detail m_detail;
+    bool m_needsBlow;  ///< the single one
     bool m_needsLess;  ///< some column can be filled without histories
     bool m_inSi;
     bool m_needsMargin;  ///< of the thrust: a study of all gaps

@@ -84,11 +84,13 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
     const auto makeWorker = [&] {
         return [&](ValueWork& chunk, const std::stop_token& stop) {
             const Scenario scenario = scenarioAt(base, axis, chunk.index);
-            DrillingWants wants{
-                .cellError = isTried(chunk.index, axis.count), .lyapunov = work.lyapunov, .fullRate = false};
+            DrillingWants wants{.cellError = isTried(chunk.index, axis.count),
+                                .lyapunov = work.lyapunov,
+                                .fullRate = false,
+                                .cor = chunk.index == 0};
             DrillingSettings from = settings;
             chunk.rest = studyDrilling(scenario, from, wants, stop);
-            wants.cellError = wants.lyapunov = false;
+            wants.cellError = wants.lyapunov = wants.cor = false;
             from.start = DrillingStart::bouncing;
             chunk.bouncing = studyDrilling(scenario, from, wants, stop);
             chunk.differs = !isSameMotion(chunk.rest, chunk.bouncing);
@@ -99,6 +101,7 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
     };
     const auto deliver = [&](ValueWork& chunk) {
         const double value = axis.value(chunk.index);
+        if (chunk.index == 0) scan.cor = chunk.rest.cor;
         for (std::size_t q = 0; q < blowQuantities.size(); ++q)
             scan.cellErrors[q] = std::max(scan.cellErrors[q], chunk.rest.cellErrors[q]);
         if (chunk.differs)

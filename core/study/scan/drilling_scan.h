@@ -29,6 +29,7 @@ struct DrillingScan {
     std::vector<DrillingScanPoint> points;
     /// What half as many cells change, the largest of five values; of blowQuantities.
     std::array<double, blowQuantities.size()> cellErrors{};
+    double cor = 0;  ///< e of the blow at zero gap, of the first value; over a thrust that of all
     double runTime = 0;
 };
 

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One march of a study of many blows, kept blow by blow.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/wave/drilling/drilling_grid.h"
+#include "core/wave/drilling/drilling_problem.h"
+
+namespace drillwave {
+
+enum class DrillingOutcome {
+    done,
+    pushedBack,  ///< the machine is pushed back: no bounded motion
+    notSolved,
+    stopped,
+};
+/// "done", "pushed_back", …
+std::string_view name(DrillingOutcome outcome);
+
+/// Blows that are told in full, from 1.
+struct BlowRange {
+    long first = 1, last = 1;
+};
+
+/// All of them at one time, by straight lines between what was marched; in units of Problem.
+struct DrillingInstant {
+    double time = 0, force = 0, penetration = 0, frontVelocity = 0, rearVelocity = 0, damperForce = 0,
+           bodyPlace = 0;
+};
+inline constexpr std::size_t mostDrillingInstants = 200'000;
+
+/// Told how many blows more are done; by one thread at a time.
+using DrillingProgress = std::function<void(long)>;
+
+/// What was marched.
+struct DrillingRecord {
+    std::vector<DrillingBlow> blows;
+    DrillingOutcome outcome = DrillingOutcome::done;
+    std::string reason;
+    DrillingLedger ledger;
+    double momentumResidual = 0;
+    double lateShare = 0;  ///< largest
+    std::vector<DrillingInstant> instants;
+    std::vector<double> growths;  ///< ln of how a small distance has grown, of each blow
+};
+
+/// How far it is marched, and what of it is told.
+struct RecordLength {
+    long blows;
+    bool lyapunov = false;
+    std::optional<BlowRange> histories = {};
+    int jobs = 1;  ///< the march of λ has a thread of its own where they are more
+    std::function<void(const DrillingBlow&)> onBlow = {};
+};
+
+/// A bit goes away for ever where its gap has grown for so many blows of a machine that is pushed back on the
+/// mean of them.
+inline constexpr long growingBlows = 50;
+
+/// J, of the last so many blows. Requires blows.
+double meanImpulse(const std::vector<DrillingBlow>& blows, std::size_t last);
+
+DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid, const RecordLength& length,
+                        const std::stop_token& stop, const DrillingProgress& progress);
+
+}  // namespace drillwave
