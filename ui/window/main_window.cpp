@@ -133,7 +133,12 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     });
     m_pages->add(new MapPage(m_document), PageGroup::studies);
     m_pages->add(new ThrustPage(m_document), PageGroup::studies);
-    m_pages->add(new DrillingPage(m_document), PageGroup::studies);
+    auto* drilling = new DrillingPage(m_document);
+    m_pages->add(drilling, PageGroup::studies);
+    connect(drilling, &DrillingPage::blowTaken, this, [this, blow](const QString& what) {
+        m_pages->setCurrentWidget(blow);
+        inform(what);
+    });
     m_pages->add(new DesignPage(m_document), PageGroup::studies);
     m_pages->add(new AccuracyPage(m_document), PageGroup::studies);
     m_runs->addTo(*m_pages);

@@ -37,7 +37,8 @@ DrillingPage::DrillingPage(Document& document, QWidget* parent)
                                                               const StudyFeed<DrillingAnswer>& feed) {
           return student->answer(question, feed);
       }),
-      m_scan(answerDrillingScan) {
+      m_scan(answerDrillingScan),
+      m_runMeans(runMeans) {
     m_axis = new AxisFields(tr("scan over"), {"drill.thrust"}, document.units(), this, StudyOf::manyBlows);
     PlotWidget* widget = arrange({m_missing, m_axis, makeScanControls()});
     static_cast<QBoxLayout*>(layout())->addWidget(m_table);
@@ -46,6 +47,7 @@ DrillingPage::DrillingPage(Document& document, QWidget* parent)
     useFrame(*m_plot, tr("Many blows under a feed"));
     watch(m_march.job());
     watchBeside(m_scan.job());
+    watchBeside(m_runMeans.activity());
     connect(m_axis, &AxisFields::changed, this, [this] {
         if (isVisible()) present();
     });
@@ -152,6 +154,7 @@ void DrillingPage::draw(const DrillingAnswer& answer) {
             blowPoints(m_before->blows(), drillingUnitsOf(m_before->question.scenario), picture.units);
     addScan(picture);
     m_plot->present(picture);
+    showRuns(picture.units);
     const QString blow = tr("blow");
     plot()->setMeaning(m_plot->march().gapPoints(),
                        {.xName = blow, .yUnit = picture.units.length.unit, .integralFactor = 0});
@@ -220,8 +223,55 @@ QString DrillingPage::wordsOf(const DrillingAnswer& answer) const {
     return sentences.join(QLatin1Char(' '));
 }
 
+// At their mean penetrations, and along the scan at their mean rates.
+void DrillingPage::showRuns(const DrillingShown& units) {
+    std::vector<DrillingQuestion> questions;
+    for (const Run& run : runs())
+        if (run.isShown && hasUnits(run.contents.scenario))
+            questions.push_back(runQuestion(run.contents.scenario));
+    m_runMeans.ask(questions);
+    const double last = double(m_plot->picture().march->blows);
+    const bool hasScan = m_plot->picture().scan.has_value();
+    QVector<RunMark> means, along;
+    for (const Run& run : runs()) {
+        const Scenario& own = run.contents.scenario;
+        if (!run.isShown || !hasUnits(own)) continue;
+        const RunMeans* found = m_runMeans.find(runQuestion(own));
+        if (!found) continue;
+        means.append({run.number, run.title(), {last, found->penetration * units.length.factor}});
+        if (!hasScan) continue;
+        const Parameter& scanned = *m_scan.question()->range.parameter;
+        const std::optional<double> value = scanned.applies(own) ? scanned.value(own) : std::nullopt;
+        if (value)
+            along.append(
+                {run.number, run.title(), {*value * units.along.factor, found->rate * units.rate.factor}});
+    }
+    m_plot->showRuns(means, along);
+}
+
+// The waves and motions that it began with are of many blows: a single one begins at rest.
+void DrillingPage::takeBlow(long number, Qt::KeyboardModifiers modifiers) {
+    const DrillingAnswer& answer = *m_march.value();
+    const DrillingBlow taken = answer.blows()[static_cast<std::size_t>(number) - 1];
+    const DrillingUnits units = drillingUnitsOf(answer.question.scenario);
+    const double gap = taken.gap * units.length();
+    take({{findParameter("bit_rock.gap"), gap}}, modifiers);
+    if ((modifiers & Qt::ShiftModifier) || scenario().bitRock.gap != gap) return;
+    const LocalStyle style = LocalStyle::of(document().units());
+    const auto length = [&](double value) {
+        return QString::fromStdString(style.quantity(value * units.length(), Quantity::length, 3));
+    };
+    emit blowTaken(
+        tr("Gap of blow %1 taken, %2; not its waves, motion and feed, with which it penetrated %3.")
+            .arg(number)
+            .arg(length(taken.gap), length(taken.penetration)));
+}
+
 void DrillingPage::click(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
-    if ((modifiers & ~Qt::ShiftModifier) || !m_plot->isScan(rect)) return;
+    if (modifiers & ~Qt::ShiftModifier) return;
+    if (const std::optional<long> blow = m_plot->march().blowAt(rect, at.x()))
+        return takeBlow(*blow, modifiers);
+    if (!m_plot->isScan(rect)) return;
     const double shown = QString::number(at.x(), 'g', clickedDigits).toDouble();
     take({{m_scan.question()->range.parameter, shown / m_plot->picture().units.along.factor}}, modifiers);
 }

@@ -5,6 +5,7 @@
 #include "ui/job/asked_study.h"
 #include "ui/pages/drilling/drilling_picture.h"
 #include "ui/pages/drilling/drilling_question.h"
+#include "ui/pages/drilling/run_means.h"
 #include "ui/pages/study/study_page.h"
 
 class QCheckBox;
@@ -39,6 +40,10 @@ class DrillingPage : public StudyPage {
     /// Scans over what the fields say; stops the scan where one runs.
     void scan();
 
+  signals:
+    /// The gap that a blow had is that of the scenario now; what was taken, and what was not, in words.
+    void blowTaken(const QString& what);
+
   protected:
     void ask() override;
     void present() override;
@@ -57,6 +62,8 @@ class DrillingPage : public StudyPage {
     void showScanState();
     QString wordsOf(const DrillingAnswer& answer) const;
     void click(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers);
+    void takeBlow(long number, Qt::KeyboardModifiers modifiers);
+    void showRuns(const DrillingShown& units);
 
     MissingFields* m_missing;
     AxisFields* m_axis = nullptr;
@@ -69,6 +76,7 @@ class DrillingPage : public StudyPage {
     bool m_wantsScan = false;                          // it was stopped by going out of sight
     AskedStudy<DrillingQuestion, DrillingAnswer> m_march;
     AskedStudy<DrillingScanQuestion, DrillingScanAnswer> m_scan;
+    RunDrilling m_runMeans;
 };
 
 }  // namespace drillwave

@@ -80,6 +80,7 @@ ScanPicture scanPicture(const DrillingScan& scan, const DrillingScan* constantFo
 
 /// All that a plot shows; either may be missing.
 struct DrillingPicture {
+    QString message = {};  ///< in place of all else: why there is nothing to show
     DrillingShown units;
     std::optional<MarchPicture> march;
     BlowPoints before;  ///< of an earlier scenario, faintly

@@ -33,11 +33,13 @@ DrillingPlot::DrillingPlot(QCustomPlot* plot) : StudyFrame(plot) {
         for (const QCPAxisRect* rect : {m_march->gaps(), m_march->penetrations()})
             m_view->watch(rect->axis(side));
     addHere();
+    addRunMarks();
     setStyle(PlotStyle::forPaper());
     showNothing({});
 }
 
 void DrillingPlot::present(const DrillingPicture& picture) {
+    if (!picture.message.isEmpty()) return showNothing(picture.message);
     const bool otherAxes = !isSameAxis(m_picture, picture);
     m_picture = picture;
     arrange(picture.march.has_value(), picture.scan.has_value());
@@ -53,7 +55,13 @@ void DrillingPlot::present(const DrillingPicture& picture) {
     finish(otherAxes);
 }
 
+void DrillingPlot::showRuns(const QVector<RunMark>& means, const QVector<RunMark>& along) {
+    m_march->presentRuns(means);
+    setRuns(along);
+}
+
 void DrillingPlot::clear() {
+    m_march->presentRuns({});
     m_picture = {};
     arrange(true, false);
     m_march->present({}, {}, {});

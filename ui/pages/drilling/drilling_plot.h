@@ -21,6 +21,8 @@ class DrillingPlot : public StudyFrame {
 
     /// The view stays where it is unless it was fitted, or what it has in view is of other kinds.
     void present(const DrillingPicture& picture);
+    /// Pinned runs: mean penetrations, and where they are along the scan, which may be nowhere.
+    void showRuns(const QVector<RunMark>& means, const QVector<RunMark>& along);
     const DrillingPicture& picture() const { return m_picture; }
     const MarchRects& march() const { return *m_march; }
     const ScanRects& scan() const { return *m_scan; }

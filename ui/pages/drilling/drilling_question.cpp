@@ -36,21 +36,6 @@ Scenario withoutWords(Scenario scenario) {
     return scenario;
 }
 
-/// e of the blow alone, in what it meets the rock after gaps of one period.
-QVector<QPointF> corOverPeriod(const Scenario& scenario, const std::stop_token& stop) {
-    QVector<QPointF> curve;
-    if (!gapHasPeriod(scenario)) return curve;
-    Scenario at = scenario;
-    const double period = scalesOf(scenario).penetration;
-    for (int i = 0; i <= gapsOfPeriod && !stop.stop_requested(); ++i) {
-        const double share = double(i) / gapsOfPeriod;
-        at.bitRock.gap = share * period;
-        const Blow blow = solveBlow(at, {}, Detail::cor, stop);
-        if (blow.isSolved()) curve.append({share, blow.summary.cor});
-    }
-    return curve;
-}
-
 int threads() {
     return std::max(1, QThread::idealThreadCount());
 }
@@ -119,6 +104,20 @@ DrillingAnswer DrillingStudent::answer(const DrillingQuestion& question,
     m_known.push_front(found);
     if (m_known.size() > keptAnswers) m_known.pop_back();
     return found;
+}
+
+QVector<QPointF> corOverPeriod(const Scenario& scenario, const std::stop_token& stop) {
+    QVector<QPointF> curve;
+    if (!gapHasPeriod(scenario)) return curve;
+    Scenario at = scenario;
+    const double period = scalesOf(scenario).penetration;
+    for (int i = 0; i <= gapsOfPeriod && !stop.stop_requested(); ++i) {
+        const double share = double(i) / gapsOfPeriod;
+        at.bitRock.gap = share * period;
+        const Blow blow = solveBlow(at, {}, Detail::cor, stop);
+        if (blow.isSolved()) curve.append({share, blow.summary.cor});
+    }
+    return curve;
 }
 
 std::string scanAxisText(const StudyRange& range) {

@@ -6,6 +6,7 @@
 #include <QVector>
 #include <list>
 #include <memory>
+#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -26,12 +27,16 @@ struct DrillingQuestion {
 /// As many blows as the scenario says; where it says nothing of them 300, of which 100 settle.
 DrillingQuestion drillingQuestion(const Scenario& scenario);
 
+/// e of the blow alone over the gap [d0] that it meets the rock after, along one period of it; empty where it
+/// has none.
+QVector<QPointF> corOverPeriod(const Scenario& scenario, const std::stop_token& stop);
+
 struct DrillingAnswer {
     DrillingQuestion question;
     std::vector<std::string> refusals;  ///< drillingRefusals(): then there is nothing else
     std::vector<DrillingBlow> growing;  ///< the blows so far, until there is a result
     std::shared_ptr<const DrillingResult> result;
-    QVector<QPointF> corOverGap;  ///< e over the gap [d0] along one period; empty where it has none
+    QVector<QPointF> corOverGap;  ///< corOverPeriod()
 
     const std::vector<DrillingBlow>& blows() const { return result ? result->blows : growing; }
     /// Whether the march has come to its end.

@@ -81,8 +81,8 @@ void DrillingTable::present(const DrillingResult& result, const UnitChoice& unit
         const BlowSpread& spread = result.spread(quantity);
         const std::optional<double> errorOfMean = result.meanError(quantity);
         setText(row, mean, text(spread.mean, 5));
-        setText(row, error, errorOfMean ? text(*errorOfMean, 2) : QString());
-        setText(row, deviation, text(spread.deviation, 3));
+        setText(row, error, errorOfMean ? text(withoutRounding(*errorOfMean), 2) : QString());
+        setText(row, deviation, text(withoutRounding(spread.deviation), 3));
         setText(row, low, text(spread.q05, 4));
         setText(row, median, text(spread.q50, 4));
         setText(row, high, text(spread.q95, 4));

@@ -13,7 +13,8 @@ namespace {
 
 constexpr double roomAbovePoints = 0.06;
 constexpr double partWidth = 0.95;  // of a bar
-constexpr int fewTicksOfMarch = 4;
+constexpr int fewTicksOfMarch = 4, fewestTicksOfMarch = 2;
+constexpr double leastRangeOfReturns = 0.1;  // of the gap: ticks of less have too many digits
 
 QCPAxis* below(const QCPAxisRect* rect) {
     return rect->axis(QCPAxis::atBottom);
@@ -40,6 +41,7 @@ MarchRects::MarchRects(QCustomPlot& plot, QObject* parent)
     m_gaps = addSeries(0);
     m_penetrations = addSeries(1);
     addMiddle();
+    m_runs = new RunMarks(&plot, below(m_penetrations.rect), beside(m_penetrations.rect));
 }
 
 QCPGraph* MarchRects::addPoints(QCPAxisRect* rect) {
@@ -71,10 +73,12 @@ void MarchRects::addMiddle() {
     m_returnRect = newAxisRect(m_plot, Sides::linked);
     m_energyRect = newAxisRect(m_plot, Sides::linked);
     int column = 0;
+    auto* bottoms = new QCPMarginGroup(&m_plot);  // one label has two lines
     for (QCPAxisRect* rect : {m_partsRect, m_returnRect, m_energyRect}) {
         rect->setMinimumMargins(QMargins(4, 6, 10, 4));
+        rect->setMarginGroup(QCP::msBottom, bottoms);
         m_middle->addElement(0, column++, rect);
-        below(rect)->ticker()->setTickCount(fewTicksOfMarch);
+        below(rect)->ticker()->setTickCount(fewestTicksOfMarch);
     }
     m_parts = new QCPBars(below(m_partsRect), beside(m_partsRect));
     m_parts->setSelectable(QCP::stNone);
@@ -94,7 +98,8 @@ void MarchRects::addMiddle() {
     m_energy->setSelectable(QCP::stNone);
     m_energy->setWidth(0.7);
     below(m_energyRect)->setLabel(tr("of the energy [%]"));
-    below(m_energyRect)->ticker()->setTickCount(2);
+    for (QCPAxis* axis : {below(m_energyRect), beside(m_energyRect)})
+        axis->grid()->setVisible(false);  // it would strike the numbers through
 }
 
 void MarchRects::present(const MarchPicture& picture, const BlowPoints& before, const DrillingShown& units) {
@@ -128,6 +133,13 @@ void MarchRects::present(const MarchPicture& picture, const BlowPoints& before, 
     showEnergy(picture);
 }
 
+std::optional<long> MarchRects::blowAt(const QCPAxisRect* rect, double x) const {
+    if (rect != m_gaps.rect && rect != m_penetrations.rect) return std::nullopt;
+    const auto blow = std::lround(x);
+    if (blow < 1 || blow > m_gaps.now->dataCount()) return std::nullopt;
+    return blow;
+}
+
 // Those that count.
 void MarchRects::showSettled(const Series& series, const MarchPicture& picture) {
     series.settled->setVisible(picture.blows > 0);
@@ -147,7 +159,7 @@ void MarchRects::showEnergy(const MarchPicture& picture) {
         places.append(place);
         shares.append(100 * part.share);
         auto* text = addItem<QCPItemText>(m_energyRect);
-        text->setText(numberText(100 * part.share, 3, m_plot.locale()));
+        text->setText(numberText(std::round(1000 * part.share) / 10, 3, m_plot.locale()));
         text->setPositionAlignment(Qt::AlignLeft | Qt::AlignVCenter);
         text->position->setCoords(std::max(0.0, 100 * part.share), place);
         text->setPadding(QMargins(4, 0, 0, 0));
@@ -157,7 +169,12 @@ void MarchRects::showEnergy(const MarchPicture& picture) {
     beside(m_energyRect)->setTicker(names);
 }
 
+void MarchRects::presentRuns(const QVector<RunMark>& means) {
+    m_runs->present(means);
+}
+
 void MarchRects::setStyle(const PlotStyle& style) {
+    m_runs->setStyle(style);
     for (const Series& series : {m_gaps, m_penetrations}) {
         const int kind = series.rect == m_gaps.rect ? 0 : 1;
         series.now->setScatterStyle(
@@ -187,6 +204,8 @@ void MarchRects::setStyle(const PlotStyle& style) {
 void MarchRects::fitSeries(const Series& series) {
     double most = 0;
     for (const QCPGraphData& point : *series.now->data()) most = std::max(most, point.value);
+    if (series.rect == m_penetrations.rect)
+        for (const RunMark& run : m_runs->marks()) most = std::max(most, run.at.y());
     below(series.rect)->setRange(0, m_blows + 1);
     // A gap of none is drawn on the axis, and is to be seen there.
     const double top = most > 0 ? most : 1;
@@ -209,7 +228,8 @@ void MarchRects::fit() {
     const QCPRange gaps = m_returnPoints->getValueRange(isFound);
     const double most = isFound && gaps.upper > 0 ? gaps.upper : 1;
     const double least = isFound ? std::min(gaps.lower, most) : 0;
-    const double room = std::max(roomAbovePoints * (most - least), 1e-3 * most);
+    const double room =
+        std::max(roomAbovePoints * (most - least), (leastRangeOfReturns * most - (most - least)) / 2);
     for (QCPAxis* axis : {below(m_returnRect), beside(m_returnRect)})
         axis->setRange(least - room, most + room);
     double lowest = 0, highest = 0;

@@ -5,8 +5,11 @@
 
 #include <qcustomplot.h>
 
+#include <optional>
+
 #include "ui/pages/drilling/drilling_picture.h"
 #include "ui/plot/plot_style.h"
+#include "ui/plot/run_marks.h"
 
 namespace drillwave {
 
@@ -30,6 +33,11 @@ class MarchRects : public QObject {
     QCPBars* energy() const { return m_energy; }
 
     void present(const MarchPicture& picture, const BlowPoints& before, const DrillingShown& units);
+    /// Mean penetrations of pinned runs, at the end of the blows.
+    void presentRuns(const QVector<RunMark>& means);
+    const QVector<RunMark>& runMarks() const { return m_runs->marks(); }
+    /// The number of the blow at that place, where the rect is one of blows and has it.
+    std::optional<long> blowAt(const QCPAxisRect* rect, double x) const;
     void setStyle(const PlotStyle& style);
     void fit();
 
@@ -55,6 +63,7 @@ class MarchRects : public QObject {
     QCPGraph *m_cor, *m_returnPoints;
     QCPCurve* m_returns;
     QVector<QCPItemText*> m_shares;
+    RunMarks* m_runs;
     double m_blows = 1;
 };
 

@@ -141,7 +141,9 @@ void ScanRects::setStyle(const PlotStyle& style) {
         graph->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssDisc, colour, colour, 2));
     };
     dots(m_dots, m_isOld ? style.frame : style.lines[0]);
-    dots(m_otherDots, m_isOld ? style.frame : style.lines[2]);
+    // as in the legend
+    m_otherDots->setScatterStyle(QCPScatterStyle(
+        QCPScatterStyle::ssDiamond, QPen(m_isOld ? style.frame : pen(0).color(), 0.8), Qt::NoBrush, 5));
     for (const Mark& mark : m_marks) {
         mark.line->setPen(QPen(style.frame, 1, Qt::DashLine));
         mark.words->setFont(style.font);

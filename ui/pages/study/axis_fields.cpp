@@ -83,7 +83,8 @@ void AxisFields::widen() {
 
 void AxisFields::choose() {
     if (const KeptParameter parameter = chosenParameter(*m_parameters))
-        setRange(rangeAround(*parameter, m_scenario));
+        setRange(m_of == StudyOf::manyBlows ? rangeOfManyBlows(*parameter, m_scenario)
+                                            : rangeAround(*parameter, m_scenario));
 }
 
 void AxisFields::setRange(const StudyRange& range) {

@@ -77,7 +77,7 @@ void StudyPage::watch(StudyActivity& activity) {
 }
 
 void StudyPage::watchBeside(StudyActivity& activity) {
-    m_beside = &activity;
+    m_beside.append(&activity);
     connect(&activity, &StudyActivity::changed, this, [this] {
         if (isVisible()) present();
     });
@@ -139,7 +139,7 @@ void StudyPage::showEvent(QShowEvent* event) {
 void StudyPage::hideEvent(QHideEvent* event) {
     PlotPage::hideEvent(event);
     if (event->spontaneous()) return;
-    if (m_beside) m_beside->cancel();
+    for (StudyActivity* beside : std::as_const(m_beside)) beside->cancel();
     if (m_activity->state() != StudyState::running) return;
     m_activity->cancel();
     m_due = true;

@@ -60,8 +60,8 @@ class StudyPage : public PlotPage {
     PlotWidget* arrange(const QList<QWidget*>& controls, QWidget* beside = nullptr);
     /// The page's job. Once.
     void watch(StudyActivity& activity);
-    /// A job beside it: present() is called when it has news, and out of sight it is stopped, to be asked
-    /// again by present().
+    /// Jobs beside it: present() is called when one has news, and out of sight they are stopped, to
+    /// be asked again by present().
     void watchBeside(StudyActivity& activity);
     /// The question may be another one: ask() now, or as soon as the page can be seen.
     void askSoon();
@@ -95,7 +95,7 @@ class StudyPage : public PlotPage {
     SolvedBlowPtr m_blow;
     RunListPtr m_runs = std::make_shared<const RunList>();
     StudyActivity* m_activity = nullptr;
-    StudyActivity* m_beside = nullptr;
+    QVector<StudyActivity*> m_beside;
     bool m_due = true;           // something has changed while the page could not be seen
     bool m_inputCurrent = true;  // the blow on show answers the present input
     ScrolledLabel* m_words = nullptr;

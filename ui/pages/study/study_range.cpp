@@ -5,8 +5,11 @@
 #include <cmath>
 #include <utility>
 
+#include "core/blow/feed_force.h"
+#include "core/model/scales.h"
 #include "core/model/validation.h"
 #include "core/study/rows/sweep_axis.h"
+#include "core/text/number_text.h"
 
 namespace drillwave {
 namespace {
@@ -68,6 +71,24 @@ StudyRange rangeAround(const Parameter& parameter, const Scenario& scenario) {
     range.stop = readableNear(parameter, range.stop);
     if (!hard.contains(range.stop)) range.stop = hard.contains(hard.high) ? hard.high : usual.high;
     if (!hard.contains(range.start)) range.start = hard.contains(hard.low) ? hard.low : usual.low;
+    return range;
+}
+
+StudyRange rangeOfManyBlows(const Parameter& parameter, const Scenario& scenario) {
+    constexpr int readableDigits = 2;
+    constexpr double leastRatio = 2;  // of its ends
+    StudyRange range = rangeAround(parameter, scenario);
+    if (parameter.key != "drill.thrust" || !scenario.drill.blowFrequency) return range;
+    const double reaction = *scenario.drill.blowFrequency * pulseImpulse(scenario);
+    const double least = reaction - weightAlongHole(scenario).value_or(0);
+    if (!(least > range.start)) return range;
+    const Unit& unit = parameter.displayUnit();
+    const auto readable = [&](double si) {
+        return unit.toSi(
+            *parseNumber(rounded(roundedTo(unit.fromSi(si), readableDigits, Rounding::up), readableDigits)));
+    };
+    range.start = readable(least);
+    range.stop = std::max(range.stop, readable(leastRatio * least));
     return range;
 }
 

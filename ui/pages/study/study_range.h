@@ -36,6 +36,10 @@ double readableNear(const Parameter& parameter, double si);
 /// its hard range. Requires applies().
 StudyRange rangeAround(const Parameter& parameter, const Scenario& scenario);
 
+/// The same of a study of many blows: no thrust below their mean reaction f I0, which pushes the machine
+/// back.
+StudyRange rangeOfManyBlows(const Parameter& parameter, const Scenario& scenario);
+
 /// A parameter with each of some values (SI).
 struct StudyFamily {
     KeptParameter parameter = {};  ///< or none

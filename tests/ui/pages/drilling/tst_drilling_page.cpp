@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page Drilling: the blows and numbers of the command, scans, and what it says where something lacks.
 #include <QLabel>
+#include <QSignalSpy>
 #include <QTableWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -39,6 +40,9 @@ class TestDrillingPage : public QObject {
     void anAnswerThatIsKnownIsNotMarchedAgain();
     void theExportIsWhatTheCopiedCommandWrites();
     void aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust();
+    void aClickOnABlowTakesItsGap();
+    void pinnedRunsStandAtTheirMeans();
+    void axesOfTheSamePlotHaveRoomForTheirNumbers();
     void whatLacksIsSaidAndCanBeEntered();
     void itIsNotThereWithoutUnits();
 
@@ -174,6 +178,74 @@ void TestDrillingPage::aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust() {
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     QVERIFY(m_page->drillingPlot().picture().isScanOld);
     QCOMPARE(m_page->scans(), 1);
+}
+
+void TestDrillingPage::aClickOnABlowTakesItsGap() {
+    set("drill.thrust", 3500);
+    showPage();
+    const MarchRects& march = m_page->drillingPlot().march();
+    const DrillingResult result = *m_page->answer()->result;
+    const QSignalSpy taken(m_page.get(), &DrillingPage::blowTaken);
+    const QSignalSpy pinned(m_page.get(), &Page::pinRequested);
+    const auto click = [&](const QCPAxisRect* rect, Qt::KeyboardModifiers modifiers) {
+        const QPointF pixel(rect->axis(QCPAxis::atBottom)->coordToPixel(40.3), rect->center().y());
+        QTest::mouseClick(m_page->plot(), Qt::LeftButton, modifiers, pixel.toPoint());
+    };
+    const double gap = result.blows[39].gap * result.units.length();
+    QVERIFY(gap > 0);
+    click(march.gaps(), Qt::ShiftModifier);
+    QTRY_COMPARE(pinned.count(), 1);
+    QCOMPARE(pinned.first().first().value<ScenarioDocument>().scenario.bitRock.gap, gap);
+    QCOMPARE(m_document->scenario().bitRock.gap, 0.0);
+    QCOMPARE(taken.count(), 0);
+    const int steps = m_document->undoStack().count();
+    click(march.penetrations(), {});
+    QTRY_COMPARE(m_document->scenario().bitRock.gap, gap);
+    QCOMPARE(m_document->undoStack().count(), steps + 1);
+    QCOMPARE(taken.count(), 1);
+    QVERIFY(taken.first().first().toString().contains(QStringLiteral("blow 40")));
+}
+
+void TestDrillingPage::pinnedRunsStandAtTheirMeans() {
+    m_page->findChild<AxisFields*>()->setRange({findParameter("drill.thrust"), 4000, 8000, false});
+    Run run;
+    run.number = 2;
+    run.contents = m_document->contents();
+    run.contents.scenario.drill.thrust = 5000;
+    const DrillingQuestion question = runQuestion(run.contents.scenario);
+    QCOMPARE(question.settings.blows, 60);
+    const RunMeans expected = runMeans(question, {}).value();
+    Run lost = run;  // pushed back
+    lost.number = 3;
+    lost.contents.scenario.drill.thrust = 1000;
+    m_page->setRuns(std::make_shared<const RunList>(RunList{run, lost}));
+    showPage();
+    const MarchRects& march = m_page->drillingPlot().march();
+    QTRY_COMPARE_WITH_TIMEOUT(march.runMarks().size(), 1, patience);
+    QCOMPARE(march.runMarks().first().number, 2);
+    QCOMPARE(march.runMarks().first().at, QPointF(60, 1e3 * expected.penetration));
+    QVERIFY(m_page->drillingPlot().runMarks().isEmpty());
+    m_page->scan();
+    QTRY_COMPARE_WITH_TIMEOUT(m_page->drillingPlot().runMarks().size(), 1, patience);
+    QCOMPARE(m_page->drillingPlot().runMarks().first().at.x(), 5.0);
+    QTRY_VERIFY_WITH_TIMEOUT(m_page->scanActivity().state() == StudyState::finished, patience);
+}
+
+// A motion that repeats with every blow has one point, around which digits would not end.
+void TestDrillingPage::axesOfTheSamePlotHaveRoomForTheirNumbers() {
+    showPage();
+    const MarchRects& march = m_page->drillingPlot().march();
+    const QCPRange range = march.returns()->keyAxis()->range();
+    QVERIFY(range.size() >= 0.09 * range.upper);
+    const QVector<QCPItemText*> texts = [&] {
+        QVector<QCPItemText*> found;
+        for (int i = 0; i < m_page->plot()->itemCount(); ++i)
+            if (auto* text = qobject_cast<QCPItemText*>(m_page->plot()->item(i)))
+                if (text->clipAxisRect() == march.energy()->keyAxis()->axisRect()) found.append(text);
+        return found;
+    }();
+    QCOMPARE(texts.size(), 5);
+    for (const QCPItemText* text : texts) QVERIFY2(text->text().size() <= 5, qPrintable(text->text()));
 }
 
 void TestDrillingPage::whatLacksIsSaidAndCanBeEntered() {

@@ -30,6 +30,7 @@ class TestStudyControls : public QObject {
     void everyRangeAroundAValueCanBeVaried_data();
     void everyRangeAroundAValueCanBeVaried();
     void aRangeReadsBackAsTheSameDoubles();
+    void noThrustOfManyBlowsPushesTheMachineBack();
     void theFirstThatAppliesIsChosen();
     void anotherParameterHasFieldsOfItsOwn();
     void endsThatCannotBeAreMarkedAndChangeNothing();
@@ -76,6 +77,24 @@ void TestStudyControls::aRangeReadsBackAsTheSameDoubles() {
     const ParsedAxis list = parseAxis(family.text());
     QVERIFY2(list.problem.empty(), list.problem.c_str());
     QVERIFY(list.axis.list == family.values);
+}
+
+void TestStudyControls::noThrustOfManyBlowsPushesTheMachineBack() {
+    const Parameter& thrust = *findParameter("drill.thrust");
+    Scenario scenario;
+    scenario.form = ScenarioForm::dimensional;
+    scenario.drill.thrust = 8000;
+    scenario.drill.blowFrequency = 60;
+    scenario.pulse.impulse = 51;
+    QVERIFY(rangeAround(thrust, scenario).start < 3060);
+    const StudyRange range = rangeOfManyBlows(thrust, scenario);
+    QCOMPARE(range.start, 3100.0);
+    QCOMPARE(range.stop, rangeAround(thrust, scenario).stop);
+    scenario.drill.blowFrequency = 400;  // the reaction is more than what is installed
+    QCOMPARE(rangeOfManyBlows(thrust, scenario).start, 21000.0);
+    QCOMPARE(rangeOfManyBlows(thrust, scenario).stop, 41000.0);
+    const Parameter& stiffness = *findParameter("bit_rock.stiffness");
+    QCOMPARE(rangeOfManyBlows(stiffness, scenario), rangeAround(stiffness, scenario));
 }
 
 void TestStudyControls::theFirstThatAppliesIsChosen() {

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What many blows of a pinned run come to, laid over those of the scenario.
+#pragma once
+
+#include <optional>
+#include <stop_token>
+
+#include "ui/pages/drilling/drilling_question.h"
+#include "ui/pages/study/run_studies.h"
+
+namespace drillwave {
+
+/// Means of a run in SI.
+struct RunMeans {
+    double penetration = 0;  ///< of a blow [m]
+    double rate = 0;         ///< of penetration [m/s]
+};
+
+using RunDrilling = RunStudies<DrillingQuestion, RunMeans>;
+
+/// In as many cells as a scan.
+DrillingQuestion runQuestion(const Scenario& scenario);
+
+/// Nothing where it cannot be drilled with, or the machine is pushed back.
+std::optional<RunMeans> runMeans(const DrillingQuestion& question, const std::stop_token& stop);
+
+}  // namespace drillwave
