@@ -20,6 +20,8 @@ struct Accuracy;
 struct BlowReport;
 struct CurveReport;
 struct DesignReport;
+struct DrillingReport;
+struct DrillingScanReport;
 struct GapReport;
 struct MapReport;
 struct StabilityReport;
@@ -29,9 +31,10 @@ struct ThrustReport;
 
 /// What a study has found. One that can be drawn has its line here, and its drawStudy() in
 /// ui/export/study_pictures.h.
-using StudyValue = std::variant<const Accuracy*, const StabilityReport*, const CurveReport*,
-                                const DesignReport*, const GapReport*, const MapReport*,
-                                const StringAccuracy*, const SweepRows*, const ThrustReport*>;
+using StudyValue =
+    std::variant<const Accuracy*, const StabilityReport*, const CurveReport*, const DesignReport*,
+                 const DrillingReport*, const DrillingScanReport*, const GapReport*, const MapReport*,
+                 const StringAccuracy*, const SweepRows*, const ThrustReport*>;
 
 /// Draws; what it draws with is another program's matter (desktop.h). All of them throw CommandError
 /// (unwritable output) where something could not be drawn, and give not all pictures after a stop.

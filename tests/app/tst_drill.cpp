@@ -11,6 +11,7 @@
 #include <csignal>
 
 #include "tests/support/program.h"
+#include "tests/support/svg_texts.h"
 
 using namespace drillwave::test;
 
@@ -43,6 +44,7 @@ class TestDrill : public QObject {
     void numbersAreSiOrMultiples();
     void aRowForEveryBlowIsWritten();
     void aFolderHoldsAllOfIt();
+    void picturesGoWithWhatIsWritten();
     void aThrustBelowTheReactionIsAnAnswer();
     void aScanTellsEveryValue();
     void theSameOnAnyNumberOfThreads();
@@ -54,6 +56,9 @@ class TestDrill : public QObject {
     void theKeysOfManyBlowsChangeNoSingleBlow();
     void badInputIsRefusedInOneLineEach_data();
     void badInputIsRefusedInOneLineEach();
+    void allThatIsWrongIsToldAtOnce();
+    void whatCannotBeMarchedEndsWithSix();
+    void numbersAreRoundedForReaders();
     void anInterruptedMarchLeavesNothing();
     void germanUsersGetTheSameNumbers();
 };
@@ -129,6 +134,26 @@ void TestDrill::aFolderHoldsAllOfIt() {
     QVERIFY(std::abs(largest / peak - 1) < 0.03);
     const QJsonObject summary = QJsonDocument::fromJson(read(path + "/summary.json")).object();
     QCOMPARE(summary["outcome"].toString(), QString("done"));
+}
+
+void TestDrill::picturesGoWithWhatIsWritten() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("drilled"), rows = folder.filePath("rows.csv");
+    const auto files = [](const QString& there) { return QDir(there).entryList(QDir::Files); };
+    output(soft({"-o", path, "--plots", "png,svg"}));
+    QCOMPARE(files(path),
+             (QStringList{"blows.csv", "drilling.png", "drilling.svg", "scenario.yaml", "summary.json"}));
+    QVERIFY(read(path + "/drilling.png").startsWith("\x89PNG"));
+    // those of an earlier run go with its numbers
+    output(soft({"-o", path, "--force"}));
+    QCOMPARE(files(path), (QStringList{"blows.csv", "scenario.yaml", "summary.json"}));
+    output(soft({"-o", rows, "--plots", "svg"}));
+    QCOMPARE(files(folder.path()), (QStringList{"rows.csv", "rows.csv.yaml", "rows.svg"}));
+    QVERIFY(!read(rows + ".yaml").contains("plots"));
+    // a machine that is pushed back has no blows, and the picture says why
+    output({"drill", example("t38_medium_rock"), "--set", "drill.thrust=3kN", "-o", path, "--force",
+            "--plots", "svg"});
+    QVERIFY(svgTexts(read(path + "/drilling.svg")).join(' ').contains("pushed back"));
 }
 
 void TestDrill::aThrustBelowTheReactionIsAnAnswer() {
@@ -297,6 +322,20 @@ void TestDrill::badInputIsRefusedInOneLineEach_data() {
                                << QByteArray("--scan");
     QTest::newRow("histories without a folder")
         << QStringList{file, "--histories", "1:2"} << 2 << QByteArray("-o DIR");
+    QTest::newRow("pictures of what is printed")
+        << QStringList{file, "--plots", "png"} << 2 << QByteArray("-o");
+    QTest::newRow("pictures of words")
+        << QStringList{file,      "--scan", "drill.indexing=fresh,same", "-o", "/tmp/no_such.csv",
+                       "--plots", "png"}
+        << 2 << QByteArray("has words on its axis");
+    QTest::newRow("a word for a number")
+        << QStringList{file, "--scan", "drill.thrust=3kN,nan,4kN"} << 2 << QByteArray("--scan");
+    QTest::newRow("an unknown key") << set("drill.trust=3kN") << 2 << QByteArray("drill.thrust");
+    QTest::newRow("no cells") << QStringList{file, "--cells", "nan"} << 2 << QByteArray("--cells");
+    QTest::newRow("blows that are none")
+        << QStringList{file, "--blows", "many"} << 2 << QByteArray("--blows");
+    QTest::newRow("histories behind the end")
+        << QStringList{file, "--histories", "5:2", "-o", "/tmp/no_such"} << 2 << QByteArray("A:B");
     QTest::newRow("too much work") << QStringList{file, "--blows", "1000000", "--cells", "400"} << 6
                                    << QByteArray("--work-limit");
 }
@@ -309,6 +348,48 @@ void TestDrill::badInputIsRefusedInOneLineEach() {
     QVERIFY2(finished.error.contains(says), finished.error);
     QCOMPARE(finished.exitCode, exitCode);
     QVERIFY(finished.out.isEmpty());
+}
+
+void TestDrill::allThatIsWrongIsToldAtOnce() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("bare.yaml");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    const QByteArray text = read(example("t38_medium_rock"));
+    file.write(text.left(text.indexOf("\ndrill:")) +
+               "\ndrill: {damper_damping: 6 kN s/m, blows: 10, settle: 20}\n");
+    file.close();
+    const Finished finished = run({"drill", path});
+    QCOMPARE(finished.exitCode, 5);
+    for (const char* says :
+         {"drill.blow_frequency", "drill.thrust", "needs drill.machine_mass", "drill.settle"})
+        QVERIFY2(finished.error.contains(says), finished.error);
+    QCOMPARE(finished.error.trimmed().count('\n'), 3);
+}
+
+// A damper whose rates no cell of the march can follow.
+void TestDrill::whatCannotBeMarchedEndsWithSix() {
+    const QString file = example("t38_medium_rock");
+    const QStringList stiff{"--set", "drill.machine_mass=1kg", "drill.damper_stiffness=1e20N/m", "--blows",
+                            "20"};
+    const Finished alone = run(QStringList{"drill", file} + stiff);
+    QVERIFY2(alone.exitCode == 6, alone.error);
+    QVERIFY2(alone.error.contains("could not be solved: the damper"), alone.error);
+    QTemporaryDir folder;
+    const QString rows = folder.filePath("scan.csv");
+    const Finished scan = run(QStringList{"drill", file, "--set", "drill.machine_mass=1kg", "--blows", "20",
+                                          "--scan", "drill.damper_stiffness=1e6N/m,1e20N/m", "-o", rows});
+    QVERIFY2(scan.exitCode == 6, scan.error);
+    QVERIFY2(scan.error.contains("1 of 3 rows"), scan.error);
+    QCOMPARE(rowsOf(read(rows)).size(), 4);
+    // what is scanned is not said to be missing
+    QVERIFY2(!scan.error.contains("constant force") && !scan.out.contains("constant force"), scan.out);
+}
+
+void TestDrill::numbersAreRoundedForReaders() {
+    const QByteArray all = output(soft()), text = all.left(all.indexOf("  balances"));
+    QVERIFY2(!text.contains("e+0") && !text.contains("e-1"), text);
+    QVERIFY2(text.contains("new faces 0 %"), text);
 }
 
 void TestDrill::anInterruptedMarchLeavesNothing() {

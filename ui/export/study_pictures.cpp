@@ -8,7 +8,10 @@
 #include "ui/pages/accuracy/proof_plot.h"
 #include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/design/design_plot.h"
+#include "ui/pages/drilling/drilling_plot.h"
+#include "ui/pages/drilling/drilling_question.h"
 #include "ui/pages/map/map_plot.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
@@ -49,6 +52,34 @@ Pictures drawStudy(const DesignReport& report, const PictureOrder& order) {
         [&](const Parameter& parameter) -> const Unit& { return reader.unitFor(parameter); }, reader.locale);
     return drawn(paperPlot<DesignPlot>(designPicture(report, units), {180, 180}), report.study.base.title,
                  order);
+}
+
+Pictures drawStudy(const DrillingReport& report, const PictureOrder& order) {
+    const DrillingResult& result = report.result;
+    const PaperReader reader;
+    DrillingPicture picture;
+    picture.units = drillingShown(result.scenario, reader.unitFor(*findParameter("drill.thrust")),
+                                  reader.unitsFor(result.scenario));
+    if (result.blows.empty())
+        picture.message = QString::fromStdString(verdictSentence(result));
+    else
+        picture.march = marchPicture(result.blows, result.settings, result.units, &result,
+                                     corOverPeriod(result.scenario, order.stop), picture.units);
+    return drawn(paperPlot<DrillingPlot>(picture, {180, 130}), result.scenario.title, order);
+}
+
+Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order) {
+    const DrillingScan& scan = report.scan;
+    const PaperReader reader;
+    DrillingPicture picture;
+    picture.units =
+        drillingShown(scan.base, reader.unitFor(*scan.axis.parameter), reader.unitsFor(scan.base));
+    picture.scan = scanPicture(scan, nullptr, nullptr, picture.units);
+    if (scan.axis.parameter->applies(scan.base))
+        if (const std::optional<double> value = scan.axis.parameter->value(scan.base))
+            picture.installed = *value * picture.units.along.factor;
+    if (picture.scan->scan.rate.isEmpty()) picture.message = tr("No value has statistics.");
+    return drawn(paperPlot<DrillingPlot>(picture, {180, 80}), scan.base.title, order);
 }
 
 Pictures drawStudy(const GapReport& report, const PictureOrder& order) {

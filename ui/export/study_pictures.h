@@ -4,6 +4,8 @@
 
 #include "core/report/curve_report.h"
 #include "core/report/design_report.h"
+#include "core/report/drilling_report.h"
+#include "core/report/drilling_scan_report.h"
 #include "core/report/gap_report.h"
 #include "core/report/map_report.h"
 #include "core/report/thrust_report.h"
@@ -18,6 +20,10 @@ namespace drillwave {
 /// What the page of each study shows at first, in naturalUnits(); see renderPictures().
 Pictures drawStudy(const CurveReport& report, const PictureOrder& order);
 Pictures drawStudy(const DesignReport& report, const PictureOrder& order);
+/// The march, or why there is nothing to show.
+Pictures drawStudy(const DrillingReport& report, const PictureOrder& order);
+/// Requires a parameter along the axis.
+Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order);
 Pictures drawStudy(const GapReport& report, const PictureOrder& order);
 Pictures drawStudy(const MapReport& report, const PictureOrder& order);
 /// Of a report along a parameter.

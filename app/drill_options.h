@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the options of `drill` ask, read from their words, and what is said before anything is marched.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "app/arguments.h"
+#include "core/blow/outputs.h"
+#include "core/model/scenario.h"
+#include "core/study/drilling/drilling_study.h"
+
+namespace drillwave {
+
+/// SI unless --dimensionless. All of these throw CommandError (usage) where an option is wrong.
+OutputUnits drillUnits(const Arguments& arguments);
+
+/// --cells; `usual` without it.
+int drillCells(const Arguments& arguments, int usual);
+
+/// --blows, --settle and --seed, which are short for --set drill.…
+void setDrillShorts(const Arguments& arguments, Scenario& scenario);
+
+/// --histories A:B, of blows from 1 to those of the settings; nothing without it.
+std::optional<BlowRange> drillHistories(const Arguments& arguments, const std::optional<std::string>& out,
+                                        const DrillingSettings& settings);
+
+/// Throws CommandError (invalid scenario) with a line for each problem where there are any.
+void refuseDrill(const std::vector<std::string>& problems, const std::string& path);
+
+/// Throws CommandError (unsolved or failed) where it takes more cells times nodes than --work-limit permits.
+void checkDrillWork(double work, const Arguments& arguments);
+
+/// Says on stderr what of the scenario counts for nothing here.
+void remarkOnUnusedOfDrill(const Scenario& scenario, const std::string& path);
+
+}  // namespace drillwave

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/drill_rows.h"
+
+#include <filesystem>
+
+#include "app/scenario_argument.h"
+#include "core/archive/study_files.h"
+
+namespace drillwave {
+
+void checkDrillRows(const std::string& file, const std::string& path, const ScenarioDocument& document,
+                    Overwrite overwrite) {
+    checkOutputIsNoInput(file, path, document);
+    checkOutput(file, overwrite);
+    if (isStream(file)) return;
+    checkOutputIsNoInput(recordName(file), path, document);
+    checkOverwrite(recordName(file), overwrite);
+}
+
+NamedFile drillRecordBeside(const std::string& file, const RowRecord& record) {
+    return {recordName(std::filesystem::path(file).filename().string()), recordText(record)};
+}
+
+RowRecord drillRecord(const Arguments& arguments, const std::string& scenarioText, std::uint64_t rows) {
+    return {.command = commandText("drill", arguments),
+            .method = {},
+            .rows = rows,
+            .shard = {},
+            .axes = {},
+            .cases = {},
+            .outputs = {},
+            .scenario = scenarioText};
+}
+
+}  // namespace drillwave

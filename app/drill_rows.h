@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The file of rows that `drill` writes, and the record beside it.
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+#include "app/arguments.h"
+#include "app/output_file.h"
+#include "core/archive/row_record.h"
+#include "core/yaml/scenario_file.h"
+
+namespace drillwave {
+
+/// Finds out before anything is computed whether a file of rows can be written, with a record beside it.
+/// Throws CommandError (unwritable output).
+void checkDrillRows(const std::string& file, const std::string& path, const ScenarioDocument& document,
+                    Overwrite overwrite);
+
+/// What the rows are and how to get them, without axes and outputs.
+RowRecord drillRecord(const Arguments& arguments, const std::string& scenarioText, std::uint64_t rows);
+
+/// "blows.csv.yaml" with that in it.
+NamedFile drillRecordBeside(const std::string& file, const RowRecord& record);
+
+}  // namespace drillwave
