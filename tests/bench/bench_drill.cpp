@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/study/drilling/drilling_statistics.h"
 #include "core/study/scan/drilling_scan.h"
 #include "core/wave/drilling/drilling_grid.h"
 #include "core/wave/drilling/drilling_march.h"
@@ -23,7 +24,8 @@ namespace {
 constexpr const char* usage =
     R"(usage: bench_drill [--speed | --errors] [--blows N] [--csv | --json]
   --speed    processor time of a blow and of a cell at a node, beside a plain lattice of straight cells (default)
-  --errors   gap and penetration of a motion that repeats by the number of cells, against 640 per t0
+  --errors   gap and penetration by the number of cells: of a motion that repeats against 640 per t0, and means
+             of an irregular one against 320, beside what they differ by chance
   --blows N  so many of each (400)
 )";
 
@@ -93,7 +95,7 @@ void benchSpeed(Format format, long blows) {
                          {"nodes", 6},
                          {"blow_s", 11, Kind::time},
                          {"cell_and_node_s", 15, Kind::time},
-                         {"over_plain", 10}});
+                         {"over_plain", 10, Kind::ratio}});
     const double plain = plainBlow(blows);
     const auto add = [&](const char* name, const DrillingProblem& problem) {
         const DrillingGrid grid = drillingGridOf(problem, 40);
@@ -112,29 +114,59 @@ void benchSpeed(Format format, long blows) {
     add("T38 string, damper", string());
 }
 
+struct Found {
+    double gap = 0, penetration = 0;            ///< [d0], of the last blow or means
+    double gapError = 0, penetrationError = 0;  ///< of means, by batches of blows
+    double residual = 0, time = 0;
+};
+
+/// Of a motion that repeats the last blow, of another one the means of all but the first quarter.
+Found findWith(const DrillingProblem& problem, int cells, long blows, bool repeats) {
+    DrillingMarch march(problem, drillingGridOf(problem, cells));
+    std::vector<DrillingBlow> taken;
+    const double start = seconds();
+    for (long i = 0; i < blows; ++i) {
+        (void)march.takeBlow({});
+        taken.push_back(march.blow());
+    }
+    Found found;
+    found.time = (seconds() - start) / double(blows);
+    found.residual = march.ledger().residual() / march.ledger().hammer;
+    if (repeats) {
+        found.gap = taken.back().gap / 2;
+        found.penetration = taken.back().penetration / 2;
+        return found;
+    }
+    const DrillingStatistics statistics =
+        statisticsOf(taken, std::size_t(blows / 4), problem.blow.velocity());
+    const BlowSpread& gap = statistics.spreads[quantityPlace(&DrillingBlow::gap)];
+    const BlowSpread& penetration = statistics.spreads[quantityPlace(&DrillingBlow::penetration)];
+    found.gap = gap.mean / 2;
+    found.penetration = penetration.mean / 2;
+    found.gapError = gap.meanError.value_or(0) / 2;
+    found.penetrationError = penetration.meanError.value_or(0) / 2;
+    return found;
+}
+
 void benchErrors(Format format, long blows) {
-    Table table(format, {{"cells", 6},
-                         {"gap_error", 12},
-                         {"penetration_error", 18},
-                         {"energy_residual", 16},
+    Table table(format, {{"motion", 10, Kind::word},
+                         {"cells", 6},
+                         {"gap_off", 12, Kind::ratio},
+                         {"gap_chance", 12, Kind::ratio},
+                         {"penetration_off", 16, Kind::ratio},
+                         {"penetration_chance", 19, Kind::ratio},
+                         {"energy_residual", 16, Kind::ratio},
                          {"blow_s", 11, Kind::time}});
-    const DrillingProblem problem = rod(1.4, true);
-    struct Found {
-        double gap, penetration, residual, time;
-    };
-    const auto find = [&](int cells) {
-        DrillingMarch march(problem, drillingGridOf(problem, cells));
-        const double start = seconds();
-        for (long i = 0; i < blows; ++i) (void)march.takeBlow({});
-        const double each = (seconds() - start) / double(blows);
-        return Found{march.blow().gap / 2, march.blow().penetration / 2,
-                     march.ledger().residual() / march.ledger().hammer, each};
-    };
-    const Found exact = find(640);
-    for (const int cells : {10, 20, 40, 80, 160}) {
-        const Found found = find(cells);
-        table.add({double(cells), std::abs(found.gap - exact.gap),
-                   std::abs(found.penetration - exact.penetration), found.residual, found.time});
+    for (const bool repeats : {true, false}) {
+        const DrillingProblem problem = rod(1.4, repeats);  // a constant force leaves it irregular
+        const Found exact = findWith(problem, repeats ? 640 : 320, blows, repeats);
+        for (const int cells : {10, 20, 40, 80, 160}) {
+            const Found found = findWith(problem, cells, blows, repeats);
+            const auto both = [](double a, double b) { return std::sqrt(a * a + b * b); };
+            table.add({repeats ? "repeats" : "irregular", double(cells), std::abs(found.gap - exact.gap),
+                       both(found.gapError, exact.gapError), std::abs(found.penetration - exact.penetration),
+                       both(found.penetrationError, exact.penetrationError), found.residual, found.time});
+        }
     }
 }
 

@@ -16,6 +16,7 @@
 #include "ui/job/solve_job.h"
 #include "ui/job/study_activity.h"
 #include "ui/pages/curve/curve_page.h"
+#include "ui/pages/drilling/drilling_page.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
 #include "ui/window/page_tabs.h"
@@ -41,9 +42,11 @@ void settle(MainWindow& window) {
         return study && study->state() == StudyState::running;
     };
     const auto* stiffness = qobject_cast<const CurvePage*>(&page);
+    const auto* drilling = qobject_cast<const DrillingPage*>(&page);
     do QTest::qWait(200);
     while (part<SolveJob>(window).isBusy() || isRunning(page.activity()) ||
-           (stiffness && isRunning(&stiffness->runLines().activity())));
+           (stiffness && isRunning(&stiffness->runLines().activity())) ||
+           (drilling && isRunning(&drilling->scanActivity())));
 }
 
 // Another rock, another rod, another blow.
@@ -70,6 +73,10 @@ bool drawPages(MainWindow& window, const QDir& folder, const QString& of, const 
     for (int page = 0; page < pages->count(); ++page) {
         if (!pages->isOffered(page) || !isWanted(pages->page(page).title(), wanted)) continue;
         pages->setCurrentIndex(page);
+        if (auto* drilling = qobject_cast<DrillingPage*>(&pages->page(page))) {
+            settle(window);
+            drilling->scan();
+        }
         for (const QSize size : wanted.sizes) {
             window.resize(size);
             settle(window);
