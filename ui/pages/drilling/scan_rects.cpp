@@ -113,9 +113,21 @@ void ScanRects::showMarks(const ScanPicture& picture) {
         mark.words->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
         mark.words->position->setCoords(each.at, 0.01);
         mark.words->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
-        mark.words->setPadding(QMargins(3, 0, 0, 0));
         mark.words->setText(each.words);
         m_marks.append(mark);
+    }
+}
+
+// Where one would run into the words of those before it, it stands in a row of its own below them.
+void ScanRects::placeMarks() {
+    double end = 0;
+    int row = 0;
+    for (const Mark& mark : m_marks) {
+        const QFontMetrics metrics(mark.words->font());
+        const double from = m_rates->axis(QCPAxis::atBottom)->coordToPixel(mark.line->point1->key());
+        row = from < end ? row + 1 : 0;
+        mark.words->setPadding(QMargins(3, row * metrics.height(), 0, 0));
+        end = std::max(end, from + 6 + metrics.horizontalAdvance(mark.words->text()));
     }
 }
 

@@ -31,6 +31,10 @@ class ScanRects : public QObject {
     void present(const ScanPicture& picture, const DrillingShown& units, bool isOld);
     void setStyle(const PlotStyle& style);
     void fit();
+    /// So that their words can be read; before the plot is drawn.
+    void placeMarks();
+    /// Where the words of a mark are, from the top of the rect [px].
+    double markTop(int index) const { return m_marks[index].words->padding().top(); }
 
   private:
     QCPGraph* add(QCPAxisRect* rect, QCPAxis* values, const QString& name, bool hasPoints);

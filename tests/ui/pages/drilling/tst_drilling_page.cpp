@@ -163,6 +163,17 @@ void TestDrillingPage::aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust() {
     QVERIFY(scan.rate()->dataCount() > 20);
     QVERIFY(scan.gapDots()->dataCount() >= scan.rate()->dataCount() * 40);
     QCOMPARE(scan.marks().size(), 3);
+    // lines that are near to each other have their words below each other
+    m_page->plot()->resize(900, 500);
+    scan.rates()->axis(QCPAxis::atBottom)->setRange(0, 2000);
+    m_page->plot()->replot();
+    QCOMPARE(scan.markTop(0), 0.0);
+    QVERIFY(scan.markTop(1) > 0 && scan.markTop(2) > scan.markTop(1));
+    scan.rates()->axis(QCPAxis::atBottom)->setRange(2, 6);
+    m_page->plot()->replot();
+    QCOMPARE(scan.markTop(2), 0.0);
+    m_page->plot()->resize(900, 800);
+    scan.rates()->axis(QCPAxis::atBottom)->setRange(4, 8);
     QVERIFY(!m_page->drillingPlot().picture().isScanOld);
     m_page->plot()->replot();
     const int steps = m_document->undoStack().count();
