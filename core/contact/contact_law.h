@@ -95,6 +95,11 @@ class ContactLaw {
     }
     /// Which of the loading lines the largest force is on, from 0; at a corner the one behind it.
     std::size_t loadingLine() const { return m_line; }
+    /// That of a loading line, whichever is in use; 0 of one that is not there.
+    Real loadingSlope(std::size_t line) const {
+        if (!m_lines) return line == 0 ? m_slopes.primary : Real(0);
+        return line < m_lines->size() ? (*m_lines)[line].slope : Real(0);
+    }
     bool hasCorner() const { return m_cornerForce < std::numeric_limits<Real>::infinity(); }
     /// Where that line ends; infinite where it goes on for ever.
     Real cornerForce() const { return m_cornerForce; }
@@ -192,6 +197,7 @@ class ContactLaw {
 
     void addLines(const BitRockLaw& law) {
         LineList list;
+        list.lines.reserve(law.corners.size() + 1);
         list.add(0, Real(law.firstSlope) * m_beta);
         for (const LawCorner& corner : law.corners) list.add(Real(corner.force), Real(corner.slope) * m_beta);
         m_slopes.primary = list.lines.front().slope;

@@ -27,6 +27,7 @@ constexpr const char* usage = R"(usage: bench_solver [GROUP…] [--count N] [--c
               and the histories take, and the paper's lattice of 10 000 segments with a ring buffer (default)
   --domain    1000 random scenes of each shape: beta 0.01-100, gamma 0.05-1, tau 0.3-20, delta 0-2
   --extreme   100 of each shape: beta 1e-7-1e9, gamma from 1e-6, tau 0.05-1000, delta to 1e6
+  --corner    those of --domain whose loading has one corner, over the same without
   --count N   so many random scenes
 )";
 
@@ -34,7 +35,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 using Kind = Column::Kind;
 
 struct Options {
-    bool scenes = false, domain = false, extreme = false;
+    bool scenes = false, domain = false, extreme = false, corner = false;
     int count = 0;  ///< 0: the usual ones
     Format format = Format::text;
 };
@@ -123,7 +124,7 @@ double secondsOf(ExactSolver& solver, const Problem& problem, Sample& sample) {
 Sample sampleOf(RandomBench::Domain domain, PulseShape shape, int count) {
     RandomBench scenes(domain, shape);
     ExactSolver solver;
-    ContactMarch<ExponentialBasis> march;
+    ContactMarch<ExponentialBasis<2>> march;
     Sample sample;
     for (int i = 0; i < count; ++i) {
         const Problem problem = problemOf(scenes.next());
@@ -164,6 +165,47 @@ void benchDomain(const Options& options, RandomBench::Domain domain, int usualCo
     addRow(table, "all", all);
 }
 
+/// One corner at some share of the largest force, whose line is softer or stiffer.
+void addCorner(Problem& problem, double peakForce, Chance& chance) {
+    const double steepest = std::min(6.0, 1 / problem.law.gamma);
+    const double force = peakForce * chance.logarithmic(0.1, 0.98);
+    problem.law.corners = {{force, chance.logarithmic(0.05, steepest)}};
+}
+
+void benchCorners(const Options& options) {
+    Table table(options.format, {{"shape", 12, Kind::word},
+                                 {"blows", 6},
+                                 {"median_s", 10, Kind::time},
+                                 {"median_ratio", 12, Kind::ratio},
+                                 {"p90_ratio", 9, Kind::ratio}});
+    const int count = options.count > 0 ? options.count : 1000;
+    const auto addRow = [&](std::string words, std::vector<double> seconds, std::vector<double> ratios) {
+        std::ranges::sort(seconds);
+        std::ranges::sort(ratios);
+        table.add({std::move(words), double(seconds.size()), seconds[seconds.size() / 2],
+                   ratios[ratios.size() / 2], ratios[ratios.size() * 9 / 10]});
+    };
+    ExactSolver solver;
+    std::vector<double> allSeconds, allRatios;
+    for (std::size_t shape = 0; shape < pulseShapeNames().size(); ++shape) {
+        RandomBench scenes(RandomBench::Domain::engineering, PulseShape(shape));
+        Chance chance(shape);
+        std::vector<double> seconds, ratios;
+        Sample sample;
+        for (int i = 0; i < count; ++i) {
+            Problem problem = problemOf(scenes.next());
+            const double without = secondsOf(solver, problem, sample);
+            addCorner(problem, solver.solve(problem).peakForce, chance);
+            seconds.push_back(secondsOf(solver, problem, sample));
+            ratios.push_back(seconds.back() / without);
+        }
+        addRow(std::string(name(PulseShape(shape))), seconds, ratios);
+        allSeconds.insert(allSeconds.end(), seconds.begin(), seconds.end());
+        allRatios.insert(allRatios.end(), ratios.begin(), ratios.end());
+    }
+    addRow("all", allSeconds, allRatios);
+}
+
 bool read(int argc, char** argv, Options& options) {
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
@@ -173,6 +215,8 @@ bool read(int argc, char** argv, Options& options) {
             options.domain = true;
         } else if (word == "--extreme") {
             options.extreme = true;
+        } else if (word == "--corner") {
+            options.corner = true;
         } else if (word == "--csv") {
             options.format = Format::csv;
         } else if (word == "--json") {
@@ -185,8 +229,9 @@ bool read(int argc, char** argv, Options& options) {
             return false;
         }
     }
-    if (!options.domain && !options.extreme) options.scenes = true;
-    return options.scenes + options.domain + options.extreme == 1 || options.format == Format::text;
+    const int groups = options.domain + options.extreme + options.corner;
+    if (groups == 0) options.scenes = true;
+    return options.scenes + groups == 1 || options.format == Format::text;
 }
 
 }  // namespace
@@ -201,4 +246,5 @@ int main(int argc, char** argv) {
     if (options.scenes) benchScenesOf(options);
     if (options.domain) benchDomain(options, RandomBench::Domain::engineering, 1000);
     if (options.extreme) benchDomain(options, RandomBench::Domain::extreme, 100);
+    if (options.corner) benchCorners(options);
 }

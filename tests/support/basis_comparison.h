@@ -96,7 +96,7 @@ class BasisComparison {
         });
     }
 
-    ContactMarch<ExponentialBasis> m_closed;
+    ContactMarch<ExponentialBasis<2>> m_closed;
     ContactMarch<SeriesBasis<double>> m_series;
     ContactMarch<SeriesBasis<long double>> m_extended;
     LatticeSolver m_lattice;

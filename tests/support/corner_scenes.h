@@ -55,12 +55,11 @@ inline std::vector<CornerCase> cornerCases() {
     return cases;
 }
 
-/// One to eight corners at forces about as large as those of the blow, of slopes between a fiftieth and 1/γ;
-/// some of them as steep as the line before, or as the way down.
-inline std::vector<LawCorner> randomCorners(const Problem& problem, Chance& chance) {
+/// One to eight corners at forces up to about `largest`, of slopes between a fiftieth and 1/γ; some of them
+/// as steep as the line before, or as the way down.
+inline std::vector<LawCorner> randomCorners(double largest, double gamma, Chance& chance) {
     std::vector<LawCorner> corners;
-    const double largest = 2.2 * std::max(problem.force().peak, 1 / (2 * problem.transitTime()));
-    const double steepest = 1 / problem.law.gamma;
+    const double steepest = 1 / gamma;
     double force = 0;
     for (int left = 1 + chance.below(8); left > 0; --left) {
         force += largest * chance.logarithmic(1e-3, 0.6);
@@ -70,6 +69,12 @@ inline std::vector<LawCorner> randomCorners(const Problem& problem, Chance& chan
         corners.push_back({force, slope});
     }
     return corners;
+}
+
+/// The same about the forces of a blow on a rod.
+inline std::vector<LawCorner> randomCorners(const Problem& problem, Chance& chance) {
+    const double largest = 2.2 * std::max(problem.force().peak, 1 / (2 * problem.transitTime()));
+    return randomCorners(largest, problem.law.gamma, chance);
 }
 
 }  // namespace drillwave::test

@@ -89,7 +89,7 @@ void ContactMarch<Basis>::begin(const Problem& problem, Detail detail, Impact& i
     m_growth = 1;
     m_waves.clear();
     incident() = Piece::zero(0);
-    m_basis.begin(problem, m_law.slopes());
+    m_basis.begin(problem, m_law);
     if (problem.force().isRigidBody())
         m_waves.pushBack(m_basis.constant(m_roundTrip, 1 / m_roundTrip));
     else

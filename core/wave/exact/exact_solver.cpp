@@ -14,7 +14,8 @@
 namespace drillwave {
 
 struct ExactSolver::Workspace {
-    ContactMarch<ExponentialBasis> closed;
+    ContactMarch<ExponentialBasis<2>> closed;
+    ContactMarch<ExponentialBasis<3>> closedOfCorner;
     ContactMarch<SeriesBasis<double>> series;
 
     void march(const Problem& problem, Detail detail, const MarchLimits& limits, Impact& impact);
@@ -53,9 +54,10 @@ void ExactSolver::Workspace::march(const Problem& problem, Detail detail, const 
         MarchLimits few = limits;
         few.pieces = std::min(limits.pieces, mostClosedPieces);
         few.error = mostClosedError;
-        if (closed.solve(problem, detail, impact, few) && isSolved(impact) &&
-            impact.corError <= mostClosedError)
-            return;
+        const bool isDecided = problem.law.corners.empty()
+                                   ? closed.solve(problem, detail, impact, few)
+                                   : closedOfCorner.solve(problem, detail, impact, few);
+        if (isDecided && isSolved(impact) && impact.corError <= mostClosedError) return;
         const long abandoned = impact.pieces;
         impact = Impact{};
         impact.abandoned = abandoned;

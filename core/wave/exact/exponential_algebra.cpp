@@ -12,16 +12,21 @@ HammerTerms combine(double p, const HammerTerms& g, double q, const HammerTerms&
 
 }  // namespace
 
-void combineCurves(double p, const ExponentialSum& g, double q, const ExponentialSum& f,
-                   ExponentialSum& out) {
-    static const CurvedTerms none;
-    const CurvedTerms& a = g.isCurved ? g.curve : none;
-    const CurvedTerms& b = f.isCurved ? f.curve : none;
-    CurvedTerms& sum = out.makeCurved();
+template <int lines>
+void combineCurves(double p, const ExponentialSum<lines>& g, double q, const ExponentialSum<lines>& f,
+                   ExponentialSum<lines>& out) {
+    static const CurvedTerms<lines> none;
+    const CurvedTerms<lines>& a = g.isCurved ? g.curve : none;
+    const CurvedTerms<lines>& b = f.isCurved ? f.curve : none;
+    CurvedTerms<lines>& sum = out.makeCurved();
     sum.c1 = p * a.c1 + q * b.c1;
-    combine(p, a.primary, q, b.primary, sum.primary);
-    combine(p, a.elastic, q, b.elastic, sum.elastic);
+    eachLine<lines>([&](int i) { combine(p, a.rises[i], q, b.rises[i], sum.rises[i]); });
     sum.hammer = a.hammer.present || b.hammer.present ? combine(p, a.hammer, q, b.hammer) : HammerTerms{};
 }
+
+template void combineCurves(double, const ExponentialSum<2>&, double, const ExponentialSum<2>&,
+                            ExponentialSum<2>&);
+template void combineCurves(double, const ExponentialSum<3>&, double, const ExponentialSum<3>&,
+                            ExponentialSum<3>&);
 
 }  // namespace drillwave

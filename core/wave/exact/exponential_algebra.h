@@ -26,45 +26,44 @@ inline void differences(const Coefficients& terms, double factor, Coefficients& 
 }
 
 /// The curved terms of out = p·g + q·f, where g or f has any.
-void combineCurves(double p, const ExponentialSum& g, double q, const ExponentialSum& f, ExponentialSum& out);
+template <int lines>
+void combineCurves(double p, const ExponentialSum<lines>& g, double q, const ExponentialSum<lines>& f,
+                   ExponentialSum<lines>& out);
 
 /// out = p·g + q·f; `out` is another sum. It has the length and the decays of g.
-inline void combine(double p, const ExponentialSum& g, double q, const ExponentialSum& f,
-                    ExponentialSum& out) {
+template <int lines>
+inline void combine(double p, const ExponentialSum<lines>& g, double q, const ExponentialSum<lines>& f,
+                    ExponentialSum<lines>& out) {
     if (g.isCurved || f.isCurved) [[unlikely]]
         combineCurves(p, g, q, f, out);
     else
         out.isCurved = false;
     out.length = g.length;
     out.c0 = p * g.c0 + q * f.c0;
-    combine(p, g.primary, q, f.primary, out.primary);
-    combine(p, g.elastic, q, f.elastic, out.elastic);
-    out.primaryDecay = g.primaryDecay;
-    out.elasticDecay = g.elasticDecay;
+    eachLine<lines>([&](int i) { combine(p, g.decays[i], q, f.decays[i], out.decays[i]); });
+    out.wholeDecays = g.wholeDecays;
     out.rates = g.rates;
 }
 
 /// out = −f; both may be the same.
-inline void negate(const ExponentialSum& f, ExponentialSum& out) {
+template <int lines>
+inline void negate(const ExponentialSum<lines>& f, ExponentialSum<lines>& out) {
     const auto turn = [](const Coefficients& terms, Coefficients& turned) {
         turned.count = terms.count;
         for (int m = 0; m < terms.count; ++m) turned.c[m] = -terms.c[m];
     };
     if (f.isCurved) [[unlikely]] {
-        CurvedTerms& curve = out.makeCurved();
+        CurvedTerms<lines>& curve = out.makeCurved();
         curve.c1 = -f.curve.c1;
-        turn(f.curve.primary, curve.primary);
-        turn(f.curve.elastic, curve.elastic);
+        eachLine<lines>([&](int i) { turn(f.curve.rises[i], curve.rises[i]); });
         curve.hammer = f.curve.hammer.negated();
     } else {
         out.isCurved = false;
     }
     out.length = f.length;
     out.c0 = -f.c0;
-    turn(f.primary, out.primary);
-    turn(f.elastic, out.elastic);
-    out.primaryDecay = f.primaryDecay;
-    out.elasticDecay = f.elasticDecay;
+    eachLine<lines>([&](int i) { turn(f.decays[i], out.decays[i]); });
+    out.wholeDecays = f.wholeDecays;
     out.rates = f.rates;
 }
 

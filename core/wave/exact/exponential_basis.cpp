@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/exact/exponential_basis.h"
 
-#include "core/contact/contact_law.h"
 #include "core/wave/exact/exponential_algebra.h"
 #include "core/wave/exact/exponential_end.h"
 #include "core/wave/exact/exponential_stretches.h"
@@ -49,7 +48,8 @@ HammerTerms forced(const HammerTerms& g, double a) {
 
 /// ∫ e^{−x} f over [0, length], of a sum without sine and rises, which an exponential blow leaves: e^{−x}
 /// φ_m(λx) = (λ/μ)^m φ_m(μx), μ = λ + 1.
-double decayingIntegral(const ExponentialSum& f, double length) {
+template <int lines>
+double decayingIntegral(const ExponentialSum<lines>& f, double length) {
     const auto of = [length](Coefficients terms, double rate) {
         const double together = rate + 1;
         double power = 1;
@@ -63,13 +63,15 @@ double decayingIntegral(const ExponentialSum& f, double length) {
         sum += f.curve.c1 * (decayed - length * std::exp(-length));
         sum -= f.curve.hammer.decay * std::expm1(-2 * length) / 2;
     }
-    if (f.primary.count) sum += of(f.primary, f.rates->primary);
-    if (f.elastic.count) sum += of(f.elastic, f.rates->elastic);
+    eachLine<lines>([&](int i) {
+        if (f.decays[i].count) sum += of(f.decays[i], (*f.rates)[i]);
+    });
     return sum;
 }
 
 /// Whether g does not rise through zero.
-bool neverComesBack(const ExponentialSum& g) {
+template <int lines>
+bool neverComesBack(const ExponentialSum<lines>& g) {
     const ExponentialCourse course(g);
     return course.falls() || (course.isConvex() && g.value(g.length) <= 0) ||
            (course.isConcave() && g.startValue() >= 0);
@@ -77,7 +79,8 @@ bool neverComesBack(const ExponentialSum& g) {
 
 /// Whether a force that is positive at the end has been so all the way: once it has vanished, which takes
 /// g < 0, F' = a(2g − F) keeps it below zero until g comes back. Of sines it costs more than it saves.
-bool cannotVanish(const ExponentialBasis::Response& r) {
+template <class Response>
+bool cannotVanish(const Response& r) {
     if (r.incident->hasSine()) return false;
     const double rounding = 16 * doubleEpsilon * r.force.magnitude();
     return neverComesBack(*r.incident) && r.force.value(r.length) > rounding;
@@ -85,25 +88,30 @@ bool cannotVanish(const ExponentialBasis::Response& r) {
 
 }  // namespace
 
-void ExponentialBasis::begin(const Problem& problem, ContactRates<double> rates) {
+template <int lines>
+void ExponentialBasis<lines>::begin(const Problem& problem, const ContactLaw<double>& law) {
     m_failed = false;
     m_count = {};
-    m_rates = rates;
+    m_rates = {law.slopes().primary, law.slopes().elastic};
+    for (int i = 2; i < lines; ++i) m_rates[i] = law.loadingSlope(static_cast<std::size_t>(i) - 1);
     m_scale = std::max(problem.force().peak, problem.transitTime() < 0.5 || problem.force().isRigidBody()
                                                  ? 1 / (2 * problem.transitTime())
                                                  : 0.0);
     m_negligible = negligibleShare * m_scale;
 }
 
-ExponentialSum ExponentialBasis::constant(double length, double value) const {
+template <int lines>
+ExponentialSum<lines> ExponentialBasis<lines>::constant(double length, double value) const {
     Piece f = Piece::zero(length);
     f.c0 = value;
     return f;
 }
 
-void ExponentialBasis::addHammer(const PulseSegment& segment, double into, double length, Piece& g) const {
+template <int lines>
+void ExponentialBasis<lines>::addHammer(const PulseSegment& segment, double into, double length,
+                                        Piece& g) const {
     g.shorten(length);
-    if (g.isCurved) g.curve.impulse = CurvedTerms::unknown;
+    if (g.isCurved) g.curve.impulse = Curve::unknown;
     switch (segment.kind) {
         case PulseSegment::Kind::linear:
             g.c0 += segment.value + segment.slope * into;
@@ -126,8 +134,9 @@ void ExponentialBasis::addHammer(const PulseSegment& segment, double into, doubl
     }
 }
 
-double ExponentialBasis::hammerProduct(const PulseSegment& segment, double into, const Piece& g,
-                                       double length) const {
+template <int lines>
+double ExponentialBasis<lines>::hammerProduct(const PulseSegment& segment, double into, const Piece& g,
+                                              double length) const {
     const bool isConstant = segment.kind == PulseSegment::Kind::linear && segment.slope == 0;
     if (isConstant) return segment.value * g.integral(length);
     if (segment.kind == PulseSegment::Kind::exponential && !(g.isCurved && g.curve.hammer.hasSine()))
@@ -137,25 +146,27 @@ double ExponentialBasis::hammerProduct(const PulseSegment& segment, double into,
     return productIntegral(hammer, g, length);
 }
 
-ExponentialBasis::Response& ExponentialBasis::respond(Piece& g, double rate, double force) {
+template <int lines>
+typename ExponentialBasis<lines>::Response& ExponentialBasis<lines>::respond(Piece& g, double rate,
+                                                                             double force) {
     Response& r = m_response;
     g.rates = &m_rates;
     r.incident = &g;
     r.length = g.length;
     r.rate = rate;
     r.hasDrive = false;
-    const bool isPrimary = rate == m_rates.primary;
-    Coefficients& forceSame = isPrimary ? r.force.primary : r.force.elastic;
-    Coefficients& forceDifferent = isPrimary ? r.force.elastic : r.force.primary;
+    const int line = r.line = lineOf(rate);
+    Coefficients& forceSame = r.force.decays[line];
 
     r.force.length = g.length;
     r.force.rates = &m_rates;
     r.force.c0 = 2 * g.c0;
     r.force.isCurved = g.isCurved;
-    nonResonant(isPrimary ? g.elastic : g.primary, rate, isPrimary ? m_rates.elastic : m_rates.primary,
-                forceDifferent);
-    if (!resonant(isPrimary ? g.primary : g.elastic, forceSame) ||
-        (g.isCurved && !respondToCurve(g.curve, isPrimary, r.force.curve))) {
+    eachLine<lines>([&](int i) {
+        if (i != line) nonResonant(g.decays[i], rate, m_rates[i], r.force.decays[i]);
+    });
+    if (!resonant(g.decays[line], forceSame) ||
+        (g.isCurved && !respondToCurve(g.curve, line, r.force.curve))) {
         m_failed = true;
         return r;
     }
@@ -167,48 +178,51 @@ ExponentialBasis::Response& ExponentialBasis::respond(Piece& g, double rate, dou
     r.start = isRounding ? force - layer : force;
     r.dropped = isRounding ? std::abs(layer) : 0;
     // the decays over the whole piece serve all functions of this piece
-    if (g.primaryDecay < 0 && r.force.hasPrimary()) g.primaryDecay = std::exp(-m_rates.primary * g.length);
-    if (g.elasticDecay < 0 && r.force.hasElastic()) g.elasticDecay = std::exp(-m_rates.elastic * g.length);
-    r.force.primaryDecay = g.primaryDecay;
-    r.force.elasticDecay = g.elasticDecay;
+    eachLine<lines>([&](int i) {
+        if (g.wholeDecays[i] < 0 && r.force.hasLine(i)) g.wholeDecays[i] = std::exp(-m_rates[i] * g.length);
+    });
+    r.force.wholeDecays = g.wholeDecays;
     if (r.force.magnitude() > mostCancellation * m_scale) m_failed = true;
     return r;
 }
 
 /// What ramps and curved blows make of it; false where that needs more terms than there is room for.
-bool ExponentialBasis::respondToCurve(const CurvedTerms& g, bool isPrimary, CurvedTerms& force) const {
-    const double rate = isPrimary ? m_rates.primary : m_rates.elastic;
-    const double other = isPrimary ? m_rates.elastic : m_rates.primary;
-    Coefficients& forceSame = isPrimary ? force.primary : force.elastic;
-    Coefficients& forceDifferent = isPrimary ? force.elastic : force.primary;
+template <int lines>
+bool ExponentialBasis<lines>::respondToCurve(const Curve& g, int line, Curve& force) const {
+    const double rate = m_rates[line];
     force.c1 = 2 * g.c1;
     force.hammer = g.hammer.present ? forced(g.hammer, rate) : HammerTerms{};
-    if (g.c1 == 0 && g.primary.count == 0 && g.elastic.count == 0) {
-        forceSame.count = forceDifferent.count = 0;
+    if (g.c1 == 0 && !g.hasRises()) {
+        for (Coefficients& rises : force.rises) rises.count = 0;
         return true;
     }
     // F' = 0 at the start for all that begins at zero: 2x − 2ω_0(ax)/a for a ramp, −(λ/a) F_0 ω_0(ax) for
     // rises of another rate
-    nonResonant(isPrimary ? g.elastic : g.primary, rate, other, forceDifferent);
-    if (!resonant(isPrimary ? g.primary : g.elastic, forceSame)) return false;
-    forceSame.c[0] = -(force.c1 + other * forceDifferent[0]) / rate;
+    double slope = force.c1;
+    eachLine<lines>([&](int i) {
+        if (i == line) return;
+        nonResonant(g.rises[i], rate, m_rates[i], force.rises[i]);
+        slope += m_rates[i] * force.rises[i][0];
+    });
+    if (!resonant(g.rises[line], force.rises[line])) return false;
+    force.rises[line].c[0] = -slope / rate;
     return true;
 }
 
-void ExponentialBasis::reflect(const Response& r, Piece& reflected) const {
+template <int lines>
+void ExponentialBasis<lines>::reflect(const Response& r, Piece& reflected) const {
     combine(1, *r.incident, -1, r.force, reflected);
     reflected.length = r.length;
-    reflected.primaryDecay = r.force.primaryDecay;
-    reflected.elasticDecay = r.force.elasticDecay;
+    reflected.wholeDecays = r.force.wholeDecays;
     if (reflected.isCurved) [[unlikely]]
         reflected.curve.impulse = r.left;
 }
 
 /// 2g − F; where both nearly cancel on stiff rock, term by term as F'/a.
-const ExponentialSum& ExponentialBasis::drive(Response& r) {
+template <int lines>
+const ExponentialSum<lines>& ExponentialBasis<lines>::drive(Response& r) {
     if (r.hasDrive) return m_drive;
     r.hasDrive = true;
-    const bool isPrimary = r.rate == m_rates.primary;
     if (r.force.isCurved) [[unlikely]]
         combineCurves(2, *r.incident, -1, r.force, m_drive);
     else
@@ -216,10 +230,10 @@ const ExponentialSum& ExponentialBasis::drive(Response& r) {
     m_drive.length = r.force.length;
     m_drive.c0 = 2 * r.incident->c0 - r.force.c0;
     m_drive.rates = &m_rates;
-    m_drive.primaryDecay = r.force.primaryDecay;
-    m_drive.elasticDecay = r.force.elasticDecay;
-    differences(r.force.primary, isPrimary ? 1 : m_rates.primary / r.rate, m_drive.primary);
-    differences(r.force.elastic, isPrimary ? m_rates.elastic / r.rate : 1, m_drive.elastic);
+    m_drive.wholeDecays = r.force.wholeDecays;
+    eachLine<lines>([&](int i) {
+        differences(r.force.decays[i], i == r.line ? 1 : m_rates[i] / r.rate, m_drive.decays[i]);
+    });
     if (r.force.hasHammer()) {
         const HammerTerms& force = r.force.curve.hammer;
         m_drive.curve.hammer = {-HammerTerms::pi / r.rate * force.cosine,
@@ -228,14 +242,17 @@ const ExponentialSum& ExponentialBasis::drive(Response& r) {
     return m_drive;
 }
 
-void ExponentialBasis::shorten(Response& r, double length) const {
+template <int lines>
+void ExponentialBasis<lines>::shorten(Response& r, double length) const {
     r.length = length;
     r.force.shorten(length);
-    if (r.force.hasPrimary()) r.force.primaryDecay = std::exp(-m_rates.primary * length);
-    if (r.force.hasElastic()) r.force.elasticDecay = std::exp(-m_rates.elastic * length);
+    eachLine<lines>([&](int i) {
+        if (r.force.hasLine(i)) r.force.wholeDecays[i] = std::exp(-m_rates[i] * length);
+    });
 }
 
-Zero<double> ExponentialBasis::gapClosure(const Piece& g, double gap) {
+template <int lines>
+Zero<double> ExponentialBasis<lines>::gapClosure(const Piece& g, double gap) {
     if (g.isAtMostZero()) return gap < 0 ? Zero<double>::at(0) : Zero<double>{};
     if (gap > 2 * g.mostIntegral() || gap > 2 * mostIntegral(g, impulse(g), gap / 2)) return {};
     if (g.isConstant()) {
@@ -246,27 +263,26 @@ Zero<double> ExponentialBasis::gapClosure(const Piece& g, double gap) {
 }
 
 /// Where gap − 2∫g vanishes: ∫φ_m = ω_m/λ, and ∫ω_m = x − Σ_{k≤m} ω_k/λ.
-Zero<double> ExponentialBasis::searchedGapClosure(const Piece& g, double gap) {
+template <int lines>
+Zero<double> ExponentialBasis<lines>::searchedGapClosure(const Piece& g, double gap) {
     Piece& f = m_searched;
     f.length = g.length;
     f.rates = &m_rates;
-    f.primaryDecay = g.primaryDecay;
-    f.elasticDecay = g.elasticDecay;
+    f.wholeDecays = g.wholeDecays;
     f.c0 = gap;
-    f.primary.count = f.elastic.count = 0;
-    CurvedTerms& curve = f.makeCurved();
+    for (Coefficients& decays : f.decays) decays.count = 0;
+    Curve& curve = f.makeCurved();
     curve.c1 = -2 * g.c0;
     curve.hammer = {};
-    const CurvedTerms none;
-    const CurvedTerms& arriving = g.isCurved ? g.curve : none;
+    const Curve none;
+    const Curve& arriving = g.isCurved ? g.curve : none;
     const auto integrate = [&](const Coefficients& decays, const Coefficients& rises, double rate,
                                Coefficients& out) {
         const Coefficients sums = rises.sumsFromEach();
         combine(-2 / rate, decays, 2 / rate, sums, out);
         curve.c1 -= 2 * sums[0];
     };
-    integrate(g.primary, arriving.primary, m_rates.primary, curve.primary);
-    integrate(g.elastic, arriving.elastic, m_rates.elastic, curve.elastic);
+    eachLine<lines>([&](int i) { integrate(g.decays[i], arriving.rises[i], m_rates[i], curve.rises[i]); });
     if (arriving.hammer.present) {
         constexpr double pi = HammerTerms::pi;
         curve.hammer = {-2 * arriving.hammer.cosine / pi, 2 * arriving.hammer.sine / pi,
@@ -276,18 +292,21 @@ Zero<double> ExponentialBasis::searchedGapClosure(const Piece& g, double gap) {
     return decided(firstZero(f, -arriving.c1, {.startsAtZero = gap == 0}, m_count));
 }
 
-Zero<double> ExponentialBasis::forceVanishes(Response& r) {
+template <int lines>
+Zero<double> ExponentialBasis<lines>::forceVanishes(Response& r) {
     // a compressive wave cannot pull the rod off: F is a positive mean of 2g and of what it was
     if (r.incident->isAtLeastZero()) return {};
     if (!hasZeroByFormula(r.force) && cannotVanish(r)) return {};
     return decided(firstZero(r.force, 0, {.negligible = m_negligible}, m_count));
 }
 
-Zero<double> ExponentialBasis::driveVanishes(Response& r) {
+template <int lines>
+Zero<double> ExponentialBasis<lines>::driveVanishes(Response& r) {
     return decided(firstZero(drive(r), 0, {.negligible = m_negligible}, m_count));
 }
 
-Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tangential) {
+template <int lines>
+Zero<double> ExponentialBasis<lines>::forceReaches(Response& r, double peak, bool tangential) {
     if (2 * r.incident->mostValue() <= peak) return {};  // F ≤ max(F(0), 2 max g)
     Piece& f = m_searched;
     double start = 0;
@@ -304,7 +323,8 @@ Zero<double> ExponentialBasis::forceReaches(Response& r, double peak, bool tange
     return decided(firstZero(f, 0, {.start = start, .negligible = m_negligible}, m_count));
 }
 
-double ExponentialBasis::largestIntegral(const Piece& g) {
+template <int lines>
+double ExponentialBasis<lines>::largestIntegral(const Piece& g) {
     const double whole = g.integral(g.length);
     if (g.isAtLeastZero()) return whole;
     double most = std::max(whole, 0.0), before = 0;
@@ -320,11 +340,14 @@ double ExponentialBasis::largestIntegral(const Piece& g) {
 /// The coefficients of the force are wrong by their rounding, and so is the wave that they leave. What the
 /// force at the end is wrong by, δF, it takes back in 1/a: the bit stands δF/a off, and that persists. On
 /// soft rock constant and decays cancel; then the change from the start has digits that their sum has not.
-StretchEnd<double> ExponentialBasis::endAt(Response& r, double length) const {
+template <int lines>
+StretchEnd<double> ExponentialBasis<lines>::endAt(Response& r, double length) const {
     const bool isCut = length != r.length;
     if (isCut) shorten(r, length);
     const Piece& force = r.force;
-    const double fastest = force.elastic.count ? m_rates.elastic : m_rates.primary;
+    double fastest = m_rates[primary];
+    for (int i = elastic; i < lines; ++i)
+        if (force.decays[i].count) fastest = std::max(fastest, m_rates[i]);
     const bool isSlow = fastest * length < 1 && !force.isCurved;
     const double constant = std::abs(force.c0);
     double stored = constant * length, integrated = 0, size = isSlow ? 0 : constant;
@@ -337,8 +360,9 @@ StretchEnd<double> ExponentialBasis::endAt(Response& r, double length) const {
         stored += decays.stored;
         integrated += decays.integrated;
     };
-    if (force.primary.count) add(force.primary, m_rates.primary, force.primaryDecay);
-    if (force.elastic.count) add(force.elastic, m_rates.elastic, force.elasticDecay);
+    eachLine<lines>([&](int i) {
+        if (force.decays[i].count) add(force.decays[i], m_rates[i], force.wholeDecays[i]);
+    });
     if (force.isCurved) [[unlikely]] {
         const double curve = force.curveMagnitude();
         stored += curve * length;
@@ -349,7 +373,7 @@ StretchEnd<double> ExponentialBasis::endAt(Response& r, double length) const {
         r.left = r.arrived - end.impulse;
     }
     // an event at a force that is given has been found by the sum
-    if (isSlow && isCut && r.rate == m_rates.elastic) size += 2 * constant;
+    if (isSlow && isCut && r.rate == m_rates[elastic]) size += 2 * constant;
     size += std::abs(end.force);
     end.error = 4 * (doubleEpsilon * (stored + integrated + size / r.rate) + m_negligible * length) +
                 r.dropped / r.rate;
@@ -358,7 +382,8 @@ StretchEnd<double> ExponentialBasis::endAt(Response& r, double length) const {
 
 /// The force turns where the drive changes its sign, and the drive U' = 2g' − aU, once below zero, returns
 /// only after g has turned up.
-double ExponentialBasis::largest(Response& r, double length, double before) {
+template <int lines>
+double ExponentialBasis<lines>::largest(Response& r, double length, double before) {
     const Piece& g = *r.incident;
     const double most2g = 2 * g.mostValue();  // F' = a(2g − F): F is drawn towards 2g, within its time
     if (most2g <= before) return before;
@@ -368,8 +393,9 @@ double ExponentialBasis::largest(Response& r, double length, double before) {
     if (slope.isAtLeastZero() || slope.isAtMostZero()) return before;
     double most = before;
     // less often than a sum of decays has terms
-    const int mostTurns =
-        slope.isCurved ? 2 * Coefficients::capacity : slope.primary.count + slope.elastic.count - 1;
+    int mostTurns = -1;
+    for (const Coefficients& decays : slope.decays) mostTurns += decays.count;
+    if (slope.isCurved) mostTurns = lines * Coefficients::capacity;
     Piece& turning = m_searched;
     turning = slope;
     turning.shorten(length);
@@ -390,7 +416,8 @@ double ExponentialBasis::largest(Response& r, double length, double before) {
     return most;
 }
 
-double ExponentialBasis::productIntegral(const Piece& f, const Piece& g, double length) const {
+template <int lines>
+double ExponentialBasis<lines>::productIntegral(const Piece& f, const Piece& g, double length) const {
     double sum = 0;
     const auto add = [&](const PowerSeries<double>& a, const PowerSeries<double>& b) {
         sum += PowerSeries<double>::productIntegral(a, b, a.length);
@@ -405,18 +432,22 @@ double ExponentialBasis::productIntegral(const Piece& f, const Piece& g, double 
     return sum;
 }
 
-void ExponentialBasis::record(const Piece& incident, const Piece* force, double length,
-                              Impact& impact) const {
+template <int lines>
+void ExponentialBasis<lines>::record(const Piece& incident, const Piece* force, double length,
+                                     Impact& impact) const {
     const auto used = [](const PowerSeries<double>& f) {
         return std::span<const double>(f.c.data(), static_cast<std::size_t>(f.count));
     };
     const Piece none;
-    const std::array functions{&incident, force ? force : &none};
+    const std::array<const Piece*, 2> functions{&incident, force ? force : &none};
     ExponentialStretches(functions, length, m_negligible).forEach([&](double, const auto& series) {
         const auto& [g, F] = series;
         impact.incident.append(g.length, g.scale, used(g));
         impact.force.append(g.length, g.scale, used(F));
     });
 }
+
+template class ExponentialBasis<2>;
+template class ExponentialBasis<3>;
 
 }  // namespace drillwave

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "core/contact/contact_law.h"
 #include "core/wave/exact/exponential_course.h"
 #include "core/wave/exact/exponential_sum.h"
 #include "core/wave/exact/exponential_zero.h"
@@ -16,13 +17,17 @@ namespace drillwave {
 
 /// The representation of ContactMarch by exponential sums (theory §3.2), for pulses of every shape.
 ///
-/// One term is added at each reflection in contact, and terms of the other rate are divided by the difference
-/// of the rates; so it fails(), and the caller turns to power series, after a few reflections, for γ near but
-/// not at 1, and where an event is tangential within rounding.
+/// One term is added at each reflection in contact, and terms of other rates are divided by the differences
+/// of the rates; so it fails(), and the caller turns to power series, after a few reflections, for lines
+/// nearly as steep as another, and where an event is tangential within rounding.
+///
+/// `lines` are those of the law whose slopes it has: the first loading line, the elastic one, and those
+/// behind the first corners. It fails where the contact comes to a line beyond them.
+template <int lines>
 class ExponentialBasis {
   public:
     using Real = double;
-    using Piece = ExponentialSum;
+    using Piece = ExponentialSum<lines>;
     using Sum = double;                         ///< its pieces are few
     static constexpr bool joinsPieces = false;  ///< there are few
     /// What each term added to a Sum is wrong by, relative to the sum.
@@ -31,6 +36,7 @@ class ExponentialBasis {
     struct Response {
         double length = 0;
         double rate = 0;
+        int line = 0;                     ///< whose rate that is
         const Piece* incident = nullptr;  ///< the arriving wave, which must outlive the response
         Piece force;
         double start = 0;       ///< the force at the start
@@ -40,14 +46,14 @@ class ExponentialBasis {
         bool hasDrive = false;  ///< drive() has been asked for
     };
 
-    void begin(const Problem& problem, ContactRates<double> rates);
+    void begin(const Problem& problem, const ContactLaw<double>& law);
     bool failed() const { return m_failed; }
     /// The searches for events since begin().
     SearchCount searchCount() const { return m_count; }
     /// Events that repeat without progress in time hang on rounding here.
     void stall() { m_failed = true; }
-    /// The contact goes on along a line of that slope: there are terms for two rates only.
-    void turnTo(double rate) { m_failed |= rate != m_rates.primary && rate != m_rates.elastic; }
+    /// The contact goes on along a line of that slope.
+    void turnTo(double rate) { m_failed |= lineOf(rate) == lines; }
     double negligibleForce() const { return m_negligible; }
     double momentumNoise() const { return 4 * std::numeric_limits<double>::epsilon(); }
     Piece constant(double length, double value) const;
@@ -68,7 +74,7 @@ class ExponentialBasis {
     void dropFront(Piece& g, const Response& r) const {
         g.rates = &m_rates;
         const double rest = g.isCurved ? g.curve.impulse - r.arrived : 0;
-        g.dropFront(r.length, r.force.primaryDecay, r.force.elasticDecay);
+        g.dropFront(r.length, r.force.wholeDecays);
         if (g.isCurved) [[unlikely]]
             g.curve.impulse = rest;
     }
@@ -99,17 +105,27 @@ class ExponentialBasis {
     [[gnu::cold]] void record(const Piece& incident, const Piece* force, double length, Impact& impact) const;
 
   private:
+    static constexpr int primary = 0, elastic = 1;  ///< lines
+
     /// The zero, unless the search was undecided: then failed().
     Zero<double> decided(Zero<double> zero) {
         m_failed |= zero.undecided;
         return zero;
     }
 
-    bool respondToCurve(const CurvedTerms& g, bool isPrimary, CurvedTerms& force) const;
+    using Curve = CurvedTerms<lines>;
+
+    /// The first line of that slope; `lines` where there is none.
+    int lineOf(double rate) const {
+        int line = 0;
+        while (line < lines && m_rates[line] != rate) ++line;
+        return line;
+    }
+    bool respondToCurve(const Curve& g, int line, Curve& force) const;
     void shorten(Response& r, double length) const;
     Zero<double> searchedGapClosure(const Piece& g, double gap);
 
-    ContactRates<double> m_rates;
+    LineRates<lines> m_rates{};
     double m_scale = 1;
     double m_negligible = 0;
     bool m_failed = false;

@@ -36,17 +36,20 @@ double leastCurvature(const Coefficients& decays, double rate) {
     return rate * rate * least;
 }
 
-double leastCurvature(const ExponentialSum& f) {
+template <int lines>
+double leastCurvature(const ExponentialSum<lines>& f) {
     if (f.isCurved) return ExponentialCourse(f).leastCurvature;
     double least = 0;
-    if (f.primary.count) least += leastCurvature(f.primary, f.rates->primary);
-    if (f.elastic.count) least += leastCurvature(f.elastic, f.rates->elastic);
+    eachLine<lines>([&](int i) {
+        if (f.decays[i].count) least += leastCurvature(f.decays[i], (*f.rates)[i]);
+    });
     return least;
 }
 
 }  // namespace
 
-double mostIntegralByEnds(const ExponentialSum& f, double whole) {
+template <int lines>
+double mostIntegralByEnds(const ExponentialSum<lines>& f, double whole) {
     const double length = f.length;
     const double bow = -std::min(leastCurvature(f), 0.0) * length * length * length / 12;
     const double rounding = 16 * std::numeric_limits<double>::epsilon() * f.magnitude() * length;
@@ -56,5 +59,8 @@ double mostIntegralByEnds(const ExponentialSum& f, double whole) {
     const double underChord = end >= 0 ? (start + end) / 2 : start * start / (2 * (start - end));
     return underChord * length + bow + rounding;
 }
+
+template double mostIntegralByEnds(const ExponentialSum<2>&, double);
+template double mostIntegralByEnds(const ExponentialSum<3>&, double);
 
 }  // namespace drillwave

@@ -13,7 +13,8 @@ struct ExponentialCourse {
     double leastSlope = 0, mostSlope = 0;
     double leastCurvature = 0, mostCurvature = 0;
 
-    explicit ExponentialCourse(const ExponentialSum& f);
+    template <int lines>
+    explicit ExponentialCourse(const ExponentialSum<lines>& f);
 
     bool falls() const { return mostSlope <= 0; }
     bool rises() const { return leastSlope >= 0; }
@@ -28,11 +29,14 @@ struct ExponentialCourse {
 /// An upper bound of ∫f over [0, x] for every x up to the length, and 0, from the values at the ends and that
 /// over the `whole`: a convex function lies below its chord, and others above it by no more than their
 /// curvature bends them.
-double mostIntegralByEnds(const ExponentialSum& f, double whole);
+template <int lines>
+double mostIntegralByEnds(const ExponentialSum<lines>& f, double whole);
 
-inline ExponentialCourse::ExponentialCourse(const ExponentialSum& f) {
-    if (f.hasPrimary()) addTerms(f.primary, f.isCurved ? f.curve.primary : noTerms, f.rates->primary);
-    if (f.hasElastic()) addTerms(f.elastic, f.isCurved ? f.curve.elastic : noTerms, f.rates->elastic);
+template <int lines>
+inline ExponentialCourse::ExponentialCourse(const ExponentialSum<lines>& f) {
+    eachLine<lines>([&](int i) {
+        if (f.hasLine(i)) addTerms(f.decays[i], f.risesOf(i), (*f.rates)[i]);
+    });
     if (!f.isCurved) return;
     leastSlope += f.curve.c1;
     mostSlope += f.curve.c1;

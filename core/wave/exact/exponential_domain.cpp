@@ -25,42 +25,61 @@ constexpr Stiffness leastForElasticSteps{0.2, 0.01}, leastForSteps{0.55, 0.01}, 
     leastForRamps{1, 0.4};
 constexpr Stiffness leastForTables{3, 1.5};  ///< dozens of ramps, many of them steep
 
+/// The same of the softest line where the loading has a corner: the terms of a third rate cost more, and the
+/// nearest of them cancel. How near the rates are hardly matters there.
+constexpr Stiffness leastForCornerSteps{0.5, 0.1}, leastForCornerDecays{0.2, 0.05},
+    leastForCornerCurves{1, 0.4};
+
+/// The corners whose lines have rates of their own; more of them cost as many terms as series have.
+constexpr std::size_t mostCorners = 1;
+
 /// Pulses of fewer linear pieces are those of a formula.
 constexpr std::size_t leastTable = 12;
 
-Stiffness leastFor(const PulseForce& hammer, bool isElastic) {
+/// The slopes beside the rate of an exponential blow, 1/t0: the response is divided by the difference.
+constexpr double leastDetuning = 0.1;
+
+/// What the blow is made of decides how many terms it leaves.
+Stiffness leastFor(const PulseForce& hammer, const BitRockLaw& law) {
     using Kind = PulseSegment::Kind;
     const auto& segments = hammer.segments;
-    const Stiffness& steps = isElastic ? leastForElasticSteps : leastForSteps;
-    if (segments.empty()) return steps;
-    if (segments.front().kind != Kind::linear) return leastForCurves;
-    const bool isSteps = std::all_of(segments.begin(), segments.end(),
-                                     [](const PulseSegment& segment) { return segment.slope == 0; });
-    if (isSteps) return steps;
-    return segments.size() < leastTable ? leastForRamps : leastForTables;
+    const bool isSteps = std::ranges::all_of(segments, [](const PulseSegment& segment) {
+        return segment.kind == Kind::linear && segment.slope == 0;
+    });
+    if (isSteps && !law.corners.empty()) return leastForCornerSteps;
+    if (isSteps) return law.gamma == 1 ? leastForElasticSteps : leastForSteps;
+    if (segments.size() >= leastTable) return leastForTables;
+    if (!law.corners.empty())
+        return hammer.shape == PulseShape::exponential ? leastForCornerDecays : leastForCornerCurves;
+    return segments.front().kind == Kind::linear ? leastForRamps : leastForCurves;
+}
+
+/// Whether the rate of an exponential blow, 1/t0, is off those of all lines.
+bool isDetuned(const BitRockLaw& law) {
+    const auto isOff = [](double rate) { return std::abs(rate - 1) > leastDetuning; };
+    return isOff(law.firstSlope * law.beta) && isOff(law.beta / law.gamma) &&
+           std::ranges::all_of(law.corners,
+                               [&](const LawCorner& corner) { return isOff(corner.slope * law.beta); });
 }
 
 /// Each is a piece that all reflections repeat, and most of them are short where there are many.
 constexpr std::size_t mostSegments = 1000;
 
-/// β and β/γ beside the rate of an exponential blow, 1/t0: the response is divided by the difference.
-constexpr double leastDetuning = 0.1;
-
 }  // namespace
 
 bool suitsExponentials(const Problem& problem) {
-    const double beta = problem.law.beta, gamma = problem.law.gamma;
-    const double decay = beta * problem.transitTime();
-    if (decay < leastForElasticSteps.decay || beta < leastForElasticSteps.beta) return false;
+    const BitRockLaw& law = problem.law;
+    const double gamma = law.gamma;
+    double softest = law.firstSlope * law.beta;
+    for (const LawCorner& corner : law.corners) softest = std::min(softest, corner.slope * law.beta);
+    const double decay = softest * problem.transitTime();
+    if (decay < leastForElasticSteps.decay || softest < leastForElasticSteps.beta) return false;
+    if (law.corners.size() > mostCorners) return false;
     if (gamma < 1 && gamma > (decay < leastStiffDecay ? largestGamma : largestStiffGamma)) return false;
     if (problem.force().segments.size() > mostSegments) return false;
-    const Stiffness least = leastFor(problem.force(), gamma == 1);
-    if (decay < least.decay || beta < least.beta) return false;
-    if (problem.force().shape == PulseShape::exponential) {
-        const auto isDetuned = [](double rate) { return std::abs(rate - 1) > leastDetuning; };
-        return isDetuned(beta) && isDetuned(beta / gamma);
-    }
-    return true;
+    const Stiffness least = leastFor(problem.force(), law);
+    if (decay < least.decay || softest < least.beta) return false;
+    return problem.force().shape != PulseShape::exponential || isDetuned(law);
 }
 
 }  // namespace drillwave

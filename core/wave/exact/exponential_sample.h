@@ -11,18 +11,17 @@
 
 namespace drillwave {
 
-/// The slope c + Σ p_m φ_m(βx) + Σ e_m φ_m(βx/γ) of an exponential sum, but for its hammer terms.
+/// The slope c + Σ d_m φ_m(λx) over the rates of an exponential sum, but for its hammer terms.
+template <int lines>
 struct ExponentialSlope {
     double constant = 0;
-    Coefficients primary, elastic;
+    TermsOfLines<lines> decays;
 
-    explicit ExponentialSlope(const ExponentialSum& f) {
-        differences(f.primary, f.rates->primary, primary);
-        differences(f.elastic, f.rates->elastic, elastic);
+    explicit ExponentialSlope(const ExponentialSum<lines>& f) {
+        eachLine<lines>([&](int i) { differences(f.decays[i], (*f.rates)[i], decays[i]); });
         if (!f.isCurved) return;
         constant = f.curve.c1;
-        addRises(f.curve.primary, f.rates->primary, primary);
-        addRises(f.curve.elastic, f.rates->elastic, elastic);
+        eachLine<lines>([&](int i) { addRises(f.curve.rises[i], (*f.rates)[i], decays[i]); });
     }
 
   private:
@@ -97,16 +96,18 @@ inline void addHammer(const HammerTerms& f, double amplitude, double x, Exponent
 }
 
 /// f + c2 x², as it is searched.
+template <int lines>
 struct SearchedSum {
-    const ExponentialSum& f;
+    const ExponentialSum<lines>& f;
     double c2;
-    ExponentialSlope slope{f};
+    ExponentialSlope<lines> slope{f};
     double amplitude = f.hasHammer() ? std::hypot(f.curve.hammer.sine, f.curve.hammer.cosine) : 0;
 
     ExponentialSample at(double x) const;
 };
 
-inline ExponentialSample SearchedSum::at(double x) const {
+template <int lines>
+inline ExponentialSample SearchedSum<lines>::at(double x) const {
     ExponentialSample s;
     s.value = f.c0;
     s.size = std::abs(f.c0);
@@ -116,10 +117,9 @@ inline ExponentialSample SearchedSum::at(double x) const {
         s.curvature = s.leastCurvature = 2 * c2;
         s.size += std::abs(slope.constant) * x + std::abs(c2) * x * x;
     }
-    if (slope.primary.count)
-        addTerms(f.primary, f.isCurved ? f.curve.primary : noTerms, slope.primary, f.rates->primary, x, s);
-    if (slope.elastic.count)
-        addTerms(f.elastic, f.isCurved ? f.curve.elastic : noTerms, slope.elastic, f.rates->elastic, x, s);
+    eachLine<lines>([&](int i) {
+        if (slope.decays[i].count) addTerms(f.decays[i], f.risesOf(i), slope.decays[i], (*f.rates)[i], x, s);
+    });
     if (f.hasHammer()) addHammer(f.curve.hammer, amplitude, x, s);
     return s;
 }

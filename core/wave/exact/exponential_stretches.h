@@ -14,14 +14,14 @@ namespace drillwave {
 /// Walks over [0, length] in stretches on which each of the functions is one short power series, all on the
 /// same scale: the fastest decay that is still above `negligible` passes by at most 2 in a stretch. The
 /// functions have the same rates; some 20 stretches see one decay out.
-template <std::size_t count>
+template <int lines, std::size_t count>
 class ExponentialStretches {
   public:
-    ExponentialStretches(const std::array<const ExponentialSum*, count>& functions, double length,
+    ExponentialStretches(const std::array<const ExponentialSum<lines>*, count>& functions, double length,
                          double negligible)
         : m_length(length), m_negligible(negligible) {
         for (std::size_t i = 0; i < count; ++i) m_rest[i] = *functions[i];
-        for (ExponentialSum& rest : m_rest) {
+        for (ExponentialSum<lines>& rest : m_rest) {
             rest.shorten(length);
             rest.trim(m_negligible);
         }
@@ -41,7 +41,7 @@ class ExponentialStretches {
             visit(start, series);
             if (isLast) return;
             start += length;
-            for (ExponentialSum& rest : m_rest) {
+            for (ExponentialSum<lines>& rest : m_rest) {
                 rest.dropFront(length);
                 rest.trim(m_negligible);
             }
@@ -51,9 +51,10 @@ class ExponentialStretches {
   private:
     double fastestDecay() const {
         double fastest = 0;
-        for (const ExponentialSum& f : m_rest) {
-            if (f.hasPrimary()) fastest = std::max(fastest, f.rates->primary);
-            if (f.hasElastic()) fastest = std::max(fastest, f.rates->elastic);
+        for (const ExponentialSum<lines>& f : m_rest) {
+            eachLine<lines>([&](int i) {
+                if (f.hasLine(i)) fastest = std::max(fastest, (*f.rates)[i]);
+            });
             if (!f.hasHammer()) continue;
             if (f.curve.hammer.decay != 0) fastest = std::max(fastest, 1.0);
             if (f.curve.hammer.hasSine()) fastest = std::max(fastest, rateOfSine);
@@ -123,16 +124,18 @@ class ExponentialStretches {
         }
     }
 
-    PowerSeries<double> seriesOf(const ExponentialSum& f, double length) const {
+    PowerSeries<double> seriesOf(const ExponentialSum<lines>& f, double length) const {
         auto series = PowerSeries<double>::zero(length);
         series.count = 2;
         series.c[0] = f.c0;
         series.c[1] = f.isCurved ? f.curve.c1 * length : 0;
-        if (f.hasPrimary()) addDecays(f.primary, f.rates->primary * length, series);
-        if (f.hasElastic()) addDecays(f.elastic, f.rates->elastic * length, series);
+        eachLine<lines>([&](int i) {
+            if (f.hasLine(i)) addDecays(f.decays[i], (*f.rates)[i] * length, series);
+        });
         if (f.isCurved) {
-            if (f.hasPrimary()) addRises(f.curve.primary, f.rates->primary * length, series);
-            if (f.hasElastic()) addRises(f.curve.elastic, f.rates->elastic * length, series);
+            eachLine<lines>([&](int i) {
+                if (f.hasLine(i)) addRises(f.curve.rises[i], (*f.rates)[i] * length, series);
+            });
             if (f.curve.hammer.present) add(f.curve.hammer, length, series);
         }
         series.trim(m_negligible);
@@ -142,7 +145,7 @@ class ExponentialStretches {
     static constexpr double rateOfSine = 4;  ///< a stretch is half of a half sine, as for SeriesBasis
 
     double m_length, m_negligible;
-    std::array<ExponentialSum, count> m_rest;
+    std::array<ExponentialSum<lines>, count> m_rest;
 };
 
 }  // namespace drillwave

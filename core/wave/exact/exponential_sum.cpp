@@ -17,97 +17,107 @@ double integralOf(const Coefficients& decays, const Coefficients& rises, double 
 
 }  // namespace
 
-double ExponentialSum::curveMagnitude() const {
+template <int lines>
+double ExponentialSum<lines>::curveMagnitude() const {
     double sum = std::abs(curve.c1) * length + curve.hammer.magnitude();
-    if (curve.primary.count) sum += curve.primary.magnitude() * std::min(rates->primary * length, 1.0);
-    if (curve.elastic.count) sum += curve.elastic.magnitude() * std::min(rates->elastic * length, 1.0);
+    eachLine<lines>([&](int i) {
+        if (const Coefficients& rises = curve.rises[i]; rises.count)
+            sum += rises.magnitude() * std::min((*rates)[i] * length, 1.0);
+    });
     return sum;
 }
 
-double ExponentialSum::mostOfHammer() const {
+template <int lines>
+double ExponentialSum<lines>::mostOfHammer() const {
     return curve.hammer.amplitude() + std::max(curve.hammer.decay, 0.0);
 }
 
-double ExponentialSum::mostOfRises() const {
+template <int lines>
+double ExponentialSum<lines>::mostOfRises() const {
     double most = std::max(curve.c1 * length, 0.0);
-    if (curve.primary.count) most += curve.primary.mostRisen() * std::min(rates->primary * length, 1.0);
-    if (curve.elastic.count) most += curve.elastic.mostRisen() * std::min(rates->elastic * length, 1.0);
+    eachLine<lines>([&](int i) {
+        if (const Coefficients& rises = curve.rises[i]; rises.count)
+            most += rises.mostRisen() * std::min((*rates)[i] * length, 1.0);
+    });
     return most;
 }
 
-double ExponentialSum::leastOfRises() const {
+template <int lines>
+double ExponentialSum<lines>::leastOfRises() const {
     double least = std::min(curve.c1 * length, 0.0);
-    if (curve.primary.count) least += curve.primary.leastRisen() * std::min(rates->primary * length, 1.0);
-    if (curve.elastic.count) least += curve.elastic.leastRisen() * std::min(rates->elastic * length, 1.0);
+    eachLine<lines>([&](int i) {
+        if (const Coefficients& rises = curve.rises[i]; rises.count)
+            least += rises.leastRisen() * std::min((*rates)[i] * length, 1.0);
+    });
     return least;
 }
 
-double ExponentialSum::mostIntegralOfCurve() const {
+template <int lines>
+double ExponentialSum<lines>::mostIntegralOfCurve() const {
     // c0 + c1 x together: a ramp down to zero has a large constant
     const double straight = std::max({0.0, c0, c0 + curve.c1 * length}) - std::max(c0, 0.0);
     double most = straight * length;
-    if (curve.primary.count)
-        most += curve.primary.mostRisen() * std::min(rates->primary * length, 1.0) * length;
-    if (curve.elastic.count)
-        most += curve.elastic.mostRisen() * std::min(rates->elastic * length, 1.0) * length;
+    eachLine<lines>([&](int i) {
+        if (const Coefficients& rises = curve.rises[i]; rises.count)
+            most += rises.mostRisen() * std::min((*rates)[i] * length, 1.0) * length;
+    });
     const HammerTerms& hammer = curve.hammer;
     if (hammer.present)
         most += hammer.amplitude() * length + std::max(hammer.decay, 0.0) * std::min(length, 1.0);
     return most;
 }
 
-double ExponentialSum::valueOfCurved(double x) const {
+template <int lines>
+double ExponentialSum<lines>::valueOfCurved(double x) const {
     double f = c0 + curve.c1 * x;
-    if (hasPrimary()) {
-        const double y = rates->primary * x, decay = primaryOver(x);
-        f += primary.decays(y, decay) + curve.primary.rises(y, decay);
-    }
-    if (hasElastic()) {
-        const double y = rates->elastic * x, decay = elasticOver(x);
-        f += elastic.decays(y, decay) + curve.elastic.rises(y, decay);
-    }
+    eachLine<lines>([&](int i) {
+        if (!hasLine(i)) return;
+        const double y = (*rates)[i] * x, decay = decayOver(i, x);
+        f += decays[i].decays(y, decay) + curve.rises[i].rises(y, decay);
+    });
     return curve.hammer.present ? f + curve.hammer.value(x) : f;
 }
 
-double ExponentialSum::integralOfCurved(double x) const {
+template <int lines>
+double ExponentialSum<lines>::integralOfCurved(double x) const {
     double f = (c0 + curve.c1 * x / 2) * x;
-    if (hasPrimary()) {
-        const double y = rates->primary * x, decay = primaryOver(x);
-        f += integralOf(primary, curve.primary, y, decay) / rates->primary;
-    }
-    if (hasElastic()) {
-        const double y = rates->elastic * x, decay = elasticOver(x);
-        f += integralOf(elastic, curve.elastic, y, decay) / rates->elastic;
-    }
+    eachLine<lines>([&](int i) {
+        if (!hasLine(i)) return;
+        const double y = (*rates)[i] * x, decay = decayOver(i, x);
+        f += integralOf(decays[i], curve.rises[i], y, decay) / (*rates)[i];
+    });
     return curve.hammer.present ? f + curve.hammer.integral(x) : f;
 }
 
-/// What has risen until then becomes a constant.
-double ExponentialSum::impulseOfCurved() const {
+template <int lines>
+double ExponentialSum<lines>::impulseOfCurved() const {
     if (std::isnan(curve.impulse)) curve.impulse = integralOfCurved(length);
     return curve.impulse;
 }
 
-void ExponentialSum::dropFrontOfCurve(double x, double primaryTo, double elasticTo) {
+/// What has risen until then becomes a constant.
+template <int lines>
+void ExponentialSum<lines>::dropFrontOfCurve(double x, const std::array<double, lines>& decaysTo) {
     c0 += curve.c1 * x;
-    if (curve.primary.count) {
-        c0 += curve.primary.rises(rates->primary * x, primaryTo);
-        curve.primary.shift(rates->primary * x, primaryTo);
-    }
-    if (curve.elastic.count) {
-        c0 += curve.elastic.rises(rates->elastic * x, elasticTo);
-        curve.elastic.shift(rates->elastic * x, elasticTo);
-    }
+    eachLine<lines>([&](int i) {
+        Coefficients& rises = curve.rises[i];
+        if (!rises.count) return;
+        c0 += rises.rises((*rates)[i] * x, decaysTo[i]);
+        rises.shift((*rates)[i] * x, decaysTo[i]);
+    });
     if (curve.hammer.present) curve.hammer.dropFront(x);
-    curve.impulse = CurvedTerms::unknown;
+    curve.impulse = Curve::unknown;
 }
 
-void ExponentialSum::trimCurve(double negligible) {
-    curve.primary.trim(negligible);
-    curve.elastic.trim(negligible);
+template <int lines>
+void ExponentialSum<lines>::trimCurve(double negligible) {
+    for (Coefficients& rises : curve.rises) rises.trim(negligible);
     if (curve.hammer.present) curve.hammer.trim(negligible);
     if (std::abs(c0) + std::abs(curve.c1) * length <= negligible) c0 = curve.c1 = 0;
     isCurved = !curve.isZero();
 }
+
+template struct ExponentialSum<2>;
+template struct ExponentialSum<3>;
 
 }  // namespace drillwave

@@ -1,28 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sums of constants and decays of two fixed rates, and of what ramps and curved hammer forces leave: the fast
-// representation of the exact solver.
+// Sums of constants and decays of the rates that the lines of a law have, and of what ramps and curved hammer
+// forces leave: the fast representation of the exact solver.
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
-#include "core/contact/contact_rates.h"
 #include "core/wave/exact/exponential_terms.h"
 
 namespace drillwave {
 
-/// f(x) = c0 + Σ primary + Σ elastic (+ curve) on 0 ≤ x ≤ length.
+/// The rates of F' = a(2g − F), per t0, which are the slopes of the lines of the law (T16): β, β/γ, and s_j β
+/// behind each corner.
+template <int lines>
+using LineRates = std::array<double, lines>;
+
+/// f(x) = c0 + Σ decays of each rate (+ curve) on 0 ≤ x ≤ length.
 ///
 /// Blows made of steps leave nothing but constants and decays, and should not pay for more: a sum that is not
-/// curved neither copies nor looks at its curved terms, which may hold what an earlier one has left.
+/// curved neither copies nor looks at its curved terms, which may hold what an earlier one has left. Nor
+/// should a law without corners pay for their rates: how many there are, the compiler knows.
+template <int lines>
 struct ExponentialSum {
+    using Curve = CurvedTerms<lines>;
+
     double length = 0;
     double c0 = 0;
-    const ContactRates<double>* rates = nullptr;
-    mutable double primaryDecay = -1, elasticDecay = -1;  ///< e^{−rate·length}; negative: not computed yet
+    const LineRates<lines>* rates = nullptr;
+    mutable std::array<double, lines> wholeDecays = notComputed();  ///< e^{−rate·length}; negative: not yet
     bool isCurved = false;
-    Coefficients primary, elastic;  ///< decays
-    CurvedTerms curve;
+    TermsOfLines<lines> decays;
+    Curve curve;
 
     ExponentialSum() {}
     ExponentialSum(const ExponentialSum& other) { *this = other; }
@@ -30,11 +39,9 @@ struct ExponentialSum {
         length = other.length;
         c0 = other.c0;
         rates = other.rates;
-        primaryDecay = other.primaryDecay;
-        elasticDecay = other.elasticDecay;
+        wholeDecays = other.wholeDecays;
         isCurved = other.isCurved;
-        primary = other.primary;
-        elastic = other.elastic;
+        eachLine<lines>([&](int i) { decays[i] = other.decays[i]; });
         if (isCurved) [[unlikely]]
             curve = other.curve;
         return *this;
@@ -46,48 +53,60 @@ struct ExponentialSum {
         return f;
     }
     /// Its curved terms, none before.
-    CurvedTerms& makeCurved() {
+    Curve& makeCurved() {
         if (!isCurved) curve = {};
         isCurved = true;
-        curve.impulse = CurvedTerms::unknown;
+        curve.impulse = Curve::unknown;
         return curve;
     }
-    bool isConstant() const { return !isCurved && primary.count == 0 && elastic.count == 0; }
+    void forgetDecays() { wholeDecays = notComputed(); }
+    bool hasDecays() const {
+        bool has = false;
+        eachLine<lines>([&](int i) { has |= decays[i].count != 0; });
+        return has;
+    }
+    bool isConstant() const { return !isCurved && !hasDecays(); }
     bool isZero() const { return c0 == 0 && isConstant(); }
-    bool hasPrimary() const { return primary.count || (isCurved && curve.primary.count); }
-    bool hasElastic() const { return elastic.count || (isCurved && curve.elastic.count); }
+    /// Whether terms of that rate are in it.
+    bool hasLine(int i) const { return decays[i].count || (isCurved && curve.rises[i].count); }
+    /// What of it rises at that rate.
+    const Coefficients& risesOf(int i) const { return isCurved ? curve.rises[i] : noTerms; }
     bool hasHammer() const { return isCurved && curve.hammer.present; }
     bool hasSine() const { return hasHammer() && curve.hammer.hasSine(); }
 
     double startValue() const {
-        const double steps = c0 + primary[0] + elastic[0];
+        double steps = c0;
+        eachLine<lines>([&](int i) { steps += decays[i][0]; });
         return isCurved ? steps + curve.hammer.startValue() : steps;
     }
     double magnitude() const {
-        const double steps = std::abs(c0) + primary.magnitude() + elastic.magnitude();
+        double steps = std::abs(c0);
+        eachLine<lines>([&](int i) { steps += decays[i].magnitude(); });
         return isCurved ? steps + curveMagnitude() : steps;
     }
     /// Whether bounds say that f ≥ 0: enough for it, not needed.
     bool isAtLeastZero() const {
-        const double steps = c0 + primary.least() + elastic.least();
+        double steps = c0;
+        eachLine<lines>([&](int i) { steps += decays[i].least(); });
         return steps >= 0 &&
                (!isCurved || (steps + leastOfRises() >= 0 && curve.hammer.allAtLeastZero(length)));
     }
     bool isAtMostZero() const {
-        const double steps = c0 + primary.most() + elastic.most();
+        const double steps = mostOfSteps();
         return steps <= 0 &&
                (!isCurved || (steps + mostOfRises() <= 0 && curve.hammer.allAtMostZero(length)));
     }
     /// An upper bound of f.
     double mostValue() const {
-        const double steps = c0 + primary.most() + elastic.most();
+        const double steps = mostOfSteps();
         return isCurved ? steps + mostOfRises() + mostOfHammer() : steps;
     }
     /// An upper bound of ∫f over [0, x] for every x up to the length, and 0.
     double mostIntegral() const {
         double most = std::max(c0, 0.0) * length;
-        if (primary.count) most += primary.mostRisen() * std::min(1 / rates->primary, length);
-        if (elastic.count) most += elastic.mostRisen() * std::min(1 / rates->elastic, length);
+        eachLine<lines>([&](int i) {
+            if (decays[i].count) most += decays[i].mostRisen() * std::min(1 / (*rates)[i], length);
+        });
         return isCurved ? most + mostIntegralOfCurve() : most;
     }
 
@@ -96,27 +115,34 @@ struct ExponentialSum {
     double integralOfSizes() const {
         constexpr double lasting = Coefficients::capacity;  // for so many 1/λ at most a decay is that large
         double sum = std::abs(c0) * length;
-        if (primary.count) sum += primary.magnitude() * std::min(lasting / rates->primary, length);
-        if (elastic.count) sum += elastic.magnitude() * std::min(lasting / rates->elastic, length);
+        eachLine<lines>([&](int i) {
+            if (decays[i].count) sum += decays[i].magnitude() * std::min(lasting / (*rates)[i], length);
+        });
         return isCurved ? sum + curveMagnitude() * length : sum;
     }
 
-    double primaryOver(double x) const { return decayOver(x, rates->primary, primaryDecay); }
-    double elasticOver(double x) const { return decayOver(x, rates->elastic, elasticDecay); }
+    /// e^{−λx} of that rate.
+    double decayOver(int i, double x) const {
+        if (x != length) return std::exp(-(*rates)[i] * x);
+        if (wholeDecays[i] < 0) wholeDecays[i] = std::exp(-(*rates)[i] * x);
+        return wholeDecays[i];
+    }
     double value(double x) const {
         if (isCurved) [[unlikely]]
             return valueOfCurved(x);
         double f = c0;
-        if (primary.count) f += primary.decays(rates->primary * x, primaryOver(x));
-        if (elastic.count) f += elastic.decays(rates->elastic * x, elasticOver(x));
+        eachLine<lines>([&](int i) {
+            if (decays[i].count) f += decays[i].decays((*rates)[i] * x, decayOver(i, x));
+        });
         return f;
     }
     double integral(double x) const {
         if (isCurved) [[unlikely]]
             return integralOfCurved(x);
         double f = c0 * x;
-        if (primary.count) f += primary.rises(rates->primary * x, primaryOver(x)) / rates->primary;
-        if (elastic.count) f += elastic.rises(rates->elastic * x, elasticOver(x)) / rates->elastic;
+        eachLine<lines>([&](int i) {
+            if (decays[i].count) f += decays[i].rises((*rates)[i] * x, decayOver(i, x)) / (*rates)[i];
+        });
         return f;
     }
     /// ∫f over the length. Free flight asks for it in every round trip: what is curved keeps it.
@@ -125,29 +151,31 @@ struct ExponentialSum {
             return impulseOfCurved();
         return integral(length);
     }
-    /// The function seen from x on, with the decays up to there given.
-    void dropFront(double x, double primaryTo, double elasticTo) {
+    /// The function seen from x on, with the decays up to there given, where it has terms of their rates.
+    void dropFront(double x, const std::array<double, lines>& decaysTo) {
         if (isCurved) [[unlikely]]
-            dropFrontOfCurve(x, primaryTo, elasticTo);
-        if (primary.count) primary.shift(rates->primary * x, primaryTo);
-        if (elastic.count) elastic.shift(rates->elastic * x, elasticTo);
+            dropFrontOfCurve(x, decaysTo);
+        eachLine<lines>([&](int i) {
+            if (decays[i].count) decays[i].shift((*rates)[i] * x, decaysTo[i]);
+        });
         length -= x;
-        primaryDecay = elasticDecay = -1;
+        forgetDecays();
     }
     void dropFront(double x) {
-        dropFront(x, hasPrimary() ? primaryOver(x) : 0, hasElastic() ? elasticOver(x) : 0);
+        std::array<double, lines> decaysTo;
+        eachLine<lines>([&](int i) { decaysTo[i] = hasLine(i) ? decayOver(i, x) : 0; });
+        dropFront(x, decaysTo);
     }
     void shorten(double x) {
         if (x == length) return;
         length = x;
-        primaryDecay = elasticDecay = -1;
+        forgetDecays();
         if (isCurved) [[unlikely]]
-            curve.impulse = CurvedTerms::unknown;
+            curve.impulse = Curve::unknown;
     }
     /// Drops what is at most that.
     void trim(double negligible) {
-        primary.trim(negligible);
-        elastic.trim(negligible);
+        eachLine<lines>([&](int i) { decays[i].trim(negligible); });
         if (isCurved) [[unlikely]]
             trimCurve(negligible);
         else if (std::abs(c0) <= negligible)
@@ -157,10 +185,15 @@ struct ExponentialSum {
     double curveMagnitude() const;
 
   private:
-    double decayOver(double x, double rate, double& whole) const {
-        if (x != length) return std::exp(-rate * x);
-        if (whole < 0) whole = std::exp(-rate * x);
-        return whole;
+    static constexpr std::array<double, lines> notComputed() {
+        std::array<double, lines> none;
+        none.fill(-1);
+        return none;
+    }
+    double mostOfSteps() const {
+        double steps = c0;
+        eachLine<lines>([&](int i) { steps += decays[i].most(); });
+        return steps;
     }
     // the same for sums that are curved, out of the way of those that are not
     double mostOfHammer() const;
@@ -170,7 +203,7 @@ struct ExponentialSum {
     double valueOfCurved(double x) const;
     double integralOfCurved(double x) const;
     double impulseOfCurved() const;
-    void dropFrontOfCurve(double x, double primaryTo, double elasticTo);
+    void dropFrontOfCurve(double x, const std::array<double, lines>& decaysTo);
     void trimCurve(double negligible);
 };
 

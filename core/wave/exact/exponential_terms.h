@@ -152,20 +152,36 @@ struct HammerTerms {
     }
 };
 
-/// c1 x + Σ q_m ω_m of both rates + hammer: what ramps and curved blows leave besides constants and decays.
+/// Does `of(i)` for each of the lines of a law, one after the other and not in a loop: that of two terms
+/// costs as much as they.
+template <int lines, class Of>
+[[gnu::always_inline]] inline void eachLine(Of of) {
+#pragma GCC unroll 8
+    for (int i = 0; i < lines; ++i) of(i);
+}
+
+/// The terms of each of the rates of a sum.
+template <int lines>
+using TermsOfLines = std::array<Coefficients, lines>;
+
+/// c1 x + Σ q_m ω_m of each rate + hammer: what ramps and curved blows leave besides constants and decays.
 ///
 /// Ramps leave rises: x − ω_0(λx)/λ and what follows from it would be differences of large constants and
 /// decays where λx is small.
+template <int lines>
 struct CurvedTerms {
     static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
     double c1 = 0;
-    Coefficients primary, elastic;  ///< rises
+    TermsOfLines<lines> rises;
     HammerTerms hammer;
     /// ∫ of the whole sum over its length, or unknown: whoever sets coefficients from outside makes it so.
     mutable double impulse = unknown;
 
-    bool isZero() const { return c1 == 0 && primary.count == 0 && elastic.count == 0 && !hammer.present; }
+    bool hasRises() const {
+        return std::ranges::any_of(rises, [](const Coefficients& terms) { return terms.count > 0; });
+    }
+    bool isZero() const { return c1 == 0 && !hasRises() && !hammer.present; }
 };
 
 }  // namespace drillwave

@@ -21,17 +21,17 @@ constexpr double nearInBend = 0.4;
 constexpr double lastHalleyStep = 1e-5;
 
 /// An upper bound of |f'''|, x ≥ 0.
-double mostThirdDerivative(const ExponentialSum& f) {
+template <int lines>
+double mostThirdDerivative(const ExponentialSum<lines>& f) {
     constexpr double pi = HammerTerms::pi;
     const auto cube = [](double rate) { return rate * rate * rate; };
     // differences of third and, for rises, of second order
-    double primary = 8 * f.primary.magnitude(), elastic = 8 * f.elastic.magnitude(), hammer = 0;
-    if (f.isCurved) {
-        primary += 4 * f.curve.primary.magnitude();
-        elastic += 4 * f.curve.elastic.magnitude();
-        hammer = f.curve.hammer.amplitude() * cube(pi) + std::abs(f.curve.hammer.decay);
-    }
-    return hammer + primary * cube(f.rates->primary) + elastic * cube(f.rates->elastic);
+    double most = 0;
+    if (f.isCurved) most = f.curve.hammer.amplitude() * cube(pi) + std::abs(f.curve.hammer.decay);
+    eachLine<lines>([&](int i) {
+        most += (8 * f.decays[i].magnitude() + 4 * f.risesOf(i).magnitude()) * cube((*f.rates)[i]);
+    });
+    return most;
 }
 
 /// The largest step from s that passes no zero.
@@ -53,7 +53,8 @@ bool isNear(const ExponentialSample& s, double step) {
 
 /// Halley's method from x, where f is still positive, to the zero expected a `step` further. A step back
 /// before x, or far beyond, finds no zero or a later one: the function turns within rounding.
-Zero<double> closeIn(const SearchedSum& f, double x, double step, const ExponentialSample& near,
+template <int lines>
+Zero<double> closeIn(const SearchedSum<lines>& f, double x, double step, const ExponentialSample& near,
                      long& samples) {
     const double first = x, latest = x + 2 * step;
     ExponentialSample s = near;
@@ -73,7 +74,8 @@ Zero<double> closeIn(const SearchedSum& f, double x, double step, const Exponent
 /// How a function goes on that is zero within rounding.
 enum class Onward { down, up, tangentUp, unknown };
 
-Onward onwardFromZero(const SearchedSum& f, const ExponentialSample& s) {
+template <int lines>
+Onward onwardFromZero(const SearchedSum<lines>& f, const ExponentialSample& s) {
     if (std::abs(s.slope) > 16 * doubleEpsilon * (std::abs(f.slope.constant) + s.size * s.fastest))
         return s.slope < 0 ? Onward::down : Onward::up;
     if (std::abs(s.curvature) > 64 * doubleEpsilon * (std::abs(f.c2) + s.size * s.fastest * s.fastest))
@@ -82,7 +84,8 @@ Onward onwardFromZero(const SearchedSum& f, const ExponentialSample& s) {
 }
 
 /// An upper bound of |f| from x on, for sums that die away.
-double mostFrom(const ExponentialSum& f, double x) {
+template <int lines>
+double mostFrom(const ExponentialSum<lines>& f, double x) {
     const auto of = [x](const Coefficients& terms, double rate) {
         const double y = rate * x;
         double sum = 0, phi = std::exp(-y);
@@ -93,16 +96,16 @@ double mostFrom(const ExponentialSum& f, double x) {
         return sum;
     };
     double most = f.isCurved ? std::abs(f.curve.hammer.decay) * std::exp(-x) : 0;
-    if (f.primary.count) most += of(f.primary, f.rates->primary);
-    if (f.elastic.count) most += of(f.elastic, f.rates->elastic);
+    eachLine<lines>([&](int i) {
+        if (f.decays[i].count) most += of(f.decays[i], (*f.rates)[i]);
+    });
     return most;
 }
 
-bool diesAway(const ExponentialSum& f, double c2) {
+template <int lines>
+bool diesAway(const ExponentialSum<lines>& f, double c2) {
     if (f.c0 != 0 || c2 != 0) return false;
-    const CurvedTerms& curve = f.curve;
-    return !f.isCurved ||
-           (curve.c1 == 0 && curve.primary.count == 0 && curve.elastic.count == 0 && !curve.hammer.hasSine());
+    return !f.isCurved || (f.curve.c1 == 0 && !f.curve.hasRises() && !f.curve.hammer.hasSine());
 }
 
 /// The first zero of e^{−y}(c_0 + c_1 y + c_2 y²/2) behind its start, where it is positive.
@@ -117,8 +120,22 @@ Zero<double> firstZeroOfShortDecay(const Coefficients& terms, double rate, doubl
     return y > 0 && y <= rate * end ? Zero<double>::at(std::min(y / rate, end)) : Zero<double>{};
 }
 
+/// The rate of which alone the sum consists, or −1.
+template <int lines>
+int onlyLine(const ExponentialSum<lines>& f) {
+    if (f.isCurved || f.c0 != 0) return -1;
+    int only = -1, count = 0;
+    eachLine<lines>([&](int i) {
+        if (f.decays[i].count == 0) return;
+        only = i;
+        ++count;
+    });
+    return count == 1 ? only : -1;
+}
+
 /// The search from a first sample on.
-Zero<double> marchToZero(const SearchedSum& f, double x, ExponentialSample s, double negligible,
+template <int lines>
+Zero<double> marchToZero(const SearchedSum<lines>& f, double x, ExponentialSample s, double negligible,
                          long& samples) {
     const bool mayEndEarly = diesAway(f.f, f.c2);
     for (int step = 0; step < mostSteps; ++step) {
@@ -136,7 +153,8 @@ Zero<double> marchToZero(const SearchedSum& f, double x, ExponentialSample s, do
 }
 
 /// From where the function is zero, or within rounding of it.
-Zero<double> firstZeroFromZero(const SearchedSum& f, double x, ExponentialSample s, double negligible,
+template <int lines>
+Zero<double> firstZeroFromZero(const SearchedSum<lines>& f, double x, ExponentialSample s, double negligible,
                                long& samples) {
     switch (onwardFromZero(f, s)) {
         case Onward::down:
@@ -161,18 +179,19 @@ Zero<double> firstZeroFromZero(const SearchedSum& f, double x, ExponentialSample
 
 }  // namespace
 
-bool hasZeroByFormula(const ExponentialSum& f) {
+template <int lines>
+bool hasZeroByFormula(const ExponentialSum<lines>& f) {
     constexpr int solvable = 3;
-    if (f.isCurved || f.c0 != 0 || (f.primary.count && f.elastic.count)) return false;
-    const Coefficients& only = f.elastic.count ? f.elastic : f.primary;
-    return only.count > 0 && only.count <= solvable && only.c[0] != 0;
+    const int line = onlyLine(f);
+    return line >= 0 && f.decays[line].count <= solvable && f.decays[line].c[0] != 0;
 }
 
-Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search, SearchCount& tally) {
+template <int lines>
+Zero<double> firstZero(const ExponentialSum<lines>& f, double c2, const Search& search, SearchCount& tally) {
     if (search.start == 0 && c2 == 0 && !search.startsAtZero && hasZeroByFormula(f)) {
-        const Coefficients& only = f.elastic.count ? f.elastic : f.primary;
-        const double rate = f.elastic.count ? f.rates->elastic : f.rates->primary;
-        return only.c[0] < 0 ? Zero<double>::at(0) : firstZeroOfShortDecay(only, rate, f.length);
+        const int line = onlyLine(f);
+        const Coefficients& only = f.decays[line];
+        return only.c[0] < 0 ? Zero<double>::at(0) : firstZeroOfShortDecay(only, (*f.rates)[line], f.length);
     }
     if (c2 >= 0 && !f.hasHammer() && f.isAtLeastZero()) return {};
     const SearchedSum searched{f, c2};
@@ -184,5 +203,10 @@ Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search,
     if (s.value < 0) return Zero<double>::at(search.start);
     return marchToZero(searched, search.start, s, search.negligible, tally.samples);
 }
+
+template bool hasZeroByFormula(const ExponentialSum<2>&);
+template bool hasZeroByFormula(const ExponentialSum<3>&);
+template Zero<double> firstZero(const ExponentialSum<2>&, double, const Search&, SearchCount&);
+template Zero<double> firstZero(const ExponentialSum<3>&, double, const Search&, SearchCount&);
 
 }  // namespace drillwave

@@ -15,7 +15,8 @@ struct Search {
 };
 
 /// Whether the first zero of f is a formula: that of up to three decays of one rate alone.
-bool hasZeroByFormula(const ExponentialSum& f);
+template <int lines>
+bool hasZeroByFormula(const ExponentialSum<lines>& f);
 
 /// First zero in (start, f.length] of f + c2 x², which is positive, or zero, at the start: steps from a lower
 /// bound of the curvature pass no zero, and once one is near beyond doubt Halley's method takes it. A
@@ -23,6 +24,7 @@ bool hasZeroByFormula(const ExponentialSum& f);
 ///
 /// Adds the search to `tally`. Undecided where rounding hides what follows, and where very many steps do not
 /// suffice.
-Zero<double> firstZero(const ExponentialSum& f, double c2, const Search& search, SearchCount& tally);
+template <int lines>
+Zero<double> firstZero(const ExponentialSum<lines>& f, double c2, const Search& search, SearchCount& tally);
 
 }  // namespace drillwave

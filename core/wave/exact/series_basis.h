@@ -39,15 +39,15 @@ class SeriesBasis {
         Real size = 0;        ///< Σ|coefficients|: what rounding is relative to
     };
 
-    void begin(const Problem& problem, ContactRates<Real> rates) {
+    void begin(const Problem& problem, const ContactLaw<Real>& law) {
         m_undecided = false;
         m_count = {};
         m_scale = std::max(Real(problem.force().peak), 1 / (2 * Real(problem.transitTime())));
         if (!problem.force().isRigidBody() && problem.transitTime() >= 0.5)
             m_scale = Real(problem.force().peak);
         const JoiningBudget budget(problem);
-        m_joiner.begin(budget, rates.elastic);
-        m_joiningError.begin(budget, rates.elastic);
+        m_joiner.begin(budget, law.slopes().elastic);
+        m_joiningError.begin(budget, law.slopes().elastic);
         m_negligible = std::ldexp(m_scale, negligibleExponent);
     }
     /// How many pieces a round trip may have before joining them is worth the effort.

@@ -7,6 +7,7 @@
 #include "core/contact/rock_lines.h"
 #include "core/wave/exact/extended_solver.h"
 #include "core/wave/lattice/lattice_solver.h"
+#include "core/wave/network/plain_lattice.h"
 #include "tests/support/corner_scenes.h"
 #include "tests/support/network_scenes.h"
 
@@ -14,6 +15,12 @@ using namespace drillwave;
 using namespace drillwave::test;
 
 namespace {
+
+/// DRILLWAVE_CORNER_SCENES where it is set, in place of a number that takes seconds.
+int scenesOr(int few) {
+    const int many = qEnvironmentVariableIntValue("DRILLWAVE_CORNER_SCENES");
+    return many > 0 ? many : few;
+}
 
 bool isClose(double a, double b, double tolerance, const std::string& what) {
     if (std::abs(a - b) <= tolerance) return true;
@@ -108,7 +115,7 @@ class CornerLawTest : public QObject {
         }
     }
 
-    void cornersThatChangeNothingChangeNoDigit() {
+    void cornersThatChangeNothingChangeNoResult() {
         RandomScenes scenes(engineeringDomain, 7);
         for (int i = 0; i < 200; ++i) {
             const Problem plain = problemOf(scenes.nextQuick());
@@ -120,7 +127,7 @@ class CornerLawTest : public QObject {
                 const Problem problem = withCorners(plain, corners);
                 const Impact impact = solved(problem);
                 const bool passes = corners.front().force < expected.peakForce;
-                const double rounding = passes ? impact.corError + expected.corError : 0;
+                const double rounding = impact.corError + expected.corError;
                 QVERIFY2(std::abs(impact.cor - expected.cor) <= rounding &&
                              std::abs(impact.peakForce - expected.peakForce) <= rounding &&
                              std::abs(impact.rockWork - expected.rockWork) <= 10 * rounding,
@@ -174,8 +181,7 @@ class CornerLawTest : public QObject {
     }
 
     void balancesCloseAndOtherMethodsAgreeInRandomScenes() {
-        const int scenes = qEnvironmentVariableIntValue("DRILLWAVE_CORNER_SCENES");
-        const int wanted = scenes > 0 ? scenes : 400;
+        const int wanted = scenesOr(400);
         RandomScenes random(engineeringDomain, 11);
         Chance chance(12);
         ExactSolver exact;
@@ -184,6 +190,7 @@ class CornerLawTest : public QObject {
         for (int i = 0; i < wanted; ++i) {
             Problem problem = problemOf(random.nextQuick());
             problem.law.corners = randomCorners(problem, chance);
+            if (i % 2 == 0) problem.law.corners.resize(1);  // those that exponential sums solve
             const Impact impact = exact.solve(problem, Detail::ledger);
             if (!impact.isSolved()) {
                 qInfo("%s: %s", describe(problem).c_str(), impact.reason.c_str());
@@ -242,6 +249,46 @@ class CornerLawTest : public QObject {
             QCOMPARE(passesOf(cells), passesOf(exact));
         }
         QVERIFY(passed > 20);
+    }
+
+    void balancesCloseAndErrorsCoverOnRandomStrings() {
+        Chance chance(17);
+        const int wanted = scenesOr(600) / 10;
+        int passed = 0, inexact = 0, uncovered = 0, byLattice = 0;
+        for (int i = 0; i < wanted; ++i) {
+            Problem problem = randomNetwork(chance);
+            const NetworkSettings quick{.accuracy = NetworkAccuracy::quick, .wants = {.events = true}};
+            problem.law.corners =
+                randomCorners(solveNetwork(problem, quick).peakForce, problem.law.gamma, chance);
+            const Impact rough = solveNetwork(problem, quick);
+            const Impact sure = solveNetwork(problem, {.wants = {}, .mostCells = 200'000'000});
+            const std::string where = std::to_string(i) + ": " + describe(problem);
+            QVERIFY2(rough.isSolved() && sure.isSolved(), (where + rough.reason + sure.reason).c_str());
+            passed += passesOf(rough) > 0;
+            QVERIFY2(std::abs(sure.momentumResidual()) < 1e-10, where.c_str());
+            QVERIFY2(sure.peakForce >= 0 && sure.efficiency() >= -1e-12 && sure.efficiency() <= 1,
+                     where.c_str());
+            inexact += !(std::abs(sure.energyResidual()) < 1e-6);
+            const double difference = std::abs(sure.efficiency() - rough.efficiency());
+            uncovered += !(difference <= sure.efficiencyError + rough.efficiencyError);
+            CellGrid grid;
+            if (i % 4 != 0 || !usualGrid(problem, grid)) continue;
+            while (grid.cell > 0.002) grid.halve();
+            const PlainBlow coarse = solvePlainLattice(problem, grid);
+            grid.halve();
+            const PlainBlow fine = solvePlainLattice(problem, grid);
+            const double step = std::abs(coarse.efficiency - fine.efficiency);
+            if (step > 1e-3) continue;  // not where it leads yet
+            ++byLattice;
+            const double off = std::abs(fine.efficiency - sure.efficiency());
+            QVERIFY2(off <= 4 * step + 1e-4, (where + " lattice differs by " + formatNumber(off)).c_str());
+        }
+        qInfo("%d passed corners, %d by the lattice too, %d errors too small, %d energies inexact", passed,
+              byLattice, uncovered, inexact);
+        QVERIFY(passed > wanted / 2);
+        QVERIFY(byLattice > wanted / 8);
+        QVERIFY(uncovered <= wanted / 100);
+        QVERIFY(inexact <= wanted / 50);
     }
 };
 

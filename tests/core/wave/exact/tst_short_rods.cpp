@@ -80,7 +80,7 @@ class TestShortRods : public QObject {
 
     void bothRepresentationsAgreeWithinTheirErrors() {
         ShortRods rods;
-        ContactMarch<ExponentialBasis> closedMarch;
+        ContactMarch<ExponentialBasis<2>> closedMarch;
         ContactMarch<SeriesBasis<double>> seriesMarch;
         ExactSolver solver;
         int inClosedForm = 0, otherContacts = 0;
@@ -109,7 +109,7 @@ class TestShortRods : public QObject {
 
     void closedHistoriesSatisfyTheEquations() {
         ShortRods rods;
-        ContactMarch<ExponentialBasis> march;
+        ContactMarch<ExponentialBasis<2>> march;
         int checked = 0;
         for (int i = 0; i < 1000; ++i) {
             const Scene scene = rods.next();
