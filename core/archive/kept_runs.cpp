@@ -7,6 +7,7 @@
 
 #include "core/disk/file_bytes.h"
 #include "core/text/csv.h"
+#include "core/text/decimal_text.h"
 #include "core/text/units.h"
 #include "core/yaml/scenario_reader.h"
 
@@ -68,7 +69,7 @@ class Reader {
                                      "; this run is left out");
         const std::optional<int> number = numberOf(cells[0]);
         if (!number || has(*number))
-            return refuse(place, "`" + cells[0] +
+            return refuse(place, "`" + shortened(cells[0]) +
                                      "` is not the file of a run (A.yaml, B.yaml, …), or the second "
                                      "row of it; this run is left out");
         const FileBytes file = readFile(m_folder + "/" + cells[0], maximumScenarioBytes);
