@@ -47,7 +47,7 @@ install_packed(${described}/drillwave.1 drillwave.1 ${CMAKE_INSTALL_MANDIR}/man1
 install(FILES ${described}/drillwave.bash DESTINATION ${share}/bash-completion/completions RENAME drillwave COMPONENT cli)
 install(FILES ${described}/_drillwave DESTINATION ${share}/zsh/vendor-completions COMPONENT cli)
 install(FILES ${described}/drillwave.fish DESTINATION ${share}/fish/vendor_completions.d COMPONENT cli)
-install(DIRECTORY ${resources}/examples ${resources}/manual DESTINATION ${cli_docs} COMPONENT cli)
+install(DIRECTORY ${resources}/examples ${resources}/manual ${resources}/screenshots DESTINATION ${cli_docs} COMPONENT cli)
 install(FILES ${packaging}/slurm/parts.sbatch DESTINATION ${cli_docs}/examples/slurm COMPONENT cli)
 
 if(DRILLWAVE_GUI)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Embeds resources/manual/*.md into core/manual/manual_texts.h of the build directory, in the order of the list of chapters.
 set(DRILLWAVE_MANUAL_TEXTS "")
-foreach(name tutorial window files commands glossary theory strings drilling evidence)
+foreach(name tutorial window keys files commands glossary theory strings drilling evidence)
   set(file ${PROJECT_SOURCE_DIR}/resources/manual/${name}.md)
   file(READ ${file} text)
   string(APPEND DRILLWAVE_MANUAL_TEXTS "    {\"${name}\", R\"page(${text})page\"},\n")

@@ -19,6 +19,7 @@
 #include "ui/pages/drilling/drilling_page.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
+#include "ui/window/manual_help.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
 #include "ui/window/units_choice.h"
@@ -102,6 +103,27 @@ bool drawPages(MainWindow& window, const QDir& folder, const QString& of, const 
     return true;
 }
 
+/// The manual at a place of each kind: words, formulas, a table, an entry, what is found.
+bool drawManual(MainWindow& window, const QDir& folder, const char* theme, int scale) {
+    auto& manual = part<ManualHelp>(window);
+    const std::pair<const char*, const char*> places[] = {
+        {"tutorial", ""},   {"window", "Blow"}, {"theory", "§2"}, {"parameters", "bit_rock.gamma"},
+        {"glossary", "§1"}, {"keys", ""}};
+    for (const auto& [chapter, heading] : places) {
+        manual.showAt({QString::fromUtf8(chapter), QString::fromUtf8(heading)});
+        QTest::qWait(200);
+        const QString name = QStringLiteral("manual_%1_%2_%3x.png")
+                                 .arg(QLatin1String(chapter), QLatin1String(theme))
+                                 .arg(scale);
+        if (!manual.helpWindow()->grab().save(folder.filePath(name))) return false;
+    }
+    manual.helpWindow()->search().setText(QStringLiteral("super rebound"));
+    QTest::keyClick(&manual.helpWindow()->search(), Qt::Key_Return);
+    QTest::qWait(200);
+    const QString name = QStringLiteral("manual_search_%1_%2x.png").arg(QLatin1String(theme)).arg(scale);
+    return manual.helpWindow()->grab().save(folder.filePath(name));
+}
+
 bool drawThemes(const QDir& folder, int scale, const Wanted& wanted) {
     for (const bool dark : {false, true}) {
         QApplication::setPalette(dark ? darkPalette() : lightPalette());
@@ -109,6 +131,8 @@ bool drawThemes(const QDir& folder, int scale, const Wanted& wanted) {
         window.show();
         part<UnitsChoice>(window).choose(wanted.units);
         const char* theme = dark ? "dark" : "light";
+        if (isWanted(QStringLiteral("manual"), wanted) && !drawManual(window, folder, theme, scale))
+            return false;
         if (wanted.page.isEmpty()) pinRuns(window);
         if (!drawPages(window, folder, {}, theme, scale, wanted)) return false;
         // Also of a drill string, in every look where one page is asked for.
@@ -141,7 +165,7 @@ int main(int argc, char** argv) {
     words.addOptions({us, locale, type, only});
     words.addHelpOption();
     words.addPositionalArgument("FOLDER", "Where the pictures go.");
-    words.addPositionalArgument("PAGE", "That page alone, by the words on its tab.", "[PAGE]");
+    words.addPositionalArgument("PAGE", "That page alone, by the words on its tab, or `manual`.", "[PAGE]");
     words.process(application);
     const QStringList named = words.positionalArguments();
     Wanted wanted;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/form/parameter_row.h"
 
+#include "ui/form/parameter_tip.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
 #include "ui/text/unit_choice.h"
@@ -19,6 +20,9 @@ ParameterRow::ParameterRow(const Parameter& parameter, UnitChoice& units, const 
     m_slider->setFocusPolicy(Qt::ClickFocus);
     m_slider->setMinimumWidth(36);
     nameWidgets(sectionTitle);
+    tell();
+    connect(&units, &UnitChoice::changed, this, &ParameterRow::tell);
+    connect(m_field, &QuantityField::unitChosen, this, &ParameterRow::tell);
     // The unit of this parameter in every scenario and every run, until others are chosen for more than this.
     connect(m_field, &QuantityField::unitChosen, this,
             [this, &units](const Unit& unit) { units.chooseForField(m_parameter, unit); });
@@ -45,15 +49,9 @@ void ParameterRow::nameWidgets(const QString& sectionTitle) {
     const std::string_view shortLabel = m_parameter.rules.shortLabel;
     const QString label = fromView(shortLabel.empty() ? m_parameter.label : shortLabel);
     const QString symbol = shownSymbol(m_parameter.symbol);
-    const QString meaning = fromView(m_parameter.meaning);
     const QString name = QStringLiteral("%1: %2").arg(sectionTitle, label);
     m_label->setText(symbol.isEmpty() ? label : QStringLiteral("%1 %2").arg(label, symbol));
     m_label->setBuddy(m_field);
-    for (QWidget* widget :
-         {static_cast<QWidget*>(m_label), static_cast<QWidget*>(m_field), static_cast<QWidget*>(m_slider)}) {
-        widget->setToolTip(meaning);
-        widget->setAccessibleDescription(meaning);
-    }
     m_field->setObjectName(fromView(m_parameter.key));
     m_field->setAccessibleName(name);
     m_slider->setObjectName(fromView(m_parameter.key) + QStringLiteral(".slider"));
@@ -67,6 +65,19 @@ void ParameterRow::nameWidgets(const QString& sectionTitle) {
 void ParameterRow::setTaker(QuantityField::Taker taker) {
     m_taker = std::move(taker);
     m_field->setTaker(m_taker);
+}
+
+// In the unit that the field has now.
+void ParameterRow::tell() {
+    const ParameterTip tip = tipOf(m_parameter, m_field->unit());
+    m_label->setToolTip(tip.html);
+    m_field->setHelp(tip.html, tip.plain);
+    m_slider->setAccessibleDescription(tip.plain);
+    m_slider->setToolTip(
+        m_slider->beyond() == 0
+            ? tip.html
+            : tip.html +
+                  QStringLiteral("<p>%1</p>").arg(tr("The value lies beyond the range of the slider.")));
 }
 
 // Where the slider cannot go, the value stays and the reason is said.
@@ -95,10 +106,7 @@ void ParameterRow::present(const Scenario& scenario) {
     const std::optional<double> si = m_parameter.value(scenario);
     m_field->setValue(si);
     m_slider->present(si.value_or(m_parameter.plausible.low));
-    const QString meaning = fromView(m_parameter.meaning);
-    m_slider->setToolTip(m_slider->beyond() == 0
-                             ? meaning
-                             : tr("%1. The value lies beyond the range of the slider.").arg(meaning));
+    tell();
 }
 
 void ParameterRow::setVisible(bool visible) {

@@ -50,6 +50,7 @@ class ParameterRow : public QObject {
   private:
     void setVisible(bool visible);
     void nameWidgets(const QString& sectionTitle);
+    void tell();
     void drag(double si);
     void showProblem(const QString& problem);
     bool isElsewhere() const;

@@ -165,15 +165,26 @@ void QuantityField::accept() {
     showProblem();
 }
 
+void QuantityField::setHelp(const QString& tip, const QString& description) {
+    m_help = tip;
+    m_description = description;
+    if (!m_shownProblem.isEmpty()) return;
+    setToolTip(tip);
+    setAccessibleDescription(description);
+}
+
 void QuantityField::showProblem() {
     if (m_shownProblem == m_problem) return;
     const bool wrong = !m_problem.isEmpty();
-    if (m_shownProblem.isEmpty()) m_help = toolTip();
+    if (m_shownProblem.isEmpty()) {
+        m_help = toolTip();
+        m_description = accessibleDescription();
+    }
     m_shownProblem = m_problem;
     m_mark->setVisible(wrong);
     m_mark->setToolTip(m_problem);
     setToolTip(wrong ? m_problem : m_help);
-    setAccessibleDescription(wrong ? m_problem : m_help);
+    setAccessibleDescription(wrong ? m_problem : m_description);
     QPalette colors = palette();
     if (wrong) {
         const QColor base = colors.color(QPalette::Base);

@@ -49,6 +49,8 @@ class QuantityField : public QAbstractSpinBox {
     const Unit& unit() const { return *m_unit; }
     /// Changes what is shown, not the value.
     void setUnit(const Unit& unit);
+    /// What tip and screen reader say while nothing is wrong.
+    void setHelp(const QString& tip, const QString& description);
     /// Shows the unit and offers the others (also by Alt+Down in the field); nullptr for a ratio. To be
     /// laid out beside the field; it goes with it.
     QToolButton* unitButton() const { return m_unitButton; }
@@ -105,7 +107,8 @@ class QuantityField : public QAbstractSpinBox {
     Taker m_taker;
     QString m_problem;
     QString m_shownProblem;
-    QString m_help;
+    QString m_help;         // the tip while nothing is wrong
+    QString m_description;  // likewise, what a screen reader says
     QTimer m_markTimer;
     QTimer m_stepTimer;
     QAction* m_mark = nullptr;

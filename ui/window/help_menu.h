@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The Help menu: mouse and keys of the plots, and about the program.
+// The Help menu: the manual, its list of keys, and about the program.
 #pragma once
 
 #include <QMenu>
@@ -8,15 +8,16 @@
 
 namespace drillwave {
 
+class ManualHelp;
+
 class HelpMenu : public QMenu {
     Q_OBJECT
 
   public:
-    /// The questions must outlive the menu.
-    HelpMenu(Questions& questions, QWidget* window);
+    /// Manual and questions must outlive the menu.
+    HelpMenu(ManualHelp& manual, Questions& questions, QWidget* window);
 
   private:
-    void showMouseAndKeys();
     void showAbout();
 
     Questions& m_questions;

@@ -17,6 +17,7 @@
 #include "ui/export/export_menu.h"
 #include "ui/export/report_writer.h"
 #include "ui/form/scenario_panel.h"
+#include "ui/help/help_topic.h"
 #include "ui/import/importer.h"
 #include "ui/job/solve_status.h"
 #include "ui/job/study_status.h"
@@ -44,6 +45,7 @@
 #include "ui/window/file_notice.h"
 #include "ui/window/form_notice.h"
 #include "ui/window/help_menu.h"
+#include "ui/window/manual_help.h"
 #include "ui/window/page_scroll.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
@@ -197,10 +199,12 @@ void MainWindow::addCenter() {
 
 void MainWindow::addDocks() {
     m_scenarioPanel = std::make_unique<ScenarioPanel>(m_document, *m_questions);
+    m_scenarioPanel->setProperty(helpTopicProperty, QStringLiteral("window §2"));
     m_resultPanel = new ResultPanel;
     m_layout->addDock(tr("Scenario"), QStringLiteral("scenario"), m_scenarioPanel.get());
     m_runs->follow(*m_resultPanel);
     m_resultSide = new QWidget;
+    m_resultSide->setProperty(helpTopicProperty, QStringLiteral("window §3"));
     auto* layout = new QVBoxLayout(m_resultSide);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
@@ -233,7 +237,7 @@ void MainWindow::addMenus() {
     auto* areas = new AreaKeys({m_scenarioPanel.get(), m_pages, m_resultSide}, this);
     menuBar()->addMenu(new ViewMenu({*m_units, *m_pages, *areas, *m_layout, *m_exampleNote}, this));
     menuBar()->addMenu(new StudyMenu(*m_pages, this));
-    menuBar()->addMenu(new HelpMenu(*m_questions, this));
+    menuBar()->addMenu(new HelpMenu(*new ManualHelp(this, *m_pages), *m_questions, this));
 }
 
 void MainWindow::addStatusBar() {

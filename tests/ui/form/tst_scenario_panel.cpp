@@ -47,6 +47,7 @@ class TestScenarioPanel : public QObject {
     void aDragEndsEvenWhenThePanelIsHidden();
     void keysOnASliderAreOneStepUntilItIsLeft();
     void aValueBeyondTheSliderIsMarked();
+    void tipsTellRangesInTheUnitThatIsShown();
     void aSliderSaysWhyItStopsAndGoesBack();
     void aClickInTheGrooveBringsTheHandleThere();
     void shiftDragsTenTimesFiner();
@@ -239,6 +240,30 @@ void TestScenarioPanel::keysOnASliderAreOneStepUntilItIsLeft() {
     gamma.setFocus();
     QTest::keyClick(&gamma, Qt::Key_Left);
     QCOMPARE(m->document.undoStack().count(), 2);
+}
+
+void TestScenarioPanel::tipsTellRangesInTheUnitThatIsShown() {
+    auto& gamma = m->find<QuantityField>("bit_rock.gamma");
+    QVERIFY(gamma.toolTip().contains(QStringLiteral("<b>elasticity γ</b>")));
+    QVERIFY(gamma.toolTip().contains(QStringLiteral("Range: above 0 to 1; usual: 0.01 – 1.")));
+    QVERIFY(gamma.toolTip().contains(QStringLiteral("F1")));
+    QVERIFY(gamma.accessibleDescription().startsWith(QStringLiteral("Elasticity parameter")));
+    auto& bore = m->find<QuantityField>("rod.bore");
+    QVERIFY(bore.toolTip().contains(QStringLiteral("at least 0; usual: 0 – 50\u00a0mm")));
+    m->document.units().choose(UnitSystem::us);
+    QVERIFY2(bore.toolTip().contains(QStringLiteral("usual: 0 – 1.9685\u00a0in")),
+             qPrintable(bore.toolTip()));
+    m->document.units().choose(UnitSystem::si);
+    // What is wrong comes first, and what it was comes back with the value.
+    bore.setFocus();
+    bore.selectAll();
+    QTest::keyClicks(&bore, QStringLiteral("x\r"));
+    QCOMPARE(bore.toolTip(), bore.problem());
+    QTest::keyClick(&bore, Qt::Key_Escape);
+    QVERIFY(bore.accessibleDescription().startsWith(QStringLiteral("Diameter of the flushing hole")));
+    for (const Parameter& parameter : parameters())
+        if (const auto* each = m->panel->findChild<QuantityField*>(fromView(parameter.key)))
+            QVERIFY2(each->toolTip().contains(QStringLiteral("usual")), parameter.key.data());
 }
 
 void TestScenarioPanel::aValueBeyondTheSliderIsMarked() {

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/yaml/examples.h"
+#include "tests/support/contrast.h"
 #include "tests/support/files.h"
 #include "tests/support/window.h"
 #include "ui/plot/run_pen.h"
@@ -33,18 +34,6 @@ QStringList titles(const Runs& runs) {
     QStringList titles;
     for (const Run& run : *runs.list()) titles << run.title();
     return titles;
-}
-
-double contrast(const QColor& a, const QColor& b) {
-    const auto luminance = [](const QColor& colour) {
-        const auto linear = [](double c) {
-            return c <= 0.04045 ? c / 12.92 : std::pow((c + 0.055) / 1.055, 2.4);
-        };
-        return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
-               0.0722 * linear(colour.blueF());
-    };
-    const double x = luminance(a) + 0.05, y = luminance(b) + 0.05;
-    return std::max(x, y) / std::min(x, y);
 }
 
 /// Writes nothing before it is told to go on.
@@ -648,7 +637,8 @@ void TestRuns::everyRunHasAColourAndADashOfItsOwn() {
         for (int i = 0; i < mostRuns; ++i) {
             const QPen pen = runPen(i, style);
             QVERIFY(!pen.isSolid() || pen.style() != Qt::SolidLine);
-            QVERIFY2(contrast(pen.color(), background) >= 4.5, qPrintable(QString::number(i)));
+            QVERIFY2(test::contrast(pen.color(), background) >= test::leastContrast,
+                     qPrintable(QString::number(i)));
             for (int j = 0; j < i; ++j) {
                 const QPen other = runPen(j, style);
                 const bool isOtherColour = pen.color() != other.color();

@@ -15,12 +15,11 @@
 #include <QScrollBar>
 #include <QTabBar>
 #include <algorithm>
-#include <cmath>
+
+#include "tests/support/contrast.h"
 
 namespace drillwave {
 namespace {
-
-constexpr double leastContrast = 4.5;
 
 QString describe(const QWidget& widget, const QString& text = {}) {
     return QStringLiteral("%1 “%2” %3 %4×%5")
@@ -73,26 +72,6 @@ void appendClipped(const QWidget& window, QStringList& found) {
     for (const Kind* each : shownOf<Kind>(window))
         if (!fits(*each) || sticksOut(*each))
             found.append(describe(*each, each->property("text").toString()));
-}
-
-double linear(double channel) {
-    return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
-}
-
-double luminance(const QColor& color) {
-    return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
-}
-
-QColor over(const QColor& front, const QColor& back) {
-    const double a = front.alphaF();
-    const auto mix = [a](double f, double b) { return static_cast<float>(a * f + (1 - a) * b); };
-    return QColor::fromRgbF(mix(front.redF(), back.redF()), mix(front.greenF(), back.greenF()),
-                            mix(front.blueF(), back.blueF()));
-}
-
-double contrast(const QColor& front, const QColor& back) {
-    const double a = luminance(over(front, back)), b = luminance(back);
-    return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
 }
 
 QColor behind(const QWidget& widget) {
@@ -185,8 +164,8 @@ QStringList faintTexts(const QWidget& window) {
     QStringList found;
     const auto look = [&found](const QWidget& widget, const QString& text) {
         if (text.isEmpty() || !widget.isEnabled()) return;
-        const double ratio = contrast(widget.palette().color(widget.foregroundRole()), behind(widget));
-        if (ratio < leastContrast)
+        const double ratio = test::contrast(widget.palette().color(widget.foregroundRole()), behind(widget));
+        if (ratio < test::leastContrast)
             found.append(QStringLiteral("%1 of %2").arg(ratio).arg(describe(widget, text)));
     };
     for (const QLabel* label : shownOf<QLabel>(window)) look(*label, label->text());

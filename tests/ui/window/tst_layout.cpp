@@ -16,6 +16,7 @@
 #include "ui/job/solve_status.h"
 #include "ui/job/study_status.h"
 #include "ui/text/settings.h"
+#include "ui/window/manual_help.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
 #include "ui/window/units_choice.h"
@@ -62,6 +63,8 @@ class TestLayout : public QObject {
     void theFirstSizeLeavesRoomForAFrame();
     void everythingCanBeReadAndReached_data();
     void everythingCanBeReadAndReached();
+    void theManualCanBeReadAndReached_data();
+    void theManualCanBeReadAndReached();
     void cleanup();
 
   private:
@@ -157,6 +160,34 @@ void TestLayout::everythingCanBeReadAndReached() {
                             QStringLiteral(" wants %1 × %2").arg(window.width()).arg(window.height()));
     }
     QVERIFY2(problems.isEmpty(), qPrintable(problems.join(QLatin1Char('\n'))));
+}
+
+void TestLayout::theManualCanBeReadAndReached_data() {
+    QTest::addColumn<bool>("dark");
+    QTest::addColumn<int>("points");
+    for (const int points : {9, 18}) {
+        QTest::addRow("light, %d pt", points) << false << points;
+        QTest::addRow("dark, %d pt", points) << true << points;
+    }
+}
+
+void TestLayout::theManualCanBeReadAndReached() {
+    QFETCH(bool, dark);
+    QFETCH(int, points);
+    QApplication::setPalette(dark ? darkPalette() : lightPalette());
+    QFont font = QApplication::font();
+    font.setPointSize(points);
+    QApplication::setFont(font);
+    MainWindow window(std::make_unique<ScriptedQuestions>(m_answers), exactSolve());
+    window.show();
+    auto& manual = part<ManualHelp>(window);
+    manual.showHere();
+    HelpWindow& help = *manual.helpWindow();
+    help.search().setText(QStringLiteral("impedance"));
+    QVERIFY(QTest::qWaitForWindowExposed(&help));
+    QCoreApplication::processEvents();
+    const QStringList found = clippedTexts(help) + overlaps(help) + namelessControls(help) + faintTexts(help);
+    QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
 }
 
 QTEST_MAIN(TestLayout)

@@ -5,6 +5,7 @@
 #include <QWheelEvent>
 
 #include "core/wave/exact/exact_solver.h"
+#include "tests/support/contrast.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/plot/plot_widget.h"
 
@@ -177,14 +178,6 @@ void TestBlowPlots::linesHaveTheContrastThatReadersNeed_data() {
     QTest::newRow("dark") << QColor(30, 30, 32) << QColor(225, 225, 225);
 }
 
-// Relative luminance and contrast as WCAG 2 defines them.
-static double luminance(const QColor& color) {
-    const auto linear = [](double part) {
-        return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(color.redF()) + 0.7152 * linear(color.greenF()) + 0.0722 * linear(color.blueF());
-}
-
 void TestBlowPlots::linesHaveTheContrastThatReadersNeed() {
     QFETCH(QColor, base);
     QFETCH(QColor, text);
@@ -193,9 +186,7 @@ void TestBlowPlots::linesHaveTheContrastThatReadersNeed() {
     palette.setColor(QPalette::Text, text);
     const PlotStyle style = PlotStyle::forScreen(palette, QFont());
     for (int line = 0; line < PlotStyle::lineKinds; ++line) {
-        const double a = luminance(style.lines[line]) + 0.05;
-        const double b = luminance(style.background) + 0.05;
-        QVERIFY(std::max(a, b) / std::min(a, b) >= 4.5);
+        QVERIFY(test::contrast(style.lines[line], style.background) >= test::leastContrast);
         for (int other = 0; other < line; ++other)
             QVERIFY(style.linePen(line).dashPattern() != style.linePen(other).dashPattern());
     }

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Relative luminance and contrast as WCAG 2.1 defines them.
+#pragma once
+
+#include <QColor>
+#include <algorithm>
+#include <cmath>
+
+namespace drillwave::test {
+
+/// What text of usual size needs at least.
+inline constexpr double leastContrast = 4.5;
+
+inline double luminance(const QColor& colour) {
+    const auto linear = [](double channel) {
+        return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF()) +
+           0.0722 * linear(colour.blueF());
+}
+
+/// A colour that is not opaque, on another one.
+inline QColor over(const QColor& front, const QColor& back) {
+    const double a = front.alphaF();
+    const auto mix = [a](double f, double b) { return static_cast<float>(a * f + (1 - a) * b); };
+    return QColor::fromRgbF(mix(front.redF(), back.redF()), mix(front.greenF(), back.greenF()),
+                            mix(front.blueF(), back.blueF()));
+}
+
+inline double contrast(const QColor& front, const QColor& back) {
+    const double a = luminance(over(front, back)), b = luminance(back);
+    return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05);
+}
+
+}  // namespace drillwave::test

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/help/help_topic.h"
+
+#include <QVariant>
+#include <QWidget>
+
+#include "core/model/law_parameter.h"
+#include "core/model/parameter.h"
+#include "core/model/section_address.h"
+#include "core/model/word_parameter.h"
+
+namespace drillwave {
+namespace {
+
+QString fromKey(std::string_view key) {
+    return QString::fromUtf8(key.data(), qsizetype(key.size()));
+}
+
+}  // namespace
+
+// Numbers of sections, and of corners, have one entry for all of them.
+ManualPlace placeOfKey(const QString& key) {
+    const QString chapter = QStringLiteral("parameters");
+    const std::string name = key.toStdString();
+    if (findWordParameter(name) || name == restrikeKey) return {chapter, key};
+    const KeptParameter parameter = findParameter(name);
+    if (!parameter) return {};
+    if (parameter->address)
+        return {chapter, QStringLiteral("string.NAME.") + fromKey(parameter->address->field->key)};
+    if (cornerOf(*parameter) > 0)
+        return {chapter, QString::fromStdString(cornerKey(1, name.substr(name.rfind('.') + 1)))};
+    return {chapter, key};
+}
+
+ManualPlace topicOf(const QWidget* focus) {
+    for (const QWidget* each = focus; each; each = each->parentWidget()) {
+        const QString said = each->property(helpTopicProperty).toString();
+        if (!said.isEmpty()) return {said.section(u' ', 0, 0), said.section(u' ', 1)};
+        const QString name = each->objectName();
+        const ManualPlace place =
+            placeOfKey(name.endsWith(QStringLiteral(".slider")) ? name.chopped(7) : name);
+        if (!place.chapter.isEmpty()) return place;
+    }
+    return {};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window of the manual: contents, search, and the chapter.
+#pragma once
+
+#include <QLineEdit>
+#include <QListWidget>
+#include <QSplitter>
+#include <QStackedWidget>
+#include <QTreeWidget>
+
+#include "ui/help/help_view.h"
+#include "ui/help/manual_search.h"
+
+namespace drillwave {
+
+/// Stays open beside the window it belongs to, and remembers place, parts and size of type.
+class HelpWindow : public QWidget {
+    Q_OBJECT
+
+  public:
+    /// A window of its own that goes with `owner`.
+    HelpWindow(ManualBook book, QWidget* owner);
+
+    /// Opens at that place, in front.
+    void open(const ManualPlace& place);
+    HelpView& view() const { return *m_view; }
+    QLineEdit& search() const { return *m_search; }
+    QListWidget& hits() const { return *m_hits; }
+    QTreeWidget& contents() const { return *m_contents; }
+
+    /// Where it was when it was closed last; false where it never was.
+    bool restorePlace();
+
+  protected:
+    void closeEvent(QCloseEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+
+  private:
+    QLayout* makeBar();
+    void fillContents();
+    void addAction(const QString& text, const QList<QKeySequence>& keys, const std::function<void()>& does);
+    void find(const QString& typed);
+    void openHit(QListWidgetItem* item);
+    void follow(const ManualPlace& place);
+    void leave();
+    void save() const;
+
+    ManualBook m_book;
+    ManualSearch m_sections{m_book};
+    QLineEdit* m_search;
+    QTreeWidget* m_contents;
+    QListWidget* m_hits;
+    QStackedWidget* m_side;
+    QSplitter* m_parts;
+    HelpView* m_view;
+    QAction* m_back;
+    QAction* m_forward;
+};
+
+}  // namespace drillwave

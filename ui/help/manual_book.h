@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The chapters as the help window has them, and which headings they have.
+#pragma once
+
+#include <QList>
+#include <QString>
+#include <vector>
+
+#include "core/manual/chapter.h"
+#include "ui/help/manual_place.h"
+
+namespace drillwave {
+
+/// A chapter with its headings as they are shown.
+struct BookChapter {
+    QString name;
+    QString title;
+    QString markdown;
+    struct Heading {
+        QString text;
+        int level = 1;
+    };
+    QList<Heading> headings;  ///< in order, that of the chapter first
+    QStringList equations;    ///< "(T1)", those that stand in it
+};
+
+/// The chapters of core, with what a window adds to them.
+class ManualBook {
+  public:
+    ManualBook();
+
+    /// In the order of a list of contents.
+    const QList<BookChapter>& chapters() const { return m_chapters; }
+    /// Or nullptr.
+    const BookChapter* find(const QString& name) const;
+    /// Whether there is such a place.
+    bool has(const ManualPlace& place) const;
+    /// Puts Markdown behind a chapter that is there, in place of what was put there before.
+    void append(const QString& name, const QString& markdown);
+
+  private:
+    QList<BookChapter> m_chapters;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/help/manual_document.h"
+
+#include <QRegularExpression>
+#include <QTextBlock>
+#include <QTextFrame>
+#include <QTextList>
+#include <QTextTable>
+#include <algorithm>
+
+#include "ui/help/manual_links.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int darkest = 128;                            // lightness from which on a ground is a light one
+constexpr qreal narrowGap = 4, gap = 10, wideGap = 18;  // [px]
+constexpr qreal codeMargin = 16;                        // [px]
+constexpr qreal tableWidth = 98;    // per cent of the text, which leaves room for its lines
+constexpr qreal lineSpacing = 125;  // per cent of the type
+
+bool isDark(const QPalette& palette) {
+    return palette.color(QPalette::Base).lightness() < darkest;
+}
+
+QColor mixed(const QColor& one, const QColor& other, double share) {
+    const auto mix = [share](int a, int b) { return int(a + share * (b - a)); };
+    return QColor(mix(one.red(), other.red()), mix(one.green(), other.green()),
+                  mix(one.blue(), other.blue()));
+}
+
+// The number of an equation stands far to the right of it in a text of fixed width.
+QString withNarrowFormulas(const QString& markdown) {
+    static const QRegularExpression blanks(QStringLiteral("(?<=\\S) {4,}(?=\\[paper|\\([TSD][0-9]+\\))"));
+    return QString(markdown).replace(blanks, QStringLiteral("   "));
+}
+
+void link(QTextCursor& cursor, const ManualPlace& to, const QColor& colour) {
+    QTextCharFormat format;
+    format.setAnchor(true);
+    format.setAnchorHref(urlOf(to).toString());
+    format.setForeground(colour);
+    format.setFontUnderline(true);
+    cursor.mergeCharFormat(format);
+}
+
+void linkCode(const QTextBlock& block, QTextCursor& cursor, const ManualBook& book,
+              const ManualColours& colours) {
+    struct Code {
+        int begin, length;
+        QString text;
+    };
+    QList<Code> codes;
+    for (auto each = block.begin(); !each.atEnd(); ++each) {
+        const QTextFragment piece = each.fragment();
+        if (piece.charFormat().fontFixedPitch())
+            codes.append({piece.position(), piece.length(), piece.text()});
+    }
+    for (const Code& code : codes) {
+        cursor.setPosition(code.begin);
+        cursor.setPosition(code.begin + code.length, QTextCursor::KeepAnchor);
+        QTextCharFormat ground;
+        ground.setBackground(colours.code);
+        cursor.mergeCharFormat(ground);
+        const ManualPlace to = placeOfCode(code.text, book);
+        if (!to.chapter.isEmpty()) link(cursor, to, colours.link);
+    }
+}
+
+bool isCode(const QTextBlock& block) {
+    if (!block.isValid() || block.textList()) return false;
+    const QTextBlockFormat format = block.blockFormat();
+    if (format.headingLevel() > 0 || QTextCursor(block).currentTable()) return false;
+    return format.hasProperty(QTextFormat::BlockCodeFence) || format.nonBreakableLines();
+}
+
+// What is to be typed, and formulas, may go on in the next line; what a program prints keeps its columns.
+bool mayBreak(const QTextBlock& block) {
+    const QString language = block.blockFormat().stringProperty(QTextFormat::BlockCodeLanguage);
+    return language == QStringLiteral("sh") || !block.blockFormat().hasProperty(QTextFormat::BlockCodeFence);
+}
+
+void layOut(const QTextBlock& block, QTextCursor& cursor, const ManualColours& colours) {
+    cursor.setPosition(block.position());
+    QTextBlockFormat format = block.blockFormat();
+    const int level = format.headingLevel();
+    if (level > 0) {
+        format.setTopMargin(level < 3 ? wideGap : gap);
+        format.setBottomMargin(narrowGap);
+        cursor.setBlockFormat(format);
+        cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
+        QTextCharFormat type;
+        type.setFontWeight(QFont::Bold);
+        return cursor.mergeCharFormat(type);
+    }
+    if (isCode(block)) {
+        format.setBackground(colours.code);
+        format.setNonBreakableLines(!mayBreak(block));
+        format.setLeftMargin(format.leftMargin() + codeMargin);
+        format.setTopMargin(isCode(block.previous()) ? 0 : narrowGap);
+        format.setBottomMargin(isCode(block.next()) ? 0 : gap);
+    } else {
+        format.setNonBreakableLines(false);
+        format.setLineHeight(lineSpacing, QTextBlockFormat::ProportionalHeight);
+        if (block.textList()) {
+            format.setTopMargin(narrowGap / 2);
+            format.setBottomMargin(narrowGap / 2);
+        }
+    }
+    cursor.setBlockFormat(format);
+}
+
+// By the words in them: each column as wide as its longest word at least, the rest by how much they say.
+QList<QTextLength> columnWidths(const QTextTable& table) {
+    constexpr qsizetype line = 90, longestWord = 18, longestText = 60;  // characters
+    static const QRegularExpression blank(QStringLiteral("\\s"));
+    QList<qsizetype> words, texts;
+    qsizetype allWords = 0, allTexts = 0;
+    for (int column = 0; column < table.columns(); ++column) {
+        qsizetype word = 3, text = 3;
+        for (int row = 0; row < table.rows(); ++row) {
+            const QString cell = table.cellAt(row, column).firstCursorPosition().block().text();
+            text = std::max(text, cell.size());
+            for (const QString& each : cell.split(blank)) word = std::max(word, each.size());
+        }
+        words.append(std::min(word, longestWord) + 2);
+        texts.append(std::min(text, longestText));
+        allWords += words.last();
+        allTexts += texts.last();
+    }
+    const double rest = double(std::max<qsizetype>(line - allWords, 0)), all = double(allWords) + rest;
+    QList<QTextLength> widths;
+    for (int column = 0; column < table.columns(); ++column)
+        widths.append(QTextLength(
+            QTextLength::PercentageLength,
+            100 * (double(words[column]) + rest * double(texts[column]) / double(allTexts)) / all));
+    return widths;
+}
+
+void layOut(QTextTable& table, const ManualColours& colours) {
+    QTextTableFormat format = table.format();
+    format.setBorder(1);
+    format.setBorderCollapse(true);
+    format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+    format.setBorderBrush(colours.line);
+    format.setCellPadding(narrowGap);
+    format.setCellSpacing(0);
+    format.setTopMargin(narrowGap);
+    format.setBottomMargin(gap);
+    format.setWidth(QTextLength(QTextLength::PercentageLength, tableWidth));
+    format.setColumnWidthConstraints(columnWidths(table));
+    table.setFormat(format);
+    for (int column = 0; column < table.columns(); ++column) {
+        QTextTableCell cell = table.cellAt(0, column);
+        QTextCharFormat head = cell.format();
+        head.setBackground(colours.code);
+        cell.setFormat(head);
+    }
+}
+
+}  // namespace
+
+ManualColours manualColours(const QPalette& palette) {
+    const bool dark = isDark(palette);
+    const QColor base = palette.color(QPalette::Base), text = palette.color(QPalette::Text);
+    return {.link = dark ? QColor(0x7c, 0xbd, 0xf5) : QColor(0x0b, 0x57, 0xa4),
+            .code = mixed(base, text, 0.07),
+            .line = mixed(base, text, 0.35),
+            .mark = QColor(0xff, 0xd9, 0x66),
+            .markedText = Qt::black};
+}
+
+void setChapter(QTextDocument& document, const BookChapter& chapter, const ManualBook& book,
+                const QPalette& palette) {
+    const ManualColours colours = manualColours(palette);
+    document.setMarkdown(withNarrowFormulas(chapter.markdown), QTextDocument::MarkdownDialectGitHub);
+    QTextCursor cursor(&document);
+    cursor.beginEditBlock();
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        layOut(block, cursor, colours);
+        const bool isHeading = block.blockFormat().headingLevel() > 0;
+        if (isHeading) continue;
+        for (const ManualLink& each : linksIn(block.text(), chapter.name, book)) {
+            cursor.setPosition(block.position() + int(each.begin));
+            cursor.setPosition(block.position() + int(each.begin + each.length), QTextCursor::KeepAnchor);
+            link(cursor, each.to, colours.link);
+        }
+        linkCode(block, cursor, book, colours);
+    }
+    cursor.endEditBlock();
+    for (QTextFrame* frame : document.rootFrame()->childFrames())
+        if (auto* table = qobject_cast<QTextTable*>(frame)) layOut(*table, colours);
+}
+
+QTextBlock blockOf(const QTextDocument& document, const QString& heading) {
+    if (heading.isEmpty()) return document.begin();
+    QTextBlock found = document.begin();
+    for (QTextBlock block = document.end().previous(); block.isValid(); block = block.previous()) {
+        const bool isTitle = block.blockFormat().headingLevel() > 0;
+        // One that is it word by word comes before those that only begin so.
+        if (isTitle && block.text() == heading) return block;
+        if (isTitle ? isHeading(block.text(), heading)
+                    : heading.startsWith(u'(') && block.text().endsWith(u' ' + heading))
+            found = block;
+    }
+    return found;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A place in the manual, and links to it.
+#pragma once
+
+#include <QString>
+#include <QUrl>
+
+namespace drillwave {
+
+/// A chapter, and in it what a heading says: its number "§3.1", its words, or the first of them; or an
+/// equation, "(T34)". Without one the chapter's beginning.
+struct ManualPlace {
+    QString chapter;
+    QString heading = {};
+    bool operator==(const ManualPlace&) const = default;
+};
+
+/// "manual:theory#§3".
+QUrl urlOf(const ManualPlace& place);
+/// No chapter where it is no such link.
+ManualPlace placeOf(const QUrl& url);
+
+/// Whether a heading, as it is shown, is the one that is meant: "§4.2 sweep and table" by "§4.2" and by
+/// "table", "rod.length: length L" by "rod.length".
+bool isHeading(const QString& shown, const QString& meant);
+
+}  // namespace drillwave

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Words sought in all chapters of the manual.
+#pragma once
+
+#include <QList>
+#include <QStringList>
+
+#include "ui/help/manual_book.h"
+
+namespace drillwave {
+
+/// A section that has all the words.
+struct ManualHit {
+    ManualPlace place;
+    QString chapter;  ///< its title
+    QString heading;  ///< as it is shown
+    QString excerpt;  ///< some words around the first of those that are sought
+    bool inHeading = false;
+    int count = 0;  ///< how often they occur
+};
+
+/// The words of what was typed; between quotes several are one.
+QStringList soughtWords(const QString& typed);
+
+/// The sections of all chapters as plain text, read once.
+class ManualSearch {
+  public:
+    explicit ManualSearch(const ManualBook& book);
+
+    /// Sections that have every word, whatever its case: those with all of them in their heading first, then
+    /// those that have them most often; at most as many as a list can show. None without words.
+    QList<ManualHit> find(const QStringList& words) const;
+
+  private:
+    struct Section {
+        ManualPlace place;
+        QString chapter;
+        QString heading;
+        QString text;
+    };
+    QList<Section> m_sections;
+};
+
+}  // namespace drillwave

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Leads from what one works at in the window to where the manual tells of it.
+#pragma once
+
+#include <QMainWindow>
+
+#include "ui/help/help_window.h"
+
+class QMenuBar;
+
+namespace drillwave {
+
+class PageTabs;
+
+/// Opens the manual beside the window.
+class ManualHelp : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Window and pages must outlive it.
+    ManualHelp(QMainWindow* window, const PageTabs& pages);
+
+    /// At the field or the part that has the focus, or else the page on show.
+    void showHere();
+    void showAt(const ManualPlace& place);
+    /// Where showHere() leads.
+    ManualPlace here() const;
+    /// The window of the manual; nullptr until it has been opened.
+    HelpWindow* helpWindow() const { return m_help; }
+
+  private:
+    HelpWindow& help();
+    void placeBeside();
+
+    QMainWindow* m_window;
+    const PageTabs& m_pages;
+    HelpWindow* m_help = nullptr;
+};
+
+/// The shortcuts of a menu bar as the rows of a table in Markdown: a section for each menu.
+QString shortcutTables(const QMenuBar& menus);
+
+}  // namespace drillwave
