@@ -16,16 +16,15 @@ namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 /// One of the waves at one place, read at many times, each near the one before.
-class WaveAtPlace {
+class WaveReader {
   public:
-    WaveAtPlace(const StringWaves& waves, const std::vector<WaveCell>& cells, double first, double zero,
-                double kept, std::size_t near)
+    WaveReader(const StringWaves& waves, const WaveAtPlace& wave, std::size_t near)
         : m_clocks(waves.clocks()),
           m_widths(waves.widths()),
-          m_cells(cells),
-          m_first(first),
-          m_zero(zero),
-          m_kept(kept),
+          m_cells(*wave.cells),
+          m_first(wave.first),
+          m_zero(wave.zero()),
+          m_kept(wave.kept),
           m_rounding(waves.rounding()),
           m_step(near) {}
 
@@ -66,21 +65,11 @@ struct StringField::Column {
     const SectionWaves* section;
     double share;
 
-    WaveAtPlace down(const StringWaves& waves, std::size_t near) const {
-        return {waves,
-                section->down,
-                section->first,
-                section->rearTime + share * section->transitTime,
-                std::exp(-section->decay * share),
-                near};
+    WaveReader down(const StringWaves& waves, std::size_t near) const {
+        return {waves, section->downAt(share), near};
     }
-    WaveAtPlace up(const StringWaves& waves, std::size_t near) const {
-        return {waves,
-                section->up,
-                -section->first,
-                section->rearTime + (2 - share) * section->transitTime,
-                std::exp(-section->decay * (1 - share)),
-                near};
+    WaveReader up(const StringWaves& waves, std::size_t near) const {
+        return {waves, section->upAt(share), near};
     }
     // v0 has as many F0/Z as a force of 1 has F0.
     double valueOf(WaveQuantity quantity, double down, double up) const {
@@ -145,7 +134,7 @@ WaveRaster StringField::raster(WaveQuantity quantity, const RasterGrid& grid) co
         const double x = grid.xi(i);
         if (!isInside(x)) continue;
         const Column column = columnAt(x);
-        WaveAtPlace down = column.down(*m_waves, downStep), up = column.up(*m_waves, upStep);
+        WaveReader down = column.down(*m_waves, downStep), up = column.up(*m_waves, upStep);
         for (int k = 0; k < grid.rows; ++k) {
             // To and fro, so that the next time to be read is always near the last.
             const int row = i % 2 == 0 ? k : grid.rows - 1 - k;

@@ -10,16 +10,15 @@ namespace drillwave {
 namespace {
 
 /// One of the waves at a place, cell by cell over global time.
-class PassingWave {
+class PassingCells {
   public:
-    PassingWave(const StringWaves& waves, const std::vector<WaveCell>& cells, double first, double zero,
-                double kept)
+    PassingCells(const StringWaves& waves, const WaveAtPlace& wave)
         : m_clocks(waves.clocks()),
           m_widths(waves.widths()),
-          m_cells(cells),
-          m_first(WaveCell::constant(first)),
-          m_zero(zero),
-          m_kept(kept) {
+          m_cells(*wave.cells),
+          m_first(WaveCell::constant(wave.first)),
+          m_zero(wave.zero()),
+          m_kept(wave.kept) {
         advance(waves.rounding());
     }
 
@@ -89,10 +88,7 @@ std::vector<double> placesOf(const SectionForces* peaks, int count) {
 SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, double xi, double endOfBlow) {
     const StringWaves::PiecePlace at = waves.pieceAt(section, xi);
     const SectionWaves& own = waves.pieces()[at.piece];
-    PassingWave down(waves, own.down, own.first, own.rearTime + at.xi * own.transitTime,
-                     std::exp(-own.decay * at.xi));
-    PassingWave up(waves, own.up, -own.first, own.rearTime + (2 - at.xi) * own.transitTime,
-                   std::exp(-own.decay * (1 - at.xi)));
+    PassingCells down(waves, own.downAt(at.xi)), up(waves, own.upAt(at.xi));
     SectionForces forces;
     for (const auto peak : peaksOfSection) (forces.*peak).place = xi;
     const double same = waves.rounding(), end = waves.end();

@@ -49,7 +49,19 @@ double integralOf(const WaveCell& cell, double share) {
     return share * (p[0] + share * (p[1] / 2 + share * (p[2] / 3 + share * p[3] / 4)));
 }
 
+double clockAt(const WaveAtPlace& wave, double t) {
+    return t - wave.rearTime - wave.delay;
+}
+
 }  // namespace
+
+WaveAtPlace SectionWaves::downAt(double xi) const {
+    return {&down, first, rearTime, xi * transitTime, decay > 0 ? std::exp(-decay * xi) : 1};
+}
+
+WaveAtPlace SectionWaves::upAt(double xi) const {
+    return {&up, -first, rearTime, (2 - xi) * transitTime, decay > 0 ? std::exp(-decay * (1 - xi)) : 1};
+}
 
 StringWaves::StringWaves(const Problem& problem, const std::vector<double>& rearTimes)
     : m_hammerPieces(problem.hammerSections()) {
@@ -129,73 +141,64 @@ double StringWaves::rounding() const {
     return m_clocks.empty() ? 0 : 32 * std::numeric_limits<double>::epsilon() * (m_clocks.back() + m_end);
 }
 
-double StringWaves::clockAt(const SectionWaves& section, Wave wave, double xi, double t) const {
-    return wave == Wave::down ? t - section.rearTime - xi * section.transitTime
-                              : t - section.rearTime - (2 - xi) * section.transitTime;
-}
-
 /// The step that a clock is in, at 0 or later.
 std::size_t StringWaves::stepAt(double clock) const {
     const auto behind = std::upper_bound(m_clocks.begin(), m_clocks.end(), clock);
     return behind == m_clocks.begin() ? 0 : static_cast<std::size_t>(behind - m_clocks.begin()) - 1;
 }
 
-double StringWaves::value(const SectionWaves& section, Wave wave, double xi, double t, TimeSide side) const {
-    const bool isDown = wave == Wave::down;
-    const double clock = clockAt(section, wave, xi, t);
+double StringWaves::value(const WaveAtPlace& wave, double t, TimeSide side) const {
+    const double clock = clockAt(wave, t);
     const double reach = side == TimeSide::after ? rounding() : -rounding();
-    if (m_clocks.empty() || clock + reach < 0) return isDown ? section.first : -section.first;
+    if (m_clocks.empty() || clock + reach < 0) return wave.first;
     const std::size_t step = stepAt(clock + reach);
     const double u = std::clamp((clock - m_clocks[step]) / m_widths[step], 0.0, 1.0);
-    const double entered = (isDown ? section.down : section.up)[step].value(u);
-    return section.decay > 0 ? entered * std::exp(-section.decay * (isDown ? xi : 1 - xi)) : entered;
+    return wave.kept * (*wave.cells)[step].value(u);
+}
+
+WaveAtPlace StringWaves::downAt(std::size_t section, double xi) const {
+    const PiecePlace at = pieceAt(section, xi);
+    return m_pieces[at.piece].downAt(at.xi);
+}
+
+WaveAtPlace StringWaves::upAt(std::size_t section, double xi) const {
+    const PiecePlace at = pieceAt(section, xi);
+    return m_pieces[at.piece].upAt(at.xi);
 }
 
 double StringWaves::down(std::size_t section, double xi, double t, TimeSide side) const {
-    const PiecePlace at = pieceAt(section, xi);
-    return value(m_pieces[at.piece], Wave::down, at.xi, t, side);
+    return value(downAt(section, xi), t, side);
 }
 
 double StringWaves::up(std::size_t section, double xi, double t, TimeSide side) const {
-    const PiecePlace at = pieceAt(section, xi);
-    return value(m_pieces[at.piece], Wave::up, at.xi, t, side);
+    return value(upAt(section, xi), t, side);
 }
 
-double StringWaves::impulse(const SectionWaves& section, Wave wave, double xi, double t) const {
-    const bool isDown = wave == Wave::down;
-    const double end = clockAt(section, wave, xi, t), start = clockAt(section, wave, xi, 0);
-    const double first = isDown ? section.first : -section.first;
-    const std::vector<WaveCell>& cells = isDown ? section.down : section.up;
+double StringWaves::impulse(const WaveAtPlace& wave, double t) const {
     const auto until = [&](double clock) {  // from the clock's zero on
-        if (clock <= 0 || m_clocks.empty()) return first * clock;
+        if (clock <= 0 || m_clocks.empty()) return wave.first * clock;
         const std::size_t last = stepAt(clock);
         double sum = 0;
-        for (std::size_t i = 0; i < last; ++i) sum += m_widths[i] * cells[i].mean();
+        for (std::size_t i = 0; i < last; ++i) sum += m_widths[i] * (*wave.cells)[i].mean();
         const double share = std::min(1.0, (clock - m_clocks[last]) / m_widths[last]);
-        return sum + m_widths[last] * integralOf(cells[last], share);
+        return sum + m_widths[last] * integralOf((*wave.cells)[last], share);
     };
-    const double sum = until(end) - until(start);
-    return section.decay > 0 ? sum * std::exp(-section.decay * (isDown ? xi : 1 - xi)) : sum;
+    return wave.kept * (until(clockAt(wave, t)) - until(clockAt(wave, 0)));
 }
 
 double StringWaves::downImpulse(std::size_t section, double xi, double t) const {
-    const PiecePlace at = pieceAt(section, xi);
-    return impulse(m_pieces[at.piece], Wave::down, at.xi, t);
+    return impulse(downAt(section, xi), t);
 }
 
 double StringWaves::upImpulse(std::size_t section, double xi, double t) const {
-    const PiecePlace at = pieceAt(section, xi);
-    return impulse(m_pieces[at.piece], Wave::up, at.xi, t);
+    return impulse(upAt(section, xi), t);
 }
 
 std::vector<double> StringWaves::pieceTimes(std::size_t section, double xi) const {
-    const PiecePlace at = pieceAt(section, xi);
     std::vector<double> times{0, m_end};
-    for (const Wave wave : {Wave::down, Wave::up}) {
-        const double zero = -clockAt(m_pieces[at.piece], wave, at.xi, 0);
+    for (const double zero : {downAt(section, xi).zero(), upAt(section, xi).zero()})
         for (const double clock : m_clocks)
             if (const double t = zero + clock; t > 0 && t < m_end) times.push_back(t);
-    }
     std::sort(times.begin(), times.end());
     const double same = rounding();
     times.erase(std::unique(times.begin(), times.end(), [same](double a, double b) { return b - a <= same; }),

@@ -15,6 +15,17 @@ namespace drillwave {
 /// Where something jumps: what was until then, or what is from then on.
 enum class TimeSide { before, after };
 
+/// One of the waves of a piece as it passes a place.
+struct WaveAtPlace {
+    const std::vector<WaveCell>* cells;  ///< as they enter, one a step of the clock
+    double first;                        ///< what it is before the clock's zero gets here
+    double rearTime;                     ///< global time of that zero where the clock is
+    double delay;                        ///< from there to here
+    double kept;                         ///< what is left of the cells on the way
+
+    double zero() const { return rearTime + delay; }  ///< when its clock is at 0 here
+};
+
 /// Both waves of one uniform piece, each cell as it enters: f at the rear end, b at the front end, where a
 /// clock counts from 0.
 struct SectionWaves {
@@ -24,6 +35,9 @@ struct SectionWaves {
     double rearTime = 0;     ///< global time of the clock's zero at the rear end; at the front end τ later
     double first = 0;        ///< f before that, and −b
     std::vector<WaveCell> down, up;
+
+    WaveAtPlace downAt(double xi) const;
+    WaveAtPlace upAt(double xi) const;
 };
 
 /// Looks up what hammer and string do. Units of Problem, times global, from the first touch; sections of the
@@ -108,11 +122,11 @@ class StringWaves {
     double rounding() const;
 
   private:
-    enum class Wave { down, up };
-    double clockAt(const SectionWaves& section, Wave wave, double xi, double t) const;
+    WaveAtPlace downAt(std::size_t section, double xi) const;
+    WaveAtPlace upAt(std::size_t section, double xi) const;
     std::size_t stepAt(double clock) const;
-    double value(const SectionWaves& section, Wave wave, double xi, double t, TimeSide side) const;
-    double impulse(const SectionWaves& section, Wave wave, double xi, double t) const;
+    double value(const WaveAtPlace& wave, double t, TimeSide side) const;
+    double impulse(const WaveAtPlace& wave, double t) const;
     void makeCurves();
 
     std::vector<SectionWaves> m_pieces;
