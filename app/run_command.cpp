@@ -74,7 +74,7 @@ Blow solve(MethodSolver solver, const Scenario& scenario, const MethodChoice& ch
 void writeFiles(const RunFiles& files, const SolvedRun& run, const Drawing* drawing,
                 const Interruption& interruption) {
     std::vector<NamedFile> pictures;
-    const bool drawn = hasHistories(run.blow);
+    const bool drawn = run.blow.impact.hasHistories();
     if (!drawn)
         std::fputs("note: the waves of this blow are more than can be kept: no histories.csv and no plots\n",
                    stderr);

@@ -34,24 +34,16 @@ OutputUnits customaryUnits(const Scenario& scenario) {
     return hasUnits(scenario) ? OutputUnits::si : OutputUnits::dimensionless;
 }
 
-bool hasHistories(const Blow& blow) {
-    return !blow.isOfString() || blow.impact.waves;
-}
-
 std::string runHeader(const SolvedRun& run) {
     return scenarioHeader(run.scenarioText, describe(run.blow.method));
 }
 
 std::string historiesFile(const SolvedRun& run) {
     const Blow& blow = run.blow;
-    if (blow.isOfString()) {
-        const StringPlace place = middleOfLongest(blow.scenario.drillString);
-        return scenarioHeader(run.scenarioText, describe(blow.method),
-                              stringHistoryColumns(blow.scenario, place, run.units)) +
-               stringHistoriesCsv(blow, place, run.units, blow.scales);
-    }
-    return scenarioHeader(run.scenarioText, describe(blow.method), historyColumns(run.units)) +
-           historiesCsv(blow.impact, blow.problem, run.units, blow.scales);
+    const StringPlace place = middleOfLongest(blow.scenario.drillString);
+    return scenarioHeader(run.scenarioText, describe(blow.method),
+                          historyColumns(blow.scenario, place, run.units)) +
+           historiesCsv(blow, place, run.units);
 }
 
 std::string eventsFile(const SolvedRun& run) {
@@ -80,7 +72,7 @@ FolderFiles runFolder(const SolvedRun& run, std::vector<NamedFile> pictures) {
     FolderFiles folder;
     folder.outdated = filesOfEarlierRun;
     folder.files = {{scenarioName, scenarioFile(run)}, {eventsName, eventsFile(run)}};
-    if (hasHistories(run.blow)) folder.files.push_back({historiesName, historiesFile(run)});
+    if (run.blow.impact.hasHistories()) folder.files.push_back({historiesName, historiesFile(run)});
     std::ranges::move(pictures, std::back_inserter(folder.files));
     folder.files.push_back({summaryName, blowJson(run.blow, run.scenarioText)});
     return folder;

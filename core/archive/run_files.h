@@ -25,12 +25,8 @@ OutputUnits customaryUnits(const Scenario& scenario);
 /// The lines at the top of every CSV file: the whole scenario and how it was solved.
 std::string runHeader(const SolvedRun& run);
 
-/// Whether there are curves to be written or drawn of a solved blow: of a string whose waves were more than
-/// can be kept there are none.
-bool hasHistories(const Blow& blow);
-
 /// histories.csv: the header with the whole scenario, then the curves; of a string with those in the middle
-/// of its longest section. Requires hasHistories().
+/// of its longest section. Requires Impact::hasHistories().
 std::string historiesFile(const SolvedRun& run);
 
 /// events.csv, likewise.

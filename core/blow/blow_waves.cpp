@@ -15,11 +15,6 @@ namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
-const StringWaves& stringWaves(const Blow& blow) {
-    assert(blow.isOfString() && blow.impact.waves);
-    return *blow.impact.waves;
-}
-
 }  // namespace
 
 std::vector<double> sectionJoints(const DrillString& drillString) {
@@ -43,12 +38,8 @@ std::vector<double> sectionJoints(const DrillString& drillString) {
 }
 
 BlowWaves::BlowWaves(const Blow& blow) : m_blow(&blow) {
-    assert(areKept(blow));
-    if (blow.isOfString()) m_string.emplace(stringWaves(blow), sectionJoints(blow.scenario.drillString));
-}
-
-bool BlowWaves::areKept(const Blow& blow) {
-    return blow.isOfString() ? blow.impact.waves != nullptr : blow.impact.hasHistories();
+    assert(blow.impact.hasHistories());
+    if (blow.impact.waves) m_string.emplace(*blow.impact.waves, sectionJoints(blow.scenario.drillString));
 }
 
 double BlowWaves::end() const {
@@ -65,15 +56,12 @@ double BlowWaves::value(WaveQuantity quantity, double x, double t) const {
 
 RodState BlowWaves::state(double x, double t) const {
     if (!m_string) return rodState(m_blow->impact, m_blow->problem.force(), std::max(0.0, x), t);
-    const StringPlace place = stringPlace(m_blow->scenario.drillString, x);
-    const StringInstant now = StringHistory(m_blow->impact, m_blow->problem, place).at(t);
-    return {.normalForce = now.normalForce,
-            .impactForce = now.impactForce,
-            .impulse = now.impulse,
-            .momentum = now.momentum,
-            .positiveWave = now.positiveWave,
-            .negativeWave = now.negativeWave,
-            .faceForce = now.faceForce};
+    return StringHistory(m_blow->impact, m_blow->problem, stringPlace(m_blow->scenario.drillString, x)).at(t);
+}
+
+std::vector<RodState> BlowWaves::sampled(const StringPlace& place) const {
+    return m_string ? StringHistory(m_blow->impact, m_blow->problem, place).sampled()
+                    : sampledStates(m_blow->impact, m_blow->problem);
 }
 
 TimeSpan BlowWaves::interesting() const {
@@ -115,12 +103,12 @@ std::vector<ContactInterval> BlowWaves::contacts() const {
 
 std::vector<ContactInterval> BlowWaves::faceContacts() const {
     if (!m_string) return {};
-    const PiecewisePolynomial& force = stringWaves(*m_blow).faceForce();
+    const PiecewisePolynomial& force = m_blow->impact.waves->faceForce();
     std::vector<ContactInterval> contacts;
     for (const PiecewisePolynomial::Piece& piece : force.pieces()) {
         if (piece.count == 0) continue;
         const double begin = piece.start, until = piece.start + piece.length;
-        if (!contacts.empty() && begin <= contacts.back().end + stringWaves(*m_blow).rounding())
+        if (!contacts.empty() && begin <= contacts.back().end + m_blow->impact.waves->rounding())
             contacts.back().end = until;
         else
             contacts.push_back({begin, until});
@@ -130,7 +118,7 @@ std::vector<ContactInterval> BlowWaves::faceContacts() const {
 
 BitState BlowWaves::bit(const std::vector<ContactInterval>& contacts, double t) const {
     if (!m_string) return bitState(m_blow->impact, contacts, m_blow->problem.gap, t);
-    const StringWaves& waves = stringWaves(*m_blow);
+    const StringWaves& waves = *m_blow->impact.waves;
     const auto displacement = [&](double time) {
         return waves.bitVelocity().integral(std::clamp(time, 0.0, waves.end())) * lawUnitOfPenetration;
     };
@@ -139,7 +127,7 @@ BitState BlowWaves::bit(const std::vector<ContactInterval>& contacts, double t) 
 
 double BlowWaves::impactForce(double t) const {
     if (!m_string) return WaveField(m_blow->impact).impactForce(t);
-    return std::max(0.0, stringWaves(*m_blow).bitForce()(t));
+    return std::max(0.0, m_blow->impact.waves->bitForce()(t));
 }
 
 }  // namespace drillwave

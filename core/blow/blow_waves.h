@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/blow/blow.h"
+#include "core/blow/string_curves.h"
 #include "core/model/drill_string.h"
 #include "core/wave/field/bit_motion.h"
 #include "core/wave/field/interesting_time.h"
@@ -25,11 +26,8 @@ std::vector<double> sectionJoints(const DrillString& drillString);
 /// F0/Z, lengths in d0. Of a rod known at all times, of a string to its end; NaN beyond.
 class BlowWaves {
   public:
-    /// Of a solved blow with its histories, which must outlive it; of a string whose waves were kept.
+    /// Of a blow with its histories (Impact::hasHistories()), which must outlive it.
     explicit BlowWaves(const Blow& blow);
-
-    /// Whether there is anything to be read of a solved blow.
-    static bool areKept(const Blow& blow);
 
     /// Where what is looked at begins: 0, or the rear of the hammer.
     double rear() const { return m_string ? m_string->rear() : 0; }
@@ -39,6 +37,9 @@ class BlowWaves {
     double value(WaveQuantity quantity, double x, double t) const;
     /// Of a string at end() where t is later; units of impulse and momentum as in its results.
     RodState state(double x, double t) const;
+    /// Over all the time that was recorded, a time twice where something jumps: of a string at a place of it,
+    /// of a rod at the bit as sampledStates().
+    std::vector<RodState> sampled(const StringPlace& place) const;
 
     /// From the first touch of hammer and string, or the beginning of the pulse, to a round trip after bit
     /// and rock last part; not more than a dozen round trips.

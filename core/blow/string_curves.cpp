@@ -17,14 +17,14 @@ namespace {
 constexpr double negligible = 1e-4;
 
 /// How far two instants are apart in what may jump.
-double distance(const StringInstant& a, const StringInstant& b) {
+double distance(const RodState& a, const RodState& b) {
     return std::max({std::abs(a.impactForce - b.impactForce), std::abs(a.faceForce - b.faceForce),
                      std::abs(a.positiveWave - b.positiveWave), std::abs(a.negativeWave - b.negativeWave),
                      std::abs(a.frontVelocity - b.frontVelocity)});
 }
 
-StringInstant middleOf(const StringInstant& a, const StringInstant& b) {
-    StringInstant middle;
+RodState middleOf(const RodState& a, const RodState& b) {
+    RodState middle;
     middle.impactForce = (a.impactForce + b.impactForce) / 2;
     middle.faceForce = (a.faceForce + b.faceForce) / 2;
     middle.positiveWave = (a.positiveWave + b.positiveWave) / 2;
@@ -36,11 +36,13 @@ StringInstant middleOf(const StringInstant& a, const StringInstant& b) {
 }  // namespace
 
 double hammerRear(const DrillString& drillString) {
+    if (drillString.hammer.sections.empty()) return 0;
     return 0 - hammerProperties(drillString).length / stringProperties(drillString).length;
 }
 
 StringPlace stringPlace(const DrillString& drillString, double share) {
     const std::vector<const Section*> sections = allSections(drillString);
+    if (sections.empty()) return {0, std::clamp(share, 0.0, 1.0)};
     const std::size_t ofHammer = drillString.hammer.sections.size();
     // Where hammer and string meet, the string.
     const bool inHammer = share < 0;
@@ -54,6 +56,7 @@ StringPlace stringPlace(const DrillString& drillString, double share) {
 
 double shareOfString(const DrillString& drillString, const StringPlace& place) {
     const std::vector<const Section*> sections = allSections(drillString);
+    if (sections.empty()) return place.share;
     assert(place.section < sections.size());
     double from = -hammerProperties(drillString).length;
     for (std::size_t i = 0; i < place.section; ++i) from += sections[i]->length;
@@ -73,13 +76,13 @@ StringHistory::StringHistory(const Impact& impact, const Problem& problem, const
     assert(m_waves && place.section < m_waves->sections());
 }
 
-StringInstant StringHistory::at(double time, TimeSide side) const {
+RodState StringHistory::at(double time, TimeSide side) const {
     const StringWaves& waves = *m_waves;
     const double t = std::clamp(time, 0.0, waves.end());
     const double beside = side == TimeSide::after ? t + waves.rounding() : t - waves.rounding();
     const std::size_t ofHammer = waves.hammerSections();
     const double momentum = m_impact->hammerImpulse, v0 = m_problem->velocity();
-    StringInstant now;
+    RodState now;
     now.time = t;
     now.impactForce = std::max(0.0, waves.bitForce()(beside));
     now.impulse = waves.bitForce().integral(t) / momentum;
@@ -109,16 +112,16 @@ std::vector<double> StringHistory::pieceTimes() const {
     return times;
 }
 
-std::vector<StringInstant> StringHistory::sampled() const {
+std::vector<RodState> StringHistory::sampled() const {
     const std::vector<double> times = pieceTimes();
-    std::vector<StringInstant> rows;
+    std::vector<RodState> rows;
     rows.reserve(times.size() + times.size() / 4);
     for (std::size_t i = 0; i < times.size(); ++i) {
-        const StringInstant now = at(times[i]);
+        const RodState now = at(times[i]);
         if (i > 0) {
-            const StringInstant before = at(times[i], TimeSide::before);
-            const StringInstant start = rows.back();
-            const StringInstant middle = at((times[i - 1] + times[i]) / 2);
+            const RodState before = at(times[i], TimeSide::before);
+            const RodState start = rows.back();
+            const RodState middle = at((times[i - 1] + times[i]) / 2);
             const double bend = distance(middle, middleOf(start, before));
             const int chords = std::clamp(static_cast<int>(std::sqrt(bend / negligible)) + 1, 1, 32);
             for (int k = 1; k < chords; ++k)

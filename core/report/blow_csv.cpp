@@ -2,17 +2,13 @@
 #include "core/report/blow_csv.h"
 
 #include <algorithm>
-#include <cassert>
 #include <vector>
 
+#include "core/blow/blow_waves.h"
 #include "core/blow/outputs.h"
-#include "core/contact/contact_law.h"
 #include "core/report/result_remarks.h"
 #include "core/text/enum_names.h"
 #include "core/text/number_text.h"
-#include "core/wave/field/bit_motion.h"
-#include "core/wave/field/rod_state.h"
-#include "core/wave/field/wave_curves.h"
 
 namespace drillwave {
 
@@ -27,62 +23,24 @@ std::string heading(std::string_view name, Quantity quantity, OutputUnits units)
 struct HistoryColumn {
     std::string_view name;
     Quantity quantity;
-    double StringInstant::*value;
+    double RodState::*value;
     double Scales::*scale;
     OutputOf of = OutputOf::anyBlow;
 };
 
 constexpr HistoryColumn historyTable[] = {
-    {"time", Quantity::time, &StringInstant::time, &Scales::time},
-    {"impact_force", Quantity::force, &StringInstant::impactForce, &Scales::force},
-    {"impulse", Quantity::impulse, &StringInstant::impulse, &Scales::impulse},
-    {"momentum", Quantity::impulse, &StringInstant::momentum, &Scales::impulse},
-    {"incident_wave", Quantity::force, &StringInstant::positiveWave, &Scales::force, OutputOf::uniformRod},
-    {"penetration", Quantity::length, &StringInstant::penetration, &Scales::penetration},
-    {"front_velocity", Quantity::velocity, &StringInstant::frontVelocity, &Scales::velocity},
-    {"face_force", Quantity::force, &StringInstant::faceForce, &Scales::force, OutputOf::drillString},
-    {"normal_force", Quantity::force, &StringInstant::normalForce, &Scales::force, OutputOf::drillString},
-    {"positive_wave", Quantity::force, &StringInstant::positiveWave, &Scales::force, OutputOf::drillString},
-    {"negative_wave", Quantity::force, &StringInstant::negativeWave, &Scales::force, OutputOf::drillString},
-    {"velocity", Quantity::velocity, &StringInstant::velocity, &Scales::velocity, OutputOf::drillString}};
-
-/// The columns of rods or of strings.
-std::string historyCsv(OutputOf which, const std::vector<StringInstant>& instants, OutputUnits units,
-                       const Scales& scale) {
-    const auto row = [&](std::string& csv, const auto& appendCell) {
-        for (const HistoryColumn& column : historyTable) {
-            if (column.of != OutputOf::anyBlow && column.of != which) continue;
-            if (&column != historyTable) csv += ',';
-            appendCell(column);
-        }
-        csv += '\n';
-    };
-    std::string csv;
-    row(csv, [&](const HistoryColumn& c) { csv += heading(c.name, c.quantity, units); });
-    for (const StringInstant& now : instants)
-        row(csv, [&](const HistoryColumn& c) { appendNumber(csv, now.*c.value * scale.*c.scale); });
-    return csv;
-}
-
-/// Where the bit is, from the first time to the last.
-class FrontEnd {
-  public:
-    FrontEnd(const Impact& impact, const Problem& problem)
-        : m_impact(impact), m_rock(problem.law), m_firstGap(problem.firstGap()) {}
-
-    /// [d0] Of the law of the rock while it pushes, where the displacement of the bit would have its digits
-    /// cancelled by those of a much longer way.
-    double penetration(double time, double force) {
-        m_rock.rememberAcross(force);
-        if (force > 0) return m_rock.penetration(force) * lawUnitOfPenetration;
-        return bitDisplacement(m_impact, time) - m_firstGap;
-    }
-
-  private:
-    const Impact& m_impact;
-    ContactLaw<> m_rock;
-    double m_firstGap;
-};
+    {"time", Quantity::time, &RodState::time, &Scales::time},
+    {"impact_force", Quantity::force, &RodState::impactForce, &Scales::force},
+    {"impulse", Quantity::impulse, &RodState::impulse, &Scales::impulse},
+    {"momentum", Quantity::impulse, &RodState::momentum, &Scales::impulse},
+    {"incident_wave", Quantity::force, &RodState::positiveWave, &Scales::force, OutputOf::uniformRod},
+    {"penetration", Quantity::length, &RodState::penetration, &Scales::penetration},
+    {"front_velocity", Quantity::velocity, &RodState::frontVelocity, &Scales::velocity},
+    {"face_force", Quantity::force, &RodState::faceForce, &Scales::force, OutputOf::drillString},
+    {"normal_force", Quantity::force, &RodState::normalForce, &Scales::force, OutputOf::drillString},
+    {"positive_wave", Quantity::force, &RodState::positiveWave, &Scales::force, OutputOf::drillString},
+    {"negative_wave", Quantity::force, &RodState::negativeWave, &Scales::force, OutputOf::drillString},
+    {"velocity", Quantity::velocity, &RodState::velocity, &Scales::velocity, OutputOf::drillString}};
 
 /// The first line of a text, which is removed from it.
 std::string_view takeLine(std::string_view& text) {
@@ -122,44 +80,35 @@ std::string scenarioFromHeader(std::string_view csv) {
     return scenario;
 }
 
-std::string historiesCsv(const Impact& impact, const Problem& problem, OutputUnits units,
-                         const Scales& scales) {
-    assert(impact.hasHistories());
-    Scales scale = units == OutputUnits::si ? scales : Scales{};
-    scale.velocity = scale.penetration / scale.time;  // in which those of a rod are
-    const SampledHistory history = sampleHistory(impact);
-    std::vector<StringInstant> instants(history.time.size());
-    FrontEnd front(impact, problem);
-    for (std::size_t i = 0; i < history.time.size(); ++i) {
-        const double time = history.time[i], force = history.force[i], incident = history.incident[i];
-        instants[i] = {.time = time,
-                       .impactForce = force,
-                       .impulse = history.impulse[i],
-                       .momentum = rodMomentum(problem.force(), time, history.impulse[i]),
-                       .penetration = front.penetration(time, force),
-                       .frontVelocity = incident - force / 2,
-                       .positiveWave = incident == 0 ? 0 : -incident};
-    }
-    return historyCsv(OutputOf::uniformRod, instants, units, scale);
+std::string historiesCsv(const Blow& blow, const StringPlace& place, OutputUnits units) {
+    Scales scale = units == OutputUnits::si ? blow.scales : Scales{};
+    // in which those of a rod are
+    if (concerns(OutputOf::uniformRod, blow.scenario)) scale.velocity = scale.penetration / scale.time;
+    const auto row = [&](std::string& csv, const auto& appendCell) {
+        for (const HistoryColumn& column : historyTable) {
+            if (!concerns(column.of, blow.scenario)) continue;
+            if (&column != historyTable) csv += ',';
+            appendCell(column);
+        }
+        csv += '\n';
+    };
+    std::string csv;
+    row(csv, [&](const HistoryColumn& c) { csv += heading(c.name, c.quantity, units); });
+    for (const RodState& now : BlowWaves(blow).sampled(place))
+        row(csv, [&](const HistoryColumn& c) { appendNumber(csv, now.*c.value * scale.*c.scale); });
+    return csv;
 }
 
-std::string historyColumns(OutputUnits units) {
-    return std::string(
-               "incident_wave is a normal force, tension positive; impact_force, impulse, momentum, "
-               "penetration and front_velocity are positive into the rock; penetration is that of the "
-               "bit below the first surface of the rock") +
-           (units == OutputUnits::si ? ". Units stand in the header."
-                                     : "; units: time t0, force F0 = I0/t0, impulse and momentum I0, "
-                                       "penetration d0 = 2 I0/Z, front_velocity d0/t0.");
-}
-
-std::string stringHistoriesCsv(const Blow& blow, const StringPlace& place, OutputUnits units,
-                               const Scales& scales) {
-    return historyCsv(OutputOf::drillString, StringHistory(blow.impact, blow.problem, place).sampled(), units,
-                      units == OutputUnits::si ? scales : Scales{});
-}
-
-std::string stringHistoryColumns(const Scenario& scenario, const StringPlace& place, OutputUnits units) {
+std::string historyColumns(const Scenario& scenario, const StringPlace& place, OutputUnits units) {
+    const bool isSi = units == OutputUnits::si;
+    if (concerns(OutputOf::uniformRod, scenario))
+        return std::string(
+                   "incident_wave is a normal force, tension positive; impact_force, impulse, "
+                   "momentum, penetration and front_velocity are positive into the rock; penetration "
+                   "is that of the bit below the first surface of the rock") +
+               (isSi ? ". Units stand in the header."
+                     : "; units: time t0, force F0 = I0/t0, impulse and momentum I0, penetration d0 = 2 "
+                       "I0/Z, front_velocity d0/t0.");
     const DrillString& drillString = scenario.drillString;
     const bool forced = isForced(scenario);
     const Section& section = *allSections(drillString)[place.section];
@@ -178,7 +127,7 @@ std::string stringHistoryColumns(const Scenario& scenario, const StringPlace& pl
            (forced ? "blow" : "hammer") +
            " has given to the string less the impulse on the rock; penetration is that of the bit below the "
            "first surface of the rock" +
-           (units == OutputUnits::si ? ". Units stand in the header."
+           (isSi     ? ". Units stand in the header."
             : forced ? "; units: time t0, force F0 = I0/t0, impulse and momentum I0, penetration "
                        "2 I0/Z, velocities v0 = I0/m."
                      : "; units: time t0, force F0 = Z v0/2, impulse and momentum those of "

@@ -10,7 +10,6 @@
 #include "core/model/scales.h"
 #include "core/study/rows/output_column.h"
 #include "core/wave/impact.h"
-#include "core/wave/problem.h"
 
 namespace drillwave {
 
@@ -24,27 +23,19 @@ std::string scenarioHeader(std::string_view scenarioYaml, std::string_view metho
 /// such lines.
 std::string scenarioFromHeader(std::string_view csv);
 
-/// time, impact_force, impulse, momentum, incident_wave, penetration, front_velocity at the front end: from
-/// the arrival of the first wave to the end of the recording, a time twice where a curve jumps. The wave is a
-/// normal force, tension positive; everything else is positive towards the rock. Momentum is that of the rod.
-/// Penetration is that of the bit below the first surface of the rock, negative while it is above. `scales`
-/// of the scenario turn the columns into SI; without, forces are in F0, times in t0, lengths in d0,
-/// velocities in d0/t0. Requires an impact solved with Detail::histories.
-std::string historiesCsv(const Impact& impact, const Problem& problem, OutputUnits units,
-                         const Scales& scales);
+/// Of a rod time, impact_force, impulse, momentum, incident_wave, penetration, front_velocity at the front
+/// end: from the arrival of the first wave to the end of the recording. The wave is a normal force, tension
+/// positive; everything else is positive towards the rock. Momentum is that of the rod. Penetration is that
+/// of the bit below the first surface of the rock, negative while it is above. Of a string these but for the
+/// wave, from the first touch to where it was followed, then face_force of hammer and string, and
+/// normal_force, positive_wave and negative_wave, tension positive, and velocity at a place of it; momentum
+/// is what the hammer has given to the string less the impulse on the rock. A time comes twice where a curve
+/// jumps. Without SI forces are in F0, times in t0, lengths in d0, velocities in d0/t0; of a string in v0.
+/// Requires Impact::hasHistories().
+std::string historiesCsv(const Blow& blow, const StringPlace& place, OutputUnits units);
 
-/// Signs and units of these columns in one line, for the header of the file.
-std::string historyColumns(OutputUnits units);
-
-/// The same of a drill string whose waves were kept, from the first touch to where it was followed; and
-/// behind these columns face_force of hammer and string, then normal_force, positive_wave and negative_wave,
-/// tension positive, and velocity at a place. Momentum is what the hammer has given to the string less the
-/// impulse on the rock.
-std::string stringHistoriesCsv(const Blow& blow, const StringPlace& place, OutputUnits units,
-                               const Scales& scales);
-
-/// Signs and units of these, and where the place is.
-std::string stringHistoryColumns(const Scenario& scenario, const StringPlace& place, OutputUnits units);
+/// Signs and units of these columns in one line, for the header of the file, and where the place is.
+std::string historyColumns(const Scenario& scenario, const StringPlace& place, OutputUnits units);
 
 /// kind, time of every event.
 std::string eventsCsv(const Impact& impact, OutputUnits units, const Scales& scales);

@@ -91,7 +91,7 @@ bool ExportMenu::eventFilter(QObject* watched, QEvent* event) {
 }
 
 void ExportMenu::saveHistories() {
-    if (const SolvedBlowPtr blow = m_sources.blow(); blow && !hasHistories(*blow))
+    if (const SolvedBlowPtr blow = m_sources.blow(); blow && blow->isSolved() && !blow->impact.hasHistories())
         return fail(tr("The waves of this blow are more than can be kept: there are no histories."));
     saveFile(tr("Export the histories"), QStringLiteral("_histories.csv"), historiesFile);
 }
@@ -151,7 +151,7 @@ void ExportMenu::writeFolder(const QString& folder, SolvedRun run, ExistingFiles
     addThrustMargin(run.blow);
     const std::vector<std::string> formats(pictureFormats.begin(), pictureFormats.end());
     Pictures pictures;
-    if (hasHistories(run.blow)) pictures = drawBlowPlots(run.blow, formats);
+    if (run.blow.impact.hasHistories()) pictures = drawBlowPlots(run.blow, formats);
     if (!pictures.problem.isEmpty()) return fail(pictures.problem);
     const FolderEnd end = writeWholeFolder(QFile::encodeName(folder).toStdString(),
                                            runFolder(run, std::move(pictures.files)), existing);

@@ -13,16 +13,6 @@
 #include "ui/text/unit_choice.h"
 
 namespace drillwave {
-namespace {
-
-/// The middle of a rod; in a string that of its longest section, where histories.csv has its waves too.
-double shownSection(const Blow& blow) {
-    if (!blow.isOfString()) return 0.5;
-    const DrillString& drill = blow.scenario.drillString;
-    return shareOfString(drill, middleOfLongest(drill));
-}
-
-}  // namespace
 
 PaperReader PaperReader::of(const UnitChoice& units) {
     const PaperReader reader{units.physicalSystem(), units.chosen(), QLocale()};
@@ -51,33 +41,16 @@ std::shared_ptr<QCustomPlot> emptyPaperPlot(const QLocale& locale) {
     return plot;
 }
 
+// In the middle of a rod; in a string in that of its longest section, where histories.csv has its waves too.
 PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader) {
-    return paperPlot<BlowPlots>(
-        blowCurves(blow, reader.unitsFor(blow.scenario), shownSection(blow), Tail::cut), {180, 240},
-        reader.locale);
+    const DrillString& drill = blow.scenario.drillString;
+    return paperPlot<BlowPlots>(blowCurves(blow, reader.unitsFor(blow.scenario),
+                                           shareOfString(drill, middleOfLongest(drill)), Tail::cut),
+                                {180, 240}, reader.locale);
 }
 
 PaperPlot rockPaperPlot(const Blow& blow, const PaperReader& reader) {
     return paperPlot<RockPlot>(rockCurve(blow, reader.unitsFor(blow.scenario)), {120, 90}, reader.locale);
-}
-
-PaperPlot blowPaperPlot(const Scenario& scenario, const Impact& impact, const PaperReader& reader) {
-    const Problem problem = problemOf(scenario);
-    return paperPlot<BlowPlots>(
-        blowCurves(impact, problem.force(), reader.unitsFor(scenario), 0.5, Tail::cut), {180, 240},
-        reader.locale);
-}
-
-PaperPlot rockPaperPlot(const Scenario& scenario, const Impact& impact, const PaperReader& reader) {
-    return paperPlot<RockPlot>(rockCurve(impact, problemOf(scenario), reader.unitsFor(scenario)), {120, 90},
-                               reader.locale);
-}
-
-PaperPlot rodPaperPlot(const Scenario& scenario, const Impact& impact, const std::stop_token& stop,
-                       const PaperReader& reader) {
-    const Problem problem = problemOf(scenario);
-    return paperPlot<RodPlot>(rodCurves(impact, problem.force(), scenario, reader.unitsFor(scenario), stop),
-                              {180, 110}, reader.locale);
 }
 
 PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop, const PaperReader& reader) {

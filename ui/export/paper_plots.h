@@ -52,17 +52,13 @@ PaperPlot paperPlot(const Shown& shown, Millimetres size, const QLocale& locale 
     return paper;
 }
 
-/// Of a rod or a string that has its histories.
+// Of a blow that has its histories:
+
+/// Waves, impact force, impulse and momentum over time.
 PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader = {});
+/// Force over penetration.
 PaperPlot rockPaperPlot(const Blow& blow, const PaperReader& reader = {});
-/// Waves, impact force, impulse and momentum over time, of an impact solved with Detail::histories.
-PaperPlot blowPaperPlot(const Scenario& scenario, const Impact& impact, const PaperReader& reader = {});
-/// Force over penetration, likewise.
-PaperPlot rockPaperPlot(const Scenario& scenario, const Impact& impact, const PaperReader& reader = {});
-/// The largest stresses over place, likewise.
-PaperPlot rodPaperPlot(const Scenario& scenario, const Impact& impact, const std::stop_token& stop,
-                       const PaperReader& reader = {});
-/// The same of a rod or a string that has its histories.
+/// The largest stresses over place.
 PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop, const PaperReader& reader = {});
 /// Hammer and string to scale.
 PaperPlot stringPaperPlot(const Scenario& scenario, const PaperReader& reader = {});

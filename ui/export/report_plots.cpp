@@ -3,6 +3,8 @@
 
 #include <qcustomplot.h>
 
+#include "core/model/blow_traits.h"
+
 namespace drillwave {
 namespace {
 
@@ -12,73 +14,56 @@ ReportPlot placed(const char* name, const char* caption, PaperPlot paper, Millim
     return {{name, caption, name}, std::move(paper)};
 }
 
-constexpr const char* rockCaption = "Force over penetration: the area inside stays in the rock as energy.";
-
-void addThrust(std::vector<ReportPlot>& plots, const BlowReport& report, const PaperReader& reader) {
-    if (report.thrust && report.thrust->along)
-        plots.push_back(placed("thrust", "Needs of the thrust and the installed one over the blow frequency.",
-                               thrustPaperPlot(*report.thrust, reader), {180, 68}));
-}
-
-// The string stands with its sections; curves are there where the waves were kept.
-std::vector<ReportPlot> stringPlots(const BlowReport& report, const PaperReader& reader,
-                                    const std::stop_token& stop) {
-    const Blow& blow = report.blow;
-    std::vector<ReportPlot> plots;
-    plots.push_back(
-        placed(stringPicture.data(),
-               "Hammer (dark) and string to scale, lengths and diameters each to their own, with the "
-               "places of the sections; the bore is dashed, the rock at the right.",
-               stringPaperPlot(blow.scenario, reader), {180, 44}));
-    if (!blow.impact.hasHistories()) {
-        addThrust(plots, report, reader);
-        return plots;
-    }
-    plots.push_back(placed("rock", rockCaption, rockPaperPlot(blow, reader), {120, 66}));
-    plots.push_back(
-        placed("blow",
-               "The force N in the middle of the longest section and its waves, the impact force, its "
-               "impulse and the momentum of the string over time.",
-               blowPaperPlot(blow, reader), {180, 128}));
+// Curves are there where the waves were kept. Of a rod, on paper, the first one fills the page of the words,
+// the next two a page, the others the last one.
+void addCurves(std::vector<ReportPlot>& plots, const Blow& blow, const PaperReader& reader,
+               const std::stop_token& stop) {
+    const bool ofSections = hasSections(blow.scenario);
+    plots.push_back(placed("rock", "Force over penetration: the area inside stays in the rock as energy.",
+                           rockPaperPlot(blow, reader), {120, 66}));
+    plots.push_back(placed(
+        "blow",
+        ofSections ? "The force N in the middle of the longest section and its waves, the impact "
+                     "force, its impulse and the momentum of the string over time."
+                   : "The force N at the middle of the rod and its waves, the impact force, its impulse "
+                     "and the momentum of the rod over time.",
+        blowPaperPlot(blow, reader), {180, 128}));
+    if (!ofSections)
+        plots.push_back(
+            placed("wave_picture",
+                   "The force in the rod over place and time, tension positive; bars at the right "
+                   "show the contact of bit and rock. On the scale of colours a line is the least or "
+                   "largest force, a triangle one beyond the colours.",
+                   wavePaperPlot(blow, reader), {180, 86}));
     plots.push_back(
         placed("rod",
-               "The largest tension and compression along hammer (below 0) and string while the blow "
-               "lasts, with the strengths of the sections.",
+               ofSections ? "The largest tension and compression along hammer (below 0) and string while the "
+                            "blow lasts, with the strengths of the sections."
+                          : "The largest tension and compression along the rod, while the blow lasts and of "
+                            "the waves left.",
                rodPaperPlot(blow, stop, reader), {180, 84}));
-    addThrust(plots, report, reader);
-    return plots;
 }
 
 }  // namespace
 
 std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader& reader,
                                     const std::stop_token& stop) {
-    if (report.blow.isOfString()) return stringPlots(report, reader, stop);
-    const Blow& blow = report.blow;
     std::vector<ReportPlot> plots;
-    // On paper the first one fills the page of the words, the next two a page, the others the last one.
-    plots.push_back(
-        placed("rock", rockCaption, rockPaperPlot(blow.scenario, blow.impact, reader), {120, 66}));
-    plots.push_back(
-        placed("blow",
-               "The force N at the middle of the rod and its waves, the impact force, its impulse "
-               "and the momentum of the rod over time.",
-               blowPaperPlot(blow.scenario, blow.impact, reader), {180, 128}));
-    plots.push_back(placed("wave_picture",
-                           "The force in the rod over place and time, tension positive; bars at the right "
-                           "show the contact of bit and rock. On the scale of colours a line is the least or "
-                           "largest force, a triangle one beyond the colours.",
-                           wavePaperPlot(blow, reader), {180, 86}));
-    plots.push_back(placed("rod",
-                           "The largest tension and compression along the rod, while the blow lasts and of "
-                           "the waves left.",
-                           rodPaperPlot(blow.scenario, blow.impact, stop, reader), {180, 84}));
+    if (hasSections(report.blow.scenario))
+        plots.push_back(
+            placed(stringPicture.data(),
+                   "Hammer (dark) and string to scale, lengths and diameters each to their own, with the "
+                   "places of the sections; the bore is dashed, the rock at the right.",
+                   stringPaperPlot(report.blow.scenario, reader), {180, 44}));
+    if (report.blow.impact.hasHistories()) addCurves(plots, report.blow, reader, stop);
     if (report.gap)
         plots.push_back(placed("gap",
                                "Restitution over one period of the gap between bit and rock, and how it is "
                                "distributed when all gaps are alike.",
                                gapPaperPlot(*report.gap, reader), {180, 72}));
-    addThrust(plots, report, reader);
+    if (report.thrust && report.thrust->along)
+        plots.push_back(placed("thrust", "Needs of the thrust and the installed one over the blow frequency.",
+                               thrustPaperPlot(*report.thrust, reader), {180, 68}));
     return plots;
 }
 

@@ -3,6 +3,9 @@
 
 #include <cassert>
 
+#include "core/contact/contact_law.h"
+#include "core/wave/field/bit_motion.h"
+#include "core/wave/field/wave_curves.h"
 #include "core/wave/field/wave_field.h"
 
 namespace drillwave {
@@ -21,12 +24,35 @@ RodState rodState(const Impact& impact, const PulseForce& pulse, double xi, doub
     const WaveField field(impact);
     const double taken = field.impactImpulse(t);
     const double positive = field.positiveWave(xi, t), negative = field.negativeWave(xi, t);
-    return {.normalForce = positive + negative,
+    return {.time = t,
             .impactForce = field.impactForce(t),
             .impulse = taken,
             .momentum = rodMomentum(pulse, t, taken),
+            .normalForce = positive + negative,
             .positiveWave = positive,
             .negativeWave = negative};
+}
+
+std::vector<RodState> sampledStates(const Impact& impact, const Problem& problem) {
+    const SampledHistory history = sampleHistory(impact);
+    std::vector<RodState> states(history.time.size());
+    ContactLaw<> rock(problem.law);
+    for (std::size_t i = 0; i < states.size(); ++i) {
+        const double time = history.time[i], force = history.force[i], incident = history.incident[i];
+        rock.rememberAcross(force);
+        // Of the law of the rock while it pushes, where the displacement of the bit would have its digits
+        // cancelled by those of a much longer way.
+        const double penetration = force > 0 ? rock.penetration(force) * lawUnitOfPenetration
+                                             : bitDisplacement(impact, time) - problem.firstGap();
+        states[i] = {.time = time,
+                     .impactForce = force,
+                     .impulse = history.impulse[i],
+                     .momentum = rodMomentum(problem.force(), time, history.impulse[i]),
+                     .penetration = penetration,
+                     .frontVelocity = incident - force / 2,
+                     .positiveWave = incident == 0 ? 0 : -incident};
+    }
+    return states;
 }
 
 }  // namespace drillwave

@@ -48,7 +48,7 @@ class TestBlowWaves : public QObject {
         for (const double x : {0.05, 0.4, 0.93}) {
             const StringHistory history(blow.impact, blow.problem, stringPlace(blow.scenario.drillString, x));
             for (double t = 0.013; t < waves.end(); t += 0.37, ++compared) {
-                const StringInstant now = history.at(t);
+                const RodState now = history.at(t);
                 QVERIFY(std::abs(waves.value(WaveQuantity::force, x, t) - now.normalForce) < 1e-9);
                 // velocities in F0/Z, of which v0 has two
                 QVERIFY(std::abs(waves.value(WaveQuantity::velocity, x, t) - 2 * now.velocity) < 1e-9);
@@ -88,7 +88,7 @@ class TestBlowWaves : public QObject {
         int touching = 0, apart = 0;
         for (double t = 0.1; t < waves.end(); t += 0.4) {
             const BitState bit = waves.bit(contacts, t);
-            const StringInstant now = history.at(t);
+            const RodState now = history.at(t);
             if (bit.touching) {
                 QCOMPARE(bit.penetration, now.penetration);
                 ++touching;
@@ -164,13 +164,6 @@ class TestBlowWaves : public QObject {
         QVERIFY(waves.raster(WaveQuantity::force, grid).values ==
                 waveRaster(blow.impact, WaveQuantity::force, grid).values);
         QCOMPARE(waves.fronts(), pulseFronts(blow.problem.force()));
-    }
-
-    void wavesThatWereNotKeptCannotBeRead() {
-        Blow blow = solvedExample("r32_string");
-        QVERIFY(BlowWaves::areKept(blow));
-        blow.impact.waves.reset();
-        QVERIFY(!BlowWaves::areKept(blow));
     }
 };
 

@@ -119,23 +119,23 @@ class TestStringBlow : public QObject {
     void itsHistoryIsThatOfTheBlow() {
         const Blow blow = solveBlow(t38(), {}, Detail::histories);
         const StringHistory history(blow.impact, blow.problem, middleOfLongest(blow.scenario.drillString));
-        const std::vector<StringInstant> rows = history.sampled();
+        const std::vector<RodState> rows = history.sampled();
         QVERIFY(rows.size() > 1000);
-        QVERIFY(std::ranges::is_sorted(rows, {}, &StringInstant::time));
+        QVERIFY(std::ranges::is_sorted(rows, {}, &RodState::time));
         QCOMPARE(rows.front().time, 0.0);
         QCOMPARE(rows.back().time, history.end());  // of one of the two runs of a blow
         QVERIFY(history.end() > blow.summary.separationTime);
         QVERIFY(std::abs(rows.back().impulse - blow.summary.impulse) < 1e-7);
         QVERIFY(std::abs(rows.back().momentum - blow.summary.stringMomentum) < 1e-7);
         double deepest = 0;
-        for (const StringInstant& now : rows) {
+        for (const RodState& now : rows) {
             deepest = std::max(deepest, now.penetration);
             QVERIFY(std::abs(now.positiveWave + now.negativeWave - now.normalForce) < 1e-12);
         }
         QVERIFY(std::abs(deepest - blow.summary.maxPenetration) < 1e-4 * deepest);
         // the first wave of the hammer arrives after its way through adapter, coupling and half a rod
         const auto first =
-            std::ranges::find_if(rows, [](const StringInstant& now) { return now.normalForce < -1e-6; });
+            std::ranges::find_if(rows, [](const RodState& now) { return now.normalForce < -1e-6; });
         const std::vector<UniformSection>& sections = blow.problem.sections;
         const double way = sections[2].transitTime + sections[3].transitTime + sections[4].transitTime / 2;
         QVERIFY(std::abs(first->time - way) < 1e-9);

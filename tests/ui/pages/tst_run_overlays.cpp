@@ -367,8 +367,7 @@ void TestRunOverlays::theRodHasTheEnvelopes() {
         QCOMPARE(paths[number]->pen().dashPattern(), expected.dashPattern());
     }
     // Along the compression of the run, then back along its tension.
-    const RodCurves curves = rodCurves(run(0).blow->impact, run(0).blow->problem.force(),
-                                       run(0).contents.scenario, run(0).blow->units);
+    const RodCurves curves = rodCurves(*run(0).blow, run(0).blow->units);
     const auto& points = *paths[0]->data();
     const int compression = curves.curve(RodLine::compression)->size();
     QCOMPARE(points.size(), compression + 1 + curves.curve(RodLine::tension)->size());

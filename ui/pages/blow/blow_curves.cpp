@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/blow/blow_waves.h"
 #include "core/model/visible_pulse.h"
 #include "core/wave/field/rod_state.h"
 #include "core/wave/field/section_force.h"
@@ -50,64 +51,49 @@ double interestingEnd(const Blow& blow, double last) {
     return end > 0 ? std::min(end, last) : last;
 }
 
-BlowCurves stringCurves(const Blow& blow, const ShownUnits& units, double section, Tail tail) {
-    BlowCurves curves;
-    curves.units = units;
-    curves.section = section;
-    curves.place = stringPlace(blow.scenario.drillString, section);
-    const DrillString& drill = blow.scenario.drillString;
-    const Section& at = *allSections(drill)[curves.place->section];
+/// In which section of a string the waves are observed.
+void namePlace(BlowCurves& curves, const DrillString& drill) {
+    const std::vector<const Section*> sections = allSections(drill);
+    if (sections.empty()) return;
+    curves.place = stringPlace(drill, curves.section);
+    const Section& at = *sections[curves.place->section];
     const auto number = static_cast<int>(curves.place->section) + 1;
     const auto ofHammer = static_cast<int>(drill.hammer.sections.size());
     curves.sectionNumber = number > ofHammer ? number - ofHammer : -number;
     curves.sectionName = QString::fromStdString(at.name);
     curves.fromRear = curves.place->share * at.length;
-    for (GraphData* each : {&curves.sectionForce, &curves.force, &curves.faceForce, &curves.impulse,
-                            &curves.momentum, &curves.waves[0], &curves.waves[1], &curves.waves[2],
-                            &curves.waves[3], &curves.laterWaves[0], &curves.laterWaves[1]})
-        *each = GraphData::create();
-    if (!blow.impact.waves) return curves;
-    const StringHistory history(blow.impact, blow.problem, *curves.place);
-    const double end = interestingEnd(blow, history.end());
+}
+
+void addString(BlowCurves& curves, const Blow& blow, const ShownUnits& units, Tail tail) {
+    const BlowWaves waves(blow);
+    const double end = interestingEnd(blow, waves.end());
     curves.timeEnd = end * units.time.factor;
-    std::vector<StringInstant> rows = history.sampled();
-    if (tail == Tail::cut) std::erase_if(rows, [end](const StringInstant& now) { return now.time > end; });
-    const auto curve = [&](double StringInstant::*value, const ShownUnit& unit) {
+    std::vector<RodState> rows = waves.sampled(*curves.place);
+    if (tail == Tail::cut) std::erase_if(rows, [end](const RodState& now) { return now.time > end; });
+    const auto curve = [&](double RodState::*value, const ShownUnit& unit) {
         QVector<QCPGraphData> points;
         points.reserve(static_cast<qsizetype>(rows.size()));
-        for (const StringInstant& now : rows)
+        for (const RodState& now : rows)
             appendFinite(points, now.time * units.time.factor, now.*value * unit.factor);
         return graphData(points);
     };
-    curves.sectionForce = curve(&StringInstant::normalForce, units.force);
-    curves.waves[0] = curve(&StringInstant::positiveWave, units.force);
-    curves.waves[1] = curve(&StringInstant::negativeWave, units.force);
-    curves.force = curve(&StringInstant::impactForce, units.force);
-    curves.faceForce = curve(&StringInstant::faceForce, units.force);
-    curves.impulse = curve(&StringInstant::impulse, units.impulse);
-    curves.momentum = curve(&StringInstant::momentum, units.impulse);
-    return curves;
+    curves.sectionForce = curve(&RodState::normalForce, units.force);
+    curves.waves[0] = curve(&RodState::positiveWave, units.force);
+    curves.waves[1] = curve(&RodState::negativeWave, units.force);
+    curves.force = curve(&RodState::impactForce, units.force);
+    curves.faceForce = curve(&RodState::faceForce, units.force);
+    curves.impulse = curve(&RodState::impulse, units.impulse);
+    curves.momentum = curve(&RodState::momentum, units.impulse);
 }
 
-}  // namespace
-
-BlowCurves blowCurves(const Blow& blow, const ShownUnits& units, double section, Tail tail) {
-    return blow.isOfString()
-               ? stringCurves(blow, units, section, tail)
-               : blowCurves(blow.impact, blow.problem.force(), units, std::max(0.0, section), tail);
-}
-
-BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const ShownUnits& units, double section,
-                      Tail tail) {
-    BlowCurves curves;
-    curves.units = units;
-    curves.section = section;
-    curves.waves.fill(GraphData::create());
-    const std::vector<SectionWave> waves = sectionWaves(impact, section, BlowCurves::waveCount);
+void addRod(BlowCurves& curves, const Impact& impact, const PulseForce& pulse, const ShownUnits& units,
+            Tail tail) {
+    curves.section = std::max(0.0, curves.section);
+    const std::vector<SectionWave> waves = sectionWaves(impact, curves.section, BlowCurves::waveCount);
     for (const SectionWave& wave : waves)
         curves.waves[static_cast<std::size_t>(wave.number)] = waveData(wave.curve, units);
     const double end = interestingEnd(impact, pulse, waves);
-    const SectionForce all = sectionForce(impact, section, waves, end);
+    const SectionForce all = sectionForce(impact, curves.section, waves, end);
     curves.laterWaves = {waveData(all.toBit, units), waveData(all.fromBit, units)};
     curves.sectionForce = graphData(shownPoints(all.force.time, all.force.value, units.time, units.force));
     curves.timeEnd = end * units.time.factor;
@@ -117,6 +103,23 @@ BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const Shown
     curves.impulse = historyData(shownPoints(history.time, history.impulse, units.time, units.impulse),
                                  curves.timeEnd, tail);
     curves.momentum = historyData(momentumPoints(impact, pulse, history.time, units), curves.timeEnd, tail);
+}
+
+}  // namespace
+
+BlowCurves blowCurves(const Blow& blow, const ShownUnits& units, double section, Tail tail) {
+    BlowCurves curves;
+    curves.units = units;
+    curves.section = section;
+    for (GraphData* each : {&curves.sectionForce, &curves.force, &curves.faceForce, &curves.impulse,
+                            &curves.momentum, &curves.laterWaves[0], &curves.laterWaves[1]})
+        *each = GraphData::create();
+    curves.waves.fill(GraphData::create());
+    namePlace(curves, blow.scenario.drillString);
+    if (blow.impact.waves)
+        addString(curves, blow, units, tail);
+    else if (blow.impact.hasHistories())
+        addRod(curves, blow.impact, blow.problem.force(), units, tail);
     return curves;
 }
 

@@ -8,8 +8,6 @@
 
 #include "core/blow/blow.h"
 #include "core/blow/string_curves.h"
-#include "core/model/pulse_force.h"
-#include "core/wave/impact.h"
 #include "ui/pages/blow/closed_form_curve.h"
 #include "ui/plot/graph_data.h"
 #include "ui/runs/run_overlay.h"
@@ -40,11 +38,7 @@ struct BlowCurves {
     std::vector<RunOverlay<BlowCurves>> runs = {};  ///< laid over them
 };
 
-/// Of a rod or a string; of a string whose waves were not kept, no curves.
+/// No curves where the histories were not kept.
 BlowCurves blowCurves(const Blow& blow, const ShownUnits& units, double section, Tail tail = Tail::kept);
-
-/// Requires an impact solved with Detail::histories.
-BlowCurves blowCurves(const Impact& impact, const PulseForce& pulse, const ShownUnits& units, double section,
-                      Tail tail = Tail::kept);
 
 }  // namespace drillwave

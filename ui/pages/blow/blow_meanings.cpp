@@ -80,7 +80,7 @@ BlowMeanings blowMeanings(const SolvedBlowPtr& blow) {
     meanings.laterWaves.fill(forceMeaning(units));
     meanings.closedForm = forceMeaning(units);
     meanings.faceForce = forceMeaning(units);
-    if (blow->isOfString()) {
+    if (blow->impact.waves) {
         meanings.waves[0] = force(&RodState::positiveWave);
         meanings.waves[1] = force(&RodState::negativeWave);
         meanings.sectionForce = force(&RodState::normalForce);

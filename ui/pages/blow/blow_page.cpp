@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "core/blow/blow_waves.h"
+#include "core/model/blow_traits.h"
 #include "core/signal/alignment.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_plots.h"
@@ -26,8 +27,7 @@ constexpr int hintChars = 125;  // wide enough for a hint beside the other words
 
 /// x/L of a place that is x [m] from the struck end, in the rod or string, or in its hammer.
 double shareAt(const Scenario& scenario, double x) {
-    const double rear = isString(scenario) ? hammerRear(scenario.drillString) : 0;
-    return std::clamp(x / chainProperties(scenario).length, rear, 1.0);
+    return std::clamp(x / chainProperties(scenario).length, hammerRear(scenario.drillString), 1.0);
 }
 
 QString misfitText(const Misfit& misfit, const SolvedBlow& blow) {
@@ -121,8 +121,7 @@ PreparePage BlowPage::prepare() const {
             curves.runs = runOverlays(*runs, blow, made, [=](const SolvedBlow& run, const ShownUnits& units) {
                 return blowCurves(run, units, section);
             });
-            if (!blow.isOfString())
-                curves.closedForm = closedFormCurve(blow.problem, blow.units, curves.timeEnd);
+            curves.closedForm = closedFormCurve(blow.problem, blow.units, curves.timeEnd);
             return PageData::of(std::move(curves));
         };
 }
@@ -143,12 +142,11 @@ void BlowPage::showPlace() {
     m_place->setVisible(hasLength);
     if (!hasLength) return;
     const Scenario& scenario = m_blow->request.scenario;
-    const bool ofString = isString(scenario);
     const double x = m_observation.section() * chainProperties(scenario).length;
     const QString place = quantityText(std::abs(x), m_blow->units.of(UnitKind::length, x), QLocale());
-    m_place->setText((x < 0      ? tr("%1 behind the face of the hammer")
-                      : ofString ? tr("%1 from the shank")
-                                 : tr("%1 from the struck end"))
+    m_place->setText((x < 0                   ? tr("%1 behind the face of the hammer")
+                      : hasSections(scenario) ? tr("%1 from the shank")
+                                              : tr("%1 from the struck end"))
                          .arg(place));
 }
 
@@ -158,7 +156,7 @@ void BlowPage::showInstant() {
     m_plot->reader().place(PlotCursor::time,
                            isKnown ? std::optional(*time * m_blow->units.time.factor) : std::nullopt);
     if (!isKnown) return m_instant->setText(tr("No time chosen: click an event, or press T over the plots."));
-    if (!BlowWaves::areKept(*m_blow)) return m_instant->setText(QString());
+    if (!m_blow->impact.hasHistories()) return m_instant->setText(QString());
     const RodState instant = BlowWaves(*m_blow).state(m_observation.section(), *time);
     const ShownUnits& units = m_blow->units;
     const QLocale locale;
@@ -174,7 +172,7 @@ void BlowPage::setResult(const SolvedBlowPtr& blow) {
     m_blow = blow;
     const auto* curves = blow->page<BlowCurves>();
     showMeasured();  // in the units on show before the axes are fitted to it
-    if (curves && !(curves->timeEnd > 0) && blow->isOfString()) {
+    if (curves && !(curves->timeEnd > 0)) {
         m_plots->showNothing(tr("Nothing to show: the waves of this blow are more than can be kept."));
     } else if (curves) {
         carryCursors();
@@ -256,7 +254,7 @@ struct BlowPage::ComputedForce {
 
 // With N in its own section, or the impact force, over the time that the plots show.
 std::optional<BlowPage::ComputedForce> BlowPage::computedFor(const MeasuredSignal& signal) const {
-    if (!m_blow || !isComparable(*m_blow) || !BlowWaves::areKept(*m_blow)) return {};
+    if (!m_blow || !isComparable(*m_blow) || !m_blow->impact.hasHistories()) return {};
     const auto* curves = m_blow->page<BlowCurves>();
     if (!curves || !(curves->timeEnd > 0)) return {};
     const Scales scales = scalesOf(m_blow->request.scenario);

@@ -173,7 +173,7 @@ void BlowPlots::present(const BlowCurves& curves) {
         showWhereThere(waves, *waveGraph(static_cast<int>(i)), curves.waves[i], !curves.place);
     for (std::size_t i = 0; i < curves.laterWaves.size(); ++i)
         showWhereThere(waves, *laterGraph(static_cast<int>(i)), curves.laterWaves[i]);
-    showWhereThere(force, *faceForceGraph(), curves.faceForce ? curves.faceForce : GraphData::create());
+    showWhereThere(force, *faceForceGraph(), curves.faceForce);
     setData(*forceGraph(), curves.force);
     setData(*impulseGraph(), curves.impulse);
     setData(*momentumGraph(), curves.momentum);

@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/blow/impact_summary.h"
 #include "core/contact/contact_law.h"
 #include "core/wave/field/wave_curves.h"
 #include "core/wave/field/wave_field.h"
@@ -15,12 +14,12 @@
 namespace drillwave {
 namespace {
 
-RockCurve::Path pathOf(const Impact& impact, const Problem& problem, const ShownUnits& units) {
+RockCurve::Path pathOf(const Impact& impact, const BitRockLaw& law, const ShownUnits& units) {
     if (!impact.hasHistories()) return RockCurve::Path::create();
     const SampledHistory history = sampleHistory(impact);
     QVector<QCPCurveData> points{QCPCurveData(impact.frontArrival * units.time.factor, 0, 0)};
     points.reserve(static_cast<qsizetype>(history.force.size()) + 1);
-    ContactLaw<> rock(problem.law);
+    ContactLaw<> rock(law);
     for (std::size_t i = 0; i < history.force.size(); ++i) {
         const double force = history.force[i];
         rock.rememberAcross(force);
@@ -91,11 +90,14 @@ QVector<RockLine> linesOf(const BitRockLaw& law, double peakForce, const ShownUn
     }
 }
 
-RockCurve curveOf(const Impact& impact, const Problem& problem, const ImpactSummary& summary,
-                  const ShownUnits& units) {
+}  // namespace
+
+RockCurve rockCurve(const Blow& blow, const ShownUnits& units) {
+    const ImpactSummary& summary = blow.summary;
+    const BitRockLaw& law = blow.problem.law;
     const double peakForce = summary.peakForce * units.force.factor;
-    const auto path = pathOf(impact, problem, units);
-    const auto slopes = ContactLaw<>(problem.law).slopes();
+    const auto path = pathOf(blow.impact, law, units);
+    const auto slopes = ContactLaw<>(law).slopes();
     return {.units = units,
             .path = path,
             .outline = outlineOf(path, peakForce),
@@ -104,26 +106,10 @@ RockCurve curveOf(const Impact& impact, const Problem& problem, const ImpactSumm
             .residualPenetration = summary.residualPenetration * units.penetration.factor,
             .loading = slopes.primary * units.stiffness.factor,
             .unloading = slopes.elastic * units.stiffness.factor,
-            .lines = linesOf(problem.law, summary.peakForce, units),
-            .energy = summary.energy.rockWork * summary.workRatio * units.energy.factor,
-            .energyShare = summary.energy.rockWork};
-}
-
-}  // namespace
-
-RockCurve rockCurve(const Blow& blow, const ShownUnits& units) {
-    if (!blow.isOfString()) return rockCurve(blow.impact, blow.problem, units);
-    Problem rock;
-    rock.law = blow.problem.law;
-    ImpactSummary summary = blow.summary;
-    summary.workRatio = 1;  // what stays in the rock is told in shares of the hammer's energy
-    RockCurve curve = curveOf(blow.impact, rock, summary, units);
-    curve.ofHammerEnergy = true;
-    return curve;
-}
-
-RockCurve rockCurve(const Impact& impact, const Problem& problem, const ShownUnits& units) {
-    return curveOf(impact, problem, summarize(impact, problem), units);
+            .lines = linesOf(law, summary.peakForce, units),
+            .energy = summary.energy.rockWork * blow.drivenEnergy() * units.energy.factor,
+            .energyShare = summary.energy.rockWork,
+            .ofHammerEnergy = !isForced(blow.scenario)};
 }
 
 QPointF rockPoint(const RockCurve& curve, double time) {

@@ -7,8 +7,6 @@
 #include <QVector>
 
 #include "core/blow/blow.h"
-#include "core/wave/impact.h"
-#include "core/wave/problem.h"
 #include "ui/runs/run_overlay.h"
 #include "ui/text/shown_units.h"
 
@@ -41,16 +39,13 @@ struct RockCurve {
     QVector<RockLine> lines = {};                  ///< up to the peak; one without corners
     double energy = 0;                             ///< left in the rock: the enclosed area
     double energyShare = 0;                        ///< of the hammer work
-    bool ofHammerEnergy = false;                   ///< of a string: the share is that of its energy E0
+    bool ofHammerEnergy = false;                   ///< of a hammer: the share is that of its energy E0
     std::vector<RunOverlay<RockCurve>> runs = {};  ///< laid over it
 };
 
-/// Of a rod or a string; of a string whose waves were not kept, without a path.
+/// Of a solved blow; without a path where the histories were not kept. The penetration follows from the force
+/// by the law of the rock alone, ContactLaw::penetration(). While apart it is what stays.
 RockCurve rockCurve(const Blow& blow, const ShownUnits& units);
-
-/// Requires an impact solved with Detail::histories. The penetration follows from the force by the law of
-/// the rock alone, ContactLaw::penetration(). While apart it is what stays.
-RockCurve rockCurve(const Impact& impact, const Problem& problem, const ShownUnits& units);
 
 /// Penetration and force at a global time in shown units; at either end of the path before and behind it.
 QPointF rockPoint(const RockCurve& curve, double time);

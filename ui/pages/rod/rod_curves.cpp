@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "core/model/blow_traits.h"
 #include "core/text/csv.h"
 #include "core/text/units.h"
 
@@ -49,24 +50,18 @@ RodForce RodCurves::forceAt(RodLine line, double section) const {
 }
 
 RodCurves rodCurves(const Blow& blow, const ShownUnits& units, const std::stop_token& stop) {
-    if (!blow.isOfString()) return rodCurves(blow.impact, blow.problem.force(), blow.scenario, units, stop);
     RodCurves curves;
     curves.units = units;
-    curves.string = stringRod(blow);
     curves.strengthFactor = units.stress.factor / scalesOf(blow.scenario).stress;
-    curves.envelope = stringRodEnvelope(*curves.string, blow, stop);
+    if (hasSections(blow.scenario)) {
+        curves.string = stringRod(blow);
+        curves.envelope = stringRodEnvelope(*curves.string, blow, stop);
+    } else {
+        curves.envelope = rodEnvelope(blow.impact, blow.problem.force(), stop);
+        curves.yieldStrength = shownStrength(blow.scenario.rod.yieldStrength, blow.scenario, units);
+        curves.fatigueStrength = shownStrength(blow.scenario.rod.fatigueStrength, blow.scenario, units);
+    }
     for (const RodLine line : rodLines) curves.curves[static_cast<std::size_t>(line)] = curveOf(curves, line);
-    return curves;
-}
-
-RodCurves rodCurves(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,
-                    const ShownUnits& units, const std::stop_token& stop) {
-    RodCurves curves;
-    curves.units = units;
-    curves.envelope = rodEnvelope(impact, pulse, stop);
-    for (const RodLine line : rodLines) curves.curves[static_cast<std::size_t>(line)] = curveOf(curves, line);
-    curves.yieldStrength = shownStrength(scenario.rod.yieldStrength, scenario, units);
-    curves.fatigueStrength = shownStrength(scenario.rod.fatigueStrength, scenario, units);
     return curves;
 }
 

@@ -10,10 +10,8 @@
 #include <vector>
 
 #include "core/blow/blow.h"
-#include "core/model/pulse_force.h"
 #include "core/model/scenario.h"
 #include "core/wave/field/rod_envelope.h"
-#include "core/wave/impact.h"
 #include "ui/pages/rod/string_rod.h"
 #include "ui/plot/graph_data.h"
 #include "ui/runs/run_overlay.h"
@@ -66,12 +64,9 @@ struct RodCurves {
     double position(const RodForce& force) const { return force.section * units.length.factor; }
 };
 
-/// Of a rod or a string; of a string whose waves were not kept, no lines.
+/// Of a string whose waves were not kept, no lines; of a rod its histories are required. A stop ends the work
+/// early, with lines that are too low.
 RodCurves rodCurves(const Blow& blow, const ShownUnits& units, const std::stop_token& stop = {});
-
-/// Requires an impact solved with Detail::histories. A stop ends the work early, with lines that are too low.
-RodCurves rodCurves(const Impact& impact, const PulseForce& pulse, const Scenario& scenario,
-                    const ShownUnits& units, const std::stop_token& stop = {});
 
 /// For each line position, stress and the time at which it occurs, side by side, in the units shown.
 QByteArray rodCsv(const RodCurves& curves, char separator);

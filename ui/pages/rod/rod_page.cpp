@@ -121,7 +121,7 @@ void RodPage::showHere() {
 }
 
 std::optional<double> RodPage::stressAt(double section, double time) const {
-    if (!BlowWaves::areKept(*m_blow)) return {};
+    if (!m_blow->impact.hasHistories()) return {};
     const RodCurves& shown = *curves();
     const BlowWaves waves(*m_blow);
     const double force =

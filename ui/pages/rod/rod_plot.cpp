@@ -131,11 +131,11 @@ void RodPlot::present(const RodCurves& curves) {
 
 void RodPlot::nameAxes() {
     const ShownUnits& units = m_curves.units;
-    const bool isString = m_curves.string.has_value();
-    x()->setLabel(units.length.axisLabel(isString ? tr("position x from the shank, hammer below 0")
-                                                  : tr("position x from the struck end")));
+    const bool hasSections = m_curves.string.has_value();
+    x()->setLabel(units.length.axisLabel(hasSections ? tr("position x from the shank, hammer below 0")
+                                                     : tr("position x from the struck end")));
     const QString stress = !units.stress.dimensionless ? tr("stress (tension positive)")
-                           : isString                  ? tr("stress, as force in the rod (tension positive)")
+                           : hasSections               ? tr("stress, as force in the rod (tension positive)")
                                                        : tr("force N (tension positive)");
     y()->setLabel(units.stress.axisLabel(stress));
 }

@@ -53,7 +53,7 @@ std::string_view fieldKey(int column) {
 }
 
 /// The solver takes no losses inside the hammer.
-bool isOfStringAlone(int column) {
+bool isLossOnTheWay(int column) {
     return column == StringModel::loss || column == StringModel::attenuation;
 }
 
@@ -120,7 +120,7 @@ KeptParameter StringModel::parameterAt(const QModelIndex& index) const {
     const std::string_view field = fieldKey(index.column());
     if (field.empty() || !index.isValid()) return nullptr;
     const StringRow& row = m_rows[static_cast<std::size_t>(index.row())];
-    if (row.spot.inHammer && isOfStringAlone(index.column())) return nullptr;
+    if (row.spot.inHammer && isLossOnTheWay(index.column())) return nullptr;
     const auto chain = row.spot.inHammer ? SectionAddress::Chain::hammer : SectionAddress::Chain::string;
     KeptParameter parameter = findParameter(sectionKey(chain, row.place, field));
     return parameter && parameter->applies(m_document.scenario()) ? parameter : nullptr;
@@ -254,7 +254,7 @@ QString StringModel::toolTip(const QModelIndex& index) const {
                               : during;
     }
     if (const KeptParameter parameter = parameterAt(index)) return fromView(parameter->meaning);
-    if (isOfStringAlone(column)) return tr("The hammer loses nothing inside");
+    if (isLossOnTheWay(column)) return tr("The hammer loses nothing inside");
     return tr("The section is given by its cross-section, not by diameters");
 }
 

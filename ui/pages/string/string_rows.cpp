@@ -58,12 +58,12 @@ std::vector<ChainSection> chainSections(const DrillString& drillString, const st
 
 std::optional<StringResults> stringResults(const SolvedBlow& blow, const std::vector<StringRow>& rows,
                                            const std::vector<ChainSection>& chain) {
-    if (!blow.fault.isEmpty() || !blow.isOfString()) return std::nullopt;
+    if (!blow.fault.isEmpty()) return std::nullopt;
     const DrillString& solved = blow.scenario.drillString;
     const auto spot = [](const StringRow& row) { return row.spot; };
     StringResults results;
     results.sections = sectionStresses(blow.scenario, blow.impact);
-    if (results.sections.size() != chain.size()) return std::nullopt;
+    if (results.sections.empty() || results.sections.size() != chain.size()) return std::nullopt;
     if (!std::ranges::equal(sectionSpots(solved), rows, {}, {}, spot)) return std::nullopt;
     results.rows.resize(rows.size());
     const std::vector<double>& reflected = blow.impact.jointReflection;

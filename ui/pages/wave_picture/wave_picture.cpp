@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/wave/problem.h"
 
@@ -15,9 +16,8 @@ double largestForce(const Blow& blow) {
     if (blow.summary.rodForces)
         return std::max(blow.summary.rodForces->compression.size, blow.summary.rodForces->tension.size);
     double largest = 0;
-    if (blow.isOfString())
-        for (const SectionForces& section : blow.impact.sections)
-            largest = std::max({largest, section.compression.force, section.tension.force});
+    for (const SectionForces& section : blow.impact.sections)
+        largest = std::max({largest, section.compression.force, section.tension.force});
     return largest;
 }
 
@@ -63,12 +63,12 @@ PictureUnits pictureUnits(const Scenario& scenario, const ShownUnits& units) {
         // What a hammer of the same impedance sends into a string has half its velocity.
         const Scales scales = scalesOf(scenario);
         const double velocity =
-            isString(scenario) ? scales.particleVelocity / scales.velocity : groupsOf(scenario).tau;
+            hasSections(scenario) ? scales.particleVelocity / scales.velocity : groupsOf(scenario).tau;
         return {{1, QStringLiteral("L"), true},
                 units.time,
                 units.force,
                 {velocity, QStringLiteral("v₀"), true},
-                isString(scenario) ? units.stress : units.force};
+                hasSections(scenario) ? units.stress : units.force};
     }
     const Scales scales = scalesOf(scenario);
     ShownUnit velocity = units.of(UnitKind::speed, scales.particleVelocity);
@@ -107,7 +107,7 @@ WavePicture wavePicture(const Blow& blow, const ShownUnits& units, const WavePic
     picture.limit = largestMagnitude(blow, waves, need.field);
     picture.fronts = waves.fronts();
     picture.contacts = waves.contacts();
-    if (blow.isOfString()) picture.string = stringPicture(blow, waves);
+    if (blow.impact.waves) picture.string = stringPicture(blow, waves);
     picture.raster = waves.raster(need.field, gridOf(need, need.window.value_or(picture.whole())));
     for (const float value : picture.raster.values) {
         picture.least = std::min(picture.least, value);

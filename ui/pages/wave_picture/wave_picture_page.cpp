@@ -31,7 +31,7 @@ const QString velocityName = QStringLiteral("velocity");
 // Whose waves can be read.
 RunList runsToDraw(const Scenario& scenario, const RunList& runs) {
     RunList drawn = runsLike(scenario, runs);
-    std::erase_if(drawn, [](const Run& run) { return run.isSolved() && !BlowWaves::areKept(*run.blow); });
+    std::erase_if(drawn, [](const Run& run) { return run.isSolved() && !run.blow->impact.hasHistories(); });
     return drawn;
 }
 
@@ -150,7 +150,7 @@ PreparePage WavePicturePage::prepare() const {
     std::vector<RunOverlay<RunWaves>> made;
     if (const WavePicture* shown = m_picture->picture()) made = shown->runs;
     return [need = m_picture->need(), runs = m_runs, made = std::move(made)](const SolvedBlow& blow) {
-        if (!BlowWaves::areKept(blow)) return PageData();
+        if (!blow.impact.hasHistories()) return PageData();
         WavePicture picture = wavePicture(blow, blow.units, need);
         picture.runs = runOverlays(runsToDraw(blow.scenario, *runs), blow, made,
                                    [](const SolvedBlow& run, const ShownUnits&) { return runWaves(run); });
@@ -168,7 +168,7 @@ void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
         m_picture->present(blow);
     else if (!blow->fault.isEmpty())
         m_picture->showNothing(tr("Nothing to show: %1").arg(blow->fault));
-    else if (blow->isOfString() && !BlowWaves::areKept(*blow))
+    else if (!blow->impact.hasHistories())
         m_picture->showNothing(tr("Nothing to show: so many waves that they are not kept."));
     else
         return;  // the answer to an older request, before this page was there to ask

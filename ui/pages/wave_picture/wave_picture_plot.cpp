@@ -79,7 +79,7 @@ WavePictureNeed WavePicturePlot::need() const {
 
 void WavePicturePlot::present(const SolvedBlowPtr& blow) {
     // Rods and strings have another axis: what was in view of the one is nothing of the other.
-    const bool isOther = m_blow && m_blow->isOfString() != blow->isOfString();
+    const bool isOther = m_blow && !m_blow->impact.waves != !blow->impact.waves;
     m_blow = blow;
     m_view->setEmpty(false);
     if (blow->page<WavePicture>()->need == m_announced) m_announced.reset();

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/model/scales.h"
-#include "core/wave/exact/exact_solver.h"
 #include "ui/pages/blow/blow_curves.h"
 #include "ui/pages/rock/rock_plot.h"
 
@@ -13,24 +12,16 @@ using namespace drillwave;
 
 namespace {
 
-struct Solved {
+Blow solved(Groups groups, PulseShape shape = PulseShape::rectangular) {
     Scenario scenario;
-    Problem problem;
-    Impact impact;
-};
-
-Solved solved(Groups groups, PulseShape shape = PulseShape::rectangular) {
-    Solved blow;
-    blow.scenario.form = ScenarioForm::dimensionless;
-    blow.scenario.groups = groups;
-    blow.scenario.pulse.shape = shape;
-    blow.problem = problemOf(blow.scenario);
-    blow.impact = ExactSolver().solve(blow.problem, Detail::histories);
-    return blow;
+    scenario.form = ScenarioForm::dimensionless;
+    scenario.groups = groups;
+    scenario.pulse.shape = shape;
+    return solveBlow(scenario, {}, Detail::histories);
 }
 
-BlowCurves curvesOf(const Solved& blow, double section = 0.5) {
-    return blowCurves(blow.impact, blow.problem.force(), shownUnits(UnitSystem::dimensionless, {}), section);
+BlowCurves curvesOf(const Blow& blow, double section = 0.5) {
+    return blowCurves(blow, shownUnits(UnitSystem::dimensionless, {}), section);
 }
 
 double largest(const GraphData& data) {
@@ -82,7 +73,7 @@ void TestBlowCurves::curvesEndAtTheNumbersOfTheBlow_data() {
 void TestBlowCurves::curvesEndAtTheNumbersOfTheBlow() {
     QFETCH(double, gamma);
     QFETCH(PulseShape, shape);
-    const Solved blow = solved({0.5, gamma, 10, 0}, shape);
+    const Blow blow = solved({0.5, gamma, 10, 0}, shape);
     const BlowCurves curves = curvesOf(blow);
     // The peak lies between samples that follow the curve to 1e-4; impulse and momentum end exactly.
     QVERIFY(std::abs(largest(curves.force) / blow.impact.peakForce - 1) < 1e-3);
@@ -134,14 +125,12 @@ void TestBlowCurves::theForceAtTheSectionIsTheSumOfAllWaves() {
 
 void TestBlowCurves::curvesScaleWithTheirUnits() {
     Scenario scenario;  // the default rod, in SI
-    const Problem problem = problemOf(scenario);
-    const Impact impact = ExactSolver().solve(problem, Detail::histories);
-    const Scales scales = scalesOf(scenario);
-    const BlowCurves curves = blowCurves(impact, problem.force(), shownUnits(UnitSystem::si, scales), 0.5);
+    const Blow blow = solveBlow(scenario, {}, Detail::histories);
+    const BlowCurves curves = blowCurves(blow, shownUnits(UnitSystem::si, blow.scales), 0.5);
     QCOMPARE(curves.units.force.unit, QStringLiteral("kN"));
     QCOMPARE(curves.units.time.unit, QStringLiteral("ms"));
-    QVERIFY(std::abs(largest(curves.force) / (impact.peakForce * scales.force / 1000) - 1) < 1e-3);
-    QVERIFY(std::abs(last(curves.impulse) / ((1 + impact.cor) * scenario.pulse.impulse) - 1) < 1e-12);
+    QVERIFY(std::abs(largest(curves.force) / (blow.impact.peakForce * blow.scales.force / 1000) - 1) < 1e-3);
+    QVERIFY(std::abs(last(curves.impulse) / ((1 + blow.impact.cor) * scenario.pulse.impulse) - 1) < 1e-12);
 }
 
 void TestBlowCurves::everyPointIsFinite() {
@@ -153,10 +142,10 @@ void TestBlowCurves::everyPointIsFinite() {
 }
 
 void TestBlowCurves::aCutTailEndsOnTheCurve() {
-    const Solved blow = solved({0.5, 0.3, 0.4, 0}, PulseShape::exponential);
+    const Blow blow = solved({0.5, 0.3, 0.4, 0}, PulseShape::exponential);
     const ShownUnits units = shownUnits(UnitSystem::dimensionless, {});
-    const BlowCurves kept = blowCurves(blow.impact, blow.problem.force(), units, 0.5);
-    const BlowCurves cut = blowCurves(blow.impact, blow.problem.force(), units, 0.5, Tail::cut);
+    const BlowCurves kept = blowCurves(blow, units, 0.5);
+    const BlowCurves cut = blowCurves(blow, units, 0.5, Tail::cut);
     QVERIFY((kept.momentum->constEnd() - 1)->key > kept.timeEnd);
     QCOMPARE((cut.momentum->constEnd() - 1)->key, cut.timeEnd);
     QVERIFY(std::abs(last(cut.momentum) - valueAt(kept.momentum, cut.timeEnd)) < 1e-12);
@@ -164,8 +153,8 @@ void TestBlowCurves::aCutTailEndsOnTheCurve() {
 
 void TestBlowCurves::theRockCurveEnclosesTheRockWork() {
     const Groups groups{0.5, 0.1, 10, 0};
-    const Solved blow = solved(groups);
-    const RockCurve curve = rockCurve(blow.impact, blow.problem, shownUnits(UnitSystem::dimensionless, {}));
+    const Blow blow = solved(groups);
+    const RockCurve curve = rockCurve(blow, shownUnits(UnitSystem::dimensionless, {}));
     double area = 0;  // ∫F dU by the trapezium rule, exact on straight lines
     for (auto point = curve.path->constBegin() + 1; point != curve.path->constEnd(); ++point)
         area += (point->value + (point - 1)->value) / 2 * (point->key - (point - 1)->key);

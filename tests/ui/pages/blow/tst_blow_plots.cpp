@@ -18,11 +18,10 @@ BlowCurves curvesFor(double beta, double gamma = 1) {
     scenario.form = ScenarioForm::dimensionless;
     scenario.groups.beta = beta;
     scenario.groups.gamma = gamma;
-    const Problem problem = problemOf(scenario);
-    const Impact impact = ExactSolver().solve(problem, Detail::histories);
+    const Blow blow = solveBlow(scenario, {}, Detail::histories);
     const ShownUnits units = shownUnits(UnitSystem::dimensionless, {});
-    BlowCurves curves = blowCurves(impact, problem.force(), units, 0.5);
-    curves.closedForm = closedFormCurve(problem, units, curves.timeEnd);
+    BlowCurves curves = blowCurves(blow, units, 0.5);
+    curves.closedForm = closedFormCurve(blow.problem, units, curves.timeEnd);
     return curves;
 }
 

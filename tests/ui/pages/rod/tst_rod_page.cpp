@@ -110,8 +110,7 @@ void TestRodPage::askedForItsCurvesTheWorkerBuildsThem() {
     QCOMPARE(blow->pages.size(), std::size_t{1});
     std::stop_source stop;
     stop.request_stop();
-    const RodCurves none =
-        rodCurves(blow->impact, blow->problem.force(), blow->scenario, blow->units, stop.get_token());
+    const RodCurves none = rodCurves(*blow, blow->units, stop.get_token());
     QCOMPARE(none.envelope.steps, 0);
 }
 
@@ -419,6 +418,7 @@ void TestRodPage::theDataOfAStringHaveTheWavesLeft() {
 void TestRodPage::aStringWhoseWavesAreNotKeptSaysSo() {
     auto blow = std::make_shared<SolvedBlow>(*solvedString());
     blow->impact.waves.reset();
+    blow->impact.incident = {};
     blow->pages = {PageData::of(rodCurves(*blow, blow->units))};
     m_page->setResult(blow);
     QVERIFY(m_page->plot()->accessibleDescription().contains(QStringLiteral("not kept")));

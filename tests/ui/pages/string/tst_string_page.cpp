@@ -192,7 +192,7 @@ void TestStringPage::blowAndRockShowAString() {
     const StringHistory history(shown->impact, shown->problem,
                                 stringPlace(document().scenario().drillString, 0.5));
     double largest = 0;
-    for (const StringInstant& now : history.sampled()) largest = std::max(largest, now.impactForce);
+    for (const RodState& now : history.sampled()) largest = std::max(largest, now.impactForce);
     const auto range = [](const QCPGraph* graph) {
         bool found = false;
         return graph->getValueRange(found);

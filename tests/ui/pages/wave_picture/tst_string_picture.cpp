@@ -224,7 +224,7 @@ void TestStringPicture::theReadoutNamesTheSection() {
     const double t = m_page->plot()->yAxis->pixelToCoord(at.y()) / blow->units.time.factor;
     const StringHistory history(blow->impact, blow->problem,
                                 stringPlace(blow->scenario.drillString, x / 4.3));
-    const StringInstant now = history.at(t);
+    const RodState now = history.at(t);
     QVERIFY(now.normalForce < -0.5);
     QVERIFY2(readout().startsWith(textOf((x - 0.35) / 4.3, picture().units.position) +
                                   " into coupling (section 2) · t = "),
@@ -318,7 +318,7 @@ void TestStringPicture::theStripHasTheStressOfEverySection() {
              qPrintable(text));
     QVERIFY2(text.contains(QStringLiteral("hammer apart")), qPrintable(text));
     QCOMPARE(picture().string->largestStress,
-             std::max(*blow->summary.largestCompression, *blow->summary.largestTension));
+             std::max(*blow->summary.largest.compression, *blow->summary.largest.tension));
     m_observation->setTime(1);
     QVERIFY(m_page->rodStrip()->stateText().contains(QStringLiteral("hammer pushes")));
     m_observation->setTime((blow->impact.events[0].time + blow->impact.events[1].time) / 2);
@@ -340,6 +340,7 @@ void TestStringPicture::runsOfStringsLieOverStrings() {
     const SolvedBlowPtr rod = solved("t38_medium_rock"), string = solved("t38_string");
     auto unkept = std::make_shared<SolvedBlow>(*string);
     unkept->impact.waves.reset();
+    unkept->impact.incident = {};
     m_page->setRuns(std::make_shared<const RunList>(
         RunList{pinnedRun(0, rod), pinnedRun(1, string), pinnedRun(2, unkept)}));
     for (const char* example : {"r32_string", "t38_medium_rock", "r32_string"}) {
@@ -399,6 +400,7 @@ void TestStringPicture::aZoomOfTheOneKindIsNoneOfTheOther() {
 void TestStringPicture::wavesThatWereNotKeptAreSaidToBeMissing() {
     auto blow = std::make_shared<SolvedBlow>(*solved("r32_string"));
     blow->impact.waves.reset();
+    blow->impact.incident = {};
     blow->request.pages = {m_page->prepare()};
     blow->pages = {m_page->prepare()(*blow)};
     present(blow);
