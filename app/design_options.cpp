@@ -139,9 +139,8 @@ DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, Desi
     readAims(arguments, study, faults);
     for (const char* option : {"at-most", "at-least"})
         for (const std::string& word : arguments.values(option)) addLimit(study, option, word, faults);
-    constexpr long customary = 4096, customaryOfString = 1024;
-    const long samples = arguments.number("samples", isString(base) ? customaryOfString : customary, 1,
-                                          static_cast<long>(mostDesignSamples));
+    const long samples =
+        arguments.number("samples", customarySamples(base), 1, static_cast<long>(mostDesignSamples));
     study.samples = std::max(leastDesignSamples, std::bit_ceil(static_cast<std::uint64_t>(samples)));
     study.seed = static_cast<std::uint64_t>(arguments.number("seed", 1, 0, std::numeric_limits<long>::max()));
     study.keepsEnergy = arguments.has("keep-energy");

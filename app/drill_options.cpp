@@ -96,7 +96,7 @@ void checkDrillWork(double work, const Arguments& arguments) {
 
 void remarkOnUnusedOfDrill(const Scenario& scenario, const std::string& path) {
     const Drill& drill = scenario.drill;
-    if (isString(scenario) && scenario.drillString.endTime)
+    if (scenario.drillString.endTime)
         printRemark(inputName(path) + ": end_time counts for single blows, not here");
     if (drill.machineMass.value_or(0) > 0 && drill.damperDamping.value_or(0) == 0 &&
         drill.damperStiffness.value_or(0) == 0)

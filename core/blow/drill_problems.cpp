@@ -34,7 +34,7 @@ std::vector<std::string> drillProblems(const Scenario& scenario, const DrillLeng
     std::vector<std::string> problems;
     if (!drill.blowFrequency) problems.emplace_back("drill.blow_frequency: is missing: many blows need it");
     if (!drill.thrust) problems.emplace_back("drill.thrust: is missing: many blows need it");
-    if (!isString(scenario) && scenario.pulse.shape == PulseShape::rigidBody)
+    if (scenario.pulse.shape == PulseShape::rigidBody)
         problems.emplace_back("pulse.shape: the reference case rigid_body is one impact and has no blows");
     if (drill.machineMass.value_or(0) == 0) {
         if (drill.damperDamping.value_or(0) > 0)

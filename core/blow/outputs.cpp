@@ -385,6 +385,12 @@ std::string overflowProblem(const OutputSource& source, const Scales& scales, De
     return {};
 }
 
+MainOutput mainOutput(const Scenario& scenario) {
+    const MainOutput ofCells{findOutput("efficiency"), findOutput("efficiency_error")};
+    return ofCells.error->concerns(scenario) ? ofCells
+                                             : MainOutput{findOutput("cor"), findOutput("cor_error")};
+}
+
 const Output* findOutput(std::string_view name) {
     for (const std::span<const Output> table : {outputs(), drillOutputs()})
         if (const auto found = std::ranges::find(table, name, &Output::name); found != table.end())

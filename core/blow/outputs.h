@@ -115,6 +115,12 @@ std::string overflowProblem(const OutputSource& source, const Scales& scales, De
 /// The same of a single number of an output.
 std::string overflowProblem(const Output& output, double value);
 
+/// What a blow is judged by first, and its error: the efficiency where cells state that of it, else e.
+struct MainOutput {
+    const Output *value, *error;
+};
+MainOutput mainOutput(const Scenario& scenario);
+
 /// The output of that name, of one blow or of many, or nullptr.
 const Output* findOutput(std::string_view name);
 

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 
+#include "core/model/blow_traits.h"
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
 #include "core/report/blow_csv.h"
 #include "core/report/json_value.h"
+#include "core/report/report_text.h"
 
 namespace drillwave {
 
@@ -131,7 +133,7 @@ std::string blowJson(const Blow& blow, const std::string& scenarioText) {
     JsonObject object{
         {"version", versionText},
         {"title", blow.scenario.title},
-        {"method", blow.isOfString() ? methodOfStrings : name(blow.method.method)},
+        {"method", solverWords(blow).key},
         {"outcome", outcomeName(blow)},
         {"run_time", blow.runTime},
         {"groups", groupsJson(blow.groups)},
@@ -143,7 +145,7 @@ std::string blowJson(const Blow& blow, const std::string& scenarioText) {
     };
     if (blow.method.method == Method::lattice) object["segments"] = blow.method.lattice.segments;
     if (!blow.isSolved()) object["reason"] = impact.reason;
-    if (blow.isOfString() && blow.isSolved()) object["sections"] = sectionsJson(blow);
+    if (blow.isSolved() && hasSections(blow.scenario)) object["sections"] = sectionsJson(blow);
     object["scenario"] = scenarioText;
     if (hasUnits(blow.scenario)) addSi(object, blow);
     return Json(object).text();

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/blow/outputs.h"
+#include "core/model/blow_traits.h"
 #include "core/report/alert_words.h"
 #include "core/report/feed_words.h"
 #include "core/report/report_numbers.h"
@@ -59,7 +60,7 @@ constexpr auto summaryLines = std::to_array<SummaryLine>({
 });
 
 int digitsOf(const Blow& blow) {
-    return blow.isOfString() ? 5 : 6;
+    return hasSections(blow.scenario) ? 5 : 6;
 }
 
 /// As a multiple, in SI, and of a largest stress where and when.
@@ -99,7 +100,7 @@ void addSummary(TextGrid& grid, const Blow& blow) {
         if (!output.problem(blow.scenario).empty()) continue;
         const std::optional<double> value = output.value({blow.summary, blow.scenario});
         if (!value) continue;
-        if (!blow.isOfString())
+        if (!hasSections(blow.scenario))
             grid.add(cellsOfRod(line, output, shareOrZero(output, *value), blow));
         else if (!line.afterContact || blow.summary.contacts > 0)
             if (std::vector<std::string> cells = cellsOfString(line, output, *value, blow); !cells.empty())
@@ -138,31 +139,24 @@ std::string mainText(double value, double error, bool isEstimate = false) {
 }
 
 std::string resultText(const Blow& blow) {
-    const ImpactSummary& summary = blow.summary;
+    const OutputSource numbers{blow.summary, blow.scenario};
+    const MainOutput main = mainOutput(blow.scenario);
     TextGrid grid(CellAlignment::left);
-    if (blow.isOfString())
-        grid.add({"efficiency", mainText(summary.energy.rockWork, summary.efficiencyError)});
-    else
-        grid.add({"restitution e",
-                  mainText(summary.cor, summary.corError, blow.method.method == Method::lattice)});
+    grid.add(
+        {std::string(main.value->title), mainText(*main.value->value(numbers), *main.error->value(numbers),
+                                                  blow.method.method == Method::lattice)});
     addSummary(grid, blow);
-    if (!blow.isOfString())
-        grid.add({"balance errors", rounded(summary.momentumResidual, 2) + " of I0, " +
-                                        rounded(summary.energy.residual, 2) + " of W"});
+    if (!hasSections(blow.scenario))
+        grid.add({"balance errors", rounded(blow.summary.momentumResidual, 2) + " of I0, " +
+                                        rounded(blow.summary.energy.residual, 2) + " of W"});
     addFeed(grid, blow);
-    if (!blow.isOfString()) return grid.text();
-    std::string text = grid.text() + "\n" + energyGrid(blow).text();
+    std::string text = grid.text();
+    if (hasSections(blow.scenario)) text += "\n" + energyGrid(blow).text();
     // a thousand lines are for a file
     constexpr std::size_t mostLines = 60;
     if (!blow.impact.sections.empty() && blow.impact.sections.size() <= mostLines)
         text += "\n" + sectionGrid(blow).text();
     return text;
-}
-
-std::string methodText(const MethodChoice& choice) {
-    std::string text(name(choice.method));
-    if (choice.method != Method::lattice) return text;
-    return text + " of " + std::to_string(choice.lattice.segments) + " segments";
 }
 
 }  // namespace
@@ -172,13 +166,10 @@ std::string blowText(const Blow& blow) {
     std::string text = titleLine(blow.scenario) + paragraph(feedDecisionText(blow.decision())) +
                        groupsLine(blow.scenario) + lawLine(blow.scenario) + "\n";
     text += resultText(blow);
-    text += "\n  method " + (blow.isOfString() ? "polynomial cells" : methodText(blow.method)) + ", " +
-            std::to_string(impact.contacts) + (impact.contacts == 1 ? " contact, " : " contacts, ") +
-            std::to_string(impact.pieces) +
-            (blow.isOfString()                       ? " cells"
-             : blow.method.method == Method::lattice ? " steps"
-                                                     : " pieces") +
-            ", solved in " + inHandyUnit(blow.runTime, Quantity::time) + "\n";
+    const SolverWords solver = solverWords(blow);
+    text += "\n  method " + solver.name + ", " + std::to_string(impact.contacts) +
+            (impact.contacts == 1 ? " contact, " : " contacts, ") + std::to_string(impact.pieces) + " " +
+            std::string(solver.pieces) + ", solved in " + inHandyUnit(blow.runTime, Quantity::time) + "\n";
     for (const Alert& alert : blow.alerts) {
         // The line of e says it already, as an estimate.
         if (blow.method.method == Method::lattice && alert.code == AlertCode::reducedAccuracy) continue;

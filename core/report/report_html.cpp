@@ -98,9 +98,8 @@ class Page {
     std::string about() const {
         const std::string begin =
             std::string("Report on one blow of a percussive drill, written by Drillwave ") + versionText +
-            ", solved by " + (blow().isOfString() ? "polynomial cells" : describe(blow().method)) +
-            ". Tension is positive. ";
-        return begin + (blow().isOfString()
+            ", solved by " + solverWords(blow()).asked + ". Tension is positive. ";
+        return begin + (hasSections(blow().scenario)
                             ? "Hammer and string of uniform sections; bending, torsion and friction "
                               "in threads beyond a loss factor are not modelled."
                             : "One uniform rod; joints and the mass of the bit are not modelled.");
@@ -258,15 +257,16 @@ class Page {
         if (hasUnits(blow().scenario)) titles.push_back(m_style.unitsTitle());
         titles.emplace_back("where and when");
         return heading("Results") + table("results", titles, numbers(resultRows(blow(), m_style), false)) +
-               paragraph(std::string(blow().isOfString() ? "E₀ and p₀ are energy and momentum of the hammer. "
-                                                           "The error of the efficiency"
-                                                         : "W is the work of the hammer. The bound on e") +
+               paragraph(std::string(hasSections(blow().scenario)
+                                         ? "E₀ and p₀ are energy and momentum of the hammer. "
+                                           "The error of the efficiency"
+                                         : "W is the work of the hammer. The bound on e") +
                          " and the errors of the balances are numerical; what is known of rock and " +
-                         (blow().isOfString() ? "string" : "rod") + " is far coarser.");
+                         (hasSections(blow().scenario) ? "string" : "rod") + " is far coarser.");
     }
 
     std::string energies() const {
-        if (!blow().isOfString()) return {};
+        if (!hasSections(blow().scenario)) return {};
         return heading("Where the energy went") +
                tableOf("energies", htmlRows(printedUnits(titled({"", "share of E₀", "energy"},
                                                                 energyGrid(blow(), m_style).rows()))));
@@ -279,7 +279,7 @@ class Page {
     }
 
     std::string stresses() const {
-        if (!blow().isOfString() || blow().impact.sections.empty()) return {};
+        if (blow().impact.sections.empty()) return {};
         std::vector<std::vector<std::string>> rows = sectionGrid(blow(), m_style).rows();
         const std::size_t sections = rows.size() - 1;
         if (!isScreen()) rows.resize(std::min(sections, mostSectionsOnPaper) + 1);
@@ -347,13 +347,11 @@ class Page {
 
 /// Read as the JSON of a command is; nothing in it can end the <script>.
 std::string recordText(const BlowReport& report) {
-    const std::string json =
-        Json(JsonObject{
-                 {"version", versionText},
-                 {"method", report.blow.isOfString() ? methodOfStrings : name(report.blow.method.method)},
-                 {"title", report.blow.scenario.title},
-                 {"scenario", report.scenarioText}})
-            .text();
+    const std::string json = Json(JsonObject{{"version", versionText},
+                                             {"method", solverWords(report.blow).key},
+                                             {"title", report.blow.scenario.title},
+                                             {"scenario", report.scenarioText}})
+                                 .text();
     std::string safe;
     for (const char c : json) safe += c == '<' ? std::string("\\u003c") : std::string(1, c);
     return safe;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/blow/outputs.h"
+#include "core/model/blow_traits.h"
 #include "core/report/blow_json.h"
 #include "core/report/section_grid.h"
 #include "core/text/handy_text.h"
@@ -32,7 +33,7 @@ std::string shareUnit(const Scenario& scenario) {
 
 std::string multipleText(const Output& output, double value, const Blow& blow, const ReadingStyle& style) {
     if (output.name == "cor") return style.number(value, 6) + " ± " + style.bound(blow.summary.corError);
-    if (output.name == "efficiency" && blow.isOfString())
+    if (output.name == "efficiency" && mainOutput(blow.scenario).value == &output)
         return style.number(100 * value, 6) + " ± " + style.bound(100 * blow.summary.efficiencyError) +
                shareUnit(blow.scenario);
     if (output.measure == Measure::error) return style.bound(std::abs(value));
@@ -60,13 +61,12 @@ std::string stringPlaceText(const StringPeak& largest, const Blow& blow, const R
 }
 
 ReportCell placeCell(const Output& output, const Blow& blow, const ReadingStyle& style) {
-    if (blow.isOfString() && output.group == OutputGroup::stress) {
-        const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, blow.impact);
-        if (stresses.empty()) return {};
-        return {stringPlaceText(largestStress(stresses, output.force), blow, style), {}};
-    }
-    if (!output.force || !blow.summary.rodForces) return {};
-    return {placeText((*blow.summary.rodForces).*output.force, blow, style), {}};
+    if (!output.force) return {};
+    if (const std::optional<RodForces>& forces = blow.summary.rodForces)
+        return {placeText((*forces).*output.force, blow, style), {}};
+    const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, blow.impact);
+    if (stresses.empty()) return {};
+    return {stringPlaceText(largestStress(stresses, output.force), blow, style), {}};
 }
 
 template <class Add>
@@ -176,7 +176,7 @@ std::vector<ReportRow> scaleRows(const Blow& blow, const ReadingStyle& style) {
         rows.push_back({symbol, label, {{style.quantity(value, quantity, reportDigits), value}}});
     };
     const Groups& groups = blow.groups;
-    if (blow.isOfString()) {
+    if (hasSections(blow.scenario)) {
         addStringScales(blow, add);
         return rows;
     }

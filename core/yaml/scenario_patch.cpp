@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <vector>
 
+#include "core/model/blow_traits.h"
 #include "core/text/text_edit.h"
 #include "core/yaml/scenario_text.h"
 #include "core/yaml/yaml_extent.h"
@@ -37,7 +38,7 @@ class Patcher {
         for (const std::string_view section :
              {"dimensionless", "rod", "pulse", "material", "bit_rock", "drill"})
             patchSection(root, section);
-        if (isString(m_scenario)) patchDrillString(root);
+        if (hasSections(m_scenario)) patchDrillString(root);
         patchCorners(root);
         return edited(m_text, std::move(m_edits));
     }

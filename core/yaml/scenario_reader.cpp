@@ -238,7 +238,7 @@ bool readFile(SectionReader& reader, const YamlNode& root, int format, const Tab
     reader.scenario().form = formOf(file, format);
     readTitle(reader, file);
     if (!checkKeysOfFormat(reader, file, format)) return false;
-    if (reader.ofString()) readDrillString(reader, file);
+    if (format == stringFormat) readDrillString(reader, file);
     if (reader.dimensional()) readRod(reader, file);
     if (hasUnits(reader.scenario())) {
         readBitRock(reader, file);

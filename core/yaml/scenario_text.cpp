@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/model/blow_traits.h"
 #include "core/model/law_parameter.h"
 #include "core/model/scales.h"
 #include "core/model/section_field.h"
@@ -147,7 +148,7 @@ void addIndexing(std::vector<SavedValue>& values, const Scenario& scenario) {
 /// The sections of a file, in order, that are no lists.
 std::vector<std::string_view> plainSections(const Scenario& scenario) {
     std::vector<std::string_view> sections;
-    if (!isString(scenario)) sections.push_back(hasUnits(scenario) ? "rod" : "dimensionless");
+    if (!hasSections(scenario)) sections.push_back(hasUnits(scenario) ? "rod" : "dimensionless");
     if (isForced(scenario)) sections.push_back("pulse");
     if (hasUnits(scenario) || scenario.bitRock.law != RockLaw::bilinear) sections.push_back("bit_rock");
     sections.push_back("drill");
@@ -280,7 +281,7 @@ std::string quotedScalar(std::string_view text) {
 std::vector<SavedValue> savedValues(const Scenario& scenario) {
     std::vector<SavedValue> values;
     if (!scenario.title.empty()) values.push_back(savedText("", "title", scenario.title));
-    if (isString(scenario)) addDrillString(values, scenario);
+    addDrillString(values, scenario);
     for (const std::string_view section : plainSections(scenario)) {
         if (section == "pulse") values.push_back(savedText("pulse", "shape", name(scenario.pulse.shape)));
         addParameters(values, scenario, section);
@@ -297,7 +298,7 @@ Scenario withoutUnusedValues(const Scenario& scenario) {
     Scenario result;
     result.title = scenario.title;
     result.form = scenario.form;
-    if (isString(scenario)) result.drillString = withoutUnusedValues(scenario.drillString);
+    if (hasSections(scenario)) result.drillString = withoutUnusedValues(scenario.drillString);
     if (isForced(scenario)) result.pulse.shape = scenario.pulse.shape;
     result.bitRock.law = scenario.bitRock.law;
     if (scenario.bitRock.law == RockLaw::corners) result.bitRock.corners = scenario.bitRock.corners;
@@ -343,14 +344,15 @@ std::string sectionText(const Scenario& scenario, std::string_view section) {
 }
 
 std::string scenarioText(const Scenario& scenario) {
-    std::string text = "drillwave: " + std::to_string(isString(scenario) ? stringFormat : rodFormat) + "\n";
+    std::string text =
+        "drillwave: " + std::to_string(hasSections(scenario) ? stringFormat : rodFormat) + "\n";
     if (!scenario.title.empty()) text += "title: " + yamlScalar(scenario.title) + "\n";
     for (const SavedValue& value : savedValues(scenario))
         if (value.section.empty() && value.parameter)
             text += std::string(value.key) + ": " + valueText(value) + "\n";
-    if (isString(scenario)) text += drillStringText(scenario);
+    if (hasSections(scenario)) text += drillStringText(scenario);
     for (const std::string_view section : plainSections(scenario))
-        if (section != "pulse" || !isString(scenario)) text += sectionText(scenario, section);
+        if (section != "pulse" || !hasSections(scenario)) text += sectionText(scenario, section);
     return text;
 }
 

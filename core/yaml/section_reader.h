@@ -36,7 +36,6 @@ class SectionReader {
     Scenario& scenario() { return m_scenario; }
     ProblemList& problems() { return m_problems; }
     bool dimensional() const { return m_scenario.form == ScenarioForm::dimensional; }
-    bool ofString() const { return isString(m_scenario); }
 
     /// The entries of a map with known keys; reports the others, and keys that come twice.
     YamlEntries entriesOf(const YamlNode& map, std::string_view section,

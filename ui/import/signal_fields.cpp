@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "core/blow/string_curves.h"
+#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/model/section_pieces.h"
 #include "ui/import/gauge_rows.h"
@@ -259,7 +260,7 @@ double SignalFields::forcePerNumberNow() const {
 
 // Where the gauge is: a blow comes in at the struck end, a force on the rock leaves at the bit.
 double SignalFields::axialStiffness() const {
-    if (!isString(m_scenario)) return propertiesOf(m_scenario.rod).area * m_scenario.rod.youngsModulus;
+    if (!hasSections(m_scenario)) return propertiesOf(m_scenario.rod).area * m_scenario.rod.youngsModulus;
     const DrillString& drillString = m_scenario.drillString;
     const double length = stringProperties(drillString).length;
     const double share = m_use == ImportUse::normalForce ? place() / length
@@ -308,8 +309,7 @@ QString SignalFields::problemOfPlace() const {
         return tr(
             "place x: not given: a wave passes every section at another time; type how far the gauge is "
             "from the struck end");
-    const bool ofString = isString(m_scenario);
-    const double hammer = ofString ? hammerProperties(m_scenario.drillString).length : 0;
+    const double hammer = hammerProperties(m_scenario.drillString).length;
     if (place() < 0 && hammer == 0) return tr("place x: must not be less than 0, the struck end");
     if (place() < -hammer)
         return tr("place x: must be at least %1, the rear of the hammer")
@@ -317,8 +317,8 @@ QString SignalFields::problemOfPlace() const {
     if (!hasUnits(m_scenario)) return {};
     const double length = chainProperties(m_scenario).length;
     if (place() <= length) return {};
-    return (ofString ? tr("place x: must be at most %1, the length of the string")
-                     : tr("place x: must be at most %1, the length of the rod"))
+    return (hasSections(m_scenario) ? tr("place x: must be at most %1, the length of the string")
+                                    : tr("place x: must be at most %1, the length of the rod"))
         .arg(m_units.text(length, UnitKind::length));
 }
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/blow/string_curves.h"
+#include "core/model/blow_traits.h"
 #include "ui/result/output_unit.h"
 #include "ui/text/number_text.h"
 
@@ -74,11 +75,9 @@ QString corErrorText(const SolvedBlow& blow) {
 
 std::optional<RodForce> placeOf(const Output& output, const SolvedBlow& blow) {
     if (!output.force) return std::nullopt;
-    std::optional<RodForce> force;
-    if (blow.isOfString())
-        force = stringPlaceOf(output, blow);
-    else if (blow.summary.rodForces)
-        force = (*blow.summary.rodForces).*output.force;
+    const std::optional<RodForces>& forces = blow.summary.rodForces;
+    const std::optional<RodForce> force =
+        forces ? std::optional((*forces).*output.force) : stringPlaceOf(output, blow);
     return force && force->size > 0 ? force : std::nullopt;
 }
 
@@ -87,8 +86,8 @@ QString placeText(const Output& output, const SolvedBlow& blow) {
     if (!found) return {};
     const RodForce& force = *found;
     const QString time = shown(force.time, blow.units.time);
-    if (blow.isOfString() && force.section < 0) return words("in the hammer, %1").arg(time);
-    if (blow.isOfString())
+    if (force.section < 0) return words("in the hammer, %1").arg(time);
+    if (hasSections(blow.scenario))
         return words("%1 from the shank, %2").arg(shown(force.section, blow.units.length), time);
     if (blow.request.units == UnitSystem::dimensionless)
         return words("at x/L = %1, t = %2").arg(numberText(force.section, 3, QLocale()), time);

@@ -67,7 +67,7 @@ QString statusText(const SolvedBlow& blow) {
         return isFollowedByEvents(blow.request.scenario) ? MainWindow::tr("exact · not solved")
                                                          : MainWindow::tr("polynomial cells · not solved");
     const QLocale locale;
-    if (blow.isOfString())
+    if (!isFollowedByEvents(blow.scenario))
         return MainWindow::tr("polynomial cells · %1 · efficiency %2 ± %3")
             .arg(runTimeText(blow.runTime, locale), numberText(blow.summary.energy.rockWork, 4, locale),
                  magnitudeText(blow.summary.efficiencyError, locale));
@@ -111,7 +111,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     });
     connect(&m_document, &Document::scenarioChanged, &m_observation, [this] {
         const Scenario& scenario = m_document.scenario();
-        m_observation.setRear(hasSections(scenario) ? hammerRear(scenario.drillString) : 0);
+        m_observation.setRear(hammerRear(scenario.drillString));
     });
     addTabs();
     addCenter();

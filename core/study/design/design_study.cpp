@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/model/blow_traits.h"
 #include "core/study/design/constant_energy.h"
 #include "core/study/design/scenario_designs.h"
 #include "core/study/rows/axis_scenario.h"
@@ -47,6 +48,10 @@ std::vector<DesignAim> customaryAims(const Scenario& scenario) {
     if (const Output* thrust = findOutput("thrust"); thrust->problem(scenario).empty())
         aims.push_back({Sense::least, thrust, {Kind::quantile, 95}});
     return aims;
+}
+
+int customarySamples(const Scenario& scenario) {
+    return isFollowedByEvents(scenario) ? 4096 : 1024;
 }
 
 std::uint64_t DesignStudy::designCount() const {

@@ -78,6 +78,10 @@ struct DesignStudy {
 /// there is a blow frequency.
 std::vector<DesignAim> customaryAims(const Scenario& scenario);
 
+/// How many samples where nothing else is asked for: a blow on cells takes a hundred times as long as
+/// another.
+int customarySamples(const Scenario& scenario);
+
 /// What the study found.
 struct DesignFindings {
     std::vector<DesignSamples> designs;

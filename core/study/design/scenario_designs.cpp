@@ -87,7 +87,7 @@ class ScenarioSolver : public DesignSolver {
 }  // namespace
 
 ScenarioDesigns::ScenarioDesigns(const DesignStudy& study) : m_study(study), m_columns(study.columns()) {
-    m_columns.push_back({findOutput(isString(study.base) ? "efficiency_error" : "cor_error")});
+    m_columns.push_back({mainOutput(study.base).error});
 }
 
 std::vector<Distribution> ScenarioDesigns::distributions(std::uint64_t design) const {

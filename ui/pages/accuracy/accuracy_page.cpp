@@ -181,7 +181,7 @@ QString AccuracyPage::sentence() const {
     if (proof() == Proof::stability)
         return tr(
             "Cases that break solvers, each with all its checks, the worst first. A click loads a case.");
-    if (blow() && blow()->isSolved() && blow()->isOfString())
+    if (blow() && blow()->isSolved() && !isFollowedByEvents(blow()->scenario))
         return tr("The efficiency of %1 is right to %2, the error that the method states.")
             .arg(numberText(blow()->summary.energy.rockWork, 6, QLocale()),
                  magnitudeText(blow()->summary.efficiencyError, QLocale()));

@@ -26,7 +26,6 @@ constexpr std::size_t mostChoicesOfPage = 2;
 constexpr int samplesOffered[] = {256, 1024, 4096, 16384, 65536};
 constexpr int cardCharacters = 16;
 constexpr int plotLinesOfDesigns = 30;  // two rows of axes, legend and readout
-constexpr int samplesOfRod = 4096, samplesOfString = 1024;
 
 }  // namespace
 
@@ -82,13 +81,13 @@ QWidget* DesignPage::makeQuestions() {
     return questions;
 }
 
-// A string takes a hundred times as long.
-void DesignPage::followForm() {
-    const ScenarioForm form = scenario().form;
-    if (m_form == form) return;
-    m_form = form;
+// As many samples as are customary for what is solved, until the user chooses.
+void DesignPage::followScenario() {
+    const int customary = customarySamples(scenario());
+    if (m_customary == customary) return;
+    m_customary = customary;
     const QSignalBlocker quiet(m_samples);
-    m_samples->setCurrentIndex(m_samples->findData(isString(scenario()) ? samplesOfString : samplesOfRod));
+    m_samples->setCurrentIndex(m_samples->findData(customary));
 }
 
 // Of the words of the command, so that both have the same values.
@@ -114,7 +113,7 @@ DesignPage::Wish DesignPage::wish() const {
 }
 
 void DesignPage::ask() {
-    followForm();
+    followScenario();
     {
         const QSignalBlocker first(m_uncertain), second(m_choices), third(m_aims);
         m_uncertain->present(scenario());

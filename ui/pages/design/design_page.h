@@ -47,7 +47,7 @@ class DesignPage : public StudyPage {
     };
     Wish wish() const;
     QWidget* makeQuestions();
-    void followForm();
+    void followScenario();
     void draw(const DesignAnswer& answer);
     void refuse(const QString& why);
     void showHere();
@@ -66,7 +66,7 @@ class DesignPage : public StudyPage {
     DesignCard* m_card;
     DesignPlot* m_plot = nullptr;
     QString m_problem;
-    std::optional<ScenarioForm> m_form;
+    int m_customary = 0;  // samples, of what was asked last
     std::shared_ptr<const DesignAnswer> m_shown;
     ShownUnits m_shownUnits;
     AskedStudy<DesignStudy, DesignAnswer> m_study;  // goes first: its thread works
