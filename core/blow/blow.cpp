@@ -36,6 +36,17 @@ bool holdsNumbers(Blow& blow, Detail detail) {
     return false;
 }
 
+/// What follows from the solution, whose numbers are in the summary.
+void conclude(Blow& blow, Detail detail) {
+    if (!holdsNumbers(blow, detail)) return;
+    blow.feed = judgeFeed(blow.scenario, blow.summary.cor, blow.summary.transferred);
+    const std::optional<RodForces>& ofRod = blow.summary.rodForces;
+    append(blow.alerts, resultAlerts(blow.scenario, blow.summary));
+    append(blow.alerts, stressAlerts(blow.scenario, ofRod ? sectionStresses(blow.scenario, *ofRod)
+                                                          : sectionStresses(blow.scenario, blow.impact)));
+    append(blow.alerts, stringAlerts(blow.scenario, blow.impact));
+}
+
 /// A drill string, with the forces in every section.
 void solveStringBlow(Blow& blow, Detail detail, NetworkAccuracy accuracy, const std::stop_token& stop,
                      MethodSolver& solver) {
@@ -54,18 +65,7 @@ void solveStringBlow(Blow& blow, Detail detail, NetworkAccuracy accuracy, const 
     if (!blow.isSolved()) return;
     blow.summary = summarize(blow.impact, blow.problem);
     addStresses(blow.summary, blow.scenario, blow.impact);
-    if (!holdsNumbers(blow, Detail::histories)) return;
-    blow.feed = judgeFeed(blow.scenario, blow.summary.cor, blow.summary.transferred);
-    append(blow.alerts, resultAlerts(blow.scenario, blow.summary));
-    append(blow.alerts, stringAlerts(blow.scenario, blow.impact));
-}
-
-/// What follows from the solution, whose numbers are in the summary.
-void conclude(Blow& blow, Detail detail) {
-    if (!holdsNumbers(blow, detail)) return;
-    blow.feed = judgeFeed(blow.scenario, blow.impact.cor);
-    append(blow.alerts, resultAlerts(blow.scenario, blow.summary));
-    if (blow.summary.rodForces) append(blow.alerts, stressAlerts(blow.scenario, *blow.summary.rodForces));
+    conclude(blow, Detail::histories);
 }
 
 void concludeInPassing(Blow& blow, Detail detail, const std::stop_token& stop) {

@@ -110,65 +110,8 @@ std::vector<Alert> resultAlerts(const Scenario& scenario, const ImpactSummary& s
     return alerts;
 }
 
-namespace {
-
-/// One of the four largest forces in the rod.
-struct Load {
-    const RodForce& force;
-    std::string_view kind;  ///< "compression" or "tension"
-    AlertLevel level;       ///< a warning while the blow lasts; a remark of the waves left, which a rod damps
-};
-
-/// A strength of the rod, and what is said of more.
-struct Strength {
-    const std::optional<double>& limit;  ///< [Pa]
-    std::string_view key;
-    AlertCode code;
-};
-
-std::optional<Alert> overload(const Scenario& scenario, const Load& load, const Strength& strength) {
-    const double stress = load.force.size * scalesOf(scenario).stress;
-    if (stress <= *strength.limit) return std::nullopt;
-    return Alert{load.level,
-                 strength.code,
-                 std::string(strength.key),
-                 {{load.kind, stress, Quantity::stress},
-                  {"place", load.force.section * scenario.rod.length, Quantity::length},
-                  {"time", load.force.time * scalesOf(scenario).time, Quantity::time},
-                  {"strength", *strength.limit, Quantity::stress}}};
-}
-
-/// The larger of compression and tension.
-Load largest(const RodForce& compression, const RodForce& tension, AlertLevel level) {
-    if (compression.size >= tension.size) return {compression, "compression", level};
-    return {tension, "tension", level};
-}
-
-/// During the blow, or else afterwards: one remark for each strength.
-void addOverload(const Scenario& scenario, const Load& during, const Load& after, const Strength& strength,
-                 std::vector<Alert>& alerts) {
-    if (!strength.limit) return;
-    for (const Load& load : {during, after})
-        if (const auto alert = overload(scenario, load, strength)) return alerts.push_back(*alert);
-}
-
-}  // namespace
-
 bool hasStrength(const Rod& rod) {
     return rod.yieldStrength || rod.fatigueStrength;
-}
-
-std::vector<Alert> stressAlerts(const Scenario& scenario, const RodForces& forces) {
-    if (scenario.form != ScenarioForm::dimensional) return {};
-    std::vector<Alert> alerts;
-    addOverload(scenario, largest(forces.compression, forces.tension, AlertLevel::warning),
-                largest(forces.compressionAfter, forces.tensionAfter, AlertLevel::information),
-                {scenario.rod.yieldStrength, "rod.yield_strength", AlertCode::stressAboveYield}, alerts);
-    addOverload(scenario, {forces.tension, "tension", AlertLevel::warning},
-                {forces.tensionAfter, "tension", AlertLevel::information},
-                {scenario.rod.fatigueStrength, "rod.fatigue_strength", AlertCode::stressAboveFatigue},
-                alerts);
-    return alerts;
 }
 
 }  // namespace drillwave

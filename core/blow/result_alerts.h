@@ -7,7 +7,6 @@
 #include "core/blow/impact_summary.h"
 #include "core/model/alerts.h"
 #include "core/model/validation.h"
-#include "core/wave/field/rod_forces.h"
 
 namespace drillwave {
 
@@ -18,11 +17,6 @@ namespace drillwave {
 /// the error that it would make, `reduced_accuracy` when the error bound of e exceeds 1e-9, `input_decides`
 /// in its place when that is so because the bit chatters.
 std::vector<Alert> resultAlerts(const Scenario& scenario, const ImpactSummary& summary);
-
-/// `stress_above_yield` when the largest stress in the rod exceeds its yield strength, `stress_above_fatigue`
-/// when the largest tension exceeds its fatigue strength: a warning while the blow lasts, a remark where only
-/// the waves left do. Each says where and when. None without strengths; see hasStrength().
-std::vector<Alert> stressAlerts(const Scenario& scenario, const RodForces& forces);
 
 /// Whether stressAlerts() needs to be asked, for which the largest forces must be known.
 bool hasStrength(const Rod& rod);

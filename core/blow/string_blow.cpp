@@ -33,6 +33,16 @@ std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Impac
     return stresses;
 }
 
+std::vector<SectionStress> sectionStresses(const Scenario& scenario, const RodForces& forces) {
+    const Scales scales = scalesOf(scenario);
+    const auto inSi = [&](const RodForce& force) {
+        return StressPeak{force.size * scales.stress, force.section * scenario.rod.length,
+                          force.time * scales.time};
+    };
+    return {{inSi(forces.compression), inSi(forces.tension), inSi(forces.compressionAfter),
+             inSi(forces.tensionAfter)}};
+}
+
 StringPeak largestStress(const std::vector<SectionStress>& stresses, RodForce RodForces::*which) {
     constexpr std::pair<RodForce RodForces::*, StressPeak SectionStress::*> names[] = {
         {&RodForces::compression, &SectionStress::compression},
@@ -67,14 +77,22 @@ namespace {
 
 /// The key of a strength of a section.
 std::string strengthKey(const DrillString& drill, std::size_t j, std::string_view field) {
+    if (drill.parts.empty()) return "rod." + std::string(field);
     const std::size_t ofHammer = drill.hammer.sections.size();
     return j < ofHammer ? sectionKey(SectionAddress::Chain::hammer, j + 1, field)
                         : sectionKey(SectionAddress::Chain::string, j - ofHammer + 1, field);
 }
 
-void addOverloads(const Scenario& scenario, const Impact& impact, std::vector<Alert>& alerts) {
-    const std::vector<SectionStress> stresses = sectionStresses(scenario, impact);
-    const std::vector<const Section*> sections = allSections(scenario.drillString);
+}  // namespace
+
+std::vector<Alert> stressAlerts(const Scenario& scenario, const std::vector<SectionStress>& stresses) {
+    std::vector<Alert> alerts;
+    if (!hasUnits(scenario)) return alerts;
+    std::vector<const Section*> sections = allSections(scenario.drillString);
+    Section rod;
+    rod.yieldStrength = scenario.rod.yieldStrength;
+    rod.fatigueStrength = scenario.rod.fatigueStrength;
+    if (sections.empty()) sections.push_back(&rod);
     std::vector<const Section*> told;  // a section that is repeated is told of where it is worst
     for (std::size_t j = 0; j < stresses.size(); ++j) {
         const Section* section = sections[j];
@@ -107,21 +125,20 @@ void addOverloads(const Scenario& scenario, const Impact& impact, std::vector<Al
                                   {{kind, peak.stress, Quantity::stress},
                                    {"place", peak.place, Quantity::length},
                                    {"time", peak.time, Quantity::time},
-                                   {"strength", *limit, Quantity::stress},
-                                   {"section", static_cast<double>(at + 1)}}});
+                                   {"strength", *limit, Quantity::stress}}});
+                if (section != &rod)
+                    alerts.back().arguments.push_back({"section", static_cast<double>(at + 1)});
                 return;
             }
         };
         add(section->yieldStrength, AlertCode::stressAboveYield, "yield_strength", false);
         add(section->fatigueStrength, AlertCode::stressAboveFatigue, "fatigue_strength", true);
     }
+    return alerts;
 }
-
-}  // namespace
 
 std::vector<Alert> stringAlerts(const Scenario& scenario, const Impact& impact) {
     std::vector<Alert> alerts;
-    addOverloads(scenario, impact, alerts);
     const Scales scales = scalesOf(scenario);
     // what a shared cell leaves is below what lengths are given to
     constexpr double noticedRounding = 1e-7;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What follows from a solved blow on a drill string: stresses of its sections, alerts.
+// What follows from a solved blow for the sections of the chain: their stresses, alerts. A rod is one
+// section.
 #pragma once
 
 #include <vector>
@@ -24,6 +25,8 @@ struct SectionStress {
 };
 /// Of every section of the hammer and then of the string, where the forces were asked for.
 std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Impact& impact);
+/// Of a uniform rod in physical units.
+std::vector<SectionStress> sectionStresses(const Scenario& scenario, const RodForces& forces);
 
 /// A largest stress of a string, and where.
 struct StringPeak {
@@ -40,8 +43,13 @@ void addStresses(ImpactSummary& summary, const Scenario& scenario, const Impact&
 /// Whether the blow was followed beyond its end, so that there are stresses after it.
 bool hasStressesAfter(const Impact& impact);
 
-/// What the result of a string gives reason to say: sections beyond their strength, lengths that were
-/// rounded, a blow that was not over. To be listed behind alertsFor(scenario).
+/// `stress_above_yield` when the largest stress in a section exceeds its yield strength,
+/// `stress_above_fatigue` when the largest tension exceeds its fatigue strength: a warning while the blow
+/// lasts, a remark where only the waves left do. Each says where and when. None without strengths.
+std::vector<Alert> stressAlerts(const Scenario& scenario, const std::vector<SectionStress>& stresses);
+
+/// What else cells give reason to say: lengths that were rounded, a blow that was not over, stresses that
+/// were too much work.
 std::vector<Alert> stringAlerts(const Scenario& scenario, const Impact& impact);
 
 }  // namespace drillwave

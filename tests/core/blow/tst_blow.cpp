@@ -88,7 +88,8 @@ void TestBlow::itsAlertsAreThoseOfTheScenarioTheResultAndTheStresses() {
     const Blow blow = solveBlow(scenario, {}, Detail::histories);
     std::vector<Alert> all = alertsFor(scenario);
     for (const Alert& alert : resultAlerts(scenario, blow.summary)) all.push_back(alert);
-    for (const Alert& alert : stressAlerts(scenario, *blow.summary.rodForces)) all.push_back(alert);
+    for (const Alert& alert : stressAlerts(scenario, sectionStresses(scenario, *blow.summary.rodForces)))
+        all.push_back(alert);
     QCOMPARE(blow.alerts, all);
     for (const char* code :
          {"outside_plausible_range", "thrust_below_needed", "stress_above_yield", "stress_above_fatigue"})
