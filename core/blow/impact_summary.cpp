@@ -23,10 +23,7 @@ void addHammer(ImpactSummary& summary, const Impact& impact, const Problem& prob
 
 void ImpactSummary::setForces(const RodForces& forces) {
     rodForces = forces;
-    largestCompression = forces.compression.size;
-    largestTension = forces.tension.size;
-    largestCompressionAfter = forces.compressionAfter.size;
-    largestTensionAfter = forces.tensionAfter.size;
+    largest = eachOf(forces, [](const RodForce& force) { return std::optional(force.size); });
 }
 
 ImpactSummary summarize(const Impact& impact, const Problem& problem) {

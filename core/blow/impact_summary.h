@@ -48,8 +48,7 @@ struct ImpactSummary {
 
     /// Largest stresses over all sections of hammer and string [F0/A of the rod], where they were asked for:
     /// while the blow lasts, and later where it was followed so long.
-    std::optional<double> largestCompression = {}, largestTension = {};
-    std::optional<double> largestCompressionAfter = {}, largestTensionAfter = {};
+    OfLoads<std::optional<double>> largest = {};
 
     double efficiencyRecovered() const { return energy.rockWork + hammerReboundEnergy; }
     /// Those of a uniform rod.

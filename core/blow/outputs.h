@@ -13,7 +13,6 @@
 #include "core/model/scales.h"
 #include "core/model/scenario.h"
 #include "core/text/units.h"
-#include "core/wave/field/rod_forces.h"
 #include "core/wave/impact.h"
 
 namespace drillwave {
@@ -71,9 +70,9 @@ struct Output {
     std::string_view title;  ///< in reports: "peak force"
     OutputOf of = OutputOf::anyBlow;
     OutputGroup group = OutputGroup::none;
-    std::string_view note = {};            ///< in the window, what it is in a sentence without its end
-    std::optional<EnergyPart> part = {};   ///< what it belongs to, or is
-    RodForce RodForces::*force = nullptr;  ///< which one, where it is a largest force in the rod
+    std::string_view note = {};           ///< in the window, what it is in a sentence without its end
+    std::optional<EnergyPart> part = {};  ///< what it belongs to, or is
+    std::optional<Load> load = {};        ///< which one, where it is a largest force in the rod
     /// problem(), for what not every blow of those has.
     std::string (*lack)(const Scenario&) = nullptr;
     std::string_view shortTitle = {};  ///< in the window, where it is another one

@@ -27,8 +27,7 @@ std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Impac
             return StressPeak{peak.force * (scales.force / areaAt(*sections[j], peak.place)),
                               peak.place * sections[j]->length, peak.time * scales.time};
         };
-        stresses.push_back({inSi(forces[j].compression), inSi(forces[j].tension),
-                            inSi(forces[j].compressionAfter), inSi(forces[j].tensionAfter)});
+        stresses.push_back(eachOf(forces[j], inSi));
     }
     return stresses;
 }
@@ -39,34 +38,22 @@ std::vector<SectionStress> sectionStresses(const Scenario& scenario, const RodFo
         return StressPeak{force.size * scales.stress, force.section * scenario.rod.length,
                           force.time * scales.time};
     };
-    return {{inSi(forces.compression), inSi(forces.tension), inSi(forces.compressionAfter),
-             inSi(forces.tensionAfter)}};
+    return {eachOf(forces, inSi)};
 }
 
-StringPeak largestStress(const std::vector<SectionStress>& stresses, RodForce RodForces::*which) {
-    constexpr std::pair<RodForce RodForces::*, StressPeak SectionStress::*> names[] = {
-        {&RodForces::compression, &SectionStress::compression},
-        {&RodForces::tension, &SectionStress::tension},
-        {&RodForces::compressionAfter, &SectionStress::compressionAfter},
-        {&RodForces::tensionAfter, &SectionStress::tensionAfter}};
-    const auto name = std::ranges::find_if(names, [&](const auto& each) { return each.first == which; });
-    const auto size = [&](const SectionStress& section) { return (section.*name->second).stress; };
+StringPeak largestStress(const std::vector<SectionStress>& stresses, Load load) {
+    const auto size = [&](const SectionStress& section) { return section[load].stress; };
     const auto found = std::ranges::max_element(stresses, {}, size);
-    return {static_cast<std::size_t>(found - stresses.begin()), *found.*name->second};
+    return {static_cast<std::size_t>(found - stresses.begin()), (*found)[load]};
 }
 
 void addStresses(ImpactSummary& summary, const Scenario& scenario, const Impact& impact) {
     const std::vector<SectionStress> stresses = sectionStresses(scenario, impact);
     if (stresses.empty()) return;
     const double unit = scalesOf(scenario).stress;
-    const auto largest = [&](RodForce RodForces::*which) {
-        return largestStress(stresses, which).peak.stress / unit;
-    };
-    summary.largestCompression = largest(&RodForces::compression);
-    summary.largestTension = largest(&RodForces::tension);
-    if (!hasStressesAfter(impact)) return;
-    summary.largestCompressionAfter = largest(&RodForces::compressionAfter);
-    summary.largestTensionAfter = largest(&RodForces::tensionAfter);
+    for (const Load load : loads)
+        if (!isAfter(load) || hasStressesAfter(impact))
+            summary.largest[load] = largestStress(stresses, load).peak.stress / unit;
 }
 
 bool hasStressesAfter(const Impact& impact) {

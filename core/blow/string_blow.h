@@ -20,9 +20,7 @@ struct StressPeak {
 };
 
 /// Those of a section, in the spans of time of SectionForces.
-struct SectionStress {
-    StressPeak compression, tension, compressionAfter, tensionAfter;
-};
+using SectionStress = OfLoads<StressPeak>;
 /// Of every section of the hammer and then of the string, where the forces were asked for.
 std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Impact& impact);
 /// Of a uniform rod in physical units.
@@ -33,9 +31,8 @@ struct StringPeak {
     std::size_t section = 0;  ///< of sectionStresses()
     StressPeak peak;
 };
-/// The one that of a rod is called that, over all sections, of the first where several are as large. Requires
-/// sections.
-StringPeak largestStress(const std::vector<SectionStress>& stresses, RodForce RodForces::*which);
+/// That of a load over all sections, of the first where several are as large. Requires sections.
+StringPeak largestStress(const std::vector<SectionStress>& stresses, Load load);
 
 /// Writes the largest stresses of all sections into the summary, where the forces were asked for.
 void addStresses(ImpactSummary& summary, const Scenario& scenario, const Impact& impact);

@@ -73,7 +73,7 @@ std::vector<std::string> cellsOfRod(const SummaryLine& line, const Output& outpu
     }
     cells.push_back(rounded(value) + " " + std::string(multipleName(output.measure, blow.scenario)));
     if (hasUnits(blow.scenario)) cells.push_back(siText(output, value, blow, plainStyle(), digitsOf(blow)));
-    if (output.force && value > 0) cells.push_back(placeText((*blow.summary.rodForces).*output.force, blow));
+    if (output.load && value > 0) cells.push_back(placeText((*blow.summary.rodForces)[*output.load], blow));
     return cells;
 }
 

@@ -61,12 +61,12 @@ std::string stringPlaceText(const StringPeak& largest, const Blow& blow, const R
 }
 
 ReportCell placeCell(const Output& output, const Blow& blow, const ReadingStyle& style) {
-    if (!output.force) return {};
+    if (!output.load) return {};
     if (const std::optional<RodForces>& forces = blow.summary.rodForces)
-        return {placeText((*forces).*output.force, blow, style), {}};
+        return {placeText((*forces)[*output.load], blow, style), {}};
     const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, blow.impact);
     if (stresses.empty()) return {};
-    return {stringPlaceText(largestStress(stresses, output.force), blow, style), {}};
+    return {stringPlaceText(largestStress(stresses, *output.load), blow, style), {}};
 }
 
 template <class Add>

@@ -2,6 +2,8 @@
 // The largest forces in one section of a hammer or a string.
 #pragma once
 
+#include "core/wave/loads.h"
+
 namespace drillwave {
 
 /// The largest force of one sign in a section, and where; in a cone that of the largest stress.
@@ -14,11 +16,6 @@ struct SectionPeak {
 /// Compression and tension of one section of hammer or string, as RodForces has those of a rod: while the
 /// blow lasts, to one transit of the string after the last separation of bit and rock, and later: at least
 /// while waves run to and fro once in the string, unless an end time or the next blow come before.
-struct SectionForces {
-    SectionPeak compression;
-    SectionPeak tension;
-    SectionPeak compressionAfter;
-    SectionPeak tensionAfter;
-};
+using SectionForces = OfLoads<SectionPeak>;
 
 }  // namespace drillwave

@@ -31,7 +31,7 @@ QString percent(double fraction) {
 std::optional<RodForce> stringPlaceOf(const Output& output, const SolvedBlow& blow) {
     const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, blow.impact);
     if (stresses.empty()) return std::nullopt;
-    const auto [section, peak] = largestStress(stresses, output.force);
+    const auto [section, peak] = largestStress(stresses, *output.load);
     const DrillString& drill = blow.scenario.drillString;
     const double length = allSections(drill)[section]->length;
     // Where sections meet, stresses differ: a little inside of the one that is meant.
@@ -74,10 +74,10 @@ QString corErrorText(const SolvedBlow& blow) {
 }
 
 std::optional<RodForce> placeOf(const Output& output, const SolvedBlow& blow) {
-    if (!output.force) return std::nullopt;
+    if (!output.load) return std::nullopt;
     const std::optional<RodForces>& forces = blow.summary.rodForces;
     const std::optional<RodForce> force =
-        forces ? std::optional((*forces).*output.force) : stringPlaceOf(output, blow);
+        forces ? std::optional((*forces)[*output.load]) : stringPlaceOf(output, blow);
     return force && force->size > 0 ? force : std::nullopt;
 }
 

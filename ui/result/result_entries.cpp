@@ -58,7 +58,7 @@ QList<ResultEntry> outputEntries(OutputGroup group) {
                         .number = numberOf(output),
                         .concerns = concerns,
                         .output = &output});
-        if (!output.force) continue;
+        if (!output.load) continue;
         entries.append(
             {.meaning = tr("Where in the rod it is first that large, and when: a click leads there"),
              .text = [&output](const SolvedBlow& blow) { return placeText(output, blow); },

@@ -73,12 +73,12 @@ Detail detailFor(std::span<const OutputColumn> columns) {
 WaveNumbers waveNumbersFor(std::span<const OutputColumn> columns) {
     WaveNumbers wanted{.forcePeaks = false, .forces = {false, false, false}};
     for (const OutputColumn& column : columns) {
-        const auto force = column.output->force;
-        wanted.forces.compression |= force == &RodForces::compression;
-        wanted.forces.tension |= force == &RodForces::tension;
-        wanted.forces.after |= force == &RodForces::compressionAfter || force == &RodForces::tensionAfter;
+        const std::optional<Load> load = column.output->load;
+        wanted.forces.compression |= load == Load::compression;
+        wanted.forces.tension |= load == Load::tension;
+        wanted.forces.after |= load && isAfter(*load);
         // what else takes the waves
-        wanted.forcePeaks |= !force && column.detail() == Detail::histories;
+        wanted.forcePeaks |= !load && column.detail() == Detail::histories;
     }
     return wanted;
 }

@@ -70,10 +70,7 @@ class Builder {
         m_envelope.largest = largestRodForces(impact, pulse);
         addBlow(pulse);
         addWavesLeft(startOfWavesLeft(impact, pulse));
-        takeOver(m_envelope.largest.compression, m_envelope.compression);
-        takeOver(m_envelope.largest.tension, m_envelope.tension);
-        takeOver(m_envelope.largest.compressionAfter, m_envelope.compressionAfter);
-        takeOver(m_envelope.largest.tensionAfter, m_envelope.tensionAfter);
+        for (const Load load : loads) takeOver(m_envelope.largest[load], m_envelope[load]);
     }
 
     RodEnvelope take() { return std::move(m_envelope); }

@@ -16,12 +16,9 @@ namespace drillwave {
 /// that is the largest there.
 using EnvelopeLine = std::vector<RodForce>;
 
-struct RodEnvelope {
-    EnvelopeLine compression;       ///< of −N while the blow lasts, as RodForces has it
-    EnvelopeLine tension;           ///< of N in that time
-    EnvelopeLine compressionAfter;  ///< of −N later, of the waves left, which nothing damps in the model
-    EnvelopeLine tensionAfter;      ///< of N later; with the time of the first meeting of the waves
-    RodForces largest;              ///< of the whole rod: the largest of each line
+/// A line for each that RodForces has.
+struct RodEnvelope : OfLoads<EnvelopeLine> {
+    RodForces largest;  ///< of the whole rod: the largest of each line
     double missed = 0;  ///< [F0] by how much a line may be too low where the work had an end, else 0
     long steps = 0;     ///< pairs of stretches of the two waves that were looked at
 };

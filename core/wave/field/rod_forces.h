@@ -4,6 +4,7 @@
 
 #include "core/model/pulse_force.h"
 #include "core/wave/impact.h"
+#include "core/wave/loads.h"
 
 namespace drillwave {
 
@@ -15,14 +16,10 @@ struct RodForce {
     bool operator==(const RodForce&) const = default;
 };
 
-/// Sizes are 0 where the rod is never pushed or pulled.
-struct RodForces {
-    RodForce compression;       ///< of −N while the blow lasts: to one transit after the last separation
-    RodForce tension;           ///< of N in that time
-    RodForce compressionAfter;  ///< of −N later, of the waves left, which nothing damps in the model
-    RodForce tensionAfter;      ///< of N later; time and place of the first meeting of the waves
-    bool operator==(const RodForces&) const = default;
-};
+/// Of −N and of N while the blow lasts, to one transit after the last separation; later of the waves left,
+/// which nothing damps in the model, with time and place of their first meeting. Sizes are 0 where the rod is
+/// never pushed or pulled.
+using RodForces = OfLoads<RodForce>;
 
 /// Which of them are wanted; the others stay 0.
 struct RodForceChoice {

@@ -67,17 +67,14 @@ void hold(SectionPeak& here, const SectionPeak& known) {
     here.force = std::min(here.force, known.force);
 }
 
-constexpr SectionPeak SectionForces::*peaksOfSection[] = {
-    &SectionForces::compression, &SectionForces::tension, &SectionForces::compressionAfter,
-    &SectionForces::tensionAfter};
-
 /// In `count` equal parts, and where the largest forces are.
 std::vector<double> placesOf(const SectionForces* peaks, int count) {
     std::vector<double> places;
     for (int i = 0; i <= count; ++i) places.push_back(static_cast<double>(i) / count);
     if (peaks)
-        for (const auto peak : peaksOfSection)
-            if ((peaks->*peak).force > 0) places.push_back(std::clamp((peaks->*peak).place, 0.0, 1.0));
+        for (const Load load : loads)
+            if (const SectionPeak& peak = (*peaks)[load]; peak.force > 0)
+                places.push_back(std::clamp(peak.place, 0.0, 1.0));
     std::ranges::sort(places);
     places.erase(std::unique(places.begin(), places.end()), places.end());
     return places;
@@ -90,7 +87,7 @@ SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, dou
     const SectionWaves& own = waves.pieces()[at.piece];
     PassingCells down(waves, own.downAt(at.xi)), up(waves, own.upAt(at.xi));
     SectionForces forces;
-    for (const auto peak : peaksOfSection) (forces.*peak).place = xi;
+    for (const Load load : loads) forces[load].place = xi;
     const double same = waves.rounding(), end = waves.end();
     for (double from = 0; from < end;) {
         const bool isAfter = from >= endOfBlow;
@@ -146,7 +143,7 @@ std::vector<SectionEnvelope> stringEnvelope(const Impact& impact, const std::sto
             SectionForces forces = largestForcesAt(waves, j, xi, impact.endOfBlow);
             // along a cone the largest stress is not that of the largest force
             if (peaks && waves.piecesOf(j) == 1)
-                for (const auto peak : peaksOfSection) hold(forces.*peak, peaks->*peak);
+                for (const Load load : loads) hold(forces[load], (*peaks)[load]);
             made.push_back(forces);
         }
         envelope[j] = std::move(made);

@@ -116,17 +116,15 @@ SectionForces WaveRecorder::forcesOf(std::size_t first, std::size_t count) const
     SectionForces forces = m_watches[first].forces();
     if (count == 1) return forces;
     const std::vector<UniformSection>& pieces = m_plan->problem().sections;
-    for (SectionPeak SectionForces::*const peak :
-         {&SectionForces::compression, &SectionForces::tension, &SectionForces::compressionAfter,
-          &SectionForces::tensionAfter}) {
+    for (const Load load : loads) {
         double most = -1;
         for (std::size_t i = 0; i < count; ++i) {
-            SectionPeak here = m_watches[first + i].forces().*peak;
+            SectionPeak here = m_watches[first + i].forces()[load];
             const double stress = here.force / pieces[first + i].impedance;
             if (stress <= most) continue;
             most = stress;
             here.place = (static_cast<double>(i) + here.place) / static_cast<double>(count);
-            forces.*peak = here;
+            forces[load] = here;
         }
     }
     return forces;

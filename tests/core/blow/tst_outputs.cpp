@@ -227,7 +227,7 @@ void TestOutputs::theWindowListsWhatHasAGroup() {
     for (const Output& output : outputs()) {
         QCOMPARE(output.label().empty(), output.group == OutputGroup::none);
         QCOMPARE(output.note.empty(), output.group == OutputGroup::none);
-        QCOMPARE(output.force != nullptr, output.measure == Measure::stress);
+        QCOMPARE(output.load.has_value(), output.measure == Measure::stress);
     }
 }
 

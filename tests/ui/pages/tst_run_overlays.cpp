@@ -369,8 +369,8 @@ void TestRunOverlays::theRodHasTheEnvelopes() {
     // Along the compression of the run, then back along its tension.
     const RodCurves curves = rodCurves(*run(0).blow, run(0).blow->units);
     const auto& points = *paths[0]->data();
-    const int compression = curves.curve(RodLine::compression)->size();
-    QCOMPARE(points.size(), compression + 1 + curves.curve(RodLine::tension)->size());
+    const int compression = curves.curve(Load::compression)->size();
+    QCOMPARE(points.size(), compression + 1 + curves.curve(Load::tension)->size());
     QVERIFY(std::isnan(points.at(compression)->value));  // two lines
     QVERIFY(points.at(compression / 2)->value < 0 && points.at(compression + 2)->value > 0);
     // Nothing of them is left where there is nothing.

@@ -143,7 +143,7 @@ class TestResultWiring : public QObject {
         const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, blow.impact);
         const auto links = part<ResultPanel>(window).findChildren<PlaceLink*>();
         emit links.at(1)->followed();
-        const StringPeak peak = largestStress(stresses, &RodForces::tension);
+        const StringPeak peak = largestStress(stresses, Load::tension);
         QCOMPARE(observation.time(), std::optional(peak.peak.time / blow.scales.time));
         const StringPlace place = stringPlace(blow.scenario.drillString, observation.section());
         QCOMPARE(place.section, peak.section);

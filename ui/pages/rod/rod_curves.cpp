@@ -12,14 +12,10 @@
 namespace drillwave {
 namespace {
 
-constexpr EnvelopeLine RodEnvelope::*linesOf[] = {&RodEnvelope::compression, &RodEnvelope::tension,
-                                                  &RodEnvelope::compressionAfter, &RodEnvelope::tensionAfter};
-constexpr RodForce RodForces::*largestOf[] = {&RodForces::compression, &RodForces::tension,
-                                              &RodForces::compressionAfter, &RodForces::tensionAfter};
 constexpr const char* columnNames[] = {"compression", "tension", "compression of the waves left",
                                        "tension of the waves left"};
 
-GraphData curveOf(const RodCurves& curves, RodLine line) {
+GraphData curveOf(const RodCurves& curves, Load line) {
     QVector<QCPGraphData> points;
     points.reserve(static_cast<qsizetype>(curves.forces(line).size()));
     for (const RodForce& force : curves.forces(line))
@@ -27,26 +23,12 @@ GraphData curveOf(const RodCurves& curves, RodLine line) {
     return graphData(points);
 }
 
-std::optional<double> shownStrength(const std::optional<double>& strength, const Scenario& scenario,
-                                    const ShownUnits& units) {
-    if (!strength || scenario.form != ScenarioForm::dimensional) return {};
-    return *strength / scalesOf(scenario).stress * units.stress.factor;
-}
-
 }  // namespace
 
-const EnvelopeLine& RodCurves::forces(RodLine line) const {
-    return envelope.*linesOf[static_cast<std::size_t>(line)];
-}
-
-const RodForce& RodCurves::largest(RodLine line) const {
-    return envelope.largest.*largestOf[static_cast<std::size_t>(line)];
-}
-
-RodForce RodCurves::forceAt(RodLine line, double section) const {
+RodForce RodCurves::forceAt(Load line, double section) const {
     if (!string) return drillwave::forceAt(forces(line), section);
     if (!string->waves) return {0, section, 0};
-    return string->largestAt(section).*largestOf[static_cast<std::size_t>(line)];
+    return string->largestAt(section)[line];
 }
 
 RodCurves rodCurves(const Blow& blow, const ShownUnits& units, const std::stop_token& stop) {
@@ -58,10 +40,12 @@ RodCurves rodCurves(const Blow& blow, const ShownUnits& units, const std::stop_t
         curves.envelope = stringRodEnvelope(*curves.string, blow, stop);
     } else {
         curves.envelope = rodEnvelope(blow.impact, blow.problem.force(), stop);
-        curves.yieldStrength = shownStrength(blow.scenario.rod.yieldStrength, blow.scenario, units);
-        curves.fatigueStrength = shownStrength(blow.scenario.rod.fatigueStrength, blow.scenario, units);
+        if (hasUnits(blow.scenario)) {
+            curves.yieldStrength = curves.shownStrength(blow.scenario.rod.yieldStrength);
+            curves.fatigueStrength = curves.shownStrength(blow.scenario.rod.fatigueStrength);
+        }
     }
-    for (const RodLine line : rodLines) curves.curves[static_cast<std::size_t>(line)] = curveOf(curves, line);
+    for (const Load line : loads) curves.curves[static_cast<std::size_t>(line)] = curveOf(curves, line);
     return curves;
 }
 
@@ -75,7 +59,7 @@ QByteArray rodCsv(const RodCurves& curves, char separator) {
     const auto heading = [&](const char* name, const ShownUnit& unit) {
         append(csvCell(name + (" [" + unit.unit.toStdString() + "]")));
     };
-    for (const RodLine line : curves.lines()) {
+    for (const Load line : curves.lines()) {
         heading("position", curves.units.length);
         heading(columnNames[static_cast<std::size_t>(line)], curves.units.stress);
         heading("time", curves.units.time);
@@ -84,7 +68,7 @@ QByteArray rodCsv(const RodCurves& curves, char separator) {
     text += '\n';
     for (std::size_t row = 0; row < rows; ++row) {
         std::string cells;
-        for (const RodLine line : curves.lines()) {
+        for (const Load line : curves.lines()) {
             if (!cells.empty()) cells += separator;
             if (row >= curves.forces(line).size()) {
                 cells += std::string(2, separator);

@@ -19,42 +19,30 @@
 
 namespace drillwave {
 
-/// The largest of one sign while the blow lasts, or of the waves it leaves.
-enum class RodLine : std::size_t { compression, tension, compressionAfter, tensionAfter };
-inline constexpr std::array rodLines{RodLine::compression, RodLine::tension, RodLine::compressionAfter,
-                                     RodLine::tensionAfter};
-
-inline constexpr bool isTension(RodLine line) {
-    return line == RodLine::tension || line == RodLine::tensionAfter;
-}
-inline constexpr bool isAfter(RodLine line) {
-    return line == RodLine::compressionAfter || line == RodLine::tensionAfter;
-}
-
 /// Never changed once built; stresses as they are shown are positive in tension.
 struct RodCurves {
     ShownUnits units;
-    RodEnvelope envelope;                           ///< dimensionless
-    std::array<GraphData, rodLines.size()> curves;  ///< position in the rod, stress
+    RodEnvelope envelope;                        ///< dimensionless
+    std::array<GraphData, loads.size()> curves;  ///< position in the rod, stress
     std::optional<double> yieldStrength, fatigueStrength;
     double strengthFactor = 0;                     ///< from Pa to stresses as shown
     std::optional<StringRod> string = {};          ///< of a drill string, which has strengths of its own
     std::vector<RunOverlay<RodCurves>> runs = {};  ///< laid over them
 
-    const GraphData& curve(RodLine line) const { return curves[static_cast<std::size_t>(line)]; }
-    const EnvelopeLine& forces(RodLine line) const;
+    const GraphData& curve(Load line) const { return curves[static_cast<std::size_t>(line)]; }
+    const EnvelopeLine& forces(Load line) const { return envelope[line]; }
     /// The lines that are there: a string may not be followed beyond the blow.
-    std::span<const RodLine> lines() const {
+    std::span<const Load> lines() const {
         const bool hasAfter = !string || !envelope.tensionAfter.empty();
-        return std::span(rodLines).first(hasAfter ? rodLines.size() : 2);
+        return std::span(loads).first(hasAfter ? loads.size() : 2);
     }
     /// The largest at a place, in lengths of rod or string.
-    RodForce forceAt(RodLine line, double section) const;
+    RodForce forceAt(Load line, double section) const;
     /// Where it begins, likewise.
     double rear() const { return string ? string->rear() : 0; }
-    const RodForce& largest(RodLine line) const;
+    const RodForce& largest(Load line) const { return envelope.largest[line]; }
     /// As shown.
-    double stress(RodLine line, const RodForce& force) const {
+    double stress(Load line, const RodForce& force) const {
         return (isTension(line) ? 1 : -1) * force.size * units.stress.factor;
     }
     /// Of a section of a string [Pa].

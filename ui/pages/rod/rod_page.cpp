@@ -91,7 +91,7 @@ void RodPage::setResult(const SolvedBlowPtr& blow) {
     } else if (curves) {
         m_rod->present(*curves);
         const CurveMeaning meaning{.xUnit = blow->units.length.unit, .yUnit = blow->units.stress.unit};
-        for (const RodLine line : rodLines) m_plot->setMeaning(m_rod->graph(line), meaning);
+        for (const Load line : loads) m_plot->setMeaning(m_rod->graph(line), meaning);
         for (QCPCurve* run : m_rod->runs()) m_plot->setMeaning(run, meaning);
         m_plot->setDataText([blow](char separator) { return rodCsv(*blow->page<RodCurves>(), separator); });
     } else if (!blow->fault.isEmpty()) {
@@ -136,7 +136,7 @@ void RodPage::showReadout() {
     const RodCurves* shown = curves();
     if (!shown || (shown->string && !shown->string->waves)) return m_readout->setText(QStringLiteral(" "));
     const QLocale locale;
-    const auto words = [&](RodLine line) {
+    const auto words = [&](Load line) {
         const RodForce force = shown->forceAt(line, m_observation.section());
         const QString stress =
             numberText(shown->stress(line, force), 4, locale) + QChar(QChar::Nbsp) + shown->units.stress.unit;
@@ -148,12 +148,12 @@ void RodPage::showReadout() {
         const RodStretch& in = shown->string->stretches[shown->string->sectionAt(m_observation.section())];
         const QString name = in.name.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(in.name);
         return m_readout->setText(tr("At %1 in the blow: %2 and %3\nin section %4%5 of the string")
-                                      .arg(place, words(RodLine::compression), words(RodLine::tension),
+                                      .arg(place, words(Load::compression), words(Load::tension),
                                            QString::number(in.number), name));
     }
     m_readout->setText(tr("At %1 in the blow: %2 and %3\nof the waves left: %4 and %5")
-                           .arg(place, words(RodLine::compression), words(RodLine::tension),
-                                words(RodLine::compressionAfter), words(RodLine::tensionAfter)));
+                           .arg(place, words(Load::compression), words(Load::tension),
+                                words(Load::compressionAfter), words(Load::tensionAfter)));
 }
 
 void RodPage::goTo(QPointF coordinates) {

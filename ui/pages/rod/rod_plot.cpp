@@ -26,22 +26,22 @@ bool sameUnits(const ShownUnits& a, const ShownUnits& b) {
     return a.stress.unit == b.stress.unit && a.length.unit == b.length.unit;
 }
 
-QString nameOf(RodLine line) {
+QString nameOf(Load line) {
     switch (line) {
-        case RodLine::compression:
+        case Load::compression:
             return RodPlot::tr("largest compression in the blow");
-        case RodLine::tension:
+        case Load::tension:
             return RodPlot::tr("largest tension in the blow");
-        case RodLine::compressionAfter:
+        case Load::compressionAfter:
             return RodPlot::tr("compression of the waves left");
-        case RodLine::tensionAfter:
+        case Load::tensionAfter:
             return RodPlot::tr("tension of the waves left");
     }
     return {};
 }
 
 /// Compression and tension in two colours, the waves left thinner and dashed.
-QPen penOf(const PlotStyle& style, RodLine line) {
+QPen penOf(const PlotStyle& style, Load line) {
     QPen pen = style.linePen(0);
     pen.setColor(style.lines[isTension(line) ? 1 : 0]);
     if (isAfter(line)) {
@@ -57,8 +57,8 @@ QSharedPointer<QCPCurveDataContainer> outlineOf(const RodCurves& curves) {
     const auto append = [&](const QCPGraphData& point) {
         points.append({double(points.size()), point.key, point.value});
     };
-    const QCPGraphDataContainer& compression = *curves.curve(RodLine::compression);
-    const QCPGraphDataContainer& tension = *curves.curve(RodLine::tension);
+    const QCPGraphDataContainer& compression = *curves.curve(Load::compression);
+    const QCPGraphDataContainer& tension = *curves.curve(Load::tension);
     std::for_each(compression.constBegin(), compression.constEnd(), append);
     if (!points.isEmpty()) append({points.last().key, std::numeric_limits<double>::quiet_NaN()});
     for (auto point = tension.constEnd(); point != tension.constBegin();) append(*--point);
@@ -77,7 +77,7 @@ RodPlot::RodPlot(QCustomPlot* plot) : StudyFrame(plot) {
     m_legend->setWrap(usualColumns);
     addRunLegend();
     m_runs = new RunPaths(x(), y(), m_runLegend, RunPaths::thin);
-    for (const RodLine line : rodLines) {
+    for (const Load line : loads) {
         QCPGraph* graph = addCurve(x(), y());
         graph->setName(nameOf(line));
         m_graphs[static_cast<std::size_t>(line)] = graph;
@@ -119,7 +119,7 @@ void RodPlot::present(const RodCurves& curves) {
     if (unitsChanged) setGhost(nullptr);
     m_curves = curves;
     if (hasOtherRuns) showRuns();
-    for (const RodLine line : rodLines) graph(line)->setData(curves.curve(line));
+    for (const Load line : loads) graph(line)->setData(curves.curve(line));
     showLegendOf(curves);
     showSections();
     nameAxes();
@@ -142,8 +142,8 @@ void RodPlot::nameAxes() {
 
 // Only of lines that are there.
 void RodPlot::showLegendOf(const RodCurves& curves) {
-    const bool isWanted = curves.lines().size() == rodLines.size();
-    for (const RodLine line : {RodLine::compressionAfter, RodLine::tensionAfter}) {
+    const bool isWanted = curves.lines().size() == loads.size();
+    for (const Load line : {Load::compressionAfter, Load::tensionAfter}) {
         const bool isThere = m_legend->hasItemWithPlottable(graph(line));
         if (!isWanted && isThere) graph(line)->removeFromLegend();
         if (isWanted && !isThere) graph(line)->addToLegend();
@@ -208,7 +208,7 @@ void RodPlot::setGhost(const RodCurves* before) {
     for (QCPGraph* ghost : std::as_const(m_ghosts)) m_plot->removeGraph(ghost);
     m_ghosts.clear();
     if (before && sameUnits(before->units, m_curves.units)) {
-        for (const RodLine line : {RodLine::compression, RodLine::tension}) {
+        for (const Load line : {Load::compression, Load::tension}) {
             QCPGraph* ghost = addCurve(x(), y());
             ghost->removeFromLegend();
             ghost->setLayer(ghostLayer(*m_plot));
@@ -225,16 +225,16 @@ QString RodPlot::stressText(double stress) const {
     return numberText(stress, 4, m_plot->locale()) + QChar(QChar::Nbsp) + m_curves.units.stress.unit;
 }
 
-bool RodPlot::isNumbered(RodLine line) const {
+bool RodPlot::isNumbered(Load line) const {
     const double size = m_curves.largest(line).size;
     if (!isAfter(line)) return size > 0;
-    const RodLine blow = isTension(line) ? RodLine::tension : RodLine::compression;
+    const Load blow = isTension(line) ? Load::tension : Load::compression;
     return size > tellingDifference * m_curves.largest(blow).size;
 }
 
 // Outside of the curves, towards the middle of the rod.
 void RodPlot::placeMarks() {
-    for (const RodLine line : rodLines) {
+    for (const Load line : loads) {
         const Mark& mark = m_marks[static_cast<std::size_t>(line)];
         const RodForce& largest = m_curves.largest(line);
         const QPointF at(m_curves.position(largest), m_curves.stress(line, largest));
@@ -250,7 +250,7 @@ void RodPlot::placeMarks() {
 
 // What is hidden by the legend has no mark either.
 void RodPlot::followLegend() {
-    for (const RodLine line : rodLines) {
+    for (const Load line : loads) {
         const Mark& mark = m_marks[static_cast<std::size_t>(line)];
         const bool shown = graph(line)->visible() && m_curves.largest(line).size > 0;
         mark.ring->setVisible(shown);
@@ -259,7 +259,7 @@ void RodPlot::followLegend() {
 }
 
 void RodPlot::nameNumbers() {
-    for (const RodLine line : rodLines)
+    for (const Load line : loads)
         m_marks[static_cast<std::size_t>(line)].number->setText(
             stressText(m_curves.stress(line, m_curves.largest(line))));
     for (StrengthLines& strength : m_strengths)
@@ -276,7 +276,7 @@ void RodPlot::nameNumbers() {
 void RodPlot::summarize() {
     const QLocale locale = m_plot->locale();
     QStringList extremes;
-    for (const RodLine line : m_curves.lines()) {
+    for (const Load line : m_curves.lines()) {
         const RodForce& largest = m_curves.largest(line);
         extremes << tr("%1 up to %2 at %3, %4")
                         .arg(nameOf(line), stressText(m_curves.stress(line, largest)),
@@ -289,7 +289,7 @@ void RodPlot::summarize() {
 void RodPlot::restyle() {
     const PlotStyle& style = m_style;
     m_runs->setStyle(style);
-    for (const RodLine line : rodLines) {
+    for (const Load line : loads) {
         const QPen pen = penOf(style, line);
         graph(line)->setPen(pen);
         const Mark& mark = m_marks[static_cast<std::size_t>(line)];
@@ -346,7 +346,7 @@ KeyPlaces RodPlot::keyPlaces() const {
     };
     places.marks = [this] {
         QVector<QPointF> marks;
-        for (const RodLine line : rodLines)
+        for (const Load line : loads)
             if (const RodForce& largest = m_curves.largest(line); graph(line)->visible() && largest.size > 0)
                 marks.append({m_curves.position(largest), m_curves.stress(line, largest)});
         return marks;
@@ -365,7 +365,7 @@ std::optional<RodForce> RodPlot::forceAt(QPointF coordinates) const {
         nearest = force;
         distance = away;
     };
-    for (const RodLine line : rodLines) {
+    for (const Load line : loads) {
         const RodForce& largest = m_curves.largest(line);
         if (!graph(line)->visible() || !(largest.size > 0)) continue;
         const QPointF mark = pixelOf({m_curves.position(largest), m_curves.stress(line, largest)});
@@ -375,7 +375,7 @@ std::optional<RodForce> RodPlot::forceAt(QPointF coordinates) const {
     const double section = coordinates.x() / m_curves.units.length.factor;
     if (section < m_curves.rear() || section > 1) return {};
     distance = std::numeric_limits<double>::infinity();
-    for (const RodLine line : m_curves.lines()) {
+    for (const Load line : m_curves.lines()) {
         if (!graph(line)->visible()) continue;
         RodForce force = m_curves.forceAt(line, section);
         const QPointF there = pixelOf({coordinates.x(), m_curves.stress(line, force)});

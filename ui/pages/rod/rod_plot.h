@@ -32,7 +32,7 @@ class RodPlot : public StudyFrame {
     std::optional<RodForce> forceAt(QPointF coordinates) const;
     /// Along the curves, to the extremes that are marked.
     KeyPlaces keyPlaces() const override;
-    QCPGraph* graph(RodLine line) const { return m_graphs[static_cast<std::size_t>(line)]; }
+    QCPGraph* graph(Load line) const { return m_graphs[static_cast<std::size_t>(line)]; }
     /// Those of pinned runs: compression to the bit and tension back from it.
     const QVector<QCPCurve*>& runs() const { return m_runs->graphs(); }
 
@@ -56,11 +56,11 @@ class RodPlot : public StudyFrame {
     void followLegend();
     void nameNumbers();
     void summarize();
-    bool isNumbered(RodLine line) const;
+    bool isNumbered(Load line) const;
     QString stressText(double stress) const;
 
-    std::array<QCPGraph*, rodLines.size()> m_graphs{};
-    std::array<Mark, rodLines.size()> m_marks;
+    std::array<QCPGraph*, loads.size()> m_graphs{};
+    std::array<Mark, loads.size()> m_marks;
     std::array<StrengthLines, 2> m_strengths{StrengthLines(StrengthLines::Kind::yield),
                                              StrengthLines(StrengthLines::Kind::fatigue)};
     QVector<QCPItemStraightLine*> m_joints;  // of a string

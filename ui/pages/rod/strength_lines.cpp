@@ -75,7 +75,7 @@ void StrengthLines::place(const RodCurves& curves, const std::optional<double>& 
     m_name->setText((isOfBoth() ? tr("yield strength %1") : tr("fatigue strength %1")).arg(stress(*value)));
     m_name->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
     // On the side where the rod is not pulled most.
-    const bool pulledAtRight = curves.largest(RodLine::tension).section > 0.5;
+    const bool pulledAtRight = curves.largest(Load::tension).section > 0.5;
     m_name->setPositionAlignment((pulledAtRight ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignBottom);
     m_name->position->setCoords(pulledAtRight ? 0 : 1, *value);
 }

@@ -21,18 +21,6 @@ RodForce stressOf(const RodStretch& stretch, const SectionPeak& peak) {
             peak.time};
 }
 
-/// What is called the same of a rod and of a section.
-struct Kind {
-    RodForce RodForces::*ofRod;
-    SectionPeak SectionForces::*ofSection;
-    EnvelopeLine RodEnvelope::*line;
-};
-constexpr Kind kinds[] = {
-    {&RodForces::compression, &SectionForces::compression, &RodEnvelope::compression},
-    {&RodForces::tension, &SectionForces::tension, &RodEnvelope::tension},
-    {&RodForces::compressionAfter, &SectionForces::compressionAfter, &RodEnvelope::compressionAfter},
-    {&RodForces::tensionAfter, &SectionForces::tensionAfter, &RodEnvelope::tensionAfter}};
-
 void takeLarger(RodForce& largest, const RodForce& force) {
     if (force.size > largest.size) largest = force;
 }
@@ -67,10 +55,9 @@ RodForces StringRod::largestAt(double place) const {
     for (std::size_t j = sectionAt(place); j < stretches.size() && stretches[j].rear <= place; ++j) {
         const RodStretch& stretch = stretches[j];
         const SectionForces forces = largestForcesAt(*waves, j, stretch.shareAt(place), endOfBlow);
-        for (const Kind& kind : kinds)
-            takeLarger(largest.*kind.ofRod, stressOf(stretch, forces.*kind.ofSection));
+        for (const Load load : loads) takeLarger(largest[load], stressOf(stretch, forces[load]));
     }
-    for (const Kind& kind : kinds) (largest.*kind.ofRod).section = place;
+    for (const Load load : loads) largest[load].section = place;
     return largest;
 }
 
@@ -105,13 +92,11 @@ RodEnvelope stringRodEnvelope(const StringRod& rod, const Blow& blow, const std:
     const std::vector<SectionEnvelope> sections = stringEnvelope(blow.impact, stop);
     for (std::size_t j = 0; j < sections.size(); ++j)
         for (const SectionForces& forces : sections[j])
-            for (const Kind& kind : kinds) {
-                const bool isAfter =
-                    kind.ofRod == &RodForces::compressionAfter || kind.ofRod == &RodForces::tensionAfter;
-                if (isAfter && !hasStressesAfter(blow.impact)) continue;
-                const RodForce stress = stressOf(rod.stretches[j], forces.*kind.ofSection);
-                (envelope.*kind.line).push_back(stress);
-                takeLarger(envelope.largest.*kind.ofRod, stress);
+            for (const Load load : loads) {
+                if (isAfter(load) && !hasStressesAfter(blow.impact)) continue;
+                const RodForce stress = stressOf(rod.stretches[j], forces[load]);
+                envelope[load].push_back(stress);
+                takeLarger(envelope.largest[load], stress);
             }
     return envelope;
 }

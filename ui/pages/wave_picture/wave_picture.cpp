@@ -42,7 +42,7 @@ double largestMagnitude(const Blow& blow, const BlowWaves& waves, WaveQuantity f
 StringPicture stringPicture(const Blow& blow, const BlowWaves& waves) {
     StringPicture picture{stringRod(blow), waves.end(), 1, waves.faceContacts()};
     const double largest =
-        std::max(blow.summary.largestCompression.value_or(0), blow.summary.largestTension.value_or(0));
+        std::max(blow.summary.largest.compression.value_or(0), blow.summary.largest.tension.value_or(0));
     if (largest > 0) picture.largestStress = largest;
     return picture;
 }

@@ -52,7 +52,7 @@ class TestRodPage : public QObject {
     int straightLines(const QString& layer) const;
     SolvedBlowPtr solved(double stiffness = 105e6, UnitSystem units = UnitSystem::si) const;
     /// Clicks where a force of the line is drawn.
-    void click(RodLine line, const RodForce& force, QPoint beside = {}) const;
+    void click(Load line, const RodForce& force, QPoint beside = {}) const;
     int visibleStrengths() const;
     QString readout() const {
         QString text = m_page->findChild<QLabel*>(QStringLiteral("readout"))->text();
@@ -83,7 +83,7 @@ SolvedBlowPtr TestRodPage::solved(double stiffness, UnitSystem units) const {
     return solveBlow(request, solver);
 }
 
-void TestRodPage::click(RodLine line, const RodForce& force, QPoint beside) const {
+void TestRodPage::click(Load line, const RodForce& force, QPoint beside) const {
     const SolvedBlowPtr blow = solved();
     const RodCurves& curves = *blow->page<RodCurves>();
     PlotWidget& plot = *m_page->plot();
@@ -118,7 +118,7 @@ void TestRodPage::theExtremesAreThePeaksOfTheResult() {
     const SolvedBlowPtr blow = solved();
     const RodCurves& curves = *blow->page<RodCurves>();
     QCOMPARE(curves.envelope.largest, *blow->summary.rodForces);
-    for (const RodLine line : rodLines) {
+    for (const Load line : loads) {
         double most = 0;
         for (const QCPGraphData& point : *curves.curve(line)) most = std::max(most, std::abs(point.value));
         QCOMPARE(most, curves.largest(line).size * blow->units.stress.factor);
@@ -129,7 +129,7 @@ void TestRodPage::tensionIsAboveZeroAndCompressionBelow() {
     const SolvedBlowPtr blow = solved();
     m_page->setResult(blow);
     QCOMPARE(m_page->plot()->graphCount(), 4);
-    for (const RodLine line : rodLines) {
+    for (const Load line : loads) {
         bool found = false;
         const QCPRange range = m_page->rodPlot()->graph(line)->getValueRange(found);
         QVERIFY(found);
@@ -164,19 +164,19 @@ void TestRodPage::aClickOnAPeakLeadsToItsPlaceAndTime() {
     const SolvedBlowPtr blow = solved();
     m_page->setResult(blow);
     const RodCurves& curves = *blow->page<RodCurves>();
-    for (const RodLine line : {RodLine::compression, RodLine::tension, RodLine::tensionAfter}) {
+    for (const Load line : {Load::compression, Load::tension, Load::tensionAfter}) {
         const RodForce largest = curves.largest(line);
         click(line, largest, {0, isTension(line) ? -3 : 3});
         QCOMPARE(m_observation->section(), largest.section);
         QCOMPARE(m_observation->time(), std::optional(largest.time));
     }
     // The waves left push as hard at the same place: the time is that of the blow, until that is hidden.
-    const RodForce left = curves.largest(RodLine::compressionAfter);
-    QVERIFY(std::abs(left.section - curves.largest(RodLine::compression).section) < 1e-9);
-    click(RodLine::compressionAfter, left);
-    QCOMPARE(m_observation->time(), std::optional(curves.largest(RodLine::compression).time));
-    m_page->rodPlot()->graph(RodLine::compression)->setVisible(false);
-    click(RodLine::compressionAfter, left);
+    const RodForce left = curves.largest(Load::compressionAfter);
+    QVERIFY(std::abs(left.section - curves.largest(Load::compression).section) < 1e-9);
+    click(Load::compressionAfter, left);
+    QCOMPARE(m_observation->time(), std::optional(curves.largest(Load::compression).time));
+    m_page->rodPlot()->graph(Load::compression)->setVisible(false);
+    click(Load::compressionAfter, left);
     QCOMPARE(m_observation->time(), std::optional(left.time));
 }
 
@@ -184,12 +184,12 @@ void TestRodPage::aClickBesideACurveLeadsToTheLargestThere() {
     const SolvedBlowPtr blow = solved();
     m_page->setResult(blow);
     const RodCurves& curves = *blow->page<RodCurves>();
-    click(RodLine::tension, forceAt(curves.forces(RodLine::tension), 0.4), {0, -40});
+    click(Load::tension, forceAt(curves.forces(Load::tension), 0.4), {0, -40});
     QVERIFY(std::abs(m_observation->section() - 0.4) < 0.01);
     QVERIFY(m_observation->time().has_value());
     // The wave field has that stress there and then, on one side of a jump.
-    const RodForce there = forceAt(curves.forces(RodLine::tension), m_observation->section());
-    const RodForce left = forceAt(curves.forces(RodLine::tensionAfter), m_observation->section());
+    const RodForce there = forceAt(curves.forces(Load::tension), m_observation->section());
+    const RodForce left = forceAt(curves.forces(Load::tensionAfter), m_observation->section());
     QVERIFY(*m_observation->time() == there.time || *m_observation->time() == left.time);
 }
 
@@ -222,13 +222,13 @@ void TestRodPage::theDataHaveThePlaceAndTimeOfEveryPoint() {
                         "position [m],tension of the waves left [MPa],time [ms]"));
     const RodCurves& curves = *blow->page<RodCurves>();
     std::size_t most = 0;
-    for (const RodLine line : rodLines) most = std::max(most, curves.forces(line).size());
+    for (const Load line : loads) most = std::max(most, curves.forces(line).size());
     QCOMPARE(std::size_t(rows.size()), most + 1);
     for (const QByteArray& row : rows) QCOMPARE(row.count(','), 11);
     const QList<QByteArray> first = rows.at(1).split(',');
     QCOMPARE(first.at(0).toDouble(), 0.0);
     QCOMPARE(first.at(1).toDouble(),
-             -curves.forces(RodLine::compression).front().size * blow->units.stress.factor);
+             -curves.forces(Load::compression).front().size * blow->units.stress.factor);
 }
 
 void TestRodPage::anUnsolvedBlowSaysWhy() {
@@ -274,7 +274,7 @@ void TestRodPage::darkAndLightAreFollowed() {
     m_page->setPalette(palette);
     QCoreApplication::processEvents();
     QCOMPARE(m_page->plot()->grab().toImage().pixelColor(2, 2), QColor(30, 30, 32));
-    QVERIFY(m_page->rodPlot()->graph(RodLine::tension)->pen().color().lightness() > 128);
+    QVERIFY(m_page->rodPlot()->graph(Load::tension)->pen().color().lightness() > 128);
 }
 
 SolvedBlowPtr TestRodPage::solvedString(const std::function<void(Scenario&)>& change,
@@ -307,7 +307,7 @@ void TestRodPage::aStringHasTheStressesOfItsSections() {
     const std::vector<RodStretch>& stretches = curves.string->stretches;
     QCOMPARE(stretches.size(), stresses.size());
     for (std::size_t j = 0; j < stretches.size(); ++j) {
-        const auto most = [&](RodLine line) {
+        const auto most = [&](Load line) {
             double size = 0;
             for (const RodForce& force : curves.forces(line))
                 if (force.section > stretches[j].rear + 1e-9 && force.section < stretches[j].front - 1e-9)
@@ -315,12 +315,12 @@ void TestRodPage::aStringHasTheStressesOfItsSections() {
             return size * scale;
         };
         // the ends are those of the neighbours too
-        QVERIFY(most(RodLine::compression) <= stresses[j].compression.stress * (1 + 1e-6));
-        QVERIFY(most(RodLine::tension) <= stresses[j].tension.stress * (1 + 1e-6));
-        QVERIFY(most(RodLine::compression) > stresses[j].compression.stress * 0.8);
+        QVERIFY(most(Load::compression) <= stresses[j].compression.stress * (1 + 1e-6));
+        QVERIFY(most(Load::tension) <= stresses[j].tension.stress * (1 + 1e-6));
+        QVERIFY(most(Load::compression) > stresses[j].compression.stress * 0.8);
     }
-    QCOMPARE(curves.largest(RodLine::compression).size, *blow->summary.largestCompression);
-    QCOMPARE(curves.largest(RodLine::tension).size, *blow->summary.largestTension);
+    QCOMPARE(curves.largest(Load::compression).size, *blow->summary.largest.compression);
+    QCOMPARE(curves.largest(Load::tension).size, *blow->summary.largest.tension);
     QVERIFY(curves.rear() < 0);
     const QCPRange range = m_page->plot()->xAxis->range();
     QCOMPARE(range.lower, curves.rear() * blow->units.length.factor);
@@ -364,14 +364,14 @@ void TestRodPage::aClickInAStringLeadsToPlaceAndTime() {
     PlotWidget& plot = *m_page->plot();
     plot.replot();
     const double x = 0.4 * blow->units.length.factor;
-    const RodForce pull = curves.forceAt(RodLine::tension, 0.4);
+    const RodForce pull = curves.forceAt(Load::tension, 0.4);
     const QPoint at(
         static_cast<int>(std::lround(plot.xAxis->coordToPixel(x))),
-        static_cast<int>(std::lround(plot.yAxis->coordToPixel(curves.stress(RodLine::tension, pull)))));
+        static_cast<int>(std::lround(plot.yAxis->coordToPixel(curves.stress(Load::tension, pull)))));
     QTest::mouseClick(&plot, Qt::LeftButton, {}, at - QPoint(0, 30));
     QVERIFY(std::abs(m_observation->section() - 0.4) < 0.005);
     // what is read there is what the waves have there and then
-    const RodForce there = curves.forceAt(RodLine::tension, m_observation->section());
+    const RodForce there = curves.forceAt(Load::tension, m_observation->section());
     QCOMPARE(m_observation->time(), std::optional(there.time));
     const StringPlace place = stringPlace(blow->scenario.drillString, m_observation->section());
     double force = 0;
@@ -390,11 +390,11 @@ void TestRodPage::aClickInTheHammerLeadsThere() {
     const double middle = curves.rear() / 2;
     m_page->plot()->xAxis->setRange(curves.rear() * blow->units.length.factor, 0);
     m_page->plot()->replot();
-    const RodForce push = curves.forceAt(RodLine::compression, middle);
+    const RodForce push = curves.forceAt(Load::compression, middle);
     QVERIFY(push.size > 0);
     const QPoint at(
         static_cast<int>(m_page->plot()->xAxis->coordToPixel(middle * blow->units.length.factor)),
-        static_cast<int>(m_page->plot()->yAxis->coordToPixel(curves.stress(RodLine::compression, push))));
+        static_cast<int>(m_page->plot()->yAxis->coordToPixel(curves.stress(Load::compression, push))));
     QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, at);
     const double pixel =
         std::abs(m_page->plot()->xAxis->pixelToCoord(1) - m_page->plot()->xAxis->pixelToCoord(0));
@@ -409,7 +409,7 @@ void TestRodPage::theDataOfAStringHaveTheWavesLeft() {
     QVERIFY(rows.first().startsWith(
         "position [m],compression [MPa],time [ms],position [m],tension [MPa],time [ms]"));
     QVERIFY(rows.first().endsWith("tension of the waves left [MPa],time [ms]"));
-    QCOMPARE(std::size_t(rows.size()), blow->page<RodCurves>()->forces(RodLine::tension).size() + 1);
+    QCOMPARE(std::size_t(rows.size()), blow->page<RodCurves>()->forces(Load::tension).size() + 1);
     for (const QByteArray& row : rows) QCOMPARE(row.count(','), 11);
     QVERIFY(rows.at(1).toDouble() < 0 || rows.at(1).startsWith('-'));  // the hammer
     QCOMPARE(m_page->plot()->legend->itemCount(), 4);
@@ -426,7 +426,7 @@ void TestRodPage::aStringWhoseWavesAreNotKeptSaysSo() {
     m_observation->setTime(1);
     m_observation->setSection(0.2);
     QVERIFY(!m_page->rodPlot()->forceAt({0.5, 0}));
-    QVERIFY(blow->page<RodCurves>()->forces(RodLine::tension).empty());
+    QVERIFY(blow->page<RodCurves>()->forces(Load::tension).empty());
 }
 
 void TestRodPage::runsAreLaidOverTheirOwnKind() {
