@@ -3,13 +3,13 @@
 
 #include <cassert>
 
-#include "core/blow/string_blow.h"
 #include "core/blow/thrust.h"
 #include "core/model/blow_interval.h"
 #include "core/model/blow_traits.h"
 #include "core/model/parameter_text.h"
 #include "core/model/validation.h"
 #include "core/numeric/ordered_work.h"
+#include "core/study/thrust/thrust_study.h"
 #include "core/wave/exact/exact_solver.h"
 
 namespace drillwave {
@@ -58,14 +58,12 @@ struct PointSolvers {
 
 ThrustPoint stringPoint(const Scenario& scenario, ThrustPoint point, const PointSolvers& solvers,
                         const std::stop_token& stop) {
-    const Problem problem = problemOf(scenario);
-    const Impact impact = solvers.strings.solve(
-        problem, {.accuracy = NetworkAccuracy::quick, .wants = {}, .mostCells = solvers.limits.cells}, stop);
-    point.reason = stop.stop_requested() ? "stopped" : impact.reason;
+    const ThrustStudy study =
+        studyStringThrust(scenario, NetworkAccuracy::quick, solvers.strings, solvers.limits.cells, stop);
+    point.reason = study.stopped ? "stopped" : study.reason;
     if (!point.reason.empty()) return point;
-    const ImpactSummary summary = summarize(impact, problem);
-    point.needs = stringThrustNeeds(scenario, {summary.cor, summary.corError}, summary.transferred);
-    point.verdict = *judgeFeed(scenario, summary.cor, summary.transferred);
+    point.needs = study.needs;
+    point.verdict = study.verdict;
     point.roundTrips = *roundTripsBetweenBlows(scenario);
     return point;
 }

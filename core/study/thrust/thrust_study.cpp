@@ -4,7 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/blow/string_blow.h"
+#include "core/blow/chain_solution.h"
+#include "core/blow/impact_summary.h"
 #include "core/blow/thrust.h"
 #include "core/model/blow_traits.h"
 #include "core/wave/exact/exact_solver.h"
@@ -27,24 +28,6 @@ class HalfProgress {
     GapProgress m_whole;
 };
 
-/// One blow, and no gaps.
-ThrustStudy studyStringThrust(const Scenario& scenario, const std::stop_token& stop,
-                              const WorkLimits& limits) {
-    ThrustStudy study;
-    NetworkSolver solver;
-    const Problem problem = problemOf(scenario);
-    const Impact impact = solver.solve(problem, {.wants = {}, .mostCells = limits.cells}, stop);
-    study.stopped = stop.stop_requested();
-    study.reason = impact.reason;
-    study.hindrance = impact.hindrance;
-    if (study.stopped || !study.reason.empty()) return study;
-    const ImpactSummary summary = summarize(impact, problem);
-    study.transferred = summary.transferred;
-    study.needs = stringThrustNeeds(scenario, {summary.cor, summary.corError}, study.transferred);
-    study.verdict = *judgeFeed(scenario, summary.cor, study.transferred);
-    return study;
-}
-
 }  // namespace
 
 std::optional<double> ThrustStudy::margin() const {
@@ -55,7 +38,8 @@ std::optional<double> ThrustStudy::margin() const {
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const GapProgress& progress,
                         long mostPieces, const WorkLimits& limits) {
     assert(thrustProblem(scenario).empty());
-    if (!gapHasPeriod(scenario)) return studyStringThrust(scenario, stop, limits);
+    if (NetworkSolver strings; !gapHasPeriod(scenario))
+        return studyStringThrust(scenario, NetworkAccuracy::sure, strings, limits.cells, stop);
     const Problem problem = problemOf(scenario);
     ThrustStudy study;
     const Impact impact = ExactSolver(limits.pieces).solve(problem, Detail::cor, stop);
@@ -83,6 +67,22 @@ ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const Ga
         const double served = *force / study.verdict.balance - 1;  // up to which e
         study.shareFull = 1 - shareAbove(rock, served).value;
     }
+    return study;
+}
+
+ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy, NetworkSolver& solver,
+                              long mostCells, const std::stop_token& stop) {
+    ThrustStudy study;
+    const auto [problem, impact] =
+        solveChain(scenario, {.accuracy = accuracy, .wants = {}, .mostCells = mostCells}, solver, stop);
+    study.stopped = stop.stop_requested();
+    study.reason = impact.reason;
+    study.hindrance = impact.hindrance;
+    if (study.stopped || !study.reason.empty()) return study;
+    const ImpactSummary summary = summarize(impact, problem);
+    study.transferred = summary.transferred;
+    study.needs = stringThrustNeeds(scenario, {summary.cor, summary.corError}, study.transferred);
+    study.verdict = *judgeFeed(scenario, summary.cor, study.transferred);
     return study;
 }
 

@@ -33,4 +33,8 @@ struct ThrustStudy {
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop = {}, const GapProgress& progress = {},
                         long mostPieces = anyNumberOfPieces, const WorkLimits& limits = {});
 
+/// The same of a drill string by one run of its solver: one blow, and no gaps.
+ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy, NetworkSolver& solver,
+                              long mostCells, const std::stop_token& stop);
+
 }  // namespace drillwave

@@ -2,8 +2,10 @@
 // The feed force: its formula, its cases from this blow to the worst, and what the installed one means.
 #include <QtTest>
 
+#include <array>
 #include <cmath>
 
+#include "core/blow/blow.h"
 #include "core/blow/outputs.h"
 #include "core/blow/thrust.h"
 #include "core/model/scales.h"
@@ -65,6 +67,7 @@ class TestThrust : public QObject {
     void theGapsOfAStringAreNotTold();
     void alongAParameterOfAStringEveryPointIsABlow();
     void aStringThatStillMovesToTheRockNeedsWhatItsHammerHandsOn();
+    void aConeNeedsWhatItsBlowNeeds();
     void aStopEndsTheStudy();
 };
 
@@ -398,6 +401,22 @@ void TestThrust::aStringThatStillMovesToTheRockNeedsWhatItsHammerHandsOn() {
     QCOMPARE(*thrustNeeded(scenario, -0.2, 1.1), handedOn);
     const FeedVerdict verdict = *judgeFeed(scenario, -0.2, 1.1);
     QVERIFY(verdict.balance <= verdict.fullRate && verdict.fullRate <= verdict.returned);
+}
+
+// A section that is not uniform was one uniform piece to the study, and many to the blow.
+void TestThrust::aConeNeedsWhatItsBlowNeeds() {
+    Scenario scenario = t38String();
+    Section& adapter = scenario.drillString.parts.front().sections.front();
+    adapter.endDiameter = 2 * adapter.diameter;
+    const Blow blow = solveBlow(scenario, {}, Detail::ledger);
+    QVERIFY(blow.isSolved());
+    const Impact piece = NetworkSolver().solve(problemOf(scenario), {});
+    QVERIFY(std::abs(piece.cor - blow.summary.cor) > 100 * blow.summary.corError);
+    const ThrustNeed need = studyThrust(scenario).need(ThrustCase::scenario);
+    QVERIFY(std::abs(need.cor.value - blow.summary.cor) <= blow.summary.corError + need.cor.error);
+    const std::array values{*scenario.drill.blowFrequency};
+    const ThrustCurve curve = thrustAlong(scenario, *findParameter("drill.blow_frequency"), values, 1);
+    QVERIFY(std::abs(curve.points[0].need(ThrustCase::scenario).thrust / need.thrust - 1) < 1e-3);  // quick
 }
 
 QTEST_GUILESS_MAIN(TestThrust)
