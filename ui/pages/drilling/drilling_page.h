@@ -8,6 +8,7 @@
 #include "ui/pages/drilling/run_means.h"
 #include "ui/pages/study/study_page.h"
 
+class QCPAxisRect;
 class QCheckBox;
 class QPushButton;
 
