@@ -24,8 +24,9 @@
 namespace drillwave {
 namespace {
 
-constexpr int plotLinesOfDrilling = 30;  // three rows of axes
-constexpr int clickedDigits = 3;         // a value that the hand has chosen to a pixel
+constexpr int plotLinesOfMarch = 30;  // two rows of axes, whose titles stand upright beside them
+constexpr int plotLinesOfScan = 16;   // one more
+constexpr int clickedDigits = 3;      // a value that the hand has chosen to a pixel
 
 }  // namespace
 
@@ -42,7 +43,7 @@ DrillingPage::DrillingPage(Document& document, QWidget* parent)
     m_axis = new AxisFields(tr("scan over"), {"drill.thrust"}, document.units(), this, StudyOf::manyBlows);
     PlotWidget* widget = arrange({m_missing, m_axis, makeScanControls()});
     static_cast<QBoxLayout*>(layout())->addWidget(m_table);
-    setLeastLines(plotLinesOfDrilling);
+    setLeastLines(plotLinesOfMarch);
     m_plot = new DrillingPlot(widget);
     useFrame(*m_plot, tr("Many blows under a feed"));
     watch(m_march.job());
@@ -153,6 +154,7 @@ void DrillingPage::draw(const DrillingAnswer& answer) {
         picture.before =
             blowPoints(m_before->blows(), drillingUnitsOf(m_before->question.scenario), picture.units);
     addScan(picture);
+    setLeastLines(plotLinesOfMarch + (picture.scan ? plotLinesOfScan : 0));
     m_plot->present(picture);
     showRuns(picture.units);
     const QString blow = tr("blow");
