@@ -291,7 +291,9 @@ class CornerLawTest : public QObject {
             inexact += !(std::abs(sure.energyResidual()) < 1e-6);
             const double difference = std::abs(sure.efficiency() - rough.efficiency());
             uncovered += !(difference <= sure.efficiencyError + rough.efficiencyError);
-            if (i % 4 != 0) continue;
+            // A hammer that strikes once is gone for good where its force nearly vanishes, which a lattice
+            // that does not resolve the layers of small masses takes for a parting.
+            if (i % 4 != 0 || !hammerOf(problem).face.restrike) continue;
             const std::optional<double> off = offPlainLattice(problem, sure.efficiency());
             if (!off) continue;
             ++byLattice;
