@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Embeds resources/examples/*.yaml into core/yaml/example_texts.h of the build directory.
-set(DRILLWAVE_EXAMPLE_TEXTS "")
-foreach(name
+drillwave_embed_texts(DRILLWAVE_EXAMPLE_TEXTS examples yaml
     paper_fig4a
     paper_fig4b
     paper_fig8_minimum
@@ -14,9 +13,4 @@ foreach(name
     r32_string
     t38_string
     t51_string)
-  set(file ${PROJECT_SOURCE_DIR}/resources/examples/${name}.yaml)
-  file(READ ${file} text)
-  string(APPEND DRILLWAVE_EXAMPLE_TEXTS "    {\"${name}\", R\"yaml(${text})yaml\"},\n")
-  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${file})
-endforeach()
 configure_file(example_texts.h.in example_texts.h @ONLY)
