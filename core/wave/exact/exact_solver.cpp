@@ -15,7 +15,7 @@ namespace drillwave {
 
 struct ExactSolver::Workspace {
     ContactMarch<ExponentialBasis<2>> closed;
-    ContactMarch<ExponentialBasis<3>> closedOfCorner;
+    ContactMarch<ExponentialBasis<2 + mostCornersOfSums>> closedOfCorners;
     ContactMarch<SeriesBasis<double>> series;
 
     void march(const Problem& problem, Detail detail, const MarchLimits& limits, Impact& impact);
@@ -56,7 +56,7 @@ void ExactSolver::Workspace::march(const Problem& problem, Detail detail, const 
         few.error = mostClosedError;
         const bool isDecided = problem.law.corners.empty()
                                    ? closed.solve(problem, detail, impact, few)
-                                   : closedOfCorner.solve(problem, detail, impact, few);
+                                   : closedOfCorners.solve(problem, detail, impact, few);
         if (isDecided && isSolved(impact) && impact.corError <= mostClosedError) return;
         const long abandoned = impact.pieces;
         impact = Impact{};

@@ -25,13 +25,10 @@ constexpr Stiffness leastForElasticSteps{0.2, 0.01}, leastForSteps{0.55, 0.01}, 
     leastForRamps{1, 0.4};
 constexpr Stiffness leastForTables{3, 1.5};  ///< dozens of ramps, many of them steep
 
-/// The same of the softest line where the loading has a corner: the terms of a third rate cost more, and the
-/// nearest of them cancel. How near the rates are hardly matters there.
+/// The same of the softest line where the loading has a corner: three rates leave more terms than two. How
+/// near each other they are hardly matters.
 constexpr Stiffness leastForCornerSteps{0.5, 0.1}, leastForCornerDecays{0.2, 0.05},
     leastForCornerCurves{1, 0.4};
-
-/// The corners whose lines have rates of their own; more of them cost as many terms as series have.
-constexpr std::size_t mostCorners = 1;
 
 /// Pulses of fewer linear pieces are those of a formula.
 constexpr std::size_t leastTable = 12;
@@ -74,7 +71,7 @@ bool suitsExponentials(const Problem& problem) {
     for (const LawCorner& corner : law.corners) softest = std::min(softest, corner.slope * law.beta);
     const double decay = softest * problem.transitTime();
     if (decay < leastForElasticSteps.decay || softest < leastForElasticSteps.beta) return false;
-    if (law.corners.size() > mostCorners) return false;
+    if (law.corners.size() > mostCornersOfSums) return false;
     if (gamma < 1 && gamma > (decay < leastStiffDecay ? largestGamma : largestStiffGamma)) return false;
     if (problem.force().segments.size() > mostSegments) return false;
     const Stiffness least = leastFor(problem.force(), law);
