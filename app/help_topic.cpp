@@ -32,14 +32,6 @@ std::vector<std::string> chapterNames() {
     return names;
 }
 
-std::vector<std::string> parameterNames() {
-    std::vector<std::string> names;
-    for (const Parameter& parameter : parameters()) names.emplace_back(parameter.key);
-    for (const WordParameter& parameter : wordParameters()) names.emplace_back(parameter.key);
-    names.emplace_back(restrikeKey);
-    return names;
-}
-
 std::vector<std::string> resultNames() {
     std::vector<std::string> names;
     for (const auto table : {outputs(), drillOutputs()})
@@ -138,6 +130,14 @@ std::string nearest(std::string_view name) {
 }
 
 }  // namespace
+
+std::vector<std::string> parameterNames() {
+    std::vector<std::string> names;
+    for (const Parameter& parameter : parameters()) names.emplace_back(parameter.key);
+    for (const WordParameter& parameter : wordParameters()) names.emplace_back(parameter.key);
+    names.emplace_back(restrikeKey);
+    return names;
+}
 
 std::vector<std::string> topicNames() {
     std::vector<std::string> names;

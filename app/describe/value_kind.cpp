@@ -42,10 +42,8 @@ constexpr NamedKind namedKinds[]{{"outputs", ValueKind::outputs}, {"output", Val
                                  {"rock", ValueKind::rock}};
 
 std::vector<std::string> parameterWords() {
-    std::vector<std::string> words;
-    for (const Parameter& parameter : parameters()) words.push_back(std::string(parameter.key) + "=");
-    for (const std::string_view key : {pulseShapeKey, rockLawKey, rockIndexingKey, restrikeKey})
-        words.push_back(std::string(key) + "=");
+    std::vector<std::string> words = parameterNames();
+    for (std::string& word : words) word += "=";
     return words;
 }
 
