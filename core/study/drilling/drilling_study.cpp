@@ -29,10 +29,9 @@ constexpr EnumNames<DrillingVerdict> verdictNames{{{DrillingVerdict::pushedBack,
 /// begin in contact which passes for rest.
 constexpr double fullShare = 0.95, restingShare = 0.95;
 
-/// Whether its problem is known without a solution: sections that are not uniform have as many pieces as that
-/// takes.
+/// Whether its problem is known without a solution, as that of a rod is: sections that are not uniform have
+/// as many pieces as that takes.
 bool hasUniformSections(const Scenario& scenario) {
-    if (!isString(scenario)) return true;
     return std::ranges::all_of(allSections(scenario.drillString),
                                [](const Section* section) { return isUniform(*section); });
 }
