@@ -45,18 +45,16 @@ void HelpView::go(const ManualPlace& place) {
 }
 
 void HelpView::backward() {
-    if (!hasBackward()) return;
-    leave();
-    --m_at;
-    showChapter();
-    verticalScrollBar()->setValue(m_history[m_at].scroll);
-    emit placeChanged(place());
+    if (hasBackward()) step(-1);
 }
 
 void HelpView::forward() {
-    if (!hasForward()) return;
+    if (hasForward()) step(1);
+}
+
+void HelpView::step(int by) {
     leave();
-    ++m_at;
+    m_at += by;
     showChapter();
     verticalScrollBar()->setValue(m_history[m_at].scroll);
     emit placeChanged(place());

@@ -52,6 +52,7 @@ class HelpView : public QTextBrowser {
         int scroll = 0;
     };
     void leave();
+    void step(int by);
     void arrive();
     void showChapter();
     void bringUp(const QTextBlock& block);

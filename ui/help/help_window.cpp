@@ -2,7 +2,6 @@
 #include "ui/help/help_window.h"
 
 #include <QAction>
-#include <QCloseEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QStyle>
@@ -215,12 +214,7 @@ void HelpWindow::save() const {
     settings.setValue(zoomKey, m_view->zoom());
 }
 
-void HelpWindow::closeEvent(QCloseEvent* event) {
-    save();
-    event->accept();
-}
-
-// Also when it goes with its owner, which closes nothing.
+// Whether it is closed, which hides it, or goes with its owner, which closes nothing.
 void HelpWindow::hideEvent(QHideEvent* event) {
     save();
     QWidget::hideEvent(event);

@@ -32,7 +32,6 @@ class HelpWindow : public QWidget {
     bool restorePlace();
 
   protected:
-    void closeEvent(QCloseEvent* event) override;
     void hideEvent(QHideEvent* event) override;
 
   private:

@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/manual/inline_text.h"
-#include "core/manual/markdown.h"
 
 namespace drillwave {
 namespace {
@@ -17,7 +16,8 @@ BookChapter bookChapter(const Chapter& chapter) {
     made.markdown = QString::fromStdString(chapter.text);
     static const QRegularExpression equation(QStringLiteral(" (\\([TSD][0-9]+\\))$"),
                                              QRegularExpression::MultilineOption);
-    for (const ManualBlock& block : readMarkdown(chapter.text)) {
+    made.blocks = readMarkdown(chapter.text);
+    for (const ManualBlock& block : made.blocks) {
         const QString text = QString::fromStdString(
             block.kind == ManualBlock::Kind::code ? block.text : withoutMarks(block.text));
         if (block.kind == ManualBlock::Kind::heading)

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/manual/chapter.h"
+#include "core/manual/markdown.h"
 #include "ui/help/manual_place.h"
 
 namespace drillwave {
@@ -16,6 +17,7 @@ struct BookChapter {
     QString name;
     QString title;
     QString markdown;
+    std::vector<ManualBlock> blocks;  ///< of it
     struct Heading {
         QString text;
         int level = 1;

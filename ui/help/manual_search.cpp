@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "core/manual/inline_text.h"
-#include "core/manual/markdown.h"
 
 namespace drillwave {
 namespace {
@@ -53,7 +52,7 @@ QStringList soughtWords(const QString& typed) {
 
 ManualSearch::ManualSearch(const ManualBook& book) {
     for (const BookChapter& chapter : book.chapters())
-        for (const ManualBlock& block : readMarkdown(chapter.markdown.toStdString())) {
+        for (const ManualBlock& block : chapter.blocks) {
             const QString text = plain(block);
             if (block.kind == ManualBlock::Kind::heading)
                 m_sections.append(
