@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -31,6 +30,7 @@
 #include "core/study/design/uncertain_input.h"
 #include "core/study/rows/sweep_axis.h"
 #include "core/study/rows/table.h"
+#include "core/text/decimal_text.h"
 #include "core/yaml/preset_file.h"
 #include "core/yaml/pulse_table.h"
 #include "tests/support/mutation.h"
@@ -350,13 +350,6 @@ bool feed(const Target& target, const Options& options, std::uint64_t number, Ta
     return true;
 }
 
-std::optional<std::uint64_t> numberIn(std::string_view word) {
-    std::uint64_t number = 0;
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), number);
-    if (error != std::errc{} || end != word.data() + word.size()) return {};
-    return number;
-}
-
 bool read(int argc, char** argv, const std::vector<Target>& targets, Options& options) {
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
@@ -365,7 +358,7 @@ bool read(int argc, char** argv, const std::vector<Target>& targets, Options& op
             options.targets.push_back(word);
             continue;
         }
-        const auto number = i + 1 < argc ? numberIn(argv[++i]) : std::nullopt;
+        const auto number = i + 1 < argc ? wholeNumberIn<std::uint64_t>(argv[++i]) : std::nullopt;
         if (!number) return false;
         if (word == "--inputs")
             options.inputs = *number;
