@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Milliseconds from a keystroke in a field to the new pixels of the whole window, page by page, of a rod and
-// of a drill string, and from a step of a slider to those of a new map, coarse and whole:
-// bench_window [REPEATS], 50 by default. Not run by ctest but for a trial: times depend on the machine.
+// of a drill string, and from a step of a slider to those of a map, of designs and of many blows, first and
+// whole: bench_window [REPEATS], 50 by default. Not run by ctest but for a trial: times depend on the
+// machine.
 #include <QLabel>
 #include <QLineEdit>
 #include <QTest>
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <functional>
+#include <optional>
 
 #include "core/yaml/examples.h"
 #include "tests/bench/bench_program.h"
@@ -15,6 +18,8 @@
 #include "ui/form/quantity_field.h"
 #include "ui/form/scenario_panel.h"
 #include "ui/job/solve_job.h"
+#include "ui/pages/design/design_page.h"
+#include "ui/pages/drilling/drilling_page.h"
 #include "ui/pages/gap/gap_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/map/map_plot.h"
@@ -94,60 +99,103 @@ void measurePage(MainWindow& window, const QString& name, int repeats) {
     printTimes(name, std::move(times));
 }
 
-// Notices when the map of the present scenario has been painted: coarse at first, then all of it.
-class MapWatch : public QObject {
+// Of what a page's study has so far.
+struct OnShow {
+    bool isPresent = false;  // of the present scenario
+    bool isWhole = false;
+};
+using StudyAsked = std::function<OnShow()>;
+
+// Notices when the study of the present scenario has been painted: a first picture, then all of it.
+class StudyWatch : public QObject {
   public:
-    MapWatch(MainWindow& window, MapPage& page) : m_window(window), m_page(page) {}
-    bool isPainted() const { return m_painted; }
-    /// When any picture was.
-    Clock::time_point first() const { return *m_first; }
+    explicit StudyWatch(StudyAsked asked) : m_asked(std::move(asked)) {}
     void expect() {
         m_first.reset();
-        m_painted = false;
+        m_whole.reset();
     }
+    std::optional<Clock::time_point> first() const { return m_first; }
+    std::optional<Clock::time_point> whole() const { return m_whole; }
 
   protected:
     bool eventFilter(QObject* /*plot*/, QEvent* event) override {
-        const std::optional<MapPicture>& picture = m_page.map()->picture();
-        if (event->type() != QEvent::Paint || !picture ||
-            picture->report->study.base != m_window.document().scenario())
-            return false;
-        if (!m_first) m_first = Clock::now();
-        m_painted = picture->grid().isComplete();
+        if (event->type() != QEvent::Paint) return false;
+        const OnShow state = m_asked();
+        if (state.isPresent && !m_first) m_first = Clock::now();
+        if (state.isPresent && state.isWhole && !m_whole) m_whole = Clock::now();
         return false;
     }
 
   private:
-    MainWindow& m_window;
-    MapPage& m_page;
-    std::optional<Clock::time_point> m_first;
-    bool m_painted = false;
+    StudyAsked m_asked;
+    std::optional<Clock::time_point> m_first, m_whole;
 };
 
-// The gap, which is on neither axis, in steps of one gesture: a map of 200 × 200 blows each.
-void measureDragOnMap(MainWindow& window, PulseShape shape, int repeats) {
-    auto& page = part<MapPage>(window);
+// From one key to the next: a study that still runs is stopped at once by then, see Worker.
+constexpr int millisecondsOfTypist = 300;
+
+// A study page by steps of the gap in one gesture: until a first picture while the study of the step before
+// still runs and has to be stopped, and `wholes` times until the whole one.
+void measureDrag(MainWindow& window, PlotPage& page, const QString& name, int repeats, int wholes,
+                 StudyAsked asked) {
     part<PageTabs>(window).setCurrentWidget(&page);
-    window.document().setShape(shape);
     settle(window);
-    MapWatch watch(window, page);
+    StudyWatch watch(std::move(asked));
     page.plot()->installEventFilter(&watch);
     const int gesture = window.document().newGesture();
-    std::vector<double> firsts, times;
-    for (int i = 0; i < repeats; ++i) {
-        watch.expect();
-        const Clock::time_point start = Clock::now();
-        window.document().assign(*findParameter("bit_rock.gap"), (i + 1) * 1e-5, gesture);
-        while (!watch.isPainted()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-        const auto since = [start](Clock::time_point time) {
-            return std::chrono::duration<double, std::milli>(time - start).count();
-        };
-        firsts.push_back(since(watch.first()));
-        times.push_back(since(Clock::now()));
-    }
-    const QString name = QStringLiteral("Map, %1").arg(QLatin1StringView(drillwave::name(shape)));
-    printTimes(name + QStringLiteral(", first"), std::move(firsts));
-    printTimes(name, std::move(times));
+    int step = 0;
+    const auto measureTo = [&](const QString& what, int count, const auto& painted) {
+        std::vector<double> times;
+        for (int i = 0; i < count; ++i) {
+            watch.expect();
+            const Clock::time_point start = Clock::now();
+            window.document().assign(*findParameter("bit_rock.gap"), ++step * 1e-5, gesture);
+            while (!painted()) QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+            times.push_back(std::chrono::duration<double, std::milli>(*painted() - start).count());
+            QTest::qWait(millisecondsOfTypist);
+        }
+        if (count > 0) printTimes(what, std::move(times));
+    };
+    measureTo(name + QStringLiteral(", first"), repeats, [&] { return watch.first(); });
+    measureTo(name, wholes, [&] { return watch.whole(); });
+}
+
+// A map of 200 × 200 blows, coarse at first.
+void measureDragOnMap(MainWindow& window, PulseShape shape, int repeats) {
+    auto& page = part<MapPage>(window);
+    window.document().setShape(shape);
+    measureDrag(window, page, QStringLiteral("Map, %1").arg(QLatin1StringView(drillwave::name(shape))),
+                repeats, repeats, [&] {
+                    const std::optional<MapPicture>& picture = page.map()->picture();
+                    if (!picture) return OnShow{};
+                    return OnShow{picture->report->study.base == window.document().scenario(),
+                                  picture->grid().isComplete()};
+                });
+}
+
+// Of 256 samples at first, refined to those customary.
+void measureDragOnDesign(MainWindow& window, const QString& what, int repeats) {
+    auto& page = part<DesignPage>(window);
+    // of a string bench_design tells
+    const int wholes = isString(window.document().scenario()) ? 0 : repeats;
+    measureDrag(window, page, QStringLiteral("Design") + what, repeats, wholes, [&] {
+        const DesignAnswer* answer = page.answer();
+        if (!answer) return OnShow{};
+        return OnShow{answer->report.study.base == window.document().scenario() && answer->hasBest(),
+                      answer->isRefined()};
+    });
+}
+
+// Of the blows as they come.
+void measureDragOnDrilling(MainWindow& window, const QString& what, int repeats) {
+    auto& page = part<DrillingPage>(window);
+    measureDrag(window, page, QStringLiteral("Drilling") + what, repeats, repeats, [&] {
+        const DrillingAnswer* answer = page.answer();
+        if (!answer) return OnShow{};
+        return OnShow{
+            answer->question == drillingQuestion(window.document().scenario()) && !answer->blows().empty(),
+            answer->isComplete()};
+    });
 }
 
 void measurePages(MainWindow& window, const QString& what, int repeats) {
@@ -164,10 +212,14 @@ void measure(MainWindow& window, int repeats) {
     measurePages(window, QString(), repeats);
     for (const PulseShape shape : {PulseShape::rectangular, PulseShape::halfSine})
         measureDragOnMap(window, shape, repeats);
+    measureDragOnDesign(window, QString(), repeats);
+    measureDragOnDrilling(window, QString(), repeats);
     window.openExample(*findExample("t38_string"));  // a hammer of three sections, eleven of the string
     // the note on an example takes other room once it has been changed: that is not of every keystroke
     window.document().assign(*findParameter("drill.thrust"), 9000, window.document().newGesture());
     measurePages(window, QStringLiteral(", string"), repeats);
+    measureDragOnDesign(window, QStringLiteral(", string"), repeats);
+    measureDragOnDrilling(window, QStringLiteral(", string"), repeats);
 }
 
 }  // namespace

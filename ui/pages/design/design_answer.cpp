@@ -14,10 +14,15 @@ DesignAnswer answerDesign(const DesignStudy& asked, const StudyFeed<DesignAnswer
                         .problems = {}};
     for (const DesignProblemLine& line : problemsOf(asked, feed.stop)) answer.problems.push_back(line.text);
     if (!answer.problems.empty() || feed.stop.stop_requested()) return answer;
-    DesignStudy quick = asked;
-    quick.samples = std::min(quickSamples, asked.samples);
-    const bool isAll = quick.samples == asked.samples;
-    const std::uint64_t wanted = designSolves(asked) + (isAll ? 0 : designSolves(quick));
+    std::vector<DesignStudy> stages;
+    const std::uint64_t first = static_cast<std::uint64_t>(customarySamples(asked.base)) / shareAtFirst;
+    for (const std::uint64_t samples : {std::min(first, quickSamples), quickSamples, asked.samples}) {
+        if (samples > asked.samples || (!stages.empty() && samples <= stages.back().samples)) continue;
+        stages.push_back(asked);
+        stages.back().samples = samples;
+    }
+    std::uint64_t wanted = 0;
+    for (const DesignStudy& stage : stages) wanted += designSolves(stage);
     std::uint64_t done = 0;
     const DesignWork work{.jobs = std::max(1, QThread::idealThreadCount()),
                           .stop = feed.stop,
@@ -25,20 +30,19 @@ DesignAnswer answerDesign(const DesignStudy& asked, const StudyFeed<DesignAnswer
                               done = std::min(done + more, wanted);
                               feed.tell({done, wanted});
                           }};
-    const auto run = [&](const DesignStudy& study, const ShowFindings& show) {
-        answer.report.study = study;
-        answer.report.findings = runDesign(study, work, show);
-    };
-    if (!isAll) {
-        run(quick, [&](const DesignFindings& soFar) {
+    std::uint64_t ended = 0;
+    for (const DesignStudy& stage : stages) {
+        const bool isFirst = &stage == &stages.front(), isLast = &stage == &stages.back();
+        answer.report.study = stage;
+        answer.report.findings = runDesign(stage, work, [&](const DesignFindings& soFar) {
+            if (!isFirst || isLast) return;  // what is there says more
             answer.report.findings = soFar;
             feed.show(answer);
         });
-        if (feed.stop.stop_requested()) return answer;
+        if (isLast || feed.stop.stop_requested()) break;
         feed.show(answer);
-        done = designSolves(quick);
+        done = ended += designSolves(stage);
     }
-    run(asked, {});
     return answer;
 }
 

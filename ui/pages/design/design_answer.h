@@ -10,8 +10,10 @@
 
 namespace drillwave {
 
-/// Samples of a first answer, which is there while the hand still moves.
+/// Samples of an answer which is there while the hand still moves.
 inline constexpr std::uint64_t quickSamples = 256;
+/// Where blows take long, as those of drill strings, fewer come before: this share of the customary ones.
+inline constexpr std::uint64_t shareAtFirst = 16;
 
 /// What there is so far.
 struct DesignAnswer {
@@ -23,7 +25,7 @@ struct DesignAnswer {
     bool hasBest() const { return report.findings.best.robust.has_value(); }
 };
 
-/// The quick answer first. The text of the scenario is left empty.
+/// Quick answers first. The text of the scenario is left empty.
 DesignAnswer answerDesign(const DesignStudy& asked, const StudyFeed<DesignAnswer>& feed);
 
 }  // namespace drillwave

@@ -7,6 +7,7 @@
 #include "ui/pages/design/design_picture.h"
 #include "ui/pages/study/study_page.h"
 
+class QCPAxisRect;
 class QCheckBox;
 
 namespace drillwave {
