@@ -76,27 +76,38 @@ void addLimit(DesignStudy& study, const std::string& option, const std::string& 
     study.limits.push_back({option == "at-most", read.output, read.statistic, value.si});
 }
 
-void readUncertain(const Arguments& arguments, DesignStudy& study, DesignFaults& faults) {
+/// In front of the sign of equality, empty without one.
+std::string keyOfWord(const std::string& word) {
+    const std::size_t equals = word.find('=');
+    return equals == std::string::npos ? std::string() : word.substr(0, equals);
+}
+
+void readUncertain(const Arguments& arguments, DesignStudy& study, std::vector<NamedKey>& unread,
+                   DesignFaults& faults) {
     for (const std::string& word : arguments.values("uncertain")) {
         ParsedUncertain parsed = parseUncertain(word);
-        if (parsed.problem.empty())
+        if (parsed.problem.empty()) {
             study.uncertain.push_back(std::move(parsed.input));
-        else
-            faults.add(parsed.isMistyped ? ExitCode::usage : ExitCode::invalidScenario,
-                       "--uncertain: " + parsed.problem);
+            continue;
+        }
+        if (const std::string key = keyOfWord(word); findParameter(key))
+            unread.push_back({key, false, word.find('%') != std::string::npos});
+        faults.add(parsed.isMistyped ? ExitCode::usage : ExitCode::invalidScenario,
+                   "--uncertain: " + parsed.problem);
     }
 }
 
-void readChoices(const Arguments& arguments, DesignStudy& study, DesignFaults& faults) {
+void readChoices(const Arguments& arguments, DesignStudy& study, std::vector<NamedKey>& unread,
+                 DesignFaults& faults) {
     for (const std::string& word : arguments.values("choose")) {
         ParsedAxis parsed = parseAxis(word);
         if (parsed.problem.empty()) {
             study.choices.push_back(std::move(parsed.axis));
             continue;
         }
-        const std::string key = word.substr(0, word.find('='));
-        const bool isUnknown =
-            word.find('=') != std::string::npos && key != pulseShapeKey && !findParameter(key);
+        const std::string key = keyOfWord(word);
+        const bool isUnknown = !key.empty() && key != pulseShapeKey && !findParameter(key);
+        if (findParameter(key)) unread.push_back({key, true});
         faults.add(parsed.kind == ParsedAxis::Kind::badValue || isUnknown ? ExitCode::invalidScenario
                                                                           : ExitCode::usage,
                    "--choose: " + parsed.problem);
@@ -133,9 +144,10 @@ bool isAimWord(const std::string& word) {
 DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, DesignFaults& faults) {
     DesignStudy study;
     study.base = base;
-    readUncertain(arguments, study, faults);
+    std::vector<NamedKey> unread;
+    readUncertain(arguments, study, unread, faults);
     readDrawsOf(arguments, study, faults);
-    readChoices(arguments, study, faults);
+    readChoices(arguments, study, unread, faults);
     readAims(arguments, study, faults);
     for (const char* option : {"at-most", "at-least"})
         for (const std::string& word : arguments.values(option)) addLimit(study, option, word, faults);
@@ -147,7 +159,7 @@ DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, Desi
     study.workLimit = workLimitOf(arguments);
     // What could not be read is missing there: it is not told a second time that nothing is given.
     const bool hasWords = arguments.has("uncertain") || arguments.has("draws");
-    for (const DesignProblemLine& line : problemsOf(study)) {
+    for (const DesignProblemLine& line : problemsOf(study, {}, unread)) {
         if (hasWords && study.dimensions() == 0 && line.isUsage) continue;
         faults.add(line.isUsage ? ExitCode::usage : ExitCode::invalidScenario, line.text);
     }

@@ -78,6 +78,10 @@ void TestDesignOptions::faultsHaveTheirExitCodes() {
     QCOMPARE(refused({"--uncertain", "bit_rock.gamma=0.3:0.1", "bit_rock.gap=0mm:0mm", "--at-most",
                       "thrust@q95=5mm"}),
              Refusal(ExitCode::invalidScenario, 3));
+    // a word that cannot be read names its key all the same
+    QCOMPARE(refused({"--uncertain", "bit_rock.gap=1mm:0mm", gap}), Refusal(ExitCode::invalidScenario, 2));
+    QCOMPARE(refused({"--uncertain", gap, "--choose", "bit_rock.gap=nothing"}),
+             Refusal(ExitCode::invalidScenario, 2));
     QCOMPARE(refused({"--uncertain", gap}), Refusal(ExitCode::done, 0));
 }
 

@@ -53,15 +53,7 @@ void checkCounts(const DesignStudy& study, Lines& lines) {
                     " designs at " + std::to_string(study.samples) + " samples are more; take fewer");
 }
 
-/// A key that is named, and where.
-struct NamedKey {
-    std::string key;
-    bool isChosen = false;
-    bool isPercent = false;
-};
-
-std::vector<NamedKey> keysOf(const DesignStudy& study) {
-    std::vector<NamedKey> keys;
+std::vector<NamedKey> keysOf(const DesignStudy& study, std::vector<NamedKey> keys) {
     for (const SweepAxis& axis : study.choices) keys.push_back({std::string(axis.key()), true});
     for (const UncertainInput& input : study.uncertain)
         keys.push_back({std::string(input.parameter->key), false, input.kind == DistributionKind::percent});
@@ -71,8 +63,8 @@ std::vector<NamedKey> keysOf(const DesignStudy& study) {
     return keys;
 }
 
-void checkKeys(const DesignStudy& study, Lines& lines) {
-    const std::vector<NamedKey> keys = keysOf(study);
+void checkKeys(const DesignStudy& study, const std::vector<NamedKey>& unread, Lines& lines) {
+    const std::vector<NamedKey> keys = keysOf(study, unread);
     for (std::size_t a = 0; a < keys.size(); ++a)
         for (std::size_t b = a + 1; b < keys.size(); ++b) {
             const NamedKey &one = keys[a], &other = keys[b];
@@ -155,10 +147,11 @@ void checkDesign(const DesignStudy& study, std::uint64_t design, AxisScenario& c
 
 }  // namespace
 
-std::vector<DesignProblemLine> problemsOf(const DesignStudy& study, const std::stop_token& stop) {
+std::vector<DesignProblemLine> problemsOf(const DesignStudy& study, const std::stop_token& stop,
+                                          const std::vector<NamedKey>& unread) {
     Lines lines;
     checkCounts(study, lines);
-    checkKeys(study, lines);
+    checkKeys(study, unread, lines);
     checkOutputs(study, lines);
     if (!lines.empty()) return lines.take();
     AxisScenario chosen(study.base, study.choices);

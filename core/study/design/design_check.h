@@ -16,9 +16,18 @@ struct DesignProblemLine {
     std::string text;
 };
 
+/// A key that the question names, and where.
+struct NamedKey {
+    std::string key;
+    bool isChosen = false;
+    bool isPercent = false;  ///< of a range: ± P %, which a choice may have too
+};
+
 /// All of it: too many of anything, nothing uncertain, two that set one thing, keys and outputs that a design
 /// has not, ranges that no design takes, an energy that cannot be kept. Empty when it can run. Ten thousand
-/// designs take some tenths of a second: a stop ends it with what was found by then.
-std::vector<DesignProblemLine> problemsOf(const DesignStudy& study, const std::stop_token& stop = {});
+/// designs take some tenths of a second: a stop ends it with what was found by then. `unread` are keys whose
+/// values could not be read and which the study therefore has not: they too may be given twice.
+std::vector<DesignProblemLine> problemsOf(const DesignStudy& study, const std::stop_token& stop = {},
+                                          const std::vector<NamedKey>& unread = {});
 
 }  // namespace drillwave
