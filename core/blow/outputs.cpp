@@ -224,7 +224,7 @@ constexpr auto drillTable = std::to_array<Output>({
                    "95 % of the gaps"),
     row<&D::penetration>("drill_penetration", "mean penetration of a blow: an upper limit",
                          Measure::penetration, "mean penetration of a blow"),
-    row<&D::penetrationError>(errorName, "its 95 % error; takes a second march with half as many cells",
+    row<&D::penetrationError>(errorName, "its 95 % error; takes a second march with other cells",
                               Measure::penetration, "error of the mean penetration"),
     row<&D::penetrationRate>("drill_penetration_rate",
                              "mean penetration times blow frequency, m/s: an upper limit", Measure::speed,

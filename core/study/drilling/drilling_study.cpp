@@ -116,28 +116,28 @@ class Study {
             const BlowSpread spread = spreadOf(std::span(growths).subspan(settle));
             m_result.lyapunov = Lyapunov{spread.mean, spread.meanError};
         }
-        std::optional<DrillingRecord> half, full;
-        const auto marchHalf = [&] {
-            if (m_wants.cellError) half = marchWithHalfTheCells();
+        std::optional<DrillingRecord> other, full;
+        const auto marchOther = [&] {
+            if (m_wants.cellError) other = marchWithOtherCells();
         };
         const auto marchFull = [&] {
             if (m_wants.fullRate && std::isfinite(m_result.cor)) full = marchAtFullRate();
         };
         if (m_wants.jobs > 1) {
-            std::future<void> other = std::async(std::launch::async, marchFull);
-            marchHalf();
-            other.get();
+            std::future<void> pressed = std::async(std::launch::async, marchFull);
+            marchOther();
+            pressed.get();
         } else {
-            marchHalf();
+            marchOther();
             marchFull();
         }
-        if (half) compareCells(*half, settle);
+        if (other) compareCells(*other, settle);
         if (full && m_result.statistics) compareFullRate(*full);
     }
 
-    DrillingRecord marchWithHalfTheCells() const {
-        const DrillingGrid coarse = coarseDrillingGridOf(m_problem, m_result.settings.cells);
-        return recordOf(m_problem, coarse, {m_result.settings.blows}, m_stop, m_progress);
+    DrillingRecord marchWithOtherCells() const {
+        const DrillingGrid other = comparedDrillingGridOf(m_problem, m_result.settings.cells);
+        return recordOf(m_problem, other, {m_result.settings.blows}, m_stop, m_progress);
     }
 
     DrillingRecord marchAtFullRate() const {
@@ -147,9 +147,9 @@ class Study {
         return recordOf(pressed, grid, {scanBlows}, m_stop, m_progress);
     }
 
-    void compareCells(const DrillingRecord& half, std::size_t settle) {
-        if (half.outcome != DrillingOutcome::done) return fail(half);
-        const DrillingStatistics statistics = statisticsOf(half.blows, settle, m_problem.blow.velocity());
+    void compareCells(const DrillingRecord& other, std::size_t settle) {
+        if (other.outcome != DrillingOutcome::done) return fail(other);
+        const DrillingStatistics statistics = statisticsOf(other.blows, settle, m_problem.blow.velocity());
         for (std::size_t q = 0; q < blowQuantities.size(); ++q)
             m_result.cellErrors[q] =
                 coveringCells * std::abs(statistics.spreads[q].mean - m_result.spread(q).mean);
@@ -234,7 +234,7 @@ double drillingWork(const Scenario& scenario, const DrillingSettings& settings, 
     const DrillingProblem problem = drillingProblemOf(scenario, problemOf(scenario));
     const auto blows = static_cast<double>(settings.blows);
     double work = drillingGridOf(problem, settings.cells).work(problem) * blows * (wants.lyapunov ? 2 : 1);
-    if (wants.cellError) work += coarseDrillingGridOf(problem, settings.cells).work(problem) * blows;
+    if (wants.cellError) work += comparedDrillingGridOf(problem, settings.cells).work(problem) * blows;
     if (wants.fullRate)
         work += drillingGridOf(problem, scanCells).work(problem) * static_cast<double>(scanBlows);
     return work;

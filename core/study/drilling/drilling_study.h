@@ -40,12 +40,12 @@ struct Lyapunov {
     std::optional<double> error;
 };
 
-/// What half as many cells change counts so often.
+/// What other cells change, twice or half as large, counts so often.
 inline constexpr double coveringCells = 3;
 
 /// What is wanted beside the blows: each march costs one of its own.
 struct DrillingWants {
-    bool cellError = true;  ///< the same with half as many cells
+    bool cellError = true;  ///< the same with other cells, see comparedDrillingGridOf()
     bool lyapunov = true;
     bool fullRate = true;  ///< the penetration at 2(1 + 2e), which takes `cor`
     bool cor = true;       ///< e of the blow alone
@@ -64,7 +64,7 @@ struct DrillingResult {
     std::vector<DrillingInstant> instants;  ///< of the blows that are told in full
     /// Nothing where nothing bounded comes of it.
     std::optional<DrillingStatistics> statistics;
-    /// Of the means, three times what half as many cells change; 0 where that was not wanted.
+    /// Of the means, three times what other cells change; 0 where that was not wanted.
     std::array<double, blowQuantities.size()> cellErrors{};
     std::optional<Lyapunov> lyapunov;
     DrillingGroups groups;

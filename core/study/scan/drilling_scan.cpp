@@ -11,7 +11,7 @@ namespace drillwave {
 
 namespace {
 
-/// Values at which it is tried what half as many cells change.
+/// Values at which it is tried what other cells change.
 constexpr std::uint64_t triedValues = 5;
 
 /// Statistics agree to that share of what they are of without any error.

@@ -27,7 +27,7 @@ struct DrillingScan {
     /// In the order of the values; of each from rest, and from bouncing where that differs by more than the
     /// errors.
     std::vector<DrillingScanPoint> points;
-    /// What half as many cells change, the largest of five values; of blowQuantities.
+    /// What other cells change, the largest of five values; of blowQuantities.
     std::array<double, blowQuantities.size()> cellErrors{};
     double cor = 0;  ///< e of the blow at zero gap, of the first value; over a thrust that of all
     double runTime = 0;

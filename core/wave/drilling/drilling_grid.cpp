@@ -120,18 +120,28 @@ DrillingGrid gridOf(const DrillingProblem& problem, double wanted) {
     return grid;
 }
 
-}  // namespace
+/// Cells that could be twice as large are looked for; the round trips of a string may share none.
+bool isFineEnough(const DrillingGrid& grid, int cellsPerDuration) {
+    return grid.cells.cell * cellsPerDuration <= 1 + wholeShare;
+}
 
-DrillingGrid drillingGridOf(const DrillingProblem& problem, int cellsPerDuration) {
-    DrillingGrid grid = gridOf(problem, 2.0 / cellsPerDuration);
+DrillingGrid halved(DrillingGrid grid, const DrillingProblem& problem) {
     grid.cells.halve();
     grid.cellsOfInterval *= 2;
     cutAtJumps(grid, problem.blow.isForced() ? jumpsOf(problem.blow.force()) : std::vector<double>());
     return grid;
 }
 
-DrillingGrid coarseDrillingGridOf(const DrillingProblem& problem, int cellsPerDuration) {
-    return gridOf(problem, 2.0 / cellsPerDuration);
+}  // namespace
+
+DrillingGrid drillingGridOf(const DrillingProblem& problem, int cellsPerDuration) {
+    const DrillingGrid grid = gridOf(problem, 2.0 / cellsPerDuration);
+    return isFineEnough(grid, cellsPerDuration) ? grid : halved(grid, problem);
+}
+
+DrillingGrid comparedDrillingGridOf(const DrillingProblem& problem, int cellsPerDuration) {
+    const DrillingGrid grid = gridOf(problem, 2.0 / cellsPerDuration);
+    return isFineEnough(grid, cellsPerDuration) ? halved(grid, problem) : grid;
 }
 
 }  // namespace drillwave

@@ -28,7 +28,8 @@ struct DrillingGrid {
 /// At least so many cells per t0. Intervals become whole cells; round trips that share no cell are rounded to
 /// whole ones.
 DrillingGrid drillingGridOf(const DrillingProblem& problem, int cellsPerDuration);
-/// The same with cells twice as large: what it changes is due to them alone, for the interval is the same.
-DrillingGrid coarseDrillingGridOf(const DrillingProblem& problem, int cellsPerDuration);
+/// The same with cells twice as large, or half as large where the round trips of a string share no larger
+/// ones: what it changes is due to them alone, for the interval is the same.
+DrillingGrid comparedDrillingGridOf(const DrillingProblem& problem, int cellsPerDuration);
 
 }  // namespace drillwave

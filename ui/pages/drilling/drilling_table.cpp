@@ -41,7 +41,7 @@ DrillingTable::DrillingTable(QWidget* parent) : QTableWidget(rowCountOfTable, co
     setHorizontalHeaderLabels({tr("mean"), QStringLiteral("±"), tr("deviation"), QStringLiteral("5 %"),
                                tr("median"), QStringLiteral("95 %")});
     horizontalHeaderItem(error)->setToolTip(
-        tr("Error of the mean, 95 %: by batches of blows, and what half as many cells change"));
+        tr("Error of the mean, 95 %: by batches of blows, and what larger or smaller cells change"));
     for (int row = 0; row < rowCountOfTable; ++row) {
         auto* header = new QTableWidgetItem(tr(tableRows[row].name));
         header->setToolTip(tr(tableRows[row].meaning));

@@ -132,15 +132,15 @@ void TestDrillingTrial::tryScene(const DrillingProblem& problem, const std::stri
         return;
     }
     ++trial.done;
-    const DrillingRecord half = marched(coarseDrillingGridOf(problem, 20));
+    const DrillingRecord other = marched(comparedDrillingGridOf(problem, 20));
     const DrillingRecord fine = marched(quartered(grid));
-    if (half.outcome != DrillingOutcome::done || fine.outcome != DrillingOutcome::done) return;
+    if (other.outcome != DrillingOutcome::done || fine.outcome != DrillingOutcome::done) return;
     const auto spread = [&](const DrillingRecord& record) {
         return statisticsOf(record.blows, settleOfTrial, problem.blow.velocity()).spreads[penetration];
     };
     const BlowSpread own = spread(main), ofFine = spread(fine);
     const double stated =
-        own.meanError.value_or(0) + coveringCells * std::abs(own.mean - spread(half).mean) + 1e-9;
+        own.meanError.value_or(0) + coveringCells * std::abs(own.mean - spread(other).mean) + 1e-9;
     const double off = std::abs(own.mean - ofFine.mean);
     ++trial.compared;
     trial.covered += off <= stated;

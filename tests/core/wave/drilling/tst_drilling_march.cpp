@@ -64,6 +64,7 @@ class TestDrillingMarch : public QObject {
     void periodicMotionsAreThoseOfTheTheory_data();
     void periodicMotionsAreThoseOfTheTheory();
     void frontsOfBlowsLieOnCellEnds();
+    void cellsAreNotHalvedBelowWhatIsAsked();
     void momentumAndEnergyAreKept_data();
     void momentumAndEnergyAreKept();
     void theEnergyErrorFallsWithTheSquareOfTheCell();
@@ -190,6 +191,23 @@ void TestDrillingMarch::frontsOfBlowsLieOnCellEnds() {
     problem.feedForce = 1.4 / problem.interval;
     const double coarse = march(problem, 20, 300).blows.back().gap;
     QVERIFY(std::abs(coarse - march(problem, 80, 300).blows.back().gap) < 2e-3);
+}
+
+/// The round trips of a string may share no cell larger than half of what would do.
+void TestDrillingMarch::cellsAreNotHalvedBelowWhatIsAsked() {
+    DrillingProblem problem;
+    problem.blow = struck();
+    problem.blow.sections = {{.impedance = 1, .transitTime = 0.51}, {.impedance = 1, .transitTime = 1}};
+    problem.interval = 60;
+    const auto cells = [&](int wanted) {
+        return std::pair(drillingGridOf(problem, wanted).cells.cell,
+                         comparedDrillingGridOf(problem, wanted).cells.cell);
+    };
+    const auto [fine, finer] = cells(40);
+    QVERIFY(std::abs(fine - 0.02) < 1e-12 && std::abs(finer - 0.01) < 1e-12);
+    const auto [halved, shared] = cells(60);
+    QVERIFY(std::abs(halved - 0.01) < 1e-12 && std::abs(shared - 0.02) < 1e-12);
+    QCOMPARE(drillingGridOf(problem, 40).interval(), comparedDrillingGridOf(problem, 40).interval());
 }
 
 void TestDrillingMarch::momentumAndEnergyAreKept_data() {
