@@ -86,6 +86,10 @@ QSize PageTabs::minimumSizeHint() const {
                                                : current().minimumSizeHint().height()};
 }
 
+int PageTabs::heightForWidth(int /*width*/) const {
+    return minimumSizeHint().height();
+}
+
 Page& PageTabs::page(int index) const {
     return *static_cast<Page*>(widget(index));
 }
