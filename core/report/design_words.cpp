@@ -51,8 +51,15 @@ void addTies(const DesignReport& report, std::vector<DesignRemark>& remarks) {
     for (std::size_t i = 0; i < best.ties.size() && i < enough; ++i)
         names += " or " + designName(report.study, best.ties[i]);
     if (best.ties.size() > enough) names += " or " + std::to_string(best.ties.size() - enough) + " others";
-    remarks.push_back({false, "flat_optimum",
-                       "The samples do not tell the best designs apart: take any of " + names + "."});
+    std::string text = "The samples do not tell the best designs apart: take any of " + names;
+    if (best.nextBest) {
+        const DesignAim& next = report.study.aims[1];
+        text += "; of them " + designName(report.study, *best.nextBest) + " has the " +
+                (next.sense == Sense::largest ? "largest " : "least ") + std::string(next.output->name) +
+                " " + next.statistic.name() + ", " +
+                outputText(report.study, *next.output, aimedValue(report, next, *best.nextBest).value);
+    }
+    remarks.push_back({false, "flat_optimum", text + "."});
 }
 
 void addEdges(const DesignReport& report, std::vector<DesignRemark>& remarks) {

@@ -87,6 +87,10 @@ BestDesigns bestOf(std::span<const DesignSamples> designs, std::span<const AimOr
         best.pareto[d] = std::ranges::none_of(
             feasible, [&](std::size_t other) { return dominates(designs[other], designs[d], aims); });
     }
+    if (aims.size() < 2 || best.ties.empty()) return best;
+    best.nextBest = best.robust;
+    for (const std::size_t tie : best.ties)
+        if (aimed(designs[tie], aims[1]) > aimed(designs[*best.nextBest], aims[1])) best.nextBest = tie;
     return best;
 }
 

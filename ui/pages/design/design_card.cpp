@@ -44,6 +44,10 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
         text += QStringLiteral("<p>") +
                 DesignCard::tr("The samples do not tell it apart from %1: any of them will do.")
                     .arg(names.join(QStringLiteral("; ")));
+        if (best.nextBest)
+            text += QLatin1Char(' ') + DesignCard::tr("Of them %1 has the %2: %3.")
+                                           .arg(units.designName(*best.nextBest), aimWords(study.aims[1]),
+                                                valueText(report, study.aims[1], *best.nextBest, units));
     }
     if (!best.nominal || *best.nominal == *best.robust) return text;
     const double robust = aimedValue(report, first, *best.robust).value;
@@ -53,8 +57,8 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
     const QString where = statisticWords(first.statistic, first.sense);
     text +=
         QStringLiteral("<p>") + (first.sense == Sense::largest
-                                     ? DesignCard::tr("The nominal best, %1, would lose %2 % of it %3.")
-                                     : DesignCard::tr("The nominal best, %1, would have %2 % more of it %3."))
+                                     ? DesignCard::tr("The nominal best, %1, would lose %2 % of it %3.")
+                                     : DesignCard::tr("The nominal best, %1, would have %2 % more of it %3."))
                                     .arg(units.designName(*best.nominal), percent, where);
     return text;
 }
@@ -86,8 +90,9 @@ QString worstSentence(const DesignReport& report, std::size_t a, const DesignUni
         const Parameter& parameter = *report.study.uncertain[i].parameter;
         places << parameterName(parameter) + QLatin1Char(' ') + units.text(parameter, worst.at[i]);
     }
-    return (aim.sense == Sense::largest ? DesignCard::tr("Least %1 found: <b>%2</b>, at %3.")
-                                        : DesignCard::tr("Largest %1 found: <b>%2</b>, at %3."))
+    return (aim.sense == Sense::largest
+                ? DesignCard::tr("Least %1 found of the robust best: <b>%2</b>, at %3.")
+                : DesignCard::tr("Largest %1 found of the robust best: <b>%2</b>, at %3."))
         .arg(outputName(*aim.output), units.text(shown, worst.value), places.join(QStringLiteral(", ")));
 }
 

@@ -157,8 +157,16 @@ void DesignPage::present() {
         m_shownUnits = units;
         draw(*answer);
     }
+    const QString problem = inputProblem();
+    say(problem.isEmpty() ? m_sentence : tr("⚠ %1\nWhat is shown is of the value before.").arg(problem));
     showHere();
     showRuns();
+}
+
+/// Text in a field of a range that is not taken, and why; what was taken last is still asked.
+QString DesignPage::inputProblem() const {
+    const QString uncertain = m_uncertain->problem();
+    return uncertain.isEmpty() ? m_choices->problem() : uncertain;
 }
 
 void DesignPage::draw(const DesignAnswer& answer) {
@@ -176,13 +184,12 @@ void DesignPage::draw(const DesignAnswer& answer) {
     if (m_plot->isMap() != wasMap) plot()->keyPoint().offer(m_plot->keyPlaces());
     m_card->present(answer, units);
     QStringList aims;
-    for (const DesignAim& aim : answer.report.study.aims)
-        aims << (aim.sense == Sense::largest ? tr("largest %1") : tr("least %1")).arg(aimName(aim));
-    say(aims.join(QStringLiteral(" · ")) + QLatin1Char('\n') +
-        (answer.isRefined() ? tr("%1 samples of each design").arg(answer.wanted)
-                            : tr("%1 samples of each design so far, refined to %2")
-                                  .arg(answer.report.study.samples)
-                                  .arg(answer.wanted)));
+    for (const DesignAim& aim : answer.report.study.aims) aims << aimWords(aim);
+    m_sentence = aims.join(QStringLiteral(" · ")) + QLatin1Char('\n') +
+                 (answer.isRefined() ? tr("%1 samples of each design").arg(answer.wanted)
+                                     : tr("%1 samples of each design so far, refined to %2")
+                                           .arg(answer.report.study.samples)
+                                           .arg(answer.wanted));
     redraw();
 }
 
@@ -254,6 +261,7 @@ void DesignPage::loadWorst(std::size_t aim) {
 
 QString DesignPage::obstacle() const {
     if (!m_problem.isEmpty()) return m_problem;
+    if (QString problem = inputProblem(); !problem.isEmpty()) return problem;
     if (QString unfinished = StudyPage::obstacle(); !unfinished.isEmpty()) return unfinished;
     return m_shown ? QString() : tr("There is no design to be told of.");
 }
@@ -267,7 +275,7 @@ QByteArray DesignPage::csv() const {
 
 QStringList DesignPage::commandWords() const {
     const std::optional<DesignStudy> study = wish().study;
-    if (!study) return {};
+    if (!study || !inputProblem().isEmpty()) return {};
     QStringList words{QStringLiteral("design"), QStringLiteral("--uncertain")};
     for (const std::string& text : m_uncertain->texts()) words << fromView(text);
     const std::vector<std::string> choices = m_choices->texts();

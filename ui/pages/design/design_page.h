@@ -48,6 +48,7 @@ class DesignPage : public StudyPage {
     };
     Wish wish() const;
     QWidget* makeQuestions();
+    QString inputProblem() const;
     void followScenario();
     void draw(const DesignAnswer& answer);
     void refuse(const QString& why);
@@ -67,6 +68,7 @@ class DesignPage : public StudyPage {
     DesignCard* m_card;
     DesignPlot* m_plot = nullptr;
     QString m_problem;
+    QString m_sentence;   // of what is shown
     int m_customary = 0;  // samples, of what was asked last
     std::shared_ptr<const DesignAnswer> m_shown;
     ShownUnits m_shownUnits;

@@ -177,6 +177,11 @@ QString aimName(const DesignAim& aim) {
     return outputName(*aim.output) + QLatin1Char(' ') + statisticWords(aim.statistic, aim.sense);
 }
 
+QString aimWords(const DesignAim& aim) {
+    return (aim.sense == Sense::largest ? AimRow::tr("largest %1") : AimRow::tr("least %1"))
+        .arg(aimName(aim));
+}
+
 DesignPicture designPicture(const DesignReport& report, const DesignUnits& units) {
     const DesignStudy& study = report.study;
     const AnswerReader read(report);

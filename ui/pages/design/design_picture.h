@@ -88,6 +88,8 @@ class DesignUnits {
 
 /// "efficiency in the worst 5 %".
 QString aimName(const DesignAim& aim);
+/// With its sense: "largest efficiency in the worst 5 %".
+QString aimWords(const DesignAim& aim);
 
 /// Of a study that has a best design.
 DesignPicture designPicture(const DesignReport& report, const DesignUnits& units);

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/model/assignments.h"
 #include "core/model/scales.h"
 #include "core/study/design/uncertain_input.h"
 #include "ui/form/choice_box.h"
@@ -187,6 +188,7 @@ QuantityField* RangeRow::addField(double StudyRange::*end, const QString& name, 
     field->setObjectName(name);
     field->setAccessibleName(QStringLiteral("%1: %2").arg(parameterName(*m_range.parameter), words));
     field->setTaker([this, end](double si) { return take(end, si); });
+    connect(field, &QuantityField::problemShown, this, &RangeRow::changed);
     m_fields->layout()->addWidget(field);
     field->show();
     return field;
@@ -221,6 +223,13 @@ std::string RangeRow::text() const {
         return m_range.text() + ":" + std::to_string(count) + m_range.tail();
     }
     return m_range.text() + (m_isBell ? m_range.logarithmic ? ":lognormal" : ":normal" : m_range.tail());
+}
+
+QString RangeRow::problem() const {
+    for (const QuantityField* field : {m_low, m_high})
+        if (field && !field->problem().isEmpty())
+            return QStringLiteral("%1: %2").arg(field->accessibleName(), field->problem());
+    return {};
 }
 
 void RangeRow::follow() {
@@ -275,17 +284,29 @@ std::vector<std::string> RangeRows::texts() const {
     return texts;
 }
 
-// The first of the usual ones that is not there; none of them is left when it has no parameter.
+QString RangeRows::problem() const {
+    for (const RangeRow* row : rows())
+        if (QString problem = row->problem(); !problem.isEmpty()) return problem;
+    return {};
+}
+
+// The first of the usual ones that is not there, or of all that the scenario has; with at most so many rows
+// as there are, one is always left.
 StudyRange RangeRows::proposal() const {
     const auto isThere = [&](std::string_view key) {
-        return std::ranges::any_of(rows(),
-                                   [&](const RangeRow* row) { return row->range().parameter->key == key; });
+        return std::ranges::any_of(rows(), [&](const RangeRow* row) {
+            return row->range().parameter->key == key || areRivals(row->range().parameter->key, key);
+        });
     };
     for (const std::string_view key : usualKeys(m_use, m_scenario)) {
         const KeptParameter parameter = findParameter(key);
         if (parameter && parameter->applies(m_scenario) && !isThere(key))
             return rangeOfHalf(*parameter, m_scenario, m_use);
     }
+    for (const Parameter& parameter : parameters())
+        if (parameter.scope != Scope::manyBlows && parameter.applies(m_scenario) &&
+            parameter.value(m_scenario).value_or(0) > 0 && !isThere(parameter.key))
+            return rangeOfHalf(parameter, m_scenario, m_use);
     return {};
 }
 

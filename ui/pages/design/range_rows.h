@@ -38,9 +38,12 @@ class RangeRow : public QWidget {
     void setRange(const StudyRange& range);
     /// As on the command line: "bit_rock.gamma=0.05:0.3:normal", "pulse.duration=100 us:400 us:11".
     std::string text() const;
+    /// What is wrong with the text in a field, with its name; empty where nothing is.
+    QString problem() const;
     void setRemovable(bool removable);
 
   signals:
+    /// text() or problem() is another one.
     void changed();
     void removed();
 
@@ -83,6 +86,8 @@ class RangeRows : public QWidget {
     void present(const Scenario& scenario);
     /// The texts of the rows.
     std::vector<std::string> texts() const;
+    /// The first of those of the rows.
+    QString problem() const;
     const std::vector<RangeRow*>& rows() const { return m_rows.rows(); }
 
   public slots:
@@ -90,7 +95,7 @@ class RangeRows : public QWidget {
     void add();
 
   signals:
-    /// texts() are other ones.
+    /// texts() or problem() are other ones.
     void changed();
 
   private:

@@ -284,6 +284,11 @@ void TestDesignSamples::tiesAreWithinTheErrorOfTheDifference() {
     QVERIFY(apart.ties.empty());
     const std::vector own{design(1, 0, 0.5), design(1.1, 0, 0)};
     QVERIFY(bestOf(own, {twoAims.data(), 1}, {}).ties == std::vector<std::size_t>{0});
+    // the next aim tells which of them to take
+    QVERIFY(!bestOf(own, {twoAims.data(), 1}, {}).nextBest);
+    const std::vector cheaper{design(1, 3, 0.5), design(1.1, 5, 0)};
+    const BestDesigns tied = bestOf(cheaper, twoAims, {});
+    QVERIFY(tied.robust == std::size_t{1} && tied.nextBest == std::size_t{0});
 }
 
 void TestDesignSamples::paretoSetsHaveWhatNoneDominates() {

@@ -221,8 +221,13 @@ void TestDesignPage::aRangeUpsideDownIsMarkedAndAsksNothing() {
     QTest::keyClicks(&low, QLocale().toString(0.9));
     QVERIFY2(low.problem().contains(QStringLiteral("upside down")), qPrintable(low.problem()));
     QCOMPARE(m_page->studies(), studies);
+    // what is shown is no longer what stands there
+    const auto* words = m_page->findChild<QLabel*>(QStringLiteral("words"));
+    QTRY_VERIFY(words->text().contains(QStringLiteral("upside down")));
+    QVERIFY(m_page->command().isEmpty());
     low.selectAll();
     QTest::keyClicks(&low, QLocale().toString(0.07));
+    QTRY_VERIFY(!words->text().contains(QStringLiteral("upside down")));
     QVERIFY(low.problem().isEmpty());
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
     QVERIFY(m_page->studies() > studies);
@@ -306,6 +311,15 @@ void TestDesignPage::rowsAreAddedAndRemoved() {
     QCOMPARE(m_page->answer()->report.study.uncertain.size(), std::size_t{2});
     uncertain.add();
     QCOMPARE(std::string(uncertain.rows()[2]->range().parameter->key), std::string("bit_rock.gap"));
+    // beyond the usual ones any other that the scenario has, and what stands there stays
+    uncertain.rows()[0]->setRange({findParameter("bit_rock.stiffness"), 50e6, 250e6, true});
+    uncertain.add();
+    QCOMPARE(uncertain.rows().size(), std::size_t{4});
+    QVERIFY(uncertain.rows()[3]->range().parameter);
+    QCOMPARE(uncertain.rows()[0]->range().stop, 250e6);
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
+    QVERIFY(m_page->answer()->problems.empty());
+    QCOMPARE(m_page->answer()->report.study.uncertain.size(), std::size_t{4});
     rows("choices").rows()[0]->findChild<QToolButton*>(QStringLiteral("remove"))->click();
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
     QCOMPARE(m_page->answer()->report.findings.designs.size(), std::size_t{1});
