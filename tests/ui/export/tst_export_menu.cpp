@@ -77,7 +77,7 @@ class TestExportMenu : public QObject {
     PageExport numbers() { return part<BlowPage>(window()).exports().first(); }
     PageExport picture() { return part<BlowPage>(window()).exports().last(); }
     // Exports wait for the result of the present input.
-    void settle() { QTRY_VERIFY(part<SolveStatus>(window()).isCurrent()); }
+    void settle() { QTRY_VERIFY_WITH_TIMEOUT(part<SolveStatus>(window()).isCurrent(), 60000); }
 
     std::unique_ptr<QTemporaryDir> m_folder;
     ScriptedAnswers m_answers;

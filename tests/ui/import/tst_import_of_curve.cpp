@@ -162,7 +162,7 @@ void TestImportOfCurve::measuredCurvesAreShiftedAndRemoved() {
     page->setResult(failedBlow(m_window->shown()->request, QStringLiteral("too stiff")));
     QVERIFY(page->measuredCurves()->graphs().isEmpty());
     m_window->document().startFrom(findExample("paper_fig4b")->text, QStringLiteral("paper"));
-    QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(!part<SolveJob>(*m_window).isBusy(), 60000);
     QVERIFY(page->measuredCurves()->graphs().isEmpty());
     QVERIFY(bar->isVisible());
     m_window->document().startFrom(defaultExample().text, QStringLiteral("rod"));
@@ -170,7 +170,7 @@ void TestImportOfCurve::measuredCurvesAreShiftedAndRemoved() {
     // It stays where it is when the scenario changes, and other units show the same.
     Document& document = m_window->document();
     document.assign(*findParameter("pulse.duration"), 150e-6, document.newGesture());
-    QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(!part<SolveJob>(*m_window).isBusy(), 60000);
     QVERIFY(std::abs(graph(0)->data()->at(0)->key - before) < 1e-9);
     control<QToolButton>(*bar, "removeMeasured").click();
     QCOMPARE(page->measuredCurves()->graphs().size(), 1);

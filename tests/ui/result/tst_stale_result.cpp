@@ -154,7 +154,7 @@ class TestStaleResult : public QObject {
         edit(4);
         QTRY_VERIFY(status().isMarked());
         QTest::mouseClick(status().button(), Qt::LeftButton);
-        QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy());
+        QTRY_VERIFY_WITH_TIMEOUT(!part<SolveJob>(*m_window).isBusy(), 60000);
         QVERIFY(status().isMarked() && !status().isCurrent());
         QVERIFY(status().text().startsWith(QStringLiteral("stopped")));
         QCOMPARE(status().button()->text(), QStringLiteral("Solve"));
@@ -256,7 +256,7 @@ class TestStaleResult : public QObject {
         edit(4);
         QTRY_VERIFY(status().isMarked());
         QTest::mouseClick(status().button(), Qt::LeftButton);
-        QTRY_VERIFY(!part<SolveJob>(*m_window).isBusy());
+        QTRY_VERIFY_WITH_TIMEOUT(!part<SolveJob>(*m_window).isBusy(), 60000);
         m_gate->open = true;
         m_answers.exportTo = m_folder.filePath(QStringLiteral("again.csv"));
         part<ExportMenu>(*m_window).saveHistories();

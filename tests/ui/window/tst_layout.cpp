@@ -40,7 +40,7 @@ void pinRuns(MainWindow& window) {
     for (const double gamma : {0.2, 0.3}) {
         document.assign(*findParameter("gamma"), gamma, document.newGesture());
         part<PinnedRuns>(window).pinAction()->trigger();
-        QTRY_VERIFY(part<SolveStatus>(window).isCurrent());
+        QTRY_VERIFY_WITH_TIMEOUT(part<SolveStatus>(window).isCurrent(), 60000);
     }
     QCOMPARE(part<PinnedRuns>(window).runs().list()->size(), 2u);
 }

@@ -46,7 +46,7 @@ class TestPinnedRuns : public QObject {
     void set(const char* key, double si) {
         Document& document = window().document();
         QCOMPARE(document.assign(*findParameter(key), si, document.newGesture()), QString());
-        QTRY_VERIFY(part<SolveStatus>(window()).isCurrent());
+        QTRY_VERIFY_WITH_TIMEOUT(part<SolveStatus>(window()).isCurrent(), 60000);
     }
     void pinThree() {
         part<PinnedRuns>(window()).pinAction()->trigger();

@@ -37,7 +37,7 @@ void TestStalls::draggingNeverStallsThePage() {
     auto* slider = part<ScenarioPanel>(*window).findChild<QSlider*>("bit_rock.stiffness.slider");
     for (int page = 0; page < pages.count(); ++page) {
         pages.setCurrentIndex(page);
-        QTRY_VERIFY(!part<SolveJob>(*window).isBusy());
+        QTRY_VERIFY_WITH_TIMEOUT(!part<SolveJob>(*window).isBusy(), 60000);
         QTest::qWait(100);  // what is painted for the first time
         // What the program does wrong it does again; what the machine takes for itself, hardly twice.
         double longest = 0;

@@ -259,7 +259,7 @@ void TestBlowPage::aHeldSliderLeavesAGhostUntilItIsReleased() {
     slider->setSliderDown(true);
     for (const int position : {300, 500, 700}) {
         slider->setValue(position);
-        QTRY_VERIFY(!part<SolveJob>(window).isBusy());
+        QTRY_VERIFY_WITH_TIMEOUT(!part<SolveJob>(window).isBusy(), 60000);
     }
     QVERIFY(window.shown() != before);
     QCOMPARE(part<BlowPage>(window).plot()->graphCount(), curves + 7);

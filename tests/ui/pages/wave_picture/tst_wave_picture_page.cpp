@@ -166,7 +166,7 @@ void TestWavePicturePage::asksForNothingWhileHidden() {
     QCOMPARE(page->title(), QStringLiteral("Wave picture"));
     window.show();
     QVERIFY(QTest::qWaitForWindowActive(&window));
-    QTRY_VERIFY(!part<SolveJob>(window).isBusy());
+    QTRY_VERIFY_WITH_TIMEOUT(!part<SolveJob>(window).isBusy(), 60000);
     pages->setCurrentWidget(&part<BlowPage>(window));
     QTRY_VERIFY(window.shown()->page<BlowCurves>());
     QVERIFY(!window.shown()->page<WavePicture>());
