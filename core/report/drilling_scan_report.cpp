@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/drilling_scan_report.h"
 
+#include <algorithm>
+#include <iterator>
+#include <map>
 #include <optional>
 
 #include "core/model/version.h"
@@ -33,6 +36,35 @@ std::vector<std::optional<double>> valuesOf(const std::vector<OutputColumn>& col
 bool isOfDamper(const SweepAxis& axis) {
     const std::string_view key = axis.key();
     return key == "drill.machine_mass" || key == "drill.damper_damping" || key == "drill.damper_stiffness";
+}
+
+/// In four digits of the unit of the axis.
+std::string valueText(const SweepAxis& axis, double value, const ReadingStyle& style) {
+    if (!axis.parameter) {
+        std::string word;
+        axis.column().appendText(word, value);
+        return word;
+    }
+    const bool hasUnit = axis.unit && !axis.unit->name.empty();
+    const std::string number = style.number(hasUnit ? axis.unit->fromSi(value) : value, 4);
+    return hasUnit ? number + " " + std::string(axis.unit->name) : number;
+}
+
+/// Values in order, and what holds at all motions of each.
+using HeldValues = std::map<double, bool>;
+
+std::string placesOf(const HeldValues& values, const SweepAxis& axis, const ReadingStyle& style) {
+    const auto holds = [](const auto& each) { return each.second; };
+    const auto count = std::ranges::count_if(values, holds);
+    if (count == 0) return "at none of the values";
+    if (count == std::ssize(values)) return "at all values";
+    const auto first = std::ranges::find_if(values, holds);
+    if (std::all_of(first, values.end(), holds))
+        return "from " + valueText(axis, first->first, style) + " on";
+    const auto end = std::ranges::find_if_not(values, holds);
+    if (std::none_of(end, values.end(), holds))
+        return "up to " + valueText(axis, std::prev(end)->first, style);
+    return "at " + std::to_string(count) + " of " + std::to_string(values.size()) + " values";
 }
 
 const char* nameOf(DrillingStart start) {
@@ -86,6 +118,24 @@ std::string drillingGapsCsv(const DrillingScanReport& report, OutputUnits units)
     return csv;
 }
 
+std::string scanSentence(const DrillingScan& scan, const ReadingStyle& style) {
+    if (!scan.axis.parameter || scan.points.empty()) return {};
+    HeldValues isFull, isOnRock;
+    for (const DrillingScanPoint& point : scan.points) {
+        const DrillingResult& result = point.result;
+        const bool full =
+            result.verdict == DrillingVerdict::fullRate || result.verdict == DrillingVerdict::rests;
+        const auto take = [&](HeldValues& values, bool holds) {
+            const auto [at, isNew] = values.try_emplace(point.value, holds);
+            if (!isNew) at->second = at->second && holds;
+        };
+        take(isFull, result.statistics && full);
+        take(isOnRock, result.statistics && result.statistics->contactShare == 1);
+    }
+    return "It drills at full rate " + placesOf(isFull, scan.axis, style) +
+           "; every blow begins on the rock " + placesOf(isOnRock, scan.axis, style) + ".";
+}
+
 std::string drillingScanText(const DrillingScanReport& report, OutputUnits units, const ReadingStyle& style) {
     const DrillingScan& scan = report.scan;
     std::string text = headingOf(scan.base);
@@ -96,10 +146,7 @@ std::string drillingScanText(const DrillingScanReport& report, OutputUnits units
               "contact", "motion"});
     for (const DrillingScanPoint& point : scan.points) {
         const DrillingResult& result = point.result;
-        std::string value;
-        scan.axis.column().appendText(value, point.value);
-        if (scan.axis.parameter && scan.axis.unit && !scan.axis.unit->name.empty())
-            value += " " + std::string(scan.axis.unit->name);
+        const std::string value = valueText(scan.axis, point.value, style);
         if (!result.statistics) {
             grid.add({value, nameOf(point.start), style.number(result.groups.phi, 4), "", "", "", "", "", "",
                       std::string(name(result.outcome))});
@@ -120,9 +167,16 @@ std::string drillingScanText(const DrillingScanReport& report, OutputUnits units
                                                 : "irregular"});
     }
     text += grid.text();
-    text += "\n" + paragraph(
-                       "Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. "
-                       "There is no over-feed side: friction, rotation and buckling are not in the model.");
+    if (const std::string sentence = scanSentence(scan, style); !sentence.empty())
+        text += "\n" + paragraph(sentence);
+    text += "\n" +
+            paragraph(
+                "Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- has the "
+                "scatter of the blows at that value and the most that other cells change at five of the "
+                "values.") +
+            paragraph(
+                "Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. "
+                "There is no over-feed side: friction, rotation and buckling are not in the model.");
     return text;
 }
 

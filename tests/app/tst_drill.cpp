@@ -170,6 +170,10 @@ void TestDrill::aScanTellsEveryValue() {
     words.removeAll("drill.thrust=4.3kN");
     const QByteArray text = output(words);
     QVERIFY(text.contains("pushed_back") && text.contains("over-feed"));
+    // what the values are for, in a sentence
+    QVERIFY2(
+        text.contains("It drills at full rate from 8 kN on; every blow begins on the rock from 8 kN on."),
+        text.constData());
     const auto rows = rowsOf(read(path));
     QVERIFY(rows.size() >= 4);
     QVERIFY(rows[0].join(',').startsWith("drill.thrust [kN],start,drill_gap_mean [m],"));

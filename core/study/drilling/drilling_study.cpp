@@ -69,7 +69,7 @@ class Study {
         m_result.instants = std::move(main.instants);
         if (m_result.outcome == DrillingOutcome::done) takeStatistics(main.growths);
         takeGroups();
-        takeVerdict();
+        m_result.verdict = verdictOf(m_result);
         m_result.alerts = drillingAlerts(m_result, {.lateShare = main.lateShare,
                                                     .rounding = grid.rounding(m_problem),
                                                     .hasMachine = m_problem.machine.has_value()});
@@ -188,17 +188,6 @@ class Study {
         groups.kappa = m_problem.machine->stiffness / m_problem.blow.sections[first].impedance;
     }
 
-    void takeVerdict() {
-        if (m_result.outcome == DrillingOutcome::pushedBack)
-            m_result.verdict = DrillingVerdict::pushedBack;
-        else if (m_result.statistics && m_result.statistics->contactShare >= restingShare)
-            m_result.verdict = DrillingVerdict::rests;
-        else if (m_result.fullRateShare.value_or(0) >= fullShare)
-            m_result.verdict = DrillingVerdict::fullRate;
-        else
-            m_result.verdict = DrillingVerdict::rateLost;
-    }
-
     DrillingWants m_wants;
     const std::stop_token& m_stop;
     std::mutex m_told;
@@ -208,6 +197,22 @@ class Study {
 };
 
 }  // namespace
+
+DrillingVerdict verdictOf(const DrillingResult& result) {
+    if (result.outcome == DrillingOutcome::pushedBack) return DrillingVerdict::pushedBack;
+    if (result.statistics && result.statistics->contactShare >= restingShare) return DrillingVerdict::rests;
+    const bool isFull = result.fullRateShare.value_or(0) >= fullShare;
+    return isFull ? DrillingVerdict::fullRate : DrillingVerdict::rateLost;
+}
+
+void takeFullRate(DrillingResult& result, const DrillingResult& other) {
+    const std::size_t penetration = quantityPlace(&DrillingBlow::penetration);
+    if (!result.statistics || !other.statistics || !other.fullRateShare) return;
+    const double share =
+        *other.fullRateShare * result.spread(penetration).mean / other.spread(penetration).mean;
+    if (std::isfinite(share)) result.fullRateShare = share;
+    result.verdict = verdictOf(result);
+}
 
 std::string_view name(DrillingVerdict verdict) {
     return verdictNames[verdict];

@@ -88,6 +88,11 @@ struct DrillingResult {
     const BlowSpread& spread(std::size_t quantity) const { return statistics->spreads[quantity]; }
 };
 
+/// By outcome, contacts, and the share of the full rate where that is known.
+DrillingVerdict verdictOf(const DrillingResult& result);
+/// The full rate that another motion of the same scenario has been measured by.
+void takeFullRate(DrillingResult& result, const DrillingResult& other);
+
 /// Blows of all marches of a study.
 long foreseenBlows(const DrillingSettings& settings, const DrillingWants& wants);
 

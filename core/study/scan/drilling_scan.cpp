@@ -65,9 +65,11 @@ std::vector<std::string> scanRefusals(const Scenario& base, const SweepAxis& axi
 }
 
 double scanWork(const Scenario& scenario, const DrillingSettings& settings) {
-    const double march =
-        drillingWork(scenario, settings, {.cellError = false, .lyapunov = false, .fullRate = false});
-    return 3 * march;  // from rest with another beside for λ, and from bouncing
+    const auto work = [&](bool fullRate) {
+        return drillingWork(scenario, settings,
+                            {.cellError = false, .lyapunov = false, .fullRate = fullRate});
+    };
+    return 2 * work(false) + work(true);  // from rest with another beside for λ, and from bouncing
 }
 
 DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const DrillingSettings& settings,
@@ -86,17 +88,18 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
             const Scenario scenario = scenarioAt(base, axis, chunk.index);
             DrillingWants wants{.cellError = isTried(chunk.index, axis.count),
                                 .lyapunov = work.lyapunov,
-                                .fullRate = false,
-                                .cor = chunk.index == 0};
+                                .fullRate = true,
+                                .cor = true};
             DrillingSettings from = settings;
             chunk.rest = studyDrilling(scenario, from, wants, stop);
-            wants.cellError = wants.lyapunov = wants.cor = false;
+            wants.cellError = wants.lyapunov = wants.fullRate = wants.cor = false;
             from.start = DrillingStart::bouncing;
             chunk.bouncing = studyDrilling(scenario, from, wants, stop);
             chunk.differs = !isSameMotion(chunk.rest, chunk.bouncing);
             wants.lyapunov = work.lyapunov;
             if (chunk.differs && wants.lyapunov)  // it is told, and so is its λ
                 chunk.bouncing = studyDrilling(scenario, from, wants, stop);
+            takeFullRate(chunk.bouncing, chunk.rest);
         };
     };
     const auto deliver = [&](ValueWork& chunk) {

@@ -15,6 +15,7 @@
 #include "ui/pages/drilling/march_rects.h"
 #include "ui/pages/drilling/scan_rects.h"
 #include "ui/pages/study/axis_fields.h"
+#include "ui/pages/study/command_text.h"
 #include "ui/pages/thrust/missing_fields.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/local_style.h"
@@ -219,9 +220,13 @@ QString DrillingPage::wordsOf(const DrillingAnswer& answer) const {
     for (const Alert& alert : result.alerts)
         if (alert.level == AlertLevel::warning)
             sentences << QStringLiteral("⚠ ") + QString::fromStdString(alertText(alert, style));
-    if (const DrillingScanAnswer* scan = m_scan.value(); scan && m_scan.job().isCurrent())
+    if (const DrillingScanAnswer* scan = m_scan.value(); scan && m_scan.job().isCurrent()) {
         for (const std::string& refusal : scan->refusals)
             sentences << tr("No scan: %1").arg(QString::fromStdString(refusal));
+        if (scan->scan && m_scan.job().state() == StudyState::finished)
+            sentences
+                << tr("The scan below: %1").arg(QString::fromStdString(scanSentence(*scan->scan, style)));
+    }
     return sentences.join(QLatin1Char(' '));
 }
 
@@ -304,6 +309,20 @@ QStringList DrillingPage::commandWords() const {
     if (!drillingRefusals(question.scenario, question.settings).empty()) return {};
     return {QStringLiteral("drill"), QStringLiteral("--blows"), QString::number(question.settings.blows),
             QStringLiteral("--settle"), QString::number(question.settings.settle)};
+}
+
+// The march, and below it the scan where there is one.
+QString DrillingPage::command() const {
+    QString text = StudyPage::command();
+    const DrillingScanAnswer* scan = m_scan.value();
+    const bool isFinished = m_scan.job().state() == StudyState::finished;
+    if (text.isEmpty() || !scan || !scan->scan || !isFinished || m_plot->picture().isScanOld) return text;
+    const QStringList words = commandWords();
+    const QString axis = QString::fromStdString(scanAxisText(m_scan.question()->range));
+    return text + QLatin1Char('\n') +
+           commandText(document(), words.first(),
+                       words.mid(1) + QStringList{QStringLiteral("--scan"), axis, QStringLiteral("-o"),
+                                                  QStringLiteral("-")});
 }
 
 }  // namespace drillwave

@@ -28,6 +28,7 @@ class DrillingPage : public StudyPage {
     QString title() const override { return tr("Drilling"); }
     bool shows(const Scenario& scenario) const override { return hasUnits(scenario); }
     QString elsewhere() const override;
+    QString command() const override;
     /// How many marches and scans were started.
     int marches() const { return m_march.started(); }
     int scans() const { return m_scan.started(); }

@@ -185,9 +185,15 @@ void TestDrillingPage::aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust() {
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     // Another place along it is the same scan; another wave loss is not.
     QVERIFY(!m_page->drillingPlot().picture().isScanOld);
+    // its sentence, and its command below that of the march
+    QVERIFY(m_page->findChild<QLabel*>(QStringLiteral("words"))
+                ->text()
+                .contains("every blow begins on the rock"));
+    QVERIFY(shell(m_page->command()).out.contains("drill.thrust [kN],start,"));
     set("drill.wave_loss", 0.2);
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     QVERIFY(m_page->drillingPlot().picture().isScanOld);
+    QVERIFY(!m_page->command().contains(QStringLiteral("--scan")));
     QCOMPARE(m_page->scans(), 1);
 }
 
