@@ -189,12 +189,13 @@ std::string worstText(const DesignReport& report) {
         if (!worst) continue;
         const DesignAim& aim = report.study.aims[a];
         const std::string extreme = aim.sense == Sense::largest ? "Least " : "Largest ";
-        text += paragraph(extreme + std::string(aim.output->name) +
-                          " of the robust best found in the ranges: " + outputText(report.study, *aim.output, worst->value) +
-                          " at " + placeText(report.study, worst->at) +
-                          " (samples alone: " + outputText(report.study, *aim.output, worst->sampled) + "; " +
-                          std::to_string(worst->searches) + " searches, " + std::to_string(worst->agreeing) +
-                          " of them ended here).");
+        text +=
+            paragraph(extreme + std::string(aim.output->name) + " of the robust best found in the ranges: " +
+                      outputText(report.study, *aim.output, worst->value) + " at " +
+                      placeText(report.study, worst->at) +
+                      " (samples alone: " + outputText(report.study, *aim.output, worst->sampled) + "; " +
+                      std::to_string(worst->searches) + " searches, " + std::to_string(worst->agreeing) +
+                      " of them ended here).");
     }
     return text;
 }
