@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <string_view>
@@ -37,33 +38,40 @@ void exitAtOnce(int) {
     ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
-sigset_t interruptions() {
-    sigset_t both;
-    sigemptyset(&both);
-    sigaddset(&both, SIGINT);
-    sigaddset(&both, SIGTERM);
-    return both;
+constexpr std::array interruptions{SIGINT, SIGTERM, SIGHUP};
+
+sigset_t interruptionSet() {
+    sigset_t set;
+    sigemptyset(&set);
+    for (const int signal : interruptions) sigaddset(&set, signal);
+    return set;
 }
 
-void handleOnce(int signal, void (*handler)(int)) {
+/// Whoever starts a program by nohup wants it to outlive the terminal.
+bool outlivesTerminal(int signal) {
+    struct sigaction now {};
+    return signal == SIGHUP && ::sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
+void handleOnce(void (*handler)(int)) {
     struct sigaction action {};
     action.sa_handler = handler;
     action.sa_flags = static_cast<int>(SA_RESETHAND | SA_RESTART);
-    ::sigaction(signal, &action, nullptr);
+    for (const int signal : interruptions)
+        if (!outlivesTerminal(signal)) ::sigaction(signal, &action, nullptr);
 }
 
 }  // namespace
 
 void holdInterruptions() {
-    const sigset_t both = interruptions();
-    ::sigprocmask(SIG_BLOCK, &both, nullptr);
+    const sigset_t set = interruptionSet();
+    ::sigprocmask(SIG_BLOCK, &set, nullptr);
 }
 
 void exitOnInterruption() {
-    handleOnce(SIGINT, exitAtOnce);
-    handleOnce(SIGTERM, exitAtOnce);
-    const sigset_t both = interruptions();
-    ::sigprocmask(SIG_UNBLOCK, &both, nullptr);
+    handleOnce(exitAtOnce);
+    const sigset_t set = interruptionSet();
+    ::sigprocmask(SIG_UNBLOCK, &set, nullptr);
 }
 
 Interruption::Interruption() {
@@ -76,8 +84,7 @@ Interruption::Interruption() {
     };
     // Before the watcher, so that whoever sees its thread may send a signal; until it reads, the pipe keeps
     // the byte.
-    handleOnce(SIGINT, onSignal);
-    handleOnce(SIGTERM, onSignal);
+    handleOnce(onSignal);
     try {
         m_watcher = std::jthread(watch);
     } catch (const std::system_error& error) {
@@ -98,8 +105,7 @@ Interruption::~Interruption() {
 }
 
 void Interruption::ignoreFromNowOn() const {
-    std::signal(SIGINT, SIG_IGN);
-    std::signal(SIGTERM, SIG_IGN);
+    for (const int signal : interruptions) std::signal(signal, SIG_IGN);
 }
 
 void Interruption::check() const {

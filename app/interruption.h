@@ -7,15 +7,15 @@
 
 namespace drillwave {
 
-/// From here on the first SIGINT or SIGTERM ends the program with ExitCode::interrupted, in one line: there
-/// is nothing yet that could be left behind.
+/// From here on the first SIGINT, SIGTERM or, unless it is ignored (nohup), SIGHUP ends the program with
+/// ExitCode::interrupted, in one line: there is nothing yet that could be left behind.
 void exitOnInterruption();
 
-/// Keeps both signals waiting until exitOnInterruption(), also in the program that this one goes on as.
+/// Keeps these signals waiting until exitOnInterruption(), also in the program that this one goes on as.
 void holdInterruptions();
 
-/// While one exists, the first SIGINT or SIGTERM requests a stop instead of ending the program; a second one
-/// ends it at once. At most one at a time.
+/// While one exists, the first of these signals requests a stop instead of ending the program; a second one
+/// of its kind ends it at once. At most one at a time.
 class Interruption {
   public:
     Interruption();

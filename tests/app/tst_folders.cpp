@@ -107,6 +107,7 @@ void TestFolders::aSignalLeavesAllOrNothing_data() {
     QTest::addColumn<bool>("replaces");
     QTest::newRow("SIGINT, new folder") << SIGINT << false;
     QTest::newRow("SIGTERM, new folder") << SIGTERM << false;
+    QTest::newRow("SIGHUP, new folder") << SIGHUP << false;
     QTest::newRow("SIGINT, folder of a run before") << SIGINT << true;
     QTest::newRow("SIGTERM, folder of a run before") << SIGTERM << true;
 }
