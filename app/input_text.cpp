@@ -110,7 +110,17 @@ FileBytes readInput(const std::string& path, std::size_t most) {
     return {std::move(bytes), {}};
 }
 
-RereadableInput::RereadableInput(const std::string& path) {
+RereadableInput::Buffer::int_type RereadableInput::Buffer::underflow() {
+    try {
+        return std::filebuf::underflow();
+    } catch (const std::ios_base::failure& failure) {
+        throw CommandError(ExitCode::unreadableInput, m_name +
+                                                          ": cannot be read: " + failure.code().message() +
+                                                          "; copy it to another disk, or get it anew");
+    }
+}
+
+RereadableInput::RereadableInput(const std::string& path) : m_buffer(inputName(path)) {
     const auto refuse = [&](const std::string& problem) {
         throw CommandError(ExitCode::unreadableInput, inputName(path) + ": " + problem);
     };
@@ -121,8 +131,8 @@ RereadableInput::RereadableInput(const std::string& path) {
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) refuse("cannot be opened: " + reason(errno));
     if (!S_ISREG(status.st_mode)) refuse("is not a regular file; write the rows to a file first");
-    m_stream.open(path, std::ios::binary);
-    if (!m_stream) refuse("cannot be opened for reading; check its permissions");
+    if (!m_buffer.open(path, std::ios::in | std::ios::binary))
+        refuse("cannot be opened for reading; check its permissions");
 }
 
 void RereadableInput::keep(const std::string& path) {
@@ -141,8 +151,7 @@ void RereadableInput::keep(const std::string& path) {
     if (!pipe.problem().empty())
         throw CommandError(ExitCode::unreadableInput, inputName(path) + ": " + pipe.problem());
     // The name goes at once, the rows when the stream is closed: nothing can be left behind.
-    m_stream.open(kept.name, std::ios::binary);
-    if (!m_stream) refuse(reason(errno));
+    if (!m_buffer.open(kept.name, std::ios::in | std::ios::binary)) refuse(reason(errno));
 }
 
 }  // namespace drillwave

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <fstream>
+#include <istream>
 #include <string>
+#include <utility>
 
 #include "core/disk/file_bytes.h"
 
@@ -26,13 +28,26 @@ class RereadableInput {
     /// Throws CommandError: unreadable input; unwritable output where there is no room for a temporary file.
     explicit RereadableInput(const std::string& path);
 
-    /// At the beginning.
-    std::ifstream& stream() { return m_stream; }
+    /// At the beginning. Throws CommandError (unreadable input) where the disk cannot be read any further.
+    std::istream& stream() { return m_stream; }
 
   private:
+    /// As all files are, but that it says which one cannot be read.
+    class Buffer : public std::filebuf {
+      public:
+        explicit Buffer(std::string name) : m_name(std::move(name)) {}
+
+      protected:
+        int_type underflow() override;
+
+      private:
+        std::string m_name;
+    };
+
     void keep(const std::string& path);
 
-    std::ifstream m_stream;
+    Buffer m_buffer;
+    std::istream m_stream{&m_buffer};
 };
 
 }  // namespace drillwave

@@ -16,7 +16,7 @@ namespace drillwave {
 namespace {
 
 /// Prints warnings, throws problems, returns the number of rows.
-std::uint64_t check(const Table& table, std::ifstream& cases, int jobs, const Interruption& interruption) {
+std::uint64_t check(const Table& table, std::istream& cases, int jobs, const Interruption& interruption) {
     TableCheck found = checkTable(table, cases, jobs, interruption.token());
     interruption.check();
     if (!found.problems.empty()) throw CommandError(ExitCode::invalidScenario, std::move(found.problems));
