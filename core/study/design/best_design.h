@@ -50,7 +50,8 @@ struct BestDesigns {
     std::optional<std::size_t> nominal;  ///< best with x as in the scenario; limits hold of those values
     /// Feasible, and different from the robust best by less than the error of the difference. Without it.
     std::vector<std::size_t> ties;
-    /// Of the robust best and its ties the best in the next aim; nothing where there is no such aim or no tie.
+    /// Of the robust best and its ties the best in the next aim; nothing where there is no such aim or no
+    /// tie.
     std::optional<std::size_t> nextBest;
     std::vector<bool> pareto;  ///< of each design: feasible, and none is better in one aim and worse in none
 };
