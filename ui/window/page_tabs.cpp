@@ -86,8 +86,10 @@ QSize PageTabs::minimumSizeHint() const {
                                                : current().minimumSizeHint().height()};
 }
 
-int PageTabs::heightForWidth(int /*width*/) const {
-    return minimumSizeHint().height();
+int PageTabs::heightForWidth(int width) const {
+    const QLayout* parts = count() > 0 ? current().layout() : nullptr;
+    return parts && parts->hasHeightForWidth() ? parts->totalHeightForWidth(width)
+                                               : minimumSizeHint().height();
 }
 
 Page& PageTabs::page(int index) const {
