@@ -86,12 +86,6 @@ QSize PageTabs::minimumSizeHint() const {
                                                : current().minimumSizeHint().height()};
 }
 
-int PageTabs::heightForWidth(int width) const {
-    const QLayout* parts = count() > 0 ? current().layout() : nullptr;
-    return parts && parts->hasHeightForWidth() ? parts->totalHeightForWidth(width)
-                                               : minimumSizeHint().height();
-}
-
 Page& PageTabs::page(int index) const {
     return *static_cast<Page*>(widget(index));
 }

@@ -32,8 +32,6 @@ class PageTabs : public QStackedWidget {
     Page& current() const;
     /// As wide as any page needs, and as high as the one on show does at the width that there is.
     QSize minimumSizeHint() const override;
-    /// Of the page on show: what others need is no reason to scroll this one.
-    int heightForWidth(int width) const override;
     /// In the order of the tabs, from 0; count() says how many there are.
     Page& page(int index) const;
     /// The row of tabs, for the window to place.

@@ -3,14 +3,12 @@
 #include <QAction>
 #include <QClipboard>
 #include <QDockWidget>
-#include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QPushButton>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
-#include <QVBoxLayout>
 
 #include "core/yaml/examples.h"
 #include "tests/support/window.h"
@@ -27,7 +25,6 @@
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
 #include "ui/window/elsewhere_notice.h"
-#include "ui/window/page_scroll.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/study_menu.h"
 #include "ui/window/tab_strip.h"
@@ -80,7 +77,6 @@ class TestPageTabs : public QObject {
     void aClickOnTheGreyedTabMakesAString();
     void aKeyHasOneMeaning();
     void aPageIsFoundByItsFormerName();
-    void aTallPageMakesNoOtherOneScroll();
 
   private:
     void press(QWidget& window, Qt::Key key, Qt::KeyboardModifiers modifiers) {
@@ -113,25 +109,6 @@ void TestPageTabs::aClickOnTheGreyedTabMakesAString() {
     QVERIFY(!window.document().text().startsWith("#"));
     window.document().undoStack().undo();
     QVERIFY(!isString(window.document().scenario()));
-}
-
-void TestPageTabs::aTallPageMakesNoOtherOneScroll() {
-    auto* pages = new PageTabs(nullptr);
-    auto *tall = new EmptyPage("tall"), *other = new EmptyPage("other");
-    for (EmptyPage* page : {tall, other}) {
-        auto* words = new QLabel(QStringLiteral("words that wrap"));
-        words->setWordWrap(true);  // so that the height depends on the width
-        (new QVBoxLayout(page))->addWidget(words);
-        pages->add(page, PageGroup::studies);
-    }
-    tall->layout()->itemAt(0)->widget()->setMinimumHeight(2000);
-    PageScroll scroll(pages);
-    scroll.resize(600, 400);
-    scroll.show();
-    pages->setCurrentWidget(tall);
-    QTRY_VERIFY(pages->height() >= 2000);
-    pages->setCurrentWidget(other);
-    QTRY_COMPARE(pages->height(), scroll.viewport()->height());
 }
 
 void TestPageTabs::aKeyHasOneMeaning() {
