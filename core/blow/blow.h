@@ -19,6 +19,12 @@
 
 namespace drillwave {
 
+/// Where a blow of many under a feed began: waves and motions are those that the blows before it have left.
+struct MarchedStart {
+    long number = 1;             ///< of the blow, from 1
+    double rememberedForce = 0;  ///< largest that its rock has felt before [F0]
+};
+
 /// One blow with everything that is shown, written or reported about it.
 struct Blow {
     Scenario scenario;
@@ -34,6 +40,8 @@ struct Blow {
     std::optional<WidestNeed> widestNeed;
     std::vector<Alert> alerts;  ///< of the scenario and, behind them, of the result
     double runTime = 0;         ///< of the solve alone [s]
+    /// There of a blow of many: then `summary` has what its pages draw and no rebound, and there is no feed.
+    std::optional<MarchedStart> marched = {};
 
     bool isSolved() const { return impact.isSolved(); }
     bool isOfString() const { return isString(scenario); }  ///< and so solved on polynomial cells

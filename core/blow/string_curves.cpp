@@ -86,11 +86,11 @@ RodState StringHistory::at(double time, TimeSide side) const {
     now.time = t;
     now.impactForce = std::max(0.0, waves.bitForce()(beside));
     now.impulse = waves.bitForce().integral(t) / momentum;
-    now.momentum = waves.faceForce().integral(t) / momentum - now.impulse;
+    now.momentum = waves.given(t) / momentum - now.impulse;
     now.penetration = waves.bitVelocity().integral(t) * lawUnitOfPenetration - m_problem->gap;
     now.frontVelocity = waves.bitVelocity()(beside) / v0;
     const double pushed = ofHammer > 0 ? waves.force(ofHammer - 1, 1, t, side) : waves.force(0, 0, t, side);
-    now.faceForce = std::max(0.0, pushed);
+    now.faceForce = std::max(0.0, ofHammer > 0 ? pushed : pushed - waves.damperForce()(beside));
     const double down = waves.down(m_place.section, m_place.share, t, side);
     const double up = waves.up(m_place.section, m_place.share, t, side);
     now.positiveWave = 0 - down;

@@ -35,6 +35,11 @@ bool isUniform(const Section& section) {
                         : section.endDiameter.value_or(section.diameter) == section.diameter;
 }
 
+bool hasUniformSections(const DrillString& drillString) {
+    return std::ranges::all_of(allSections(drillString),
+                               [](const Section* section) { return isUniform(*section); });
+}
+
 double areaAt(const Section& section, double share) {
     if (section.area && isUniform(section)) return *section.area;
     const Frustum cone = frustumOf(section);

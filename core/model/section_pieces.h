@@ -9,6 +9,8 @@
 namespace drillwave {
 
 bool isUniform(const Section& section);
+/// All of hammer and string.
+bool hasUniformSections(const DrillString& drillString);
 
 /// Cross-section [m²] at `share` of the length, 0 at the rear end … 1: of a cone the diameter is linear, the
 /// bore constant; of one that is given by areas, the diameter of a full bar.

@@ -29,8 +29,9 @@ SolveJob::Solve exactly() {
     auto kept = std::make_shared<Kept>();
     return [kept](const SolveRequest& request) {
         const SolvedBlowPtr last = kept->last.lock();
-        const SolvedBlowPtr blow = last && answersAgain(*last, request) ? answerAgain(*last, request)
-                                                                        : solveBlow(request, kept->solver);
+        const SolvedBlowPtr blow = last && answersAgain(*last, request)
+                                       ? answerAgain(*last, request)
+                                       : solveBlow(request, kept->solver, last.get());
         kept->last = blow;
         return blow;
     };

@@ -4,6 +4,7 @@
 #include <exception>
 
 #include "core/model/validation.h"
+#include "core/study/drilling/marched_blow.h"
 #include "ui/job/solved_again.h"
 #include "ui/text/local_style.h"
 
@@ -27,9 +28,27 @@ void dropMeans(SolveRequest& request) {
     request.stop = {};
 }
 
+/// One of many blows, with the pages of a request.
+SolvedBlowPtr marchedAnswer(const SolveRequest& request, const SolvedBlow* before) {
+    auto blow = std::make_shared<SolvedBlow>();
+    const bool isKnown = before && before->marchedBlow && before->marchedBlow->isSolved() &&
+                         before->request.marched == request.marched &&
+                         before->request.scenario == request.scenario;
+    static_cast<Blow&>(*blow) = isKnown ? static_cast<const Blow&>(*before->marchedBlow)
+                                        : marchedBlow(request.scenario, request.marched->settings,
+                                                      request.marched->number, request.stop);
+    blow->request = request;
+    blow->request.scenario = blow->scenario;
+    blow->units = shownUnits(request.units, blow->scales, request.chosenUnits);
+    blow->fault = whyUnsolved(*blow);
+    if (blow->isSolved()) preparePages(*blow);
+    dropMeans(blow->request);
+    return blow;
+}
+
 /// With the blow that `make` gives.
 template <class Make>
-SolvedBlowPtr answerWith(const SolveRequest& request, const Make& make) noexcept {
+SolvedBlowPtr answerWith(const SolveRequest& request, const SolvedBlow* before, const Make& make) noexcept {
     auto blow = std::make_shared<SolvedBlow>();
     try {
         blow->request = request;
@@ -38,7 +57,10 @@ SolvedBlowPtr answerWith(const SolveRequest& request, const Make& make) noexcept
         static_cast<Blow&>(*blow) = make();
         blow->units = shownUnits(request.units, blow->scales, request.chosenUnits);
         blow->fault = whyUnsolved(*blow);
-        if (blow->isSolved()) preparePages(*blow);
+        if (request.marched)
+            blow->marchedBlow = marchedAnswer(request, before);
+        else if (blow->isSolved())
+            preparePages(*blow);
         dropMeans(blow->request);
     } catch (const std::exception& error) {
         return failedBlow(request, QString::fromUtf8(error.what()));
@@ -52,8 +74,9 @@ LocalStyle styleOf(const SolveRequest& request) {
     return {QLocale(), request.physicalUnits, request.chosenUnits};
 }
 
-SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexcept {
-    return answerWith(request, [&] {
+SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver,
+                        const SolvedBlow* before) noexcept {
+    return answerWith(request, before, [&] {
         return solveBlow(request.scenario, {}, Detail::histories, request.stop, Stresses::wanted, solver,
                          request.quick ? NetworkAccuracy::quick : NetworkAccuracy::sure);
     });
@@ -67,7 +90,7 @@ bool answersAgain(const SolvedBlow& before, const SolveRequest& request) {
 SolvedBlowPtr answerAgain(const SolvedBlow& before, const SolveRequest& request) noexcept {
     SolveRequest asked = request;
     asked.quick = before.request.quick;
-    return answerWith(asked, [&] { return static_cast<const Blow&>(before); });
+    return answerWith(asked, &before, [&] { return static_cast<const Blow&>(before); });
 }
 
 SolvedBlowPtr failedBlow(const SolveRequest& request, const QString& problem) {

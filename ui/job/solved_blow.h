@@ -10,12 +10,20 @@
 #include <vector>
 
 #include "core/blow/blow.h"
+#include "core/study/drilling/drilling_case.h"
 #include "ui/job/page_data.h"
 #include "ui/text/shown_units.h"
 
 namespace drillwave {
 
 class LocalStyle;
+
+/// A blow of a march under the feed.
+struct MarchedQuestion {
+    DrillingSettings settings;
+    long number = 1;  ///< from 1
+    bool operator==(const MarchedQuestion&) const = default;
+};
 
 /// What is wanted. Pages that can be seen tell how their data are made; the others' are not.
 struct SolveRequest {
@@ -28,11 +36,15 @@ struct SolveRequest {
     std::stop_token stop = {};  ///< ends the work early, with a problem for an answer
     /// Of a drill string, whose sure answer takes a tenth of a second or more: one with a larger error.
     bool quick = false;
+    /// The pages show this one of the scenario's many blows in place of its single one.
+    std::optional<MarchedQuestion> marched = {};
 };
 
 /// The answer, never changed once made: the blow, and what the pages asked for. `fault` is empty when the
 /// blow was solved; otherwise it says in a sentence why not, and the numbers are not to be used.
 struct SolvedBlow : Blow {
+    /// Where one of many blows was asked for: that one, with the pages.
+    std::shared_ptr<const SolvedBlow> marchedBlow;
     SolveRequest request;  ///< its `pages` and `stop` are there only while it is being answered
     QString fault;
     ShownUnits units;
@@ -51,8 +63,10 @@ using SolvedBlowPtr = std::shared_ptr<const SolvedBlow>;
 /// In which sentences about its answer are written.
 LocalStyle styleOf(const SolveRequest& request);
 
-/// Solves and prepares what was asked for. Never throws: whatever goes wrong is the answer's `fault`.
-SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver) noexcept;
+/// Solves and prepares what was asked for; one of many blows that `before` has is not marched to again. Never
+/// throws: whatever goes wrong is the answer's `fault`.
+SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver,
+                        const SolvedBlow* before = nullptr) noexcept;
 
 /// An answer that only says why there is none.
 SolvedBlowPtr failedBlow(const SolveRequest& request, const QString& problem);

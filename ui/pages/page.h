@@ -34,6 +34,8 @@ class Page : public QWidget {
     virtual PreparePage prepare() const = 0;
     /// Shows an answer to a request for it, or for other pages.
     virtual void setResult(const SolvedBlowPtr& blow) = 0;
+    /// Whether it can show one of many blows in place of a single one.
+    virtual bool showsMarched() const { return false; }
     /// Brings everything into view.
     virtual void fit() = 0;
     /// What of it can be written to files, in the order of a menu.

@@ -46,6 +46,7 @@
 #include "ui/window/form_notice.h"
 #include "ui/window/help_menu.h"
 #include "ui/window/manual_help.h"
+#include "ui/window/marched_notice.h"
 #include "ui/window/page_scroll.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
@@ -137,10 +138,11 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(new ThrustPage(m_document), PageGroup::studies);
     auto* drilling = new DrillingPage(m_document);
     m_pages->add(drilling, PageGroup::studies);
-    connect(drilling, &DrillingPage::blowTaken, this, [this, blow](const QString& what) {
-        m_pages->setCurrentWidget(blow);
-        inform(what);
-    });
+    connect(drilling, &DrillingPage::blowOpened, this,
+            [this, blow](const MarchedQuestion& opened, const QString& what) {
+                m_marchedNotice->open(opened, what);
+                m_pages->setCurrentWidget(blow);
+            });
     m_pages->add(new DesignPage(m_document), PageGroup::studies);
     m_pages->add(new AccuracyPage(m_document), PageGroup::studies);
     m_runs->addTo(*m_pages);
@@ -192,6 +194,8 @@ void MainWindow::addCenter() {
     layout->addWidget(m_exampleNote);
     m_formNotice = new FormNotice(m_document);
     layout->addWidget(m_formNotice);
+    m_marchedNotice = new MarchedNotice(*m_pages);
+    layout->addWidget(m_marchedNotice);
     layout->addWidget(new ElsewhereNotice(*m_pages));
     layout->addWidget(new PageScroll(m_pages), 1);
     setCentralWidget(center);
@@ -282,8 +286,11 @@ void MainWindow::wireSolving() {
         m_solveStatus->callOff(reason);
         solve();
     };
-    connect(&m_document, &Document::scenarioChanged, this,
-            [=] { askAnew(tr("the input was changed meanwhile.")); });
+    connect(&m_document, &Document::scenarioChanged, this, [=, this] {
+        m_marchedNotice->forget();
+        askAnew(tr("the input was changed meanwhile."));
+    });
+    connect(m_marchedNotice, &MarchedNotice::singleWanted, this, &MainWindow::solve);
     connect(m_pages, &PageTabs::currentChanged, this, [=, this] {
         followPage();
         askAnew(tr("another page was chosen meanwhile."));
@@ -382,7 +389,8 @@ SolveRequest MainWindow::request() {
             .chosenUnits = m_document.units().chosen(),
             .physicalUnits = m_document.units().physicalSystem(),
             .pages = std::move(pages),
-            .number = ++m_asked};
+            .number = ++m_asked,
+            .marched = m_marchedNotice->blowOf(page)};
 }
 
 void MainWindow::solve() {
@@ -397,7 +405,9 @@ void MainWindow::present(const SolvedBlowPtr& blow) {
     m_resultPanel->present(blow);
     m_runs->present(blow);
     // The answer to an earlier question may be of another form of scenario.
-    if (m_pages->current().shows(blow->request.scenario)) m_pages->current().setResult(blow);
+    Page& page = m_pages->current();
+    if (page.shows(blow->request.scenario))
+        page.setResult(blow->marchedBlow && page.showsMarched() ? blow->marchedBlow : blow);
     m_units->present(m_document.scenario());
     if (blow->request.number != m_asked)
         m_solveStatus->answeredEarlier();

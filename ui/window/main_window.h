@@ -23,6 +23,7 @@ class FileNotice;
 class FormNotice;
 class FileMenu;
 class Importer;
+class MarchedNotice;
 class PageTabs;
 class PinnedRuns;
 class Recovery;
@@ -98,6 +99,7 @@ class MainWindow : public QMainWindow {
     ExampleNote* m_exampleNote = nullptr;
     FileNotice* m_fileNotice = nullptr;
     FormNotice* m_formNotice = nullptr;
+    MarchedNotice* m_marchedNotice = nullptr;
     Recovery* m_recovery = nullptr;
     PinnedRuns* m_runs = nullptr;
     ResultPanel* m_resultPanel = nullptr;

@@ -29,13 +29,6 @@ constexpr EnumNames<DrillingVerdict> verdictNames{{{DrillingVerdict::pushedBack,
 /// begin in contact which passes for rest.
 constexpr double fullShare = 0.95, restingShare = 0.95;
 
-/// Whether its problem is known without a solution, as that of a rod is: sections that are not uniform have
-/// as many pieces as that takes.
-bool hasUniformSections(const Scenario& scenario) {
-    return std::ranges::all_of(allSections(scenario.drillString),
-                               [](const Section* section) { return isUniform(*section); });
-}
-
 /// Everything of a study but its numbers of the marches.
 class Study {
   public:
@@ -81,7 +74,7 @@ class Study {
     void solveBlowAlone() {
         Problem problem;
         m_result.cor = std::numeric_limits<double>::quiet_NaN();
-        if (m_wants.cor || !hasUniformSections(m_result.scenario)) {
+        if (m_wants.cor || !hasUniformSections(m_result.scenario.drillString)) {
             Scenario touching = m_result.scenario;
             touching.bitRock.gap = 0;
             const Blow blow = solveBlow(touching, {}, Detail::ledger, m_stop);

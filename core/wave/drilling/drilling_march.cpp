@@ -95,7 +95,10 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
         m_bit.setVelocity(velocity);
         m_momentumAtBlow = velocity * m_stringMass;
     }
+    m_downs.resize(count);
+    m_backs.resize(count);
     m_next.gap = blow.distance();
+    m_nextPlace = -blow.distance();
     m_nextInterval = cellsOfNextInterval();
     m_startMomentum = momentum();
     m_storedBefore = storedEnergy();
@@ -172,6 +175,8 @@ void DrillingMarch::beginBlow() {
 void DrillingMarch::noteGap(const WaveCell& arriving, std::size_t part, double share) {
     const BitNode::Part there = m_bit.partOfStep(arriving, static_cast<int>(part), share, 0);
     m_next.gap = there.state.isApart() ? std::max(0.0, there.state.distance) : 0;
+    m_nextPlace =
+        there.state.isApart() ? -there.state.distance : there.state.law.elasticWay(there.state.force);
     m_impulseToGap = there.state.record.impulse;
 }
 
@@ -206,36 +211,111 @@ bool DrillingMarch::takeBlow(const std::stop_token& stop) {
 void DrillingMarch::step(std::size_t part, const WaveCell& force, std::optional<double> gapShare) {
     const std::size_t count = m_lines.size(), parts = m_grid.cuts.count();
     const double width = m_grid.cuts.widths()[part];
-    const bool hammers = m_rear.hasHammer();
+    // where waves are kept, a hammer that has no more to give moves on
+    const bool hammers = m_rear.hasHammer() || (m_kept && m_hammer > 0);
+    const auto enter = [&](std::size_t j, const WaveCell& back) {
+        m_lines[j].enter(back, width);
+        if (m_kept) m_backs[j] = back;
+    };
+    const auto leave = [&](std::size_t j, const WaveCell& wave) {
+        if (m_kept) m_downs[j] = wave;
+    };
     for (std::size_t j = hammers ? 0 : m_hammer; j < count; ++j) m_arriving[j] = m_lines[j].arrive(part);
     WaveCell down;
     if (hammers) {
         down = -1.0 * m_arriving[0];
+        leave(0, down);
         for (std::size_t j = 1; j < m_hammer; ++j) {
             WaveCell back, next;
             m_joints[j - 1].step(&down, &m_arriving[j], &back, &next, 1, part, parts);
-            m_lines[j - 1].enter(back, width);
+            enter(j - 1, back);
             down = next;
+            leave(j, down);
         }
     }
     const RearNode::Forces rear = m_rear.step(down, m_arriving[m_hammer], force, part);
-    if (hammers) m_lines[m_hammer - 1].enter(rear.face - down, width);
+    if (hammers) enter(m_hammer - 1, rear.face - down);
     m_rearPlace +=
         width * m_rearMobility * (rear.face.mean() + rear.damper.mean() - 2 * m_arriving[m_hammer].mean());
     down = rear.sum() - m_arriving[m_hammer];
+    leave(m_hammer, down);
     for (std::size_t j = m_hammer + 1; j < count; ++j) {
         WaveCell back, next;
         m_joints[j - 1].step(&down, &m_arriving[j], &back, &next, 1, part, parts);
-        m_lines[j - 1].enter(back, width);
+        enter(j - 1, back);
         down = next;
+        leave(j, down);
     }
     if (gapShare) noteGap(down, part, *gapShare);
     WaveCell back;
     CellJump none;
-    m_bit.step(down, back, static_cast<int>(part), 0, CutAt::nothing, none);
-    m_lines[count - 1].enter(back, width);
+    m_bit.step(down, back, static_cast<int>(part), m_kept ? keptClock(part) : 0, CutAt::nothing, none);
+    enter(count - 1, back);
+    if (m_kept) addWaves(part, rear);
     if (m_samples)
         addSamples(part, m_rearMobility * (rear.sum() - 2.0 * m_arriving[m_hammer]), rear.damper.end(), down);
+}
+
+/// Where on the clock of the kept waves a part of this cell begins.
+double DrillingMarch::keptClock(std::size_t part) const {
+    return (static_cast<double>(m_cells + m_cell - m_keptCell) + m_grid.cuts.places()[part]) *
+           m_grid.cells.cell;
+}
+
+/// Of a hammer only those behind the blow: before it the piston comes that is thrown anew.
+void DrillingMarch::addWaves(std::size_t part, const RearNode::Forces& rear) {
+    if (!m_kept->waves) return;
+    if (m_kept->waves->isFull()) return m_kept->waves.reset();
+    m_kept->waves->addStep(keptClock(part), m_grid.cuts.widths()[part], m_bit.cellForce(), rear.face);
+    m_kept->waves->addDamper(rear.damper);
+    for (std::size_t j = 0; j < m_lines.size(); ++j) {
+        if (j < m_hammer && m_cells < m_keptCell) {
+            const double first = m_kept->waves->pieces()[j].first;
+            m_kept->waves->add(j, WaveCell::constant(first), WaveCell::constant(-first));
+        } else {
+            m_kept->waves->add(j, m_downs[j], m_backs[j]);
+        }
+    }
+}
+
+MarchedWaves DrillingMarch::takeBlowWithWaves(const std::stop_token& stop) {
+    Problem inCells = m_problem.blow;
+    std::vector<double> rearTimes(m_lines.size());
+    for (std::size_t j = 0; j < m_lines.size(); ++j)
+        inCells.sections[j].transitTime =
+            static_cast<double>(m_grid.cells.roundTrips[j]) * m_grid.cells.cell / 2;
+    for (std::size_t j = m_hammer; j > 0; --j)
+        rearTimes[j - 1] = (j < m_hammer ? rearTimes[j] : 0) - inCells.sections[j - 1].transitTime;
+    for (std::size_t j = m_hammer + 1; j < m_lines.size(); ++j)
+        rearTimes[j] = rearTimes[j - 1] + inCells.sections[j - 1].transitTime;
+
+    MarchedWaves kept;
+    kept.waves = std::make_shared<StringWaves>(inCells, rearTimes);
+    kept.transitTime = m_stringTransit;
+    m_kept = &kept;
+    m_bit.setEvents(&kept.events);
+    const bool hasBefore = m_count > 0;
+    m_keptCell = hasBefore ? m_cells + m_nextInterval : m_cells;
+    bool isTaken = !hasBefore || takeBlow(stop);
+    if (isTaken) {
+        const DrillingLedger before = m_ledger;
+        kept.place = m_nextPlace;
+        kept.rememberedForce = m_bit.state().law.largestForce();
+        kept.residual = m_problem.isFresh ? 0 : m_bit.state().law.residualPenetration();
+        if (kept.waves) kept.waves->setMomentum(m_momentumAtBlow);
+        isTaken = takeBlow(stop);
+        kept.hammerWork = m_ledger.hammer - before.hammer;
+        kept.rockWork = m_ledger.rock - before.rock;
+    }
+    m_bit.setEvents(nullptr);
+    m_kept = nullptr;
+    if (!isTaken) kept.waves.reset();
+    for (ImpactEvent& event : kept.events) event.time += m_stringTransit;
+    if (kept.waves) {
+        const double end = static_cast<double>(m_cells - m_keptCell) * m_grid.cells.cell;
+        kept.waves->finish(m_hammer > 0 ? end + rearTimes[0] : end);
+    }
+    return kept;
 }
 
 void DrillingMarch::addSamples(std::size_t part, const WaveCell& rearVelocity, double damperForce,

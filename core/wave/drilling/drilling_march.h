@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <random>
 #include <stop_token>
@@ -15,6 +16,7 @@
 #include "core/wave/drilling/rear_node.h"
 #include "core/wave/network/bit_node.h"
 #include "core/wave/network/joint.h"
+#include "core/wave/network/string_waves.h"
 
 namespace drillwave {
 
@@ -37,6 +39,18 @@ struct BitSample {
 struct DrillingSamples {
     std::vector<RearSample> rear;
     std::vector<BitSample> bit;
+};
+
+/// The waves of one blow of a march and of the cycle before it, in which they began; times since that blow.
+struct MarchedWaves {
+    std::shared_ptr<StringWaves> waves;  ///< nothing where they are more than can be kept
+    std::vector<ImpactEvent> events;     ///< also those of the cycle before
+    double place = 0;                    ///< of the bit from the bottom of the crater, negative while apart
+    double rememberedForce = 0;          ///< largest that the rock of the blow has felt before
+    double residual = 0;                 ///< penetration that stays of blows before
+    double hammerWork = 0;               ///< of the force, or what the piston has left
+    double rockWork = 0;                 ///< ∫F dU, less what went with the face
+    double transitTime = 0;              ///< from the rear end to the bit, in whole cells
 };
 
 /// Takes one blow after another in the same memory: memory and work of a blow do not depend on how many there
@@ -65,6 +79,9 @@ class DrillingMarch {
 
     /// Watches the blows that follow; nullptr: none.
     void watch(DrillingSamples* samples) { m_samples = samples; }
+    /// Keeps the waves of the next blow with those of the cycle before it, which is taken first; of the first
+    /// blow nothing is before it. Where it comes to that blow they are complete with it.
+    MarchedWaves takeBlowWithWaves(const std::stop_token& stop);
 
     /// Moves waves and bit a little, to where approach() can bring it nearer.
     void displace(double distance);
@@ -79,6 +96,8 @@ class DrillingMarch {
     void step(std::size_t part, const WaveCell& force, std::optional<double> gapShare);
     void addSamples(std::size_t part, const WaveCell& rearVelocity, double damperForce,
                     const WaveCell& arriving);
+    double keptClock(std::size_t part) const;
+    void addWaves(std::size_t part, const RearNode::Forces& rear);
     void noteGap(const WaveCell& arriving, std::size_t part, double share);
     void endBlow();
     double storedEnergy() const;
@@ -120,6 +139,10 @@ class DrillingMarch {
     long m_cell = 0;  ///< of the cycle
     std::string_view m_trouble;
     DrillingSamples* m_samples = nullptr;
+    MarchedWaves* m_kept = nullptr;
+    long m_keptCell = 0;                     ///< since the first blow: where their clock is at 0
+    std::vector<WaveCell> m_downs, m_backs;  ///< that enter each section over a part
+    double m_nextPlace = 0;                  ///< of the bit at the next blow, from the bottom of the crater
 };
 
 }  // namespace drillwave

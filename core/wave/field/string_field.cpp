@@ -24,13 +24,14 @@ class WaveReader {
           m_cells(*wave.cells),
           m_first(wave.first),
           m_zero(wave.zero()),
+          m_begin(m_clocks.empty() ? 0 : m_clocks.front()),
           m_kept(wave.kept),
           m_rounding(waves.rounding()),
           m_step(near) {}
 
     double at(double t) {
         const double clock = t - m_zero;
-        if (m_clocks.empty() || clock + m_rounding < 0) return m_first;
+        if (m_clocks.empty() || clock + m_rounding < m_begin) return m_first;
         if (!holds(clock + m_rounding))
             m_step = strideSearch(m_step, m_clocks.size(), [&](std::size_t step) {
                 ++m_looks;
@@ -51,8 +52,9 @@ class WaveReader {
     std::span<const double> m_clocks, m_widths;
     const std::vector<WaveCell>& m_cells;
     double m_first;
-    double m_zero;  ///< when its clock is at 0
-    double m_kept;  ///< what is left of it on the way from the end where it entered
+    double m_zero;   ///< when its clock is at 0
+    double m_begin;  ///< of its clock
+    double m_kept;   ///< what is left of it on the way from the end where it entered
     double m_rounding;
     std::size_t m_step;
     long m_looks = 0;

@@ -113,8 +113,7 @@ bool StringWaves::isFull() const {
 void StringWaves::finish(double end) {
     m_end = end;
     makeCurves();
-    m_bitForces = {};
-    m_rearForces = {};
+    m_bitForces = m_rearForces = m_damperForces = {};
     for (SectionWaves& section : m_pieces) {
         section.down.shrink_to_fit();
         section.up.shrink_to_fit();
@@ -125,14 +124,29 @@ void StringWaves::makeCurves() {
     const SectionWaves& last = m_pieces.back();
     const double kept = std::exp(-last.decay), bitTime = last.rearTime + last.transitTime;
     const SectionWaves* hammer = m_hammerPieces > 0 ? &m_pieces[m_hammerPieces - 1] : nullptr;
-    CurvesOfCells<1> face({&m_faceForce}, hammer ? hammer->rearTime + hammer->transitTime : 0);
-    CurvesOfCells<3> bit({&m_bitForce, &m_bitWave, &m_bitVelocity}, bitTime);
+    const double faceTime = hammer ? hammer->rearTime + hammer->transitTime : 0;
+    const auto firstOf = [this](double zero) {
+        return m_clocks.empty() ? zero : std::max(0.0, zero + begin());
+    };
+    CurvesOfCells<1> face({&m_faceForce}, firstOf(faceTime)), damper({&m_damperForce}, firstOf(faceTime));
+    CurvesOfCells<3> bit({&m_bitForce, &m_bitWave, &m_bitVelocity}, firstOf(bitTime));
+    // what of a step is behind the beginning of the blow
+    const auto add = [this](auto& curves, double zero, std::size_t step, auto cells) {
+        const double start = zero + m_clocks[step], width = m_widths[step];
+        if (start + width <= rounding() && begin() < 0) return;
+        const bool isWhole = start > -rounding() || begin() >= 0;
+        if (!isWhole)
+            for (WaveCell& cell : cells) cell = cell.part(-start / width, 1);
+        curves.add(cells, isWhole ? width : start + width);
+    };
     for (std::size_t i = 0; i < m_clocks.size(); ++i) {
         const WaveCell g = kept * last.down[i];
-        face.add({hammer ? hammer->down[i] + hammer->up[i] : m_rearForces[i]}, m_widths[i]);
-        bit.add({m_bitForces[i], g, (1 / last.impedance) * (g - last.up[i])}, m_widths[i]);
+        add(face, faceTime, i, std::array{hammer ? hammer->down[i] + hammer->up[i] : m_rearForces[i]});
+        if (!m_damperForces.empty()) add(damper, faceTime, i, std::array{m_damperForces[i]});
+        add(bit, bitTime, i, std::array{m_bitForces[i], g, (1 / last.impedance) * (g - last.up[i])});
     }
     face.finish();
+    damper.finish();
     bit.finish();
 }
 
@@ -141,7 +155,7 @@ double StringWaves::rounding() const {
     return m_clocks.empty() ? 0 : 32 * std::numeric_limits<double>::epsilon() * (m_clocks.back() + m_end);
 }
 
-/// The step that a clock is in, at 0 or later.
+/// The step that a clock is in, not before the first.
 std::size_t StringWaves::stepAt(double clock) const {
     const auto behind = std::upper_bound(m_clocks.begin(), m_clocks.end(), clock);
     return behind == m_clocks.begin() ? 0 : static_cast<std::size_t>(behind - m_clocks.begin()) - 1;
@@ -150,7 +164,7 @@ std::size_t StringWaves::stepAt(double clock) const {
 double StringWaves::value(const WaveAtPlace& wave, double t, TimeSide side) const {
     const double clock = clockAt(wave, t);
     const double reach = side == TimeSide::after ? rounding() : -rounding();
-    if (m_clocks.empty() || clock + reach < 0) return wave.first;
+    if (m_clocks.empty() || clock + reach < begin()) return wave.first;
     const std::size_t step = stepAt(clock + reach);
     const double u = std::clamp((clock - m_clocks[step]) / m_widths[step], 0.0, 1.0);
     return wave.kept * (*wave.cells)[step].value(u);
@@ -175,8 +189,8 @@ double StringWaves::up(std::size_t section, double xi, double t, TimeSide side) 
 }
 
 double StringWaves::impulse(const WaveAtPlace& wave, double t) const {
-    const auto until = [&](double clock) {  // from the clock's zero on
-        if (clock <= 0 || m_clocks.empty()) return wave.first * clock;
+    const auto until = [&](double clock) {  // from where the cells begin
+        if (clock <= begin() || m_clocks.empty()) return wave.first * (clock - begin());
         const std::size_t last = stepAt(clock);
         double sum = 0;
         for (std::size_t i = 0; i < last; ++i) sum += m_widths[i] * (*wave.cells)[i].mean();

@@ -18,7 +18,7 @@ enum class TimeSide { before, after };
 /// One of the waves of a piece as it passes a place.
 struct WaveAtPlace {
     const std::vector<WaveCell>* cells;  ///< as they enter, one a step of the clock
-    double first;                        ///< what it is before the clock's zero gets here
+    double first;                        ///< what it is before the first of them gets here
     double rearTime;                     ///< global time of that zero where the clock is
     double delay;                        ///< from there to here
     double kept;                         ///< what is left of the cells on the way
@@ -63,7 +63,12 @@ class StringWaves {
         m_pieces[piece].up.push_back(up);
     }
     /// `rearForce` is that on the rear end of the first section where it is given in place of a hammer.
+    /// Clocks that begin below 0 tell what was before the blow.
     void addStep(double clock, double width, const WaveCell& bitForce, const WaveCell& rearForce);
+    /// What else pushes the rear end of the string over the step that was added last; of all steps or none.
+    void addDamper(const WaveCell& force) { m_damperForces.push_back(force); }
+    /// What rod or string has when the blow begins [I0].
+    void setMomentum(double momentum) { m_momentum = momentum; }
     bool isFull() const;
     /// Nothing follows; what is told is told up to `end`.
     void finish(double end);
@@ -104,17 +109,21 @@ class StringWaves {
     double downImpulse(std::size_t section, double xi, double t) const;
     double upImpulse(std::size_t section, double xi, double t) const;
 
+    /// The momentum that rod or string would have until then without the rock [I0].
+    double given(double t) const { return m_momentum + m_faceForce.integral(t) + m_damperForce.integral(t); }
+
     /// Times from 0 to end() between which all waves at a place are smooth, in order; two that differ by
     /// rounding are one.
     std::vector<double> pieceTimes(std::size_t section, double xi) const;
 
-    // Over global time; those at the bit are on the same pieces.
+    // Over global time from 0 on; those at the bit are on the same pieces.
 
     const PiecewisePolynomial& faceForce() const {
         return m_faceForce;
     }  ///< of hammer, or given force, and string
-    const PiecewisePolynomial& bitForce() const { return m_bitForce; }  ///< F of the rock
-    const PiecewisePolynomial& bitWave() const { return m_bitWave; }    ///< g that arrives at the bit
+    const PiecewisePolynomial& damperForce() const { return m_damperForce; }  ///< empty without
+    const PiecewisePolynomial& bitForce() const { return m_bitForce; }        ///< F of the rock
+    const PiecewisePolynomial& bitWave() const { return m_bitWave; }          ///< g that arrives at the bit
     /// U' of the bit, with its mass where it has one: its integral is how far it has moved.
     const PiecewisePolynomial& bitVelocity() const { return m_bitVelocity; }
 
@@ -127,15 +136,18 @@ class StringWaves {
     std::size_t stepAt(double clock) const;
     double value(const WaveAtPlace& wave, double t, TimeSide side) const;
     double impulse(const WaveAtPlace& wave, double t) const;
+    double begin() const { return m_clocks.empty() ? 0 : m_clocks.front(); }
     void makeCurves();
 
     std::vector<SectionWaves> m_pieces;
     std::vector<std::size_t> m_firstPieces;  ///< of each section, and how many there are
     std::size_t m_hammerPieces;
-    std::vector<double> m_clocks, m_widths;           ///< of the steps
-    std::vector<WaveCell> m_bitForces, m_rearForces;  ///< until finish(), those that are wanted
+    std::vector<double> m_clocks, m_widths;  ///< of the steps
+    std::vector<WaveCell> m_bitForces, m_rearForces,
+        m_damperForces;  ///< until finish(), those that are wanted
     double m_end = 0;
-    PiecewisePolynomial m_faceForce, m_bitForce, m_bitWave, m_bitVelocity;
+    double m_momentum = 0;
+    PiecewisePolynomial m_faceForce, m_damperForce, m_bitForce, m_bitWave, m_bitVelocity;
 };
 
 }  // namespace drillwave

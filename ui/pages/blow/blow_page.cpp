@@ -121,7 +121,8 @@ PreparePage BlowPage::prepare() const {
             curves.runs = runOverlays(*runs, blow, made, [=](const SolvedBlow& run, const ShownUnits& units) {
                 return blowCurves(run, units, section);
             });
-            curves.closedForm = closedFormCurve(blow.problem, blow.units, curves.timeEnd);
+            // of a blow that begins at rest
+            if (!blow.marched) curves.closedForm = closedFormCurve(blow.problem, blow.units, curves.timeEnd);
             return PageData::of(std::move(curves));
         };
 }

@@ -28,6 +28,7 @@ class BlowPage : public PlotPage {
     QString title() const override { return tr("Blow"); }
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
+    bool showsMarched() const override { return true; }
     void setGhost(const SolvedBlowPtr& before) override;
     void setRuns(const RunListPtr& runs) override;
 

@@ -256,28 +256,30 @@ void DrillingPage::showRuns(const DrillingShown& units) {
     m_plot->showRuns(means, along);
 }
 
-// The waves and motions that it began with are of many blows: a single one begins at rest.
-void DrillingPage::takeBlow(long number, Qt::KeyboardModifiers modifiers) {
+// With Shift a single blow at its gap is pinned, which begins at rest.
+void DrillingPage::openBlow(long number, Qt::KeyboardModifiers modifiers) {
     const DrillingAnswer& answer = *m_march.value();
-    const DrillingBlow taken = answer.blows()[static_cast<std::size_t>(number) - 1];
+    if (answer.question != drillingQuestion(scenario())) return;  // of an earlier scenario
+    const DrillingBlow opened = answer.blows()[static_cast<std::size_t>(number) - 1];
     const DrillingUnits units = drillingUnitsOf(answer.question.scenario);
-    const double gap = taken.gap * units.length();
-    take({{findParameter("bit_rock.gap"), gap}}, modifiers);
-    if ((modifiers & Qt::ShiftModifier) || scenario().bitRock.gap != gap) return;
+    if (modifiers & Qt::ShiftModifier)
+        return take({{findParameter("bit_rock.gap"), opened.gap * units.length()}}, modifiers);
     const LocalStyle style = LocalStyle::of(document().units());
     const auto length = [&](double value) {
         return QString::fromStdString(style.quantity(value * units.length(), Quantity::length, 3));
     };
-    emit blowTaken(
-        tr("Gap of blow %1 taken, %2; not its waves, motion and feed, with which it penetrated %3.")
-            .arg(number)
-            .arg(length(taken.gap), length(taken.penetration)));
+    emit blowOpened({answer.question.settings, number},
+                    tr("Blow %1 of %2 under the feed, with the waves and the motion that it began with: gap "
+                       "%3, penetration %4. What Result says is of a single blow that begins at rest.")
+                        .arg(number)
+                        .arg(answer.question.settings.blows)
+                        .arg(length(opened.gap), length(opened.penetration)));
 }
 
 void DrillingPage::click(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
     if (modifiers & ~Qt::ShiftModifier) return;
     if (const std::optional<long> blow = m_plot->march().blowAt(rect, at.x()))
-        return takeBlow(*blow, modifiers);
+        return openBlow(*blow, modifiers);
     if (!m_plot->isScan(rect)) return;
     const double shown = QString::number(at.x(), 'g', clickedDigits).toDouble();
     take({{m_scan.question()->range.parameter, shown / m_plot->picture().units.along.factor}}, modifiers);

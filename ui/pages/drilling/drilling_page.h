@@ -3,6 +3,7 @@
 #pragma once
 
 #include "ui/job/asked_study.h"
+#include "ui/job/solved_blow.h"
 #include "ui/pages/drilling/drilling_picture.h"
 #include "ui/pages/drilling/drilling_question.h"
 #include "ui/pages/drilling/run_means.h"
@@ -43,8 +44,8 @@ class DrillingPage : public StudyPage {
     void scan();
 
   signals:
-    /// The gap that a blow had is that of the scenario now; what was taken, and what was not, in words.
-    void blowTaken(const QString& what);
+    /// The user wants to see a blow as it began; which one that is in words.
+    void blowOpened(const drillwave::MarchedQuestion& blow, const QString& what);
 
   protected:
     void ask() override;
@@ -64,7 +65,7 @@ class DrillingPage : public StudyPage {
     void showScanState();
     QString wordsOf(const DrillingAnswer& answer) const;
     void click(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers);
-    void takeBlow(long number, Qt::KeyboardModifiers modifiers);
+    void openBlow(long number, Qt::KeyboardModifiers modifiers);
     void showRuns(const DrillingShown& units);
 
     MissingFields* m_missing;

@@ -14,12 +14,14 @@
 namespace drillwave {
 namespace {
 
-RockCurve::Path pathOf(const Impact& impact, const BitRockLaw& law, const ShownUnits& units) {
+RockCurve::Path pathOf(const Blow& blow, const ShownUnits& units) {
+    const Impact& impact = blow.impact;
     if (!impact.hasHistories()) return RockCurve::Path::create();
     const SampledHistory history = sampleHistory(impact);
     QVector<QCPCurveData> points{QCPCurveData(impact.frontArrival * units.time.factor, 0, 0)};
     points.reserve(static_cast<qsizetype>(history.force.size()) + 1);
-    ContactLaw<> rock(law);
+    ContactLaw<> rock(blow.problem.law);
+    if (blow.marched) rock.rememberAcross(blow.marched->rememberedForce);
     for (std::size_t i = 0; i < history.force.size(); ++i) {
         const double force = history.force[i];
         rock.rememberAcross(force);
@@ -96,7 +98,7 @@ RockCurve rockCurve(const Blow& blow, const ShownUnits& units) {
     const ImpactSummary& summary = blow.summary;
     const BitRockLaw& law = blow.problem.law;
     const double peakForce = summary.peakForce * units.force.factor;
-    const auto path = pathOf(blow.impact, law, units);
+    const auto path = pathOf(blow, units);
     const auto slopes = ContactLaw<>(law).slopes();
     return {.units = units,
             .path = path,

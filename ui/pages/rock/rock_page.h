@@ -21,6 +21,7 @@ class RockPage : public PlotPage {
     QString title() const override { return tr("Rock"); }
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
+    bool showsMarched() const override { return true; }
     void setGhost(const SolvedBlowPtr& before) override;
     void setRuns(const RunListPtr& runs) override;
 

@@ -32,6 +32,7 @@ class WavePicturePage : public PlotPage {
     QString title() const override { return tr("Wave picture"); }
     PreparePage prepare() const override;
     void setResult(const SolvedBlowPtr& blow) override;
+    bool showsMarched() const override { return true; }
     void setRuns(const RunListPtr& runs) override;
 
     WavePicturePlot* picture() const { return m_picture; }

@@ -40,7 +40,7 @@ class TestDrillingPage : public QObject {
     void anAnswerThatIsKnownIsNotMarchedAgain();
     void theExportIsWhatTheCopiedCommandWrites();
     void aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust();
-    void aClickOnABlowTakesItsGap();
+    void aClickOnABlowOpensItAndShiftPinsItsGap();
     void pinnedRunsStandAtTheirMeans();
     void axesOfTheSamePlotHaveRoomForTheirNumbers();
     void whatLacksIsSaidAndCanBeEntered();
@@ -197,12 +197,12 @@ void TestDrillingPage::aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust() {
     QCOMPARE(m_page->scans(), 1);
 }
 
-void TestDrillingPage::aClickOnABlowTakesItsGap() {
+void TestDrillingPage::aClickOnABlowOpensItAndShiftPinsItsGap() {
     set("drill.thrust", 3500);
     showPage();
     const MarchRects& march = m_page->drillingPlot().march();
     const DrillingResult result = *m_page->answer()->result;
-    const QSignalSpy taken(m_page.get(), &DrillingPage::blowTaken);
+    const QSignalSpy opened(m_page.get(), &DrillingPage::blowOpened);
     const QSignalSpy pinned(m_page.get(), &Page::pinRequested);
     const auto click = [&](const QCPAxisRect* rect, Qt::KeyboardModifiers modifiers) {
         const QPointF pixel(rect->axis(QCPAxis::atBottom)->coordToPixel(40.3), rect->center().y());
@@ -214,13 +214,15 @@ void TestDrillingPage::aClickOnABlowTakesItsGap() {
     QTRY_COMPARE(pinned.count(), 1);
     QCOMPARE(pinned.first().first().value<ScenarioDocument>().scenario.bitRock.gap, gap);
     QCOMPARE(m_document->scenario().bitRock.gap, 0.0);
-    QCOMPARE(taken.count(), 0);
+    QCOMPARE(opened.count(), 0);
     const int steps = m_document->undoStack().count();
     click(march.penetrations(), {});
-    QTRY_COMPARE(m_document->scenario().bitRock.gap, gap);
-    QCOMPARE(m_document->undoStack().count(), steps + 1);
-    QCOMPARE(taken.count(), 1);
-    QVERIFY(taken.first().first().toString().contains(QStringLiteral("blow 40")));
+    QTRY_COMPARE(opened.count(), 1);
+    QCOMPARE(opened.first().first().value<MarchedQuestion>(), (MarchedQuestion{result.settings, 40}));
+    QVERIFY(opened.first().last().toString().contains(QStringLiteral("Blow 40 of 60")));
+    // which is no change of the scenario
+    QCOMPARE(m_document->scenario().bitRock.gap, 0.0);
+    QCOMPARE(m_document->undoStack().count(), steps);
 }
 
 void TestDrillingPage::pinnedRunsStandAtTheirMeans() {

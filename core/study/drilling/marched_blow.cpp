@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/drilling/marched_blow.h"
+
+#include <algorithm>
+#include <chrono>
+#include <iterator>
+#include <utility>
+
+#include "core/contact/contact_law.h"
+#include "core/model/blow_traits.h"
+#include "core/model/form_conversion.h"
+#include "core/model/section_pieces.h"
+#include "core/wave/drilling/drilling_march.h"
+
+namespace drillwave {
+namespace {
+
+Problem problemAlone(const Scenario& scenario, const std::stop_token& stop) {
+    if (hasUniformSections(scenario.drillString)) return problemOf(scenario);
+    return solveBlow(scenario, {}, Detail::cor, stop)
+        .problem;  // whose cones have as many pieces as they take
+}
+
+/// The rod as the only section of a chain.
+Scenario withSections(Scenario scenario) {
+    if (hasSections(scenario)) return scenario;
+    const Material material{scenario.rod.youngsModulus, scenario.rod.density};
+    scenario.drillString = {};
+    scenario.drillString.material = material;
+    scenario.drillString.parts.push_back({.sections = {sectionOf(scenario.rod, material)}});
+    return scenario;
+}
+
+/// What of a curve is from a time on at which one of its pieces begins.
+PiecewisePolynomial since(const PiecewisePolynomial& curve, double start, double rounding) {
+    PiecewisePolynomial rest;
+    rest.clear(start);
+    for (const PiecewisePolynomial::Piece& piece : curve.pieces())
+        if (piece.start >= start - rounding)
+            rest.append(piece.length, piece.scale, curve.coefficients(piece));
+    return rest;
+}
+
+/// From the blow on; a bit that presses then touches from there.
+std::vector<ImpactEvent> eventsOf(const MarchedWaves& kept) {
+    std::vector<ImpactEvent> events;
+    if (kept.place > 0) events.push_back({ContactEvent::contact, 0});
+    std::ranges::copy_if(kept.events, std::back_inserter(events),
+                         [](const ImpactEvent& event) { return event.time >= 0; });
+    return events;
+}
+
+Impact impactOf(const MarchedWaves& kept, const DrillingBlow& blow, double hammerImpulse) {
+    Impact impact;
+    impact.outcome = Outcome::nextBlow;
+    impact.waves = kept.waves;
+    impact.endTime = impact.forcesEnd = kept.waves->end();
+    impact.events = eventsOf(kept);
+    impact.impulse = blow.rockImpulse;
+    impact.peakForce = blow.peakForce;
+    impact.contacts =
+        static_cast<int>(std::ranges::count(impact.events, ContactEvent::contact, &ImpactEvent::kind));
+    impact.hammerImpulse = hammerImpulse;
+    impact.hammerWork = kept.hammerWork;
+    impact.rockWork = kept.rockWork;
+    impact.contactDuration = blow.contactTime;
+    // the rock of this blow is there when its wave comes to it
+    impact.incident = since(kept.waves->bitWave(), kept.transitTime, kept.waves->rounding());
+    impact.force = since(kept.waves->bitForce(), kept.transitTime, kept.waves->rounding());
+    impact.firstContactTime = impact.separationTime = Impact::never;
+    for (const ImpactEvent& event : impact.events) {
+        if (event.kind == ContactEvent::contact && !(impact.firstContactTime <= event.time))
+            impact.firstContactTime = event.time;
+        // of the contact that the wave of the blow makes: what follows is bouncing or rest
+        if (event.kind == ContactEvent::separation && event.time > kept.transitTime &&
+            !(impact.separationTime <= event.time))
+            impact.separationTime = event.time;
+    }
+    return impact;
+}
+
+ImpactSummary summaryOf(const Impact& impact, const Problem& problem, const MarchedWaves& kept,
+                        const DrillingBlow& blow) {
+    ContactLaw<> rock(problem.law);
+    rock.rememberAcross(std::max(kept.rememberedForce, impact.peakForce));
+    ImpactSummary summary;
+    summary.peakForce = impact.peakForce;
+    summary.maxPenetration = rock.largestPenetration() * lawUnitOfPenetration;
+    summary.residualPenetration = (kept.residual + blow.penetration) * lawUnitOfPenetration;
+    summary.firstContactTime = impact.firstContactTime;
+    summary.separationTime = impact.separationTime;
+    summary.contactDuration = impact.contactDuration;
+    summary.contacts = impact.contacts;
+    summary.workRatio = 2 * problem.mass() * impact.hammerWork;
+    summary.energy.rockWork = impact.efficiency();
+    summary.endTime = impact.endTime;
+    return summary;
+}
+
+}  // namespace
+
+Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, long number,
+                 const std::stop_token& stop) {
+    using Clock = std::chrono::steady_clock;
+    const auto begin = Clock::now();
+    Blow blow;
+    blow.scenario = withSections(scenario);
+    blow.groups = groupsOf(blow.scenario);
+    blow.scales = scalesOf(blow.scenario);
+    blow.marched = MarchedStart{.number = number};
+    DrillingProblem problem = drillingProblemOf(scenario, problemAlone(scenario, stop));
+    problem.start = settings.start;
+    blow.problem = problem.blow;
+
+    DrillingMarch march(problem, drillingGridOf(problem, settings.cells));
+    while (march.blows() + 2 < number && march.takeBlow(stop)) continue;
+    const MarchedWaves kept = march.blows() + 2 >= number ? march.takeBlowWithWaves(stop) : MarchedWaves{};
+    if (!march.trouble().empty() || stop.stop_requested()) {
+        blow.impact = Impact::unsolved(march.trouble().empty() ? "stopped" : march.trouble());
+    } else if (!kept.waves) {
+        blow.impact = Impact::unsolved("its waves are more than can be kept", Hindrance::histories);
+    } else {
+        blow.marched->rememberedForce = kept.rememberedForce;
+        blow.problem.gap = -kept.place * lawUnitOfPenetration;
+        blow.impact = impactOf(kept, march.blow(), march.hammerMomentum());
+        blow.summary = summaryOf(blow.impact, blow.problem, kept, march.blow());
+    }
+    blow.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
+    return blow;
+}
+
+}  // namespace drillwave
