@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <limits>
 
 #include "core/blow/string_curves.h"
@@ -67,8 +68,12 @@ std::vector<RodState> BlowWaves::sampled(const StringPlace& place) const {
 TimeSpan BlowWaves::interesting() const {
     if (!m_string) return interestingTime(m_blow->impact, m_blow->problem.force());
     const std::vector<ContactInterval> touching = contacts();
-    const TimeSpan contact =
+    TimeSpan contact =
         touching.empty() ? TimeSpan{unknown, unknown} : TimeSpan{touching.front().begin, touching.back().end};
+    if (m_blow->marched && !touching.empty()) {  // behind the blow it bounces or rests until the next one
+        contact.begin = 0;
+        if (std::isfinite(m_blow->summary.separationTime)) contact.end = m_blow->summary.separationTime;
+    }
     TimeSpan span = interestingTime(contact, arrival(), roundTrip());
     span.end = std::min(span.end, end());
     return span.begin < span.end ? span : TimeSpan{0, end()};

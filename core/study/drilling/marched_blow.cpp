@@ -50,6 +50,17 @@ std::vector<ImpactEvent> eventsOf(const MarchedWaves& kept) {
     return events;
 }
 
+/// When the force is largest, as its pieces have it at their ends and in their middle.
+double timeOfPeak(const PiecewisePolynomial& force) {
+    double largest = 0, time = force.start();
+    for (const PiecewisePolynomial::Piece& piece : force.pieces())
+        for (const double share : {0.0, 0.5, 1.0}) {
+            const double here = force.value(piece, share * piece.length);
+            if (here > largest) largest = here, time = piece.start + share * piece.length;
+        }
+    return time;
+}
+
 Impact impactOf(const MarchedWaves& kept, const DrillingBlow& blow, double hammerImpulse) {
     Impact impact;
     impact.outcome = Outcome::nextBlow;
@@ -67,12 +78,13 @@ Impact impactOf(const MarchedWaves& kept, const DrillingBlow& blow, double hamme
     // the rock of this blow is there when its wave comes to it
     impact.incident = since(kept.waves->bitWave(), kept.transitTime, kept.waves->rounding());
     impact.force = since(kept.waves->bitForce(), kept.transitTime, kept.waves->rounding());
+    impact.peakTime = timeOfPeak(impact.force);
     impact.firstContactTime = impact.separationTime = Impact::never;
     for (const ImpactEvent& event : impact.events) {
         if (event.kind == ContactEvent::contact && !(impact.firstContactTime <= event.time))
             impact.firstContactTime = event.time;
         // of the contact that the wave of the blow makes: what follows is bouncing or rest
-        if (event.kind == ContactEvent::separation && event.time > kept.transitTime &&
+        if (event.kind == ContactEvent::separation && event.time > impact.peakTime &&
             !(impact.separationTime <= event.time))
             impact.separationTime = event.time;
     }
