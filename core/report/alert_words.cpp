@@ -218,7 +218,8 @@ std::string alertText(const Alert& alert, const ReadingStyle& style) {
                    "it back; restrike: false says so.";
         case AlertCode::shankOff:
             return "At a blow the shank is up to " + inUnit(alert, "offset", style) +
-                   " off its mean place in the machine: the stroke, and so the blow, would be another one.";
+                   " off its mean place in the machine: the stroke, and so the blow, would be another one. A "
+                   "dashpot lets it creep; a spring (damper_stiffness) brings it back.";
         case AlertCode::frequencyRounded:
             return "The blow frequency is marched as " + inUnit(alert, "used", style) +
                    ", so that blows come at the end of a cell.";

@@ -24,8 +24,9 @@ namespace {
 constexpr const char* usage =
     R"(usage: bench_drill [--speed | --errors] [--blows N] [--csv | --json]
   --speed    processor time of a blow and of a cell at a node, beside a plain lattice of straight cells (default)
-  --errors   gap and penetration by the number of cells: of a motion that repeats against 640 per t0, and means
-             of an irregular one against 320, beside what they differ by chance
+  --errors   gap and penetration by the number of cells: of a motion that repeats against 640 per t0, also where
+             the end of the force lies inside a cell, and means of an irregular one against 320, beside what
+             they differ by chance
   --blows N  so many of each (400)
 )";
 
@@ -121,8 +122,8 @@ struct Found {
 };
 
 /// Of a motion that repeats the last blow, of another one the means of all but the first quarter.
-Found findWith(const DrillingProblem& problem, int cells, long blows, bool repeats) {
-    DrillingMarch march(problem, drillingGridOf(problem, cells));
+Found findWith(const DrillingProblem& problem, const DrillingGrid& grid, long blows, bool repeats) {
+    DrillingMarch march(problem, grid);
     std::vector<DrillingBlow> taken;
     const double start = seconds();
     for (long i = 0; i < blows; ++i) {
@@ -148,6 +149,19 @@ Found findWith(const DrillingProblem& problem, int cells, long blows, bool repea
     return found;
 }
 
+/// Of a rod, so many cells in a round trip and some more: the end of the force lies inside a cell.
+DrillingGrid withEndInside(const DrillingProblem& problem, int cells) {
+    constexpr long tripsOfInterval = 12, more = 3;
+    const double roundTrip = 2 * problem.blow.transitTime();
+    const long trip = std::lround(cells * roundTrip) + more;
+    DrillingGrid grid = drillingGridOf(problem, cells);
+    grid.cells.cell = roundTrip / static_cast<double>(trip);
+    grid.cells.roundTrips = {trip};
+    grid.cuts.begin(grid.cells.cell, {}, {});
+    grid.cellsOfInterval = tripsOfInterval * trip;
+    return grid;
+}
+
 void benchErrors(Format format, long blows) {
     Table table(format, {{"motion", 10, Kind::word},
                          {"cells", 6},
@@ -157,13 +171,21 @@ void benchErrors(Format format, long blows) {
                          {"penetration_chance", 19, Kind::ratio},
                          {"energy_residual", 16, Kind::ratio},
                          {"blow_s", 11, Kind::time}});
-    for (const bool repeats : {true, false}) {
+    struct Motion {
+        const char* name;
+        bool repeats, endsInside;
+    };
+    for (const Motion& motion :
+         {Motion{"repeats", true, false}, Motion{"inside", true, true}, Motion{"irregular", false, false}}) {
+        const bool repeats = motion.repeats;
         const DrillingProblem problem = rod(1.4, repeats);  // a constant force leaves it irregular
-        const Found exact = findWith(problem, repeats ? 640 : 320, blows, repeats);
+        const Found exact = findWith(problem, drillingGridOf(problem, repeats ? 640 : 320), blows, repeats);
         for (const int cells : {10, 20, 40, 80, 160}) {
-            const Found found = findWith(problem, cells, blows, repeats);
+            const Found found = findWith(
+                problem, motion.endsInside ? withEndInside(problem, cells) : drillingGridOf(problem, cells),
+                blows, repeats);
             const auto both = [](double a, double b) { return std::sqrt(a * a + b * b); };
-            table.add({repeats ? "repeats" : "irregular", double(cells), std::abs(found.gap - exact.gap),
+            table.add({motion.name, double(cells), std::abs(found.gap - exact.gap),
                        both(found.gapError, exact.gapError), std::abs(found.penetration - exact.penetration),
                        both(found.penetrationError, exact.penetrationError), found.residual, found.time});
         }

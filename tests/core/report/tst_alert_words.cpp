@@ -180,7 +180,7 @@ const std::vector<Example>& examples() {
          "the rebounding string, where a machine would have drawn it back; restrike: false says so."},
         {{warning, AlertCode::shankOff, "", {{"offset", 0.006, Quantity::length}}},
          "At a blow the shank is up to 6 mm off its mean place in the machine: the stroke, and so the blow, "
-         "would be another one."},
+         "would be another one. A dashpot lets it creep; a spring (damper_stiffness) brings it back."},
         {{note,
           AlertCode::frequencyRounded,
           "",

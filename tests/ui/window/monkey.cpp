@@ -145,7 +145,7 @@ void Monkey::click(QWidget& window) {
     QWidget* target = popup ? popup : anyWidget(window, isShown);
     if (!target) return;
     const QPoint at = target->mapTo(target->window(), anyPoint(*target));
-    QWindow* handle = target->window()->windowHandle();
+    const QPointer<QWindow> handle = target->window()->windowHandle();
     if (!handle) return;
     const Qt::MouseButton button = anyButton();
     const Qt::KeyboardModifiers modifiers = anyModifiers();
@@ -156,10 +156,10 @@ void Monkey::click(QWidget& window) {
              .arg(at.x())
              .arg(at.y())
              .arg(nameOf(target)));
-    if (twice)
-        QTest::mouseDClick(handle, button, modifiers, at);
-    else
-        QTest::mouseClick(handle, button, modifiers, at);
+    // What is pressed may close its window, a menu above all: then nothing is left to be let go.
+    QTest::mousePress(handle, button, modifiers, at);
+    if (handle) QTest::mouseRelease(handle, button, modifiers, at);
+    if (twice && handle && handle->isVisible()) QTest::mouseDClick(handle, button, modifiers, at);
 }
 
 void Monkey::drag(QWidget& window) {

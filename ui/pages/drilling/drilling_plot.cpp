@@ -26,10 +26,9 @@ DrillingPlot::DrillingPlot(QCustomPlot* plot) : StudyFrame(plot) {
     useLegend(QMargins(7, 6, 7, 0));
     m_scan = new ScanRects(*plot, *m_legend, this);
     m_legend->setWrap(mostColumnsOfScan);
-    connect(plot, &QCustomPlot::beforeReplot, this, [this] {
-        wrapLegend(*m_legend, m_plot->viewport().width(), mostColumnsOfScan);
-        m_scan->placeMarks();
-    });
+    connect(plot, &QCustomPlot::beforeReplot, this,
+            [this] { wrapLegend(*m_legend, m_plot->viewport().width(), mostColumnsOfScan); });
+    connect(plot, &QCustomPlot::afterLayout, this, [this] { m_scan->placeMarks(); });
     view(m_scan->rates());
     for (const auto side : {QCPAxis::atBottom, QCPAxis::atLeft})
         for (const QCPAxisRect* rect : {m_march->gaps(), m_march->penetrations()})

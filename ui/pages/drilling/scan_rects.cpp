@@ -110,24 +110,26 @@ void ScanRects::showMarks(const ScanPicture& picture) {
         for (QCPItemPosition* end : mark.line->positions()) end->setTypeY(QCPItemPosition::ptAxisRectRatio);
         mark.line->point1->setCoords(each.at, 0);
         mark.line->point2->setCoords(each.at, 1);
-        mark.words->position->setTypeY(QCPItemPosition::ptAxisRectRatio);
-        mark.words->position->setCoords(each.at, 0.01);
+        mark.words->position->setTypeY(QCPItemPosition::ptAbsolute);
         mark.words->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
         mark.words->setText(each.words);
         m_marks.append(mark);
     }
 }
 
-// Where one would run into the words of those before it, it stands in a row of its own below them.
+// Each in the first row in which it runs into no words of those before it.
 void ScanRects::placeMarks() {
-    double end = 0;
-    int row = 0;
+    constexpr int margin = 3;
+    QVector<double> ends;  // of each row
     for (const Mark& mark : m_marks) {
         const QFontMetrics metrics(mark.words->font());
         const double from = m_rates->axis(QCPAxis::atBottom)->coordToPixel(mark.line->point1->key());
-        row = from < end ? row + 1 : 0;
-        mark.words->setPadding(QMargins(3, row * metrics.height(), 0, 0));
-        end = std::max(end, from + 6 + metrics.horizontalAdvance(mark.words->text()));
+        const auto free = std::find_if(ends.begin(), ends.end(), [from](double end) { return end <= from; });
+        const auto row = static_cast<int>(free - ends.begin());
+        if (free == ends.end()) ends.append(0);
+        ends[row] = from + 2 * margin + metrics.horizontalAdvance(mark.words->text());
+        mark.words->position->setPixelPosition(
+            {from + margin, m_rates->top() + margin + double(row * metrics.height())});
     }
 }
 
@@ -160,6 +162,7 @@ void ScanRects::setStyle(const PlotStyle& style) {
         mark.line->setPen(QPen(style.frame, 1, Qt::DashLine));
         mark.words->setFont(style.font);
         mark.words->setColor(style.text);
+        mark.words->setBrush(style.background);
     }
 }
 

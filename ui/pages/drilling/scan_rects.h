@@ -31,10 +31,12 @@ class ScanRects : public QObject {
     void present(const ScanPicture& picture, const DrillingShown& units, bool isOld);
     void setStyle(const PlotStyle& style);
     void fit();
-    /// So that their words can be read; before the plot is drawn.
+    /// So that their words can be read; once the plot is laid out.
     void placeMarks();
     /// Where the words of a mark are, from the top of the rect [px].
-    double markTop(int index) const { return m_marks[index].words->padding().top(); }
+    double markTop(int index) const {
+        return m_marks[index].words->position->pixelPosition().y() - m_rates->top();
+    }
 
   private:
     QCPGraph* add(QCPAxisRect* rect, QCPAxis* values, const QString& name, bool hasPoints);

@@ -167,11 +167,11 @@ void TestDrillingPage::aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust() {
     m_page->plot()->resize(900, 500);
     scan.rates()->axis(QCPAxis::atBottom)->setRange(0, 2000);
     m_page->plot()->replot();
-    QCOMPARE(scan.markTop(0), 0.0);
-    QVERIFY(scan.markTop(1) > 0 && scan.markTop(2) > scan.markTop(1));
+    const double first = scan.markTop(0);
+    QVERIFY(scan.markTop(1) > first && scan.markTop(2) > scan.markTop(1));
     scan.rates()->axis(QCPAxis::atBottom)->setRange(2, 6);
     m_page->plot()->replot();
-    QCOMPARE(scan.markTop(2), 0.0);
+    for (int mark = 0; mark < 3; ++mark) QCOMPARE(scan.markTop(mark), first);
     m_page->plot()->resize(900, 800);
     scan.rates()->axis(QCPAxis::atBottom)->setRange(4, 8);
     QVERIFY(!m_page->drillingPlot().picture().isScanOld);
