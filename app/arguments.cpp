@@ -140,6 +140,7 @@ Arguments Arguments::parse(std::span<const std::string> words, std::span<const O
             given.value = valueBehind(*option, words.subspan(++i), options);
         }
         arguments.m_options.emplace_back(option->name, *given.value);
+        if (!option->sets.empty()) arguments.m_shorts.emplace_back(option->sets, option->name);
         if (option->times != OptionSpec::Times::list) continue;
         while (i + 1 < words.size() && !isOption(words[i + 1]) && words[i + 1].find('=') != std::string::npos)
             arguments.m_options.emplace_back(option->name, words[++i]);

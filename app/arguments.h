@@ -17,6 +17,7 @@ struct OptionSpec {
     std::string_view value;  ///< what it takes, for the help; empty for a switch
     std::string_view help;   ///< one line
     enum class Times { once, repeated, list } times = Times::once;  ///< list: takes all KEY=… words behind it
+    std::string_view sets = {};  ///< the key of a scenario that it is short for: "drill.blows" of --blows
 
     /// Whether it has two dashes: words, and the axes x and y.
     bool isLong() const;
@@ -34,6 +35,8 @@ class Arguments {
     bool has(std::string_view option) const;
     std::optional<std::string> value(std::string_view option) const;
     std::vector<std::string> values(std::string_view option) const;
+    /// Of the options that are short for a key: the key and the option, in the order given.
+    const std::vector<std::pair<std::string_view, std::string_view>>& shorts() const { return m_shorts; }
     /// Another word in place of the value of an option that is given once.
     void replaceValue(std::string_view option, std::string value);
     const std::vector<std::string>& operands() const { return m_operands; }
@@ -50,6 +53,7 @@ class Arguments {
   private:
     std::vector<std::pair<std::string_view, std::string>> m_options;  // names of specs, in the order given
     std::vector<std::string_view> m_switches;                         // of these, the ones without a value
+    std::vector<std::pair<std::string_view, std::string_view>> m_shorts;
     std::vector<std::string> m_operands;
 };
 

@@ -27,6 +27,11 @@ const std::vector<std::string> drillFiles{"scenario.yaml", "summary.json", "blow
 /// Whose pictures stand in a folder: they are drilling.png and so on.
 constexpr const char* pictureOwnerOfDrill = "drilling.csv";
 
+/// An option that is short for --set KEY=N.
+OptionSpec shortFor(std::string_view key, std::string_view name, std::string_view help) {
+    return {name, "N", help, OptionSpec::Times::once, key};
+}
+
 bool isFolder(const std::string& out) {
     return !isStream(out) && !out.ends_with(".csv");
 }
@@ -66,7 +71,6 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
     if (arguments.has("gaps") && !arguments.has("scan"))
         throw CommandError(ExitCode::usage, "--gaps is about a scan; add --scan KEY=START:STOP:COUNT");
     ScenarioDocument document = loadScenarioArgument(path, arguments);
-    setDrillShorts(arguments, document.scenario);
     if (arguments.has("scan")) return runDrillScan(arguments, document, path, drawing);
 
     const OutputUnits units = drillUnits(arguments);
@@ -131,9 +135,11 @@ const Command& drillCommand() {
             "and from bouncing. DIR gets scenario.yaml, summary.json, blows.csv, with --histories\n"
             "histories.csv, and with --plots drilling.png.",
         .options = scenarioOptions(
-            {{"blows", "N", "short for --set drill.blows=N; 1000, of a scan 300, if not given"},
-             {"settle", "N", "short for --set drill.settle=N: the first blows, which no statistic counts"},
-             {"seed", "N", "short for --set drill.seed=N, of the scatter of the intervals"},
+            {shortFor("drill.blows", "blows",
+                      "short for --set drill.blows=N; 1000, of a scan 300, if not given"),
+             shortFor("drill.settle", "settle",
+                      "short for --set drill.settle=N: the first blows, which no statistic counts"),
+             shortFor("drill.seed", "seed", "short for --set drill.seed=N, of the scatter of the intervals"),
              {"cells", "N", "cells of time per t0, 10 to 400; 40, of a scan 20, if not given"},
              {"scan", "KEY=START:STOP:COUNT", "over these values; :log behind it, or KEY=A,B,C"},
              {"gaps", "FILE.csv", "with --scan, also write the gap of every blow that counts"},

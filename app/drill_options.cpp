@@ -7,7 +7,6 @@
 #include "app/command_error.h"
 #include "app/input_text.h"
 #include "app/scenario_argument.h"
-#include "core/model/parameter_text.h"
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"
 
@@ -48,16 +47,6 @@ int drillCells(const Arguments& arguments, int usual) {
         throw CommandError(ExitCode::usage, "--cells " + shortened(*text) + " " +
                                                 wholeNumberProblem(leastDrillingCells, mostDrillingCells));
     return *cells;
-}
-
-void setDrillShorts(const Arguments& arguments, Scenario& scenario) {
-    for (const char* option : {"blows", "settle", "seed"}) {
-        const std::optional<std::string> text = arguments.value(option);
-        if (!text) continue;
-        const std::string problem = assignText(scenario, "drill." + std::string(option), *text);
-        if (!problem.empty())
-            throw CommandError(ExitCode::usage, "--" + std::string(option) + ": " + problem);
-    }
 }
 
 std::optional<BlowRange> drillHistories(const Arguments& arguments, const std::optional<std::string>& out,

@@ -19,9 +19,6 @@ OutputUnits drillUnits(const Arguments& arguments);
 /// --cells; `usual` without it.
 int drillCells(const Arguments& arguments, int usual);
 
-/// --blows, --settle and --seed, which are short for --set drill.…
-void setDrillShorts(const Arguments& arguments, Scenario& scenario);
-
 /// --histories A:B, of blows from 1 to those of the settings; nothing without it.
 std::optional<BlowRange> drillHistories(const Arguments& arguments, const std::optional<std::string>& out,
                                         const DrillingSettings& settings);

@@ -31,12 +31,9 @@ namespace {
 struct Setting {
     std::string key;
     std::string value;
-    std::string word;
+    std::string word;  ///< as it is quoted: "--set drill.blows=50", "--blows 50"
+    bool isShort = false;
 };
-
-std::string quoted(const Setting& setting) {
-    return "--set " + shortened(setting.word);
-}
 
 /// One setting would silently undo the other.
 [[noreturn]] void refusePair(const std::string& one, const std::string& other, const std::string& problem) {
@@ -56,11 +53,17 @@ std::vector<Setting> settings(const Arguments& arguments) {
         const std::size_t equals = word.find('=');
         if (equals == std::string::npos)
             throw CommandError(ExitCode::usage, "--set " + shortened(word) + ": needs KEY=VALUE");
-        all.push_back({std::string(trimmed(word.substr(0, equals))), word.substr(equals + 1), word});
+        all.push_back({std::string(trimmed(word.substr(0, equals))), word.substr(equals + 1),
+                       "--set " + shortened(word)});
+    }
+    for (const auto& [key, option] : arguments.shorts()) {
+        const std::string value = arguments.value(option).value();
+        all.push_back(
+            {std::string(key), value, OptionSpec{option, {}, {}}.text() + " " + shortened(value), true});
     }
     const Assignments assignments = assignmentsOf(all);
     if (const auto pair = assignments.rivals())
-        refusePair(quoted(all[pair->one]), quoted(all[pair->other]), pair->problem);
+        refusePair(all[pair->one].word, all[pair->other].word, pair->problem);
     std::vector<Setting> inOrder;
     for (const std::size_t i : assignments.order()) inOrder.push_back(std::move(all[i]));
     return inOrder;
@@ -171,21 +174,22 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
     Scenario& scenario = input.document.scenario;
     applyPresets(scenario, arguments, inputName(path));
     std::vector<std::string> problems;
-    bool unknownKey = false;
+    bool isUsage = false;
     const std::vector<Setting> all = settings(arguments);
     for (const Setting& setting : all) {
         const std::string problem = assign(scenario, setting);
         if (problem.empty()) continue;
-        problems.push_back(quoted(setting) + ": " + problem);
-        unknownKey |= !isKey(setting.key);
+        problems.push_back(setting.word + ": " + problem);
+        isUsage |= setting.isShort || !isKey(setting.key);
     }
     if (!problems.empty())
-        throw CommandError(unknownKey ? ExitCode::usage : ExitCode::invalidScenario, problems,
+        throw CommandError(isUsage ? ExitCode::usage : ExitCode::invalidScenario, problems,
                            CommandError::Begin::withOption);
     if (const auto pair = assignmentsOf(all).meeting(scenario))
-        refusePair(quoted(all[pair->one]), quoted(all[pair->other]), pair->problem);
+        refusePair(all[pair->one].word, all[pair->other].word, pair->problem);
+    const std::string with = arguments.has(setOption.name) ? " with --set: " : ": ";
     for (const InputProblem& problem : validate(scenario))
-        problems.push_back(inputName(path) + " with --set: " + problem.text);
+        problems.push_back(inputName(path) + with + problem.text);
     if (!problems.empty())
         throw CommandError(ExitCode::invalidScenario, problems, CommandError::Begin::withOption);
     return input;
@@ -214,7 +218,7 @@ void checkNotSet(const Arguments& arguments, const Scenario& scenario, std::span
             for (const Scenario& there : repeated)
                 if (const std::string problem = rivalProblem(setting.key, scenario, axes[a].key(), there);
                     !problem.empty())
-                    refusePair(words[a], quoted(setting), problem);
+                    refusePair(words[a], setting.word, problem);
 }
 
 void remarkOnValues(const Scenario& scenario, const std::string& path) {

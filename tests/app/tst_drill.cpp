@@ -338,6 +338,15 @@ void TestDrill::badInputIsRefusedInOneLineEach_data() {
     QTest::newRow("no cells") << QStringList{file, "--cells", "nan"} << 2 << QByteArray("--cells");
     QTest::newRow("blows that are none")
         << QStringList{file, "--blows", "many"} << 2 << QByteArray("--blows");
+    for (const char* option : {"blows", "settle", "seed"}) {
+        const QString key = QString("drill.") + option;
+        QTest::addRow("%s, given twice", option)
+            << QStringList{file, "--set", key + "=50", QString("--") + option, "40"} << 2
+            << ("--set " + key + "=50 and --" + option + " 40 set the same thing").toUtf8();
+    }
+    QTest::newRow("settling over values and as one")
+        << QStringList{file, "--settle", "40", "--scan", "drill.settle=10,20"} << 2
+        << QByteArray("--scan drill.settle=10,20 and --settle 40 set the same thing");
     QTest::newRow("histories behind the end")
         << QStringList{file, "--histories", "5:2", "-o", "/tmp/no_such"} << 2 << QByteArray("A:B");
     QTest::newRow("too much work") << QStringList{file, "--blows", "1000000", "--cells", "400"} << 6
