@@ -66,13 +66,16 @@ std::vector<OptionSpec> presetOptionSpecs() {
             {"presets", "FILE.yaml", "a file of presets of your own, in place of the built-in ones"}};
 }
 
-PresetFile presetsOf(const std::string& path) {
-    if (path.empty()) return builtInPresetFile();
-    const FileBytes file = readInput(path, maximumPresetBytes + 1);
+PresetFile presetsOf(const std::optional<std::string>& path) {
+    if (!path) return builtInPresetFile();
+    if (path->empty())
+        throw CommandError(ExitCode::usage,
+                           "the file of presets has an empty name; without one the built-in ones are taken");
+    const FileBytes file = readInput(*path, maximumPresetBytes + 1);
     if (!file.problem.empty())
         throw CommandError(ExitCode::unreadableInput,
-                           std::vector{inputName(path) + ": the file of presets " + file.problem});
-    return parsedPresets(file.bytes, path);
+                           std::vector{inputName(*path) + ": the file of presets " + file.problem});
+    return parsedPresets(file.bytes, *path);
 }
 
 PresetFile parsedPresets(std::string_view text, const std::string& path) {
@@ -89,7 +92,7 @@ PresetFile parsedPresets(std::string_view text, const std::string& path) {
 }
 
 void applyPresets(Scenario& scenario, const Arguments& arguments, const std::string& path) {
-    const std::string file = arguments.value("presets").value_or(std::string());
+    const std::optional<std::string> file = arguments.value("presets");
     std::vector<Preset> presets;
     for (const PresetKind kind : allValues<PresetKind>) {
         const std::optional<std::string> wanted = arguments.value(name(kind));
@@ -101,7 +104,8 @@ void applyPresets(Scenario& scenario, const Arguments& arguments, const std::str
             refuse(option, *wanted,
                    path + " is given by its dimensionless groups; presets need a scenario in physical units");
         if (presets.empty()) presets = presetsOf(file).presets;
-        scenario = withPreset(std::move(scenario), presetNamed(presets, kind, *wanted, file));
+        scenario = withPreset(std::move(scenario),
+                              presetNamed(presets, kind, *wanted, file.value_or(std::string())));
     }
     const bool used = std::ranges::any_of(allValues<PresetKind>,
                                           [&](PresetKind kind) { return arguments.has(name(kind)); });

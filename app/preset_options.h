@@ -2,6 +2,7 @@
 // --rod, --hammer, --rock and --presets.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -20,9 +21,9 @@ std::string_view name(PresetKind kind);
 /// Puts the values of the presets that are named into a scenario, which `path` names. Throws CommandError.
 void applyPresets(Scenario& scenario, const Arguments& arguments, const std::string& path);
 
-/// The presets of a file, of standard input ("-") or a pipe, or the built-in ones without. Throws
+/// The presets of a file, of standard input ("-") or a pipe, or the built-in ones without one. Throws
 /// CommandError.
-PresetFile presetsOf(const std::string& path);
+PresetFile presetsOf(const std::optional<std::string>& path);
 /// Those of a text that `path` names.
 PresetFile parsedPresets(std::string_view text, const std::string& path);
 

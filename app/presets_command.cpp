@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave presets [FILE.yaml]
+#include <optional>
+
 #include "app/command.h"
 #include "app/output_file.h"
 #include "app/preset_options.h"
@@ -33,7 +35,8 @@ class Listing {
 };
 
 ExitCode runPresets(const Arguments& arguments, const Drawing*) {
-    const std::string path = arguments.operands().empty() ? std::string() : arguments.operands().front();
+    std::optional<std::string> path;
+    if (!arguments.operands().empty()) path = arguments.operands().front();
     const PresetFile file = presetsOf(path);
     Listing listing;
     for (const Preset& preset : file.presets)

@@ -40,6 +40,7 @@ class TestInputs : public QObject {
     void presetsAreListedWithTheirSources();
     void presetsAreTakenByName();
     void presetsOfOnesOwnAreTaken();
+    void anEmptyNameIsNoFileOfPresets();
     void presetsAreValidatedAsPresets();
 };
 
@@ -210,6 +211,17 @@ void TestInputs::presetsOfOnesOwnAreTaken() {
     const QJsonObject report =
         scenarioOf({example("t38_medium_rock"), "--presets", mine, "--rock", "my quarry"});
     QVERIFY(report["scenario"].toString().contains("stiffness: 123 MN/m"));
+}
+
+void TestInputs::anEmptyNameIsNoFileOfPresets() {
+    for (const QStringList& words :
+         {QStringList{"presets", ""},
+          QStringList{"run", "t38_medium_rock", "--presets", "", "--rock", "hard rock"}}) {
+        const Finished finished = run(words);
+        QCOMPARE(finished.exitCode, 2);
+        QVERIFY2(finished.error.contains("empty name"), finished.error);
+        QCOMPARE(finished.out, QByteArray());
+    }
 }
 
 void TestInputs::presetsAreValidatedAsPresets() {
