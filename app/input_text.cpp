@@ -120,12 +120,12 @@ RereadableInput::Buffer::int_type RereadableInput::Buffer::underflow() {
     }
 }
 
-RereadableInput::RereadableInput(const std::string& path) : m_buffer(inputName(path)) {
+RereadableInput::RereadableInput(const std::string& path, std::uint64_t most) : m_buffer(inputName(path)) {
     const auto refuse = [&](const std::string& problem) {
         throw CommandError(ExitCode::unreadableInput, inputName(path) + ": " + problem);
     };
     if (isPipe(path)) {
-        keep(path);
+        keep(path, most);
         return;
     }
     struct stat status {};
@@ -135,7 +135,7 @@ RereadableInput::RereadableInput(const std::string& path) : m_buffer(inputName(p
         refuse("cannot be opened for reading; check its permissions");
 }
 
-void RereadableInput::keep(const std::string& path) {
+void RereadableInput::keep(const std::string& path, std::uint64_t most) {
     const TemporaryFile kept;
     const auto refuse = [&](const std::string& problem) {
         throw CommandError(ExitCode::unwritableOutput, inputName(path) + ": cannot be kept in " +
@@ -145,9 +145,17 @@ void RereadableInput::keep(const std::string& path) {
     if (kept.descriptor < 0) refuse(reason(errno));
     Pipe pipe(path);
     std::array<char, chunkBytes> chunk{};
-    while (const std::size_t got = pipe.read(chunk.data(), chunk.size()))
+    std::uint64_t bytes = 0;
+    while (const std::size_t got = pipe.read(chunk.data(), chunk.size())) {
+        bytes += got;
+        if (bytes > most)
+            throw CommandError(ExitCode::unreadableInput,
+                               inputName(path) + ": is longer than " + std::to_string(most >> 20) +
+                                   " MiB, the most that is kept of what is not a file; write its rows to a "
+                                   "file first");
         if (const WriteFailure failure = writeAll(kept.descriptor, {chunk.data(), got}))
             refuse(failure.reason);
+    }
     if (!pipe.problem().empty())
         throw CommandError(ExitCode::unreadableInput, inputName(path) + ": " + pipe.problem());
     // The name goes at once, the rows when the stream is closed: nothing can be left behind.

@@ -2,6 +2,7 @@
 // What a command reads: a file, standard input, or a pipe.
 #pragma once
 
+#include <cstdint>
 #include <fstream>
 #include <istream>
 #include <string>
@@ -22,11 +23,15 @@ std::string inputName(const std::string& path);
 FileBytes readInput(const std::string& path, std::size_t most);
 
 /// Rows that are read twice, once to be checked and once to be solved. Those of a pipe are kept in a
-/// temporary file meanwhile, in bounded memory.
+/// temporary file meanwhile, in bounded memory and on a bounded part of the disk.
 class RereadableInput {
   public:
-    /// Throws CommandError: unreadable input; unwritable output where there is no room for a temporary file.
-    explicit RereadableInput(const std::string& path);
+    /// A pipe that goes on beyond this has most likely no end: some ten million rows.
+    static constexpr std::uint64_t mostKept = std::uint64_t{1} << 30;
+
+    /// Keeps up to `most` bytes of a pipe. Throws CommandError: unreadable input, of a pipe also one that is
+    /// longer; unwritable output where there is no room for a temporary file.
+    explicit RereadableInput(const std::string& path, std::uint64_t most = mostKept);
 
     /// At the beginning. Throws CommandError (unreadable input) where the disk cannot be read any further.
     std::istream& stream() { return m_stream; }
@@ -44,7 +49,7 @@ class RereadableInput {
         std::string m_name;
     };
 
-    void keep(const std::string& path);
+    void keep(const std::string& path, std::uint64_t most);
 
     Buffer m_buffer;
     std::istream m_stream{&m_buffer};
