@@ -2,6 +2,7 @@
 #include "app/describe/value_kind.h"
 
 #include <algorithm>
+#include <span>
 
 #include "app/help_topic.h"
 #include "core/archive/picture_formats.h"
@@ -49,7 +50,8 @@ std::vector<std::string> parameterWords() {
 
 std::vector<std::string> outputWords() {
     std::vector<std::string> words;
-    for (const Output& output : outputs()) words.emplace_back(output.name);
+    for (const std::span<const Output> table : {outputs(), drillOutputs()})
+        for (const Output& output : table) words.emplace_back(output.name);
     return words;
 }
 

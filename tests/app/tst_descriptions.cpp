@@ -166,6 +166,8 @@ class TestDescriptions : public QObject {
                                    << QStringList{"rebound_energy"};
         QTest::newRow("one more") << QStringList{"sweep", "x", "--outputs", "cor,rebound_e"}
                                   << QStringList{"cor,rebound_energy"};
+        QTest::newRow("an output of many blows")
+            << QStringList{"sweep", "x", "--outputs", "drill_gap_d"} << QStringList{"drill_gap_deviation"};
         QTest::newRow("a format") << QStringList{"run", "x", "--plots", "png,s"} << QStringList{"png,svg"};
         QTest::newRow("a method") << QStringList{"run", "x", "--method", "c"} << QStringList{"closed_form"};
         QTest::newRow("a rod") << QStringList{"run", "x", "--rod", "T45"}
