@@ -22,6 +22,7 @@ RANDOM=$seed
 export QT_QPA_PLATFORM=offscreen SOURCE_DATE_EPOCH=1700000000 TMPDIR=$work/tmp LC_ALL=C.UTF-8 HOME=$work/home
 unset XDG_RUNTIME_DIR XDG_CONFIG_HOME XDG_DATA_HOME XDG_CACHE_HOME
 mkdir "$inputs" "$TMPDIR" "$HOME"
+echo '<fontconfig/>' >"$inputs/no_fonts.conf"
 mkfifo "$work/never" && exec {never}<>"$work/never"
 
 milliseconds() { local now=$EPOCHREALTIME && echo $((${now/[.,]/} / 1000)); }
@@ -65,14 +66,14 @@ words_in() {
     done
 }
 
-# write_to FILE: what `words` name as their output, alone.
+# write_to FILE: what `words` name as their output, alone: nothing stands beside a device.
 write_to() {
     local given=("${words[@]}")
     words=()
     while [ ${#given[@]} -gt 0 ]; do
         case ${given[0]} in
             -o) words+=(-o "$1") && given=("${given[@]:2}") ;;
-            --gaps) given=("${given[@]:2}") ;;
+            --gaps | --level) given=("${given[@]:2}") ;;
             *) words+=("${given[0]}") && given=("${given[@]:1}") ;;
         esac
     done

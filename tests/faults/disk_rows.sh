@@ -70,7 +70,7 @@ try_full_output() {
 surroundings=(
     "env -u HOME" "env HOME=/nonexistent" "env HOME=/proc" "env TMPDIR=/nonexistent" "env TMPDIR=/proc"
     "env XDG_RUNTIME_DIR=/nonexistent" "env XDG_CONFIG_HOME=/proc/x XDG_DATA_HOME=/proc/x XDG_CACHE_HOME=/proc/x XDG_STATE_HOME=/proc/x"
-    "env FONTCONFIG_FILE=/dev/null FONTCONFIG_PATH=/nonexistent" "env -i QT_QPA_PLATFORM=offscreen SOURCE_DATE_EPOCH=1700000000"
+    "env FONTCONFIG_FILE=$inputs/no_fonts.conf FONTCONFIG_PATH=/nonexistent" "env -i QT_QPA_PLATFORM=offscreen SOURCE_DATE_EPOCH=1700000000"
     "env LC_ALL=xx_YY" "env LANG=de_DE.UTF-8 LC_ALL="
 )
 
