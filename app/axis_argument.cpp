@@ -33,15 +33,18 @@ std::string quotedAxis(const std::string& option, const std::string& word) {
     return "--" + option + " " + shortened(word);
 }
 
+double quantityArgument(const std::string& option, const std::string& word, Quantity quantity) {
+    const TypedQuantity typed =
+        parseQuantity(word, quantity, BareNumber::inDefaultUnit, &unitsOf(quantity).front());
+    if (!typed.valid())
+        throw CommandError(ExitCode::usage, "--" + option + " " + shortened(word) + ": " + typed.problem);
+    return typed.si;
+}
+
 std::vector<double> levelArguments(const Arguments& arguments, Quantity quantity) {
     std::vector<double> levels;
-    for (const std::string& word : arguments.values("level")) {
-        const TypedQuantity typed =
-            parseQuantity(word, quantity, BareNumber::inDefaultUnit, &unitsOf(quantity).front());
-        if (!typed.valid())
-            throw CommandError(ExitCode::usage, "--level " + shortened(word) + ": " + typed.problem);
-        levels.push_back(typed.si);
-    }
+    for (const std::string& word : arguments.values("level"))
+        levels.push_back(quantityArgument("level", word, quantity));
     if (levels.size() > mostLevels)
         throw CommandError(ExitCode::usage, "--level: at most " + std::to_string(mostLevels) + " levels");
     return levels;

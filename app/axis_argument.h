@@ -21,7 +21,11 @@ SweepAxis rangeArgument(const std::string& option, const std::string& word);
 /// "--vary beta=1,2", for messages.
 std::string quotedAxis(const std::string& option, const std::string& word);
 
-/// Every --level, SI where they are of a quantity: then a unit may stand behind. Throws CommandError (usage).
+/// The number behind --`option`, SI where it is of a quantity: then a unit may stand behind. Throws
+/// CommandError (usage).
+double quantityArgument(const std::string& option, const std::string& word, Quantity quantity);
+
+/// Every --level, likewise.
 std::vector<double> levelArguments(const Arguments& arguments, Quantity quantity);
 
 /// The axis as it was asked for.

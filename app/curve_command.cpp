@@ -2,6 +2,7 @@
 // drillwave curve FILE --along KEY=…
 #include <algorithm>
 #include <chrono>
+#include <filesystem>
 
 #include "app/axis_argument.h"
 #include "app/command.h"
@@ -13,6 +14,8 @@
 #include "core/report/curve_csv.h"
 #include "core/report/curve_json.h"
 #include "core/report/curve_text.h"
+#include "core/report/goal_report.h"
+#include "core/text/decimal_text.h"
 
 namespace drillwave {
 
@@ -27,6 +30,24 @@ std::vector<double> levelsOf(const Arguments& arguments, const std::vector<Outpu
     const bool isCommon =
         std::ranges::all_of(columns, [&](const OutputColumn& column) { return quantityOf(column) == first; });
     return levelArguments(arguments, isCommon ? first : Quantity::ratio);
+}
+
+/// Of the only output; a unit may stand behind where its column has one.
+std::optional<double> goalOf(const Arguments& arguments, const std::vector<OutputColumn>& columns) {
+    const std::optional<std::string> word = arguments.value("goal");
+    if (!word) return std::nullopt;
+    if (columns.size() != 1)
+        throw CommandError(ExitCode::usage,
+                           "--goal is about one output; --outputs names " + std::to_string(columns.size()));
+    const OutputColumn& column = columns.front();
+    const Quantity quantity = column.output->quantity();
+    const bool hasUnit = column.hasUnit();
+    if (!hasUnit && quantity != Quantity::ratio && !parseNumber(*word) &&
+        parseQuantity(*word, quantity, BareNumber::inDefaultUnit).valid())
+        throw CommandError(ExitCode::usage, "--goal " + shortened(*word) + ": without --si " +
+                                                std::string(column.output->name) +
+                                                " is a number without a unit; add --si");
+    return quantityArgument("goal", *word, hasUnit ? quantity : Quantity::ratio);
 }
 
 /// In the order of CurveQuestion::axes().
@@ -56,6 +77,7 @@ CurveQuestion questionOf(const Arguments& arguments, const RowOptions& options, 
         std::erase_if(question.columns,
                       [](const OutputColumn& column) { return column.output->needsThrustStudy(); });
     question.levels = levelsOf(arguments, question.columns);
+    question.goal = goalOf(arguments, question.columns);
     return question;
 }
 
@@ -79,7 +101,30 @@ void writeCsv(const CurveReport& report, const Arguments& arguments, const RowOp
     record.axes.back().count = 0;  // each line has its own points
     OutputFile out(options.path, options.overwrite);
     out.write(curveCsv(report.study));
-    commitRows(out, options, record, std::move(pictures), interruption);
+    std::vector<NamedFile> beside = std::move(pictures);
+    if (question.goal)
+        beside.push_back({std::filesystem::path(goalName(options.path)).filename(), goalCsv(report.study)});
+    commitRows(out, options, record, std::move(beside), interruption);
+}
+
+/// Finds out before anything is computed whether the file of the goal can be written.
+void checkGoalFile(const Arguments& arguments, const RowOptions& options, const ScenarioDocument& base) {
+    if (!arguments.has("goal") || !arguments.has("o")) return;
+    if (isStream(options.path))
+        throw CommandError(ExitCode::usage,
+                           "--goal has no place where -o - prints the curve; leave out -o, or give "
+                           "-o FILE.csv");
+    const std::string path = goalName(options.path);
+    checkOutputIsNoInput(path, arguments.operands().front(), base);
+    checkOverwrite(path, options.overwrite);
+}
+
+/// Throws where a line takes the goal nowhere, with the value that comes nearest.
+void checkReached(const CurveStudy& study, const std::string& path) {
+    std::vector<std::string> problems = goalProblems(study);
+    if (problems.empty()) return;
+    for (std::string& problem : problems) problem = path + ": " + problem;
+    throw CommandError(ExitCode::unsolvedOrFailed, std::move(problems));
 }
 
 /// Throws where a line has no answer, with the first reason.
@@ -113,6 +158,7 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
         throw CommandError(ExitCode::invalidScenario, std::move(problems));
     }
     if (writesFile) checkRows(options, path, base);
+    checkGoalFile(arguments, options, base);
     if (options.path != "-" || !writesFile) checkStandardOutput();
     plots.check(path, base, options.overwrite);
 
@@ -124,6 +170,7 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
         writeCsv(report, arguments, options, base, plots.draw(&report, drawing, interruption), interruption);
     if (!writesFile || options.path != "-")
         printText(arguments.has("json") ? curveJson(report) : curveText(report));
+    checkReached(report.study, path);
     checkSolved(report.study, path, options.workLimit);
     return ExitCode::done;
 }
@@ -135,6 +182,9 @@ std::vector<OptionSpec> curveOptions() {
          {"outputs", "A,B|all", "what to follow, cor if not given; see below"},
          {"level", "X", "also where the outputs cross this value, in the unit of their columns",
           OptionSpec::Times::repeated},
+         {"goal", "X",
+          "every value of KEY that gives the only output this value, in the unit of its column; exit code 6 "
+          "where none does"},
          {"json", "", "print one JSON object in place of the tables"},
          {"si", "", "outputs in SI"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
@@ -143,7 +193,8 @@ std::vector<OptionSpec> curveOptions() {
               "wave pieces a blow may take, 1000000 if not given; else there is no answer"},
              {"j", "N", "threads to use, all of them if not given"},
              {"o", "FILE.csv",
-              "also write points of the lines, with FILE.csv.yaml beside it; - prints them instead"},
+              "also write points of the lines, with FILE.csv.yaml beside it, places of the goal into "
+              "FILE_goal.csv; - prints the points instead"},
              plotsOptionSpec(),
              {"force", "", "overwrite existing files"}})
         options.push_back(option);
@@ -158,6 +209,8 @@ const Command& curveCommand() {
         "of events changes; no grid to be chosen. Tells where each output is least and largest, its local\n"
         "extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is not\n"
         "smooth within the work permitted it is known by points alone, and the table says so.\n"
+        "--goal asks the other way round: where along KEY the output is X. Each place is solved for, with "
+        "its\nerror, and it is told whether there may be others; where there is none, what comes nearest.\n"
         "Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log\n" +
         outputHelp();
     static const Command command{

@@ -7,6 +7,7 @@
 #include "core/archive/row_record.h"
 #include "core/disk/file_bytes.h"
 #include "core/disk/whole_folder.h"
+#include "core/report/goal_report.h"
 #include "core/report/map_report.h"
 #include "core/report/report_html.h"
 
@@ -54,6 +55,10 @@ std::string contoursName(std::string_view file) {
     return studyStem(file) + "_contours.csv";
 }
 
+std::string goalName(std::string_view file) {
+    return studyStem(file) + "_goal.csv";
+}
+
 std::vector<std::string> studyFilesThere(const std::string& folder, const std::string& file) {
     std::vector<std::string> names;
     const auto add = [&](const std::string& name, const auto& isOurs) {
@@ -63,6 +68,7 @@ std::vector<std::string> studyFilesThere(const std::string& folder, const std::s
     add(recordName(file), [](const std::string& path) { return startOf(path).starts_with(rowRecordKey); });
     add(contoursName(file),
         [](const std::string& path) { return startOf(path).starts_with(contoursCsvBegin); });
+    add(goalName(file), [](const std::string& path) { return startOf(path).starts_with(goalCsvBegin); });
     const std::vector<std::string> pictures = picturesThere(folder, studyStem(file), studyPictureMark);
     names.insert(names.end(), pictures.begin(), pictures.end());
     return names;

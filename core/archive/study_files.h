@@ -17,8 +17,11 @@ std::string recordName(std::string_view file);
 /// "map_contours.csv" of "map.csv".
 std::string contoursName(std::string_view file);
 
+/// "curve_goal.csv" of "curve.csv".
+std::string goalName(std::string_view file);
+
 /// The names of what stands in the folder beside FILE and is an earlier study's, by name and content: its
-/// record, contours and pictures. Whatever else has such a name is left alone.
+/// record, contours, goal and pictures. Whatever else has such a name is left alone.
 std::vector<std::string> studyFilesThere(const std::string& folder, const std::string& file);
 
 /// The names of the pictures STEM.png, .svg and .pdf in the folder that say `mark` of themselves.

@@ -3,6 +3,7 @@
 
 #include "core/model/scales.h"
 #include "core/model/version.h"
+#include "core/report/goal_report.h"
 #include "core/report/json_value.h"
 
 namespace drillwave {
@@ -53,6 +54,7 @@ JsonObject json(const CurveLine& line, const CurveQuestion& question) {
         outputs[question.columns[i].output->name] = json(line.outputs[i]);
     return {{"family", line.family ? familyJson(*question.family, *line.family) : Json()},
             {"points", line.points.size()},
+            {"goal", line.goal ? Json(goalJson(*line.goal)) : Json()},
             {"outputs", outputs}};
 }
 
@@ -89,6 +91,7 @@ std::string curveJson(const CurveReport& report) {
                              {"log", range.spacing == CurveRange::Spacing::logarithmic}}},
         {"family", question.family ? Json(question.family->key()) : Json()},
         {"levels", levels},
+        {"goal", question.goal ? Json(*question.goal) : Json()},
         {"lines", lines},
         {"units", unitsJson(question)},
         {"solves", report.study.solves},

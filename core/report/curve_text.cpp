@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include "core/report/goal_report.h"
 #include "core/report/report_text.h"
 
 namespace drillwave {
@@ -83,13 +84,13 @@ std::string stretchesText(const CurveQuestion& question, const std::vector<Curve
     return text;
 }
 
+}  // namespace
+
 std::string familyText(const SweepAxis& family, double value) {
     return std::string(family.key()) + " = " +
            (family.words ? std::string(family.words->words()[static_cast<std::size_t>(value)])
                          : valueText(family, value));
 }
-
-}  // namespace
 
 std::string valueText(const SweepAxis& axis, double value, int ofDigits) {
     const std::string number = rounded(axis.unit->fromSi(value), ofDigits);
@@ -105,6 +106,7 @@ std::string curveText(const CurveReport& report) {
         (range.spacing == CurveRange::Spacing::logarithmic ? ", by its logarithm" : "") + ".\n";
     for (const CurveLine& line : report.study.lines) {
         if (line.family) text += "\n" + familyText(*question.family, *line.family) + "\n";
+        if (line.goal) text += "\n" + goalText(question, line);
         for (std::size_t i = 0; i < line.outputs.size(); ++i) {
             const CurveOutput& output = line.outputs[i];
             text += "\n" + featureTable(question, question.columns[i], output.features) +

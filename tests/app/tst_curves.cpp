@@ -31,6 +31,9 @@ class TestCurves : public QObject {
     void theBytesDoNotDependOnTheNumberOfThreads();
     void aFamilyIsAColumn();
     void siScalesOutputsAndLevels();
+    void aGoalIsGivenByAllItsValues();
+    void whatGivesAGoalIsWrittenBeside();
+    void aGoalThatNothingGivesIsToldWithTheNearest();
     void whereThereIsNoAnswerCellsAreEmpty();
     void whatIsWrongIsSaid_data();
     void whatIsWrongIsSaid();
@@ -138,6 +141,75 @@ void TestCurves::siScalesOutputsAndLevels() {
     QCOMPARE(featuresOf(json(words + QStringList{"--level", "320 kN"}), "peak_force"), newton);
 }
 
+// theory §7; each is what `run` says of that value.
+void TestCurves::aGoalIsGivenByAllItsValues() {
+    const QStringList words{"curve", example("paper_fig4a"), "--along", "delta=0:1.2", "--goal", "1"};
+    const QJsonObject curve = json(words);
+    QCOMPARE(curve["goal"].toDouble(), 1.0);
+    const QJsonObject goal = curve["lines"][0]["goal"].toObject();
+    QVERIFY(goal["reached"].toBool() && goal["complete"].toBool() && goal["nearest"].isNull());
+    const QJsonArray places = goal["places"].toArray();
+    QCOMPARE(places.size(), 2);
+    const double known[] = {0.326877, 0.778532};
+    for (int i = 0; i < 2; ++i) {
+        QCOMPARE(places[i]["kind"].toString(), QString("crossing"));
+        QCOMPARE(places[i]["rising"].toBool(), i == 1);
+        const double x = places[i]["x"].toDouble();
+        QVERIFY(std::abs(x - known[i]) < 5e-7 && places[i]["x_error"].toDouble() < 1e-9);
+        const QString set = "delta=" + QString::number(x, 'g', 17);
+        const QJsonObject blow = json({"run", example("paper_fig4a"), "--set", set});
+        QVERIFY(std::abs(blow["dimensionless"]["cor"].toDouble() - 1) < 1e-9);
+    }
+    const QByteArray text = output(words).simplified();
+    QVERIFY2(text.contains("Goal: cor = 1 ") && text.contains("falls through it 0.326877") &&
+                 text.contains("There are no others from 0 to 1.2."),
+             text.constData());
+    QVERIFY(json({"curve", example("paper_fig4a"), "--along", "delta=0:1.2"})["goal"].isNull());
+}
+
+void TestCurves::whatGivesAGoalIsWrittenBeside() {
+    QTemporaryDir folder;
+    const QString path = folder.filePath("a.csv"), beside = folder.filePath("a_goal.csv");
+    const QStringList words{"curve",     example("t38_medium_rock"),
+                            "--along",   "bit_rock.stiffness=20MN/m:500MN/m:log",
+                            "--outputs", "peak_force",
+                            "--si",      "--goal",
+                            "240 kN",    "-o",
+                            path};
+    output(words);
+    const auto rows = rowsOf(read(beside));
+    QCOMPARE(rows[0].join(','), QByteArray("goal,kind,direction,bit_rock.stiffness [MN/m],place_error,"
+                                           "peak_force [N],value_error,value_after"));
+    QVERIFY(rows.size() >= 2);
+    for (int i = 1; i < rows.size(); ++i) {
+        QCOMPARE(rows[i][0], QByteArray("240000"));
+        QCOMPARE(rows[i][1], QByteArray("crossing"));
+        const QJsonObject blow = json({"run", example("t38_medium_rock"), "--set",
+                                       "bit_rock.stiffness=" + QString::fromUtf8(rows[i][3]) + "MN/m"});
+        // 1e-9 of the force is what a place promises at worst
+        QVERIFY(std::abs(blow["si"]["peak_force"].toDouble() - 240e3) < 2.4e-4);
+    }
+    QVERIFY(read(path + ".yaml").contains("--goal"));
+    QCOMPARE(run(words).exitCode, 4);
+    // It goes with the study that it is of.
+    QStringList without = words;
+    without.removeAt(without.indexOf("--goal") + 1);
+    without.removeOne("--goal");
+    output(without + QStringList{"--force"});
+    QVERIFY(QFile::exists(path) && !QFile::exists(beside));
+}
+
+void TestCurves::aGoalThatNothingGivesIsToldWithTheNearest() {
+    const Finished finished =
+        run({"curve", example("paper_fig4a"), "--along", "beta=0.1:10:log", "--goal", "2"});
+    QCOMPARE(finished.exitCode, 6);
+    QCOMPARE(finished.error.trimmed().count('\n'), 0);
+    QVERIFY2(finished.error.contains(
+                 "no beta from 0.1 to 10 gives cor = 2: the nearest is 1.4140683, at 0.29982658"),
+             finished.error.constData());
+    QVERIFY(finished.out.simplified().contains("None: no beta"));
+}
+
 void TestCurves::whereThereIsNoAnswerCellsAreEmpty() {
     const Finished finished =
         run({"curve", example("paper_fig4a"), "--along", "tau=0.2:5", "--method", "closed_form", "-o", "-"});
@@ -167,6 +239,21 @@ void TestCurves::whatIsWrongIsSaid_data() {
         "study of all gaps");
     add("a level that is none", {"--along", "beta=1:2", "--level", "one"}, 2, "--level one");
     add("SI without units", {"--along", "beta=1:2", "--si"}, 5, "SI columns need");
+    add("a goal that is none", {"--along", "beta=1:2", "--goal", "much"}, 2, "--goal much");
+    add("a goal without an end", {"--along", "beta=1:2", "--goal", "nan"}, 2, "--goal nan");
+    add("a goal of a ratio with a unit", {"--along", "beta=1:2", "--goal", "0.7 mm"}, 2, "--goal 0.7 mm");
+    add("a goal with a unit without SI", {"--along", "beta=1:2", "--outputs", "peak_force", "--goal", "2kN"},
+        2, "add --si");
+    add("a goal of another unit",
+        {"--along", "drill.thrust=8kN:9kN", "--outputs", "peak_force", "--si", "--goal", "5mm"}, 2, "kN");
+    add("a goal of two outputs", {"--along", "beta=1:2", "--outputs", "cor,peak_force", "--goal", "1"}, 2,
+        "--goal is about one output");
+    add("a goal of a word", {"--along", "beta=1:2", "--outputs", "feed", "--goal", "1"}, 2, "feed");
+    add("a goal along words", {"--along", "pulse.shape=rectangular:half_sine", "--goal", "1"}, 2,
+        "pulse.shape");
+    add("a goal downwards", {"--along", "beta=2:1", "--goal", "1"}, 2, "must end above its beginning");
+    add("a goal on standard output", {"--along", "beta=1:2", "--goal", "1", "-o", "-"}, 2,
+        "--goal has no place");
     add("force without a file", {"--along", "beta=1:2", "--force"}, 2, "--force is about the file of -o");
 }
 
@@ -174,7 +261,7 @@ void TestCurves::whatIsWrongIsSaid() {
     QFETCH(QStringList, words);
     QFETCH(int, exitCode);
     QFETCH(QString, message);
-    const char* name = words.contains("thrust_margin") ? "t38_medium_rock" : "paper_fig4b";
+    const char* name = words.join(' ').contains("drill.") ? "t38_medium_rock" : "paper_fig4b";
     const Finished finished = run(QStringList{"curve", example(name)} + words);
     QCOMPARE(finished.exitCode, exitCode);
     QVERIFY2(finished.error.contains(message.toUtf8()), finished.error.constData());

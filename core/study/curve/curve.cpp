@@ -63,6 +63,11 @@ std::vector<std::string> problemsOf(const CurveQuestion& question) {
     return problems;
 }
 
+bool CurveStudy::isReached() const {
+    return !stopped && std::ranges::all_of(
+                           lines, [](const CurveLine& line) { return !line.goal || line.goal->isReached(); });
+}
+
 const CurveFeature* CurveOutput::extreme(CurveFeature::Kind kind) const {
     const auto found = std::ranges::find_if(
         features, [kind](const CurveFeature& feature) { return feature.ofAll && feature.kind == kind; });
@@ -83,6 +88,7 @@ std::optional<double> CurveLine::error(double x, std::size_t output) const {
 CurveStudy studyCurve(const CurveQuestion& question, int jobs, std::stop_token stop,
                       const CurveProgress& progress) {
     assert(jobs >= 1 && !question.columns.empty() && problemsOf(question).empty());
+    assert(!question.goal || question.columns.size() == 1);
     return followLines(question, jobs, std::move(stop), progress);
 }
 

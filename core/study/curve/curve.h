@@ -14,6 +14,7 @@
 #include "core/model/scenario.h"
 #include "core/numeric/piecewise_fit.h"
 #include "core/study/curve/curve_feature.h"
+#include "core/study/curve/curve_goal.h"
 #include "core/study/curve/curve_range.h"
 #include "core/study/rows/output_column.h"
 #include "core/study/rows/row_counts.h"
@@ -29,6 +30,7 @@ struct CurveQuestion {
     std::optional<SweepAxis> family;    ///< a line for each of its values
     std::vector<OutputColumn> columns;  ///< at least one
     std::vector<double> levels;         ///< to be crossed by every output, each in its own unit
+    std::optional<double> goal = {};    ///< what the only output is to be, in the unit of its column
     MethodChoice method = {};
     long workLimit = defaultWorkLimit;  ///< most wave pieces of a blow; beyond, it is not solved
 
@@ -77,6 +79,7 @@ struct CurveLine {
     std::vector<double> points;               ///< to draw and write: ascending values of the parameter, SI
     std::vector<std::vector<double>> values;  ///< of each output at each point; NaN where there is none
     std::vector<CurveOutput> outputs;         ///< in the order of CurveQuestion::columns
+    std::optional<GoalAnswer> goal = {};      ///< where the question has one
 
     /// An output anywhere in the range; nothing where there is no answer.
     std::optional<double> value(double x, std::size_t output) const;
@@ -94,6 +97,8 @@ struct CurveStudy {
 
     /// Whether every output has an answer all along every line.
     bool isComplete() const;
+    /// Whether every line takes the goal somewhere, where there is one.
+    bool isReached() const;
 };
 
 /// Told on the calling thread which share of the work is done, 0 … 1.

@@ -35,12 +35,6 @@ constexpr std::string_view notSmooth = "not smooth within the work permitted";
 constexpr std::string_view isRounding = "an error, which has no smooth course";
 constexpr std::string_view isOfManyBlows = "of many blows, which need not be smooth: straight between points";
 
-/// Why an output is not fitted at all; empty where it is.
-std::string_view whyRough(const Output& output) {
-    if (output.needsDrilling()) return isOfManyBlows;
-    return output.measure == Measure::error ? isRounding : std::string_view();
-}
-
 bool isRatio(Measure measure) {
     return measure == Measure::number || measure == Measure::share || measure == Measure::energy ||
            measure == Measure::work;
@@ -69,6 +63,11 @@ double unitIn(CurveSampler& sampler, const std::array<double, 2>& cuts, std::siz
 }
 
 }  // namespace
+
+std::string_view whyRough(const Output& output) {
+    if (output.needsDrilling()) return isOfManyBlows;
+    return output.measure == Measure::error ? isRounding : std::string_view();
+}
 
 std::size_t cellCount(const CurveQuestion& question) {
     const auto gapAt = [&](double value) {

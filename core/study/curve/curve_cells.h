@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <stop_token>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/study/curve/curve_sampler.h"
@@ -14,6 +15,9 @@ namespace drillwave {
 /// The range of a question is cut in so many cells, where to look first: a feature that is narrower, and on
 /// which nothing happens at the bit in another order, may be missed. More for many periods of the gap.
 std::size_t cellCount(const CurveQuestion& question);
+
+/// Why an output is known by points alone wherever it is; empty where it is fitted.
+std::string_view whyRough(const Output& output);
 
 /// One output in one cell.
 struct CellOutput {

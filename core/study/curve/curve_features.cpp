@@ -85,22 +85,6 @@ std::vector<Turn> turnsOf(Pieces pieces, double scale) {
     return turns;
 }
 
-/// The pieces with what slivers may be off by taken from those beside them: within a jump any value is
-/// possible, but none beyond its ends.
-std::vector<FitPiece> withQuietSlivers(Pieces pieces) {
-    std::vector<FitPiece> quiet(pieces.begin(), pieces.end());
-    const auto nearest = [&](std::size_t i, int step) {
-        for (std::size_t j = i + step; j < quiet.size(); j += step)  // wraps below 0
-            if (pieces[j].resolved) return pieces[j].error.front();
-        return 0.0;
-    };
-    for (std::size_t i = 0; i < quiet.size(); ++i)
-        if (quiet[i].solved && !quiet[i].resolved && quiet[i].end - quiet[i].start <= leastSlopeWidth)
-            quiet[i].error.front() =
-                std::min(quiet[i].error.front(), std::max(nearest(i, -1), nearest(i, 1)));
-    return quiet;
-}
-
 /// Makes features of what was found over shares of a range.
 class Finder {
   public:
@@ -228,6 +212,20 @@ class Finder {
 };
 
 }  // namespace
+
+std::vector<FitPiece> withQuietSlivers(std::span<const FitPiece> pieces) {
+    std::vector<FitPiece> quiet(pieces.begin(), pieces.end());
+    const auto nearest = [&](std::size_t i, int step) {
+        for (std::size_t j = i + step; j < quiet.size(); j += step)  // wraps below 0
+            if (pieces[j].resolved) return pieces[j].error.front();
+        return 0.0;
+    };
+    for (std::size_t i = 0; i < quiet.size(); ++i)
+        if (quiet[i].solved && !quiet[i].resolved && quiet[i].end - quiet[i].start <= leastSlopeWidth)
+            quiet[i].error.front() =
+                std::min(quiet[i].error.front(), std::max(nearest(i, -1), nearest(i, 1)));
+    return quiet;
+}
 
 std::vector<CurveFeature> featuresOf(Pieces pieces, const CurveRange& range, std::span<const double> levels) {
     return Finder(pieces, range).find(levels);

@@ -11,6 +11,10 @@
 
 namespace drillwave {
 
+/// The pieces with what slivers may be off by taken from those beside them: within a jump any value is
+/// possible, but none beyond its ends.
+std::vector<FitPiece> withQuietSlivers(std::span<const FitPiece> pieces);
+
 /// Features by place, of the first function of pieces over shares of the range: the least and the largest and
 /// all local ones, kinks, jumps, and where the levels are crossed. None where there is no answer at all.
 std::vector<CurveFeature> featuresOf(std::span<const FitPiece> pieces, const CurveRange& range,

@@ -10,6 +10,7 @@
 #include "core/study/curve/curve_cells.h"
 #include "core/study/curve/curve_features.h"
 #include "core/study/curve/curve_points.h"
+#include "core/study/curve/goal_search.h"
 
 namespace drillwave {
 
@@ -45,7 +46,11 @@ class Study {
         study.effort = m_effort;
         if (study.stopped) return study;
         for (std::size_t line = 0; line < m_lines.size(); ++line) finish(line);
-        study.lines = std::move(m_lines);
+        const GoalWork work = seekGoals(m_question, m_lines, m_jobs, m_stop);
+        study.stopped = work.stopped;
+        study.solves += work.solves;
+        study.effort += work.effort;
+        if (!study.stopped) study.lines = std::move(m_lines);
         return study;
     }
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/numeric/ordered_work.h"
+#include "core/study/curve/goal_search.h"
 #include "core/study/rows/axis_scenario.h"
 #include "core/study/rows/case_solver.h"
 #include "core/study/rows/sweep_check.h"
@@ -192,9 +193,15 @@ CurveStudy sampleCurve(const CurveQuestion& question, int jobs, std::stop_token 
         return true;
     };
     const auto makeWorker = [&] { return PointSampler(question, axes); };
-    const WorkEnd end = processInOrder<SampleTask>(jobs, std::move(stop), fill, makeWorker, deliver);
-    if (end == WorkEnd::finished) return studyOf(question, samples, done);
-    return {.question = question, .lines = {}, .solves = done, .stopped = true};
+    const WorkEnd end = processInOrder<SampleTask>(jobs, stop, fill, makeWorker, deliver);
+    CurveStudy study{.question = question, .lines = {}, .solves = done, .stopped = true};
+    if (end != WorkEnd::finished) return study;
+    study = studyOf(question, samples, done);
+    const GoalWork work = seekGoals(question, study.lines, jobs, std::move(stop));
+    study.solves += work.solves;
+    study.stopped = work.stopped;
+    if (work.stopped) study.lines.clear();
+    return study;
 }
 
 }  // namespace drillwave

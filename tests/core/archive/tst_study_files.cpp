@@ -41,6 +41,7 @@ class TestStudyFiles : public QObject {
 void TestStudyFiles::namesFollowFromThatOfTheRows() {
     QCOMPARE(recordName("map.csv"), std::string("map.csv.yaml"));
     QCOMPARE(contoursName("out/map.csv"), std::string("out/map_contours.csv"));
+    QCOMPARE(goalName("out/curve.csv"), std::string("out/curve_goal.csv"));
     QCOMPARE(studyStem("map.txt"), std::string("map.txt"));
     QCOMPARE(studyStem(".csv"), std::string(".csv"));
 }
@@ -48,11 +49,12 @@ void TestStudyFiles::namesFollowFromThatOfTheRows() {
 void TestStudyFiles::filesOfAStudyAreKnown() {
     put("map.csv.yaml", "drillwave_result: 1\nversion: 1\n");
     put("map_contours.csv", "level,line,beta,gamma,cor,residual,jump_width\n");
+    put("map_goal.csv", "goal,kind,direction,beta,place_error,cor,value_error,value_after\n");
     put("map.png", "\x89PNG tEXt Software Drillwave study");
     put("map.svg", "<svg><desc>Drillwave study</desc>");
     put("map.pdf", "%PDF-1.4 /Creator (" + inUtf16("Drillwave study") + ")");
     QCOMPARE(studyFilesThere(folder(), "map.csv"),
-             Names({"map.csv.yaml", "map_contours.csv", "map.png", "map.svg", "map.pdf"}));
+             Names({"map.csv.yaml", "map_contours.csv", "map_goal.csv", "map.png", "map.svg", "map.pdf"}));
     QCOMPARE(studyFilesThere(folder(), "other.csv"), Names());
 }
 
@@ -60,6 +62,7 @@ void TestStudyFiles::filesOfAStudyAreKnown() {
 void TestStudyFiles::filesOfOthersAreNot() {
     put("map.csv.yaml", "my: notes\n");
     put("map_contours.csv", "height,line\n");
+    put("map_goal.csv", "goal,team\n");
     put("map.png", "\x89PNG tEXt Software gnuplot");
     put("map.svg", "<svg><desc>Drillwave</desc>");
     put("map.pdf", "%PDF-1.4 /Creator (" + inUtf16("Drillwave report") + ")");

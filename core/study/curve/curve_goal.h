@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which values of a parameter give an output the value that is wanted.
+#pragma once
+
+#include <optional>
+#include <string_view>
+#include <vector>
+
+#include "core/numeric/estimate.h"
+
+namespace drillwave {
+
+/// A value of the parameter that gives the goal, or at which the output leaps over it.
+struct GoalPlace {
+    enum class Kind {
+        crossing,    ///< the output passes the goal
+        touch,       ///< it comes up to the goal and turns round
+        end,         ///< it is there where the range, or what is known of it, begins or ends
+        everywhere,  ///< it is the goal all along, but for errors
+        between,     ///< on one side at one point and on the other at the next: known by points alone
+        jump,        ///< it leaps over the goal: no value gives it
+    };
+    Kind kind = Kind::crossing;
+    Estimate x = {};        ///< SI; of a jump or between points, where within its error is not known
+    Estimate value = {};    ///< the output solved there; of a jump or between points, before it
+    double valueAfter = 0;  ///< of a jump, or between points
+    bool rising = false;    ///< where it passes the goal: with growing x
+
+    bool isGiven() const { return kind != Kind::jump; }
+    /// Whether the output goes from one side to the other.
+    bool isPassed() const { return kind == Kind::crossing || kind == Kind::between || kind == Kind::jump; }
+    bool operator==(const GoalPlace&) const = default;
+};
+
+std::string_view name(GoalPlace::Kind kind);
+
+/// What is known of a goal along a line.
+struct GoalAnswer {
+    std::vector<GoalPlace> places;  ///< ascending
+    /// Whether these are all in the range, as far as the errors of the curve tell; false where a part of it
+    /// is known by points alone, or has no answer.
+    bool isComplete = true;
+    /// Where nothing gives the goal: the value that comes nearest. Nothing where there is no answer at all.
+    struct Nearest {
+        Estimate x = {};  ///< SI
+        Estimate value = {};
+        bool operator==(const Nearest&) const = default;
+    };
+    std::optional<Nearest> nearest = {};
+
+    bool isReached() const;
+    bool operator==(const GoalAnswer&) const = default;
+};
+
+}  // namespace drillwave
