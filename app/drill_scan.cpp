@@ -94,7 +94,7 @@ ExitCode runDrillScan(const Arguments& arguments, const ScenarioDocument& docume
         .scan = scanDrilling(
             document.scenario, axis, settings,
             {.jobs = jobs,
-             .lyapunov = true,
+             .lyapunov = out || arguments.has("json"),  // the text has none of it
              .stop = interruption.token(),
              .progress = [&](long more) { bar.show(done += static_cast<std::uint64_t>(more)); }}),
         .scenarioText = completeScenarioText(document)};

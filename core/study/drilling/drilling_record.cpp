@@ -158,6 +158,7 @@ DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid
         if (progress) progress(beside ? 2 : 1);
         if (length.histories && main.blows() == length.histories->last && !samples.rear.empty())
             historyEnd = samples.rear.back().time;
+        if (length.isEnough && length.isEnough(result.blows)) break;
     }
     if (length.histories && static_cast<std::size_t>(length.histories->first) <= result.blows.size())
         result.instants =

@@ -57,6 +57,8 @@ struct RecordLength {
     std::optional<BlowRange> histories = {};
     int jobs = 1;  ///< the march of λ has a thread of its own where they are more
     std::function<void(const DrillingBlow&)> onBlow = {};
+    /// Asked after every blow: whether what follows is known, so that the march ends there.
+    std::function<bool(const std::vector<DrillingBlow>&)> isEnough = {};
 };
 
 /// A bit goes away for ever where its gap has grown for so many blows of a machine that is pushed back on the

@@ -50,23 +50,30 @@ class Study {
         solveBlowAlone();
         const DrillingGrid grid = drillingGridOf(m_problem, m_result.settings.cells);
         takeGrid(grid);
-        DrillingRecord main = recordOf(
-            m_problem, grid,
-            {m_result.settings.blows, m_wants.lyapunov, m_wants.histories, m_wants.jobs, m_wants.onBlow},
-            m_stop, m_progress);
+        DrillingRecord main = recordOf(m_problem, grid,
+                                       {m_result.settings.blows, m_wants.lyapunov, m_wants.histories,
+                                        m_wants.jobs, m_wants.onBlow, m_wants.isEnough},
+                                       m_stop, m_progress);
         m_result.outcome = main.outcome;
         m_result.reason = main.reason;
         m_result.ledger = main.ledger;
         takeResiduals(main, grid);
         m_result.blows = std::move(main.blows);
         m_result.instants = std::move(main.instants);
-        if (m_result.outcome == DrillingOutcome::done) takeStatistics(main.growths);
+        const bool isWhole = static_cast<long>(m_result.blows.size()) == m_result.settings.blows;
+        if (m_result.outcome == DrillingOutcome::done && isWhole) takeStatistics(main.growths);
         takeGroups();
         m_result.verdict = verdictOf(m_result);
         m_result.alerts = drillingAlerts(m_result, {.lateShare = main.lateShare,
                                                     .rounding = grid.rounding(m_problem),
                                                     .hasMachine = m_problem.machine.has_value()});
         return std::move(m_result);
+    }
+
+    std::optional<double> fullPenetration() {
+        solveBlowAlone();
+        if (std::isfinite(m_result.cor)) takeFullRate(marchAtFullRate());
+        return m_result.fullPenetration;
     }
 
   private:
@@ -114,7 +121,8 @@ class Study {
             if (m_wants.cellError) other = marchWithOtherCells();
         };
         const auto marchFull = [&] {
-            if (m_wants.fullRate && std::isfinite(m_result.cor)) full = marchAtFullRate();
+            if (m_wants.fullRate && !m_wants.fullPenetration && std::isfinite(m_result.cor))
+                full = marchAtFullRate();
         };
         if (m_wants.jobs > 1) {
             std::future<void> pressed = std::async(std::launch::async, marchFull);
@@ -125,7 +133,11 @@ class Study {
             marchFull();
         }
         if (other) compareCells(*other, settle);
-        if (full && m_result.statistics) compareFullRate(*full);
+        if (full && m_result.statistics) takeFullRate(*full);
+        if (m_wants.fullPenetration) m_result.fullPenetration = m_wants.fullPenetration;
+        if (m_result.statistics && m_result.fullPenetration)
+            m_result.fullRateShare =
+                m_result.spread(quantityPlace(&DrillingBlow::penetration)).mean / *m_result.fullPenetration;
     }
 
     DrillingRecord marchWithOtherCells() const {
@@ -148,14 +160,14 @@ class Study {
                 coveringCells * std::abs(statistics.spreads[q].mean - m_result.spread(q).mean);
     }
 
-    void compareFullRate(const DrillingRecord& full) {
+    void takeFullRate(const DrillingRecord& full) {
         if (full.outcome == DrillingOutcome::stopped) return fail(full);
         if (full.outcome != DrillingOutcome::done) return;
         const std::size_t penetration = quantityPlace(&DrillingBlow::penetration);
         const DrillingStatistics statistics =
             statisticsOf(full.blows, static_cast<std::size_t>(scanSettle), m_problem.blow.velocity());
         const double most = statistics.spreads[penetration].mean;
-        if (most > 0) m_result.fullRateShare = m_result.spread(penetration).mean / most;
+        if (most > 0) m_result.fullPenetration = most;
     }
 
     void fail(const DrillingRecord& other) {
@@ -215,6 +227,11 @@ std::optional<double> DrillingResult::meanError(std::size_t quantity) const {
     const std::optional<double> batches = spread(quantity).meanError;
     if (!batches) return std::nullopt;
     return *batches + cellErrors[quantity];
+}
+
+std::optional<double> fullPenetrationOf(const Scenario& scenario, const DrillingSettings& settings,
+                                        const std::stop_token& stop) {
+    return Study(scenario, settings, {}, stop, {}).fullPenetration();
 }
 
 long foreseenBlows(const DrillingSettings& settings, const DrillingWants& wants) {

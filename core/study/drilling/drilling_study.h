@@ -53,6 +53,11 @@ struct DrillingWants {
     int jobs = 1;  ///< marches that may run side by side, each on a thread; what comes out is the same
     /// Told every blow of the march itself, as soon as it is done.
     std::function<void(const DrillingBlow&)> onBlow = {};
+    /// The mean penetration at the full rate [units of Problem], where another study has it.
+    std::optional<double> fullPenetration = {};
+    /// Asked after every blow of the march itself: whether what follows is known. Then it ends there, and
+    /// there are no statistics.
+    std::function<bool(const std::vector<DrillingBlow>&)> isEnough = {};
 };
 
 struct DrillingResult {
@@ -68,9 +73,10 @@ struct DrillingResult {
     std::array<double, blowQuantities.size()> cellErrors{};
     std::optional<Lyapunov> lyapunov;
     DrillingGroups groups;
-    double cor = 0;                       ///< e of the blow at zero gap; not a number where it was not wanted
-    std::optional<double> fullRateShare;  ///< of the mean penetration at 2(1 + 2e)
-    double meanImpulse = 1;               ///< J [units of Problem]
+    double cor = 0;  ///< e of the blow at zero gap; not a number where it was not wanted
+    std::optional<double> fullPenetration;  ///< mean, at 2(1 + 2e) [units of Problem]
+    std::optional<double> fullRateShare;    ///< the mean penetration over that
+    double meanImpulse = 1;                 ///< J [units of Problem]
     DrillingLedger ledger;
     double momentumResidual = 0;  ///< over N Fe/f
     double energyResidual = 0;    ///< over the hammer work
@@ -92,6 +98,12 @@ struct DrillingResult {
 DrillingVerdict verdictOf(const DrillingResult& result);
 /// The full rate that another motion of the same scenario has been measured by.
 void takeFullRate(DrillingResult& result, const DrillingResult& other);
+
+/// The mean penetration of such a rod at 2(1 + 2e) [units of Problem], under whatever thrust it has: of a
+/// blow that is a given force. Requires that there are no drillingRefusals(). Nothing where it cannot be
+/// told.
+std::optional<double> fullPenetrationOf(const Scenario& scenario, const DrillingSettings& settings,
+                                        const std::stop_token& stop);
 
 /// Blows of all marches of a study.
 long foreseenBlows(const DrillingSettings& settings, const DrillingWants& wants);

@@ -2,8 +2,11 @@
 #include "core/study/scan/drilling_scan.h"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
+#include <cstddef>
+#include <span>
 
 #include "core/numeric/ordered_work.h"
 
@@ -16,6 +19,11 @@ constexpr std::uint64_t triedValues = 5;
 
 /// Statistics agree to that share of what they are of without any error.
 constexpr double sameMean = 1e-6;
+
+/// Two marches of one problem are one when so many blows of them are the same, to that share of what they are
+/// of; one may be up to so many blows behind the other less one.
+constexpr std::size_t sameBlows = 16;
+constexpr double sameBlow = 1e-9;
 
 /// One value of a scan.
 struct ValueWork {
@@ -50,6 +58,35 @@ bool isSameMotion(const DrillingResult& one, const DrillingResult& other) {
     return true;
 }
 
+bool isSameBlow(const DrillingBlow& one, const DrillingBlow& other) {
+    return std::ranges::all_of(
+        std::array{&DrillingBlow::gap, &DrillingBlow::velocity, &DrillingBlow::rockImpulse,
+                   &DrillingBlow::penetration, &DrillingBlow::peakForce},
+        [&](auto value) {
+            return std::abs(one.*value - other.*value) <= sameBlow * (1 + std::abs(other.*value));
+        });
+}
+
+/// Whether a march has come to where another one has been or will be: what follows is the same.
+bool hasMet(const std::vector<DrillingBlow>& blows, const std::vector<DrillingBlow>& other) {
+    if (blows.size() < 2 * sameBlows) return false;
+    const std::span last(blows.end() - sameBlows, blows.end());
+    for (std::size_t shift = 0; shift < 2 * sameBlows; ++shift) {
+        const std::size_t first = blows.size() - 2 * sameBlows + shift;
+        if (first + sameBlows > other.size()) return false;
+        if (std::equal(last.begin(), last.end(), other.begin() + static_cast<std::ptrdiff_t>(first),
+                       isSameBlow))
+            return true;
+    }
+    return false;
+}
+
+/// Whether the full rate, as penetration a blow, is that of all values: a thrust changes it nowhere under a
+/// force that is given.
+bool sharesFullRate(const Scenario& base, const SweepAxis& axis) {
+    return axis.key() == "drill.thrust" && isForced(base);
+}
+
 }  // namespace
 
 std::vector<std::string> scanRefusals(const Scenario& base, const SweepAxis& axis,
@@ -77,6 +114,9 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
     DrillingScan scan{.base = base, .axis = axis, .settings = settings, .points = {}};
+    std::optional<double> fullPenetration;
+    if (sharesFullRate(base, axis) && axis.count > 1)
+        fullPenetration = fullPenetrationOf(scenarioAt(base, axis, 0), settings, work.stop);
     std::uint64_t next = 0;
     const auto fill = [&](ValueWork& chunk) {
         if (next == axis.count) return false;
@@ -89,13 +129,20 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
             DrillingWants wants{.cellError = isTried(chunk.index, axis.count),
                                 .lyapunov = work.lyapunov,
                                 .fullRate = true,
-                                .cor = true};
+                                .cor = true,
+                                .fullPenetration = fullPenetration};
             DrillingSettings from = settings;
             chunk.rest = studyDrilling(scenario, from, wants, stop);
             wants.cellError = wants.lyapunov = wants.fullRate = wants.cor = false;
+            wants.fullPenetration.reset();
             from.start = DrillingStart::bouncing;
+            bool isMet = false;
+            wants.isEnough = [&](const std::vector<DrillingBlow>& blows) {
+                return isMet = hasMet(blows, chunk.rest.blows);
+            };
             chunk.bouncing = studyDrilling(scenario, from, wants, stop);
-            chunk.differs = !isSameMotion(chunk.rest, chunk.bouncing);
+            chunk.differs = !isMet && !isSameMotion(chunk.rest, chunk.bouncing);
+            wants.isEnough = {};
             wants.lyapunov = work.lyapunov;
             if (chunk.differs && wants.lyapunov)  // it is told, and so is its λ
                 chunk.bouncing = studyDrilling(scenario, from, wants, stop);
@@ -105,6 +152,7 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
     const auto deliver = [&](ValueWork& chunk) {
         const double value = axis.value(chunk.index);
         if (chunk.index == 0) scan.cor = chunk.rest.cor;
+        scan.bouncingBlows += static_cast<long>(chunk.bouncing.blows.size());
         for (std::size_t q = 0; q < blowQuantities.size(); ++q)
             scan.cellErrors[q] = std::max(scan.cellErrors[q], chunk.rest.cellErrors[q]);
         if (chunk.differs)

@@ -29,7 +29,8 @@ struct DrillingScan {
     std::vector<DrillingScanPoint> points;
     /// What other cells change, the largest of five values; of blowQuantities.
     std::array<double, blowQuantities.size()> cellErrors{};
-    double cor = 0;  ///< e of the blow at zero gap, of the first value; over a thrust that of all
+    long bouncingBlows = 0;  ///< that were marched from bouncing: none behind where it has come to the same
+    double cor = 0;          ///< e of the blow at zero gap, of the first value; over a thrust that of all
     double runTime = 0;
 };
 
