@@ -123,11 +123,12 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
     remarkOnValues(report.scenario, path);
     if (axis)
         report.along = ThrustAlong{*axis, curveAlong(report.scenario, *axis, jobs, limits, interruption)};
+    // Before anything is written: whoever interrupts it leaves nothing behind.
+    if (csvPath != "-") report.study = study(report.scenario, limits, interruption);
     if (csvPath)
         writeStudy(*csvPath, scenarioHeader(report.scenarioText) + thrustCsv(*report.along),
                    plots.draw(&report, drawing, interruption), overwrite, interruption);
     if (csvPath != "-") {
-        report.study = study(report.scenario, limits, interruption);
         if (!report.study.reason.empty())
             throw CommandError(ExitCode::unsolvedOrFailed,
                                path + ": could not be solved: " + report.study.reason +
