@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/form/parameter_row.h"
 
+#include <QAction>
+
 #include "ui/form/parameter_tip.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
@@ -20,6 +22,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, UnitChoice& units, const 
     m_slider->setFocusPolicy(Qt::ClickFocus);
     m_slider->setMinimumWidth(36);
     nameWidgets(sectionTitle);
+    offerGoal();
     tell();
     connect(&units, &UnitChoice::changed, this, &ParameterRow::tell);
     connect(m_field, &QuantityField::unitChosen, this, &ParameterRow::tell);
@@ -60,6 +63,17 @@ void ParameterRow::nameWidgets(const QString& sectionTitle) {
         m_field->unitButton()->setAccessibleName(tr("%1, unit").arg(name));
         m_field->unitButton()->setToolTip(tr("Unit in which the %1 is shown").arg(label));
     }
+}
+
+// By the name and the field. What counts over many blows alone changes no result of one.
+void ParameterRow::offerGoal() {
+    if (m_parameter.scope == Scope::manyBlows) return;
+    auto* action = new QAction(tr("Find the value that gives…"), m_field);
+    action->setObjectName(QStringLiteral("seek"));
+    connect(action, &QAction::triggered, this, &ParameterRow::goalRequested);
+    m_field->addAction(action);
+    m_label->addAction(action);
+    m_label->setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
 void ParameterRow::setTaker(QuantityField::Taker taker) {

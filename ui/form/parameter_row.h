@@ -42,6 +42,8 @@ class ParameterRow : public QObject {
 
   signals:
     void cleared();
+    /// The user asks which value gives a result.
+    void goalRequested();
     /// The slider was clicked twice: back to the value of the file.
     void resetRequested();
     /// Further edits are a new undo step.
@@ -50,6 +52,7 @@ class ParameterRow : public QObject {
   private:
     void setVisible(bool visible);
     void nameWidgets(const QString& sectionTitle);
+    void offerGoal();
     void tell();
     void drag(double si);
     void showProblem(const QString& problem);

@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QActionGroup>
+#include <QContextMenuEvent>
 #include <QEvent>
 #include <QKeyEvent>
 #include <QLineEdit>
@@ -35,6 +36,26 @@ double stepSize(double value, int direction) {
     const bool shrinking = (value > 0) == (direction < 0);
     if (shrinking && magnitude <= std::pow(10, decade)) decade -= 1;
     return std::pow(10, decade - 1);
+}
+
+// That of a spin box, with the actions of the field below.
+void openMenu(QAbstractSpinBox& field, QLineEdit& line, QAbstractSpinBox::StepEnabled steps,
+              const QContextMenuEvent& event) {
+    QMenu* menu = line.createStandardContextMenu();
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addSeparator();
+    const auto addStep = [&](const QString& text, int by, QAbstractSpinBox::StepEnabledFlag flag) {
+        QAction* action = menu->addAction(text, &field, [&field, by] { field.stepBy(by); });
+        action->setEnabled(steps.testFlag(flag));
+    };
+    addStep(QAbstractSpinBox::tr("&Step up"), 1, QAbstractSpinBox::StepUpEnabled);
+    addStep(QAbstractSpinBox::tr("Step &down"), -1, QAbstractSpinBox::StepDownEnabled);
+    if (!field.actions().isEmpty()) {
+        menu->addSeparator();
+        menu->addActions(field.actions());
+    }
+    const bool isByMouse = event.reason() == QContextMenuEvent::Mouse;
+    menu->popup(isByMouse ? event.globalPos() : field.mapToGlobal(field.rect().center()));
 }
 
 }  // namespace
@@ -254,6 +275,10 @@ void QuantityField::wheelEvent(QWheelEvent* event) {
 
 // Undo belongs to the document, except while there is wrong text to correct.
 bool QuantityField::event(QEvent* event) {
+    if (event->type() == QEvent::ContextMenu) {
+        openMenu(*this, *lineEdit(), stepEnabled(), static_cast<const QContextMenuEvent&>(*event));
+        return true;
+    }
     if (event->type() == QEvent::ShortcutOverride && m_problem.isEmpty()) {
         const auto* key = static_cast<QKeyEvent*>(event);
         if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {

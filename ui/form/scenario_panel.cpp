@@ -123,6 +123,8 @@ void ScenarioPanel::addRow(const Parameter& parameter, const QString& sectionTit
     if (parameter.rules.clear) row->field()->setOptional(tr("not given"));
     connect(row, &ParameterRow::cleared, this,
             [this, &parameter] { m_document.clear(parameter, m_gesture); });
+    connect(row, &ParameterRow::goalRequested, this,
+            [this, &parameter] { emit goalRequested(fromView(parameter.key)); });
     connect(row, &ParameterRow::resetRequested, this, [this, &parameter] { reset(parameter); });
     connect(row->slider(), &QSlider::sliderPressed, this, &ScenarioPanel::beginDrag);
     connect(row->slider(), &QSlider::sliderReleased, this, &ScenarioPanel::endDrag);

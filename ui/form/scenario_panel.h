@@ -36,6 +36,8 @@ class ScenarioPanel : public SteadyScrollArea {
     void dragEnded();
     /// The user wants to import a measured hammer blow.
     void importRequested();
+    /// The user asks which value of that parameter gives a result.
+    void goalRequested(const QString& key);
     /// The user wants to see the sections of the drill string.
     void sectionsRequested();
 

@@ -126,13 +126,13 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(m_rodPage, PageGroup::thisBlow);
     m_stringPage = new StringPage(m_document);
     m_pages->add(m_stringPage, PageGroup::thisBlow);
-    auto* curve = new CurvePage(m_document);
-    m_pages->add(curve, PageGroup::studies);
+    m_curvePage = new CurvePage(m_document);
+    m_pages->add(m_curvePage, PageGroup::studies);
     auto* gap = new GapPage(m_document);
     m_pages->add(gap, PageGroup::studies);
-    connect(gap, &Page::elsewhereRequested, this, [this, curve] {
-        curve->varyGap();
-        m_pages->setCurrentWidget(curve);
+    connect(gap, &Page::elsewhereRequested, this, [this] {
+        m_curvePage->varyGap();
+        m_pages->setCurrentWidget(m_curvePage);
     });
     m_pages->add(new MapPage(m_document), PageGroup::studies);
     m_pages->add(new ThrustPage(m_document), PageGroup::studies);
@@ -277,6 +277,8 @@ void MainWindow::wire() {
     connect(m_resultPanel, &ResultPanel::parameterChosen, this, &MainWindow::goToParameter);
     connect(m_scenarioPanel.get(), &ScenarioPanel::sectionsRequested, this,
             [this] { m_pages->setCurrentWidget(m_stringPage); });
+    connect(m_scenarioPanel.get(), &ScenarioPanel::goalRequested, this, &MainWindow::seekGoal);
+    connect(m_stringPage, &StringPage::goalRequested, this, &MainWindow::seekGoal);
     connect(qApp, &QGuiApplication::commitDataRequest, this, &MainWindow::endSession, Qt::DirectConnection);
 }
 
@@ -338,6 +340,14 @@ void MainWindow::goToParameter(const QString& key) {
     if (!hasSections(m_document.scenario())) return;
     m_pages->setCurrentWidget(m_stringPage);
     m_stringPage->goTo(*parameter->address);
+}
+
+// On the page first, so that the field for the goal can have the focus.
+void MainWindow::seekGoal(const QString& key) {
+    const KeptParameter parameter = findParameter(key.toStdString());
+    if (!parameter || !parameter->applies(m_document.scenario())) return;
+    m_pages->setCurrentWidget(m_curvePage);
+    m_curvePage->seek(parameter);
 }
 
 // What the page on show can write, and what it computes.

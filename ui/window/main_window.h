@@ -17,6 +17,7 @@ class QSessionManager;
 namespace drillwave {
 
 class AlertLink;
+class CurvePage;
 class ExampleNote;
 class ExportMenu;
 class FileNotice;
@@ -74,6 +75,7 @@ class MainWindow : public QMainWindow {
     void followPage();
     void goToPlace(double section, double time);
     void goToParameter(const QString& key);
+    void seekGoal(const QString& key);
     bool mayClose();
     void saveChoices() const;
     void endSession(QSessionManager& session);
@@ -107,6 +109,7 @@ class MainWindow : public QMainWindow {
     UnitsChoice* m_units;
     ReportWriter* m_report;
     PageTabs* m_pages;
+    CurvePage* m_curvePage = nullptr;
     RodPage* m_rodPage = nullptr;
     StringPage* m_stringPage = nullptr;
     SolveStatus* m_solveStatus;

@@ -8,15 +8,21 @@
 #include <utility>
 
 #include "core/model/blow_traits.h"
+#include "core/model/section_choice.h"
+#include "core/model/section_parameter.h"
 #include "core/report/curve_csv.h"
 #include "ui/form/choice_box.h"
 #include "ui/pages/curve/curve_plot.h"
+#include "ui/pages/curve/goal_field.h"
 #include "ui/pages/study/axis_fields.h"
+#include "ui/pages/study/command_text.h"
 #include "ui/pages/study/family_fields.h"
 #include "ui/pages/study/labelled_control.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/result/output_unit.h"
 #include "ui/text/shown_text.h"
+#include "ui/text/typed_quantity.h"
 
 namespace drillwave {
 namespace {
@@ -66,6 +72,7 @@ QList<QWidget*> CurvePage::makeControls() {
     m_own->setToolTip(tr("A curve for the value of the family that the scenario has, too"));
     m_own->setChecked(true);
     m_output = new OutputBox(this, OfferedOutputs::ofOneBlow);
+    m_goal = new GoalField(this);
     m_closedForm = new QCheckBox(tr("closed form"), this);
     m_closedForm->setObjectName(QStringLiteral("closedForm"));
     m_closedForm->setToolTip(
@@ -81,10 +88,12 @@ QList<QWidget*> CurvePage::makeControls() {
     connect(m_axis, &AxisFields::changed, this, &CurvePage::askSoon);
     connect(m_family, &FamilyFields::changed, this, &CurvePage::askSoon);
     connect(m_output, &OutputBox::changed, this, &CurvePage::askSoon);
+    connect(m_goal, &GoalField::changed, this, &CurvePage::takeGoal);
     connect(m_reference, &QComboBox::currentIndexChanged, this, &CurvePage::askSoon);
     for (QCheckBox* box : {m_own, m_closedForm}) connect(box, &QCheckBox::toggled, this, &CurvePage::askSoon);
     m_pointsPart = makePointsBox();
-    return {m_axis, m_output, m_family, m_own, m_pointsPart, m_closedForm, m_reference};
+    QWidget* goal = labelled(tr("goal"), m_goal, this);
+    return {m_axis, m_output, goal, m_family, m_own, m_pointsPart, m_closedForm, m_reference};
 }
 
 QWidget* CurvePage::makePointsBox() {
@@ -112,6 +121,57 @@ void CurvePage::varyGap() {
     m_axis->present(scenario());
     m_axis->setRange(
         {gap, 0, readableNear(gap, std::max(blows * d0, 2 * gap.value(scenario()).value_or(0))), false});
+}
+
+// One curve, which the answer is of. Sections of one name are asked for by that.
+void CurvePage::seek(const KeptParameter& parameter) {
+    KeptParameter varied = parameter;
+    if (const std::string called = sectionName(*parameter, scenario()); !called.empty())
+        for (const KeptParameter& each : variableSectionParameters(scenario()))
+            if (each->address && each->address->field == parameter->address->field &&
+                each->address->chain == parameter->address->chain && each->address->isCalled(called))
+                varied = each;
+    m_axis->present(scenario());
+    m_axis->setRange(rangeAround(*varied, scenario()));
+    m_family->setFamily({});
+    m_goal->setFocus(Qt::OtherFocusReason);
+    m_goal->selectAll();
+}
+
+OutputColumn CurvePage::column() const {
+    const bool isPhysical = hasUnits(scenario()) && document().units().system() != UnitSystem::dimensionless;
+    return {&m_output->output(), isPhysical ? OutputUnits::si : OutputUnits::dimensionless};
+}
+
+void CurvePage::takeGoal() {
+    const OutputColumn of = column();
+    m_goals.erase(of.output);
+    if (m_goal->value()) m_goals[of.output] = {*m_goal->value(), of.units};
+    askSoon();
+}
+
+// Where the results have been shown in other units since, by the scales of the scenario.
+std::optional<double> CurvePage::askedGoal(const OutputColumn& of) const {
+    const auto found = m_goals.find(of.output);
+    if (found == m_goals.end()) return std::nullopt;
+    const Goal& goal = found->second;
+    if (goal.units == of.units || of.output->isOnlySi()) return goal.value;
+    const double scale = of.output->scale(scalesOf(scenario()));
+    return of.units == OutputUnits::si ? goal.value * scale : goal.value / scale;
+}
+
+// In the unit that the results have.
+void CurvePage::showGoal() {
+    const OutputColumn of = column();
+    const std::optional<double> goal = askedGoal(of);
+    const Quantity quantity = of.hasUnit() ? of.output->quantity() : Quantity::ratio;
+    const Scales scales = scalesOf(scenario());
+    const UnitSystem system =
+        of.units == OutputUnits::si ? document().units().system() : UnitSystem::dimensionless;
+    const ShownUnit shown =
+        outputUnit(*of.output, shownUnits(system, scales, document().units().chosen()), goal.value_or(0));
+    const Unit* unit = typedUnit(shown.unit, quantity);
+    m_goal->present(goal, quantity, unit ? *unit : unitsOf(quantity).front());
 }
 
 // The paper's curves and its family of elasticities are of uniform rods.
@@ -156,7 +216,6 @@ StudyFamily CurvePage::askedFamily() const {
 CurvePage::Wish CurvePage::wish() const {
     const StudyRange& range = m_axis->range();
     if (!range.parameter) return {};
-    const bool isPhysical = hasUnits(scenario()) && document().units().system() != UnitSystem::dimensionless;
     CurvePageQuestion asked;
     CurveQuestion& curve = asked.curve;
     curve.base = scenario();
@@ -171,8 +230,9 @@ CurvePage::Wish CurvePage::wish() const {
         curve.family = values.axis;
         takeOut(curve.base, *family.parameter, family.values.front());
     }
-    curve.columns = {{&m_output->output(), isPhysical ? OutputUnits::si : OutputUnits::dimensionless}};
-    if (m_output->output().name == "cor" && !m_isSampled) curve.levels = {1};
+    curve.columns = {column()};
+    curve.goal = askedGoal(curve.columns.front());
+    if (m_output->output().name == "cor" && !m_isSampled && curve.goal != 1) curve.levels = {1};
     asked.reference = static_cast<ReferenceScale>(m_reference->currentIndex());
     asked.closedForm = m_closedForm->isChecked();
     QStringList problems;
@@ -186,6 +246,7 @@ void CurvePage::ask() {
     m_axis->present(scenario());
     m_family->present(scenario());
     m_output->present(scenario());
+    showGoal();
     Wish now = wish();
     m_problem = now.problem;
     if (!now.question) return m_study.job().cancel();
@@ -315,8 +376,14 @@ QStringList CurvePage::commandWords() const {
     const std::optional<CurvePageQuestion> asked = wish().question;
     if (!asked) return {};
     const QString along = fromView(axisText()), family = fromView(askedFamily().text());
+    const CurveQuestion& curve = asked->curve;
     QStringList words;
-    if (m_isSampled) {
+    if (m_isSampled && curve.goal) {
+        const StudyRange& range = m_axis->range();
+        words << QStringLiteral("curve") << QStringLiteral("--along")
+              << fromView(range.text() + range.tail());
+        if (!family.isEmpty()) words << QStringLiteral("--family") << family;
+    } else if (m_isSampled) {
         words << QStringLiteral("sweep");
         if (!family.isEmpty()) words << QStringLiteral("--vary") << family;
         words << QStringLiteral("--vary") << along;  // fastest
@@ -324,12 +391,19 @@ QStringList CurvePage::commandWords() const {
         words << QStringLiteral("curve") << QStringLiteral("--along") << along;
         if (!family.isEmpty()) words << QStringLiteral("--family") << family;
     }
-    const CurveQuestion& curve = asked->curve;
     words << QStringLiteral("--outputs") << fromView(curve.columns.front().output->name);
     for (const double level : curve.levels)
         words << QStringLiteral("--level") << fromView(formatNumber(level));
+    if (curve.goal) words << QStringLiteral("--goal") << fromView(m_goal->commandText());
     if (curve.columns.front().units == OutputUnits::si) words << QStringLiteral("--si");
     return words;
+}
+
+// With a goal the one that answers it, which has more to say than a column of numbers.
+QString CurvePage::command() const {
+    const QStringList words = commandWords();
+    if (!words.contains(QStringLiteral("--goal"))) return StudyPage::command();
+    return commandText(document(), words.first(), words.mid(1));
 }
 
 void CurvePage::click(QCPAxisRect*, QPointF coordinates, Qt::KeyboardModifiers modifiers) {

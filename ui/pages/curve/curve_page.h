@@ -3,6 +3,8 @@
 // rock, of a drill string the efficiency.
 #pragma once
 
+#include <map>
+
 #include "ui/document/preset_library.h"
 #include "ui/job/asked_study.h"
 #include "ui/pages/curve/curve_study.h"
@@ -21,6 +23,7 @@ class AxisFields;
 class FamilyFields;
 class OutputBox;
 class CurvePlot;
+class GoalField;
 
 /// A click loads the point under it, on a curve with the value of its family.
 class CurvePage : public StudyPage {
@@ -34,9 +37,13 @@ class CurvePage : public StudyPage {
     AxisFields* axis() const { return m_axis; }
     FamilyFields* family() const { return m_family; }
     OutputBox* output() const { return m_output; }
+    GoalField* goal() const { return m_goal; }
     const AskedStudy<CurvePageQuestion, CurvePageStudy>& study() const { return m_study; }
     /// Varies the gap, from none to a few times what the bit moves in a blow.
     void varyGap();
+    /// Varies that parameter around its value, for a goal to be typed. Requires that it can be varied.
+    void seek(const KeptParameter& parameter);
+    QString command() const override;
     const RunLines& runLines() const { return m_runLines; }
 
   protected:
@@ -67,6 +74,10 @@ class CurvePage : public StudyPage {
     /// Takes the controls that the form of the scenario has.
     void followForm();
     std::string axisText() const;
+    OutputColumn column() const;
+    void takeGoal();
+    void showGoal();
+    std::optional<double> askedGoal(const OutputColumn& column) const;
     Wish wish() const;
     StudyFamily askedFamily() const;
     std::optional<double> hereOf(const KeptParameter& parameter) const;
@@ -87,6 +98,13 @@ class CurvePage : public StudyPage {
     FamilyFields* m_family;
     QCheckBox* m_own;
     OutputBox* m_output;
+    GoalField* m_goal;
+    /// Of each output that has had one, in SI or not as the results were then.
+    struct Goal {
+        double value = 0;
+        OutputUnits units = OutputUnits::dimensionless;
+    };
+    std::map<const Output*, Goal> m_goals;
     QCheckBox* m_closedForm;
     QComboBox* m_reference;
     QComboBox* m_points;  // of a curve that is sampled

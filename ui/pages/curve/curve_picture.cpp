@@ -82,6 +82,16 @@ bool isMarked(const CurveFeature& feature) {
     return feature.shape != CurveFeature::Shape::end && feature.shape != CurveFeature::Shape::everywhere;
 }
 
+/// Where the goal is taken; what is told as a crossing there is not told twice.
+QVector<CurveMark> goalMarks(const CurveLine& line, double goal, double xFactor) {
+    QVector<CurveMark> marks;
+    if (!line.goal) return marks;
+    for (const GoalPlace& place : line.goal->places)
+        if (place.isGiven() && place.kind != GoalPlace::Kind::everywhere)
+            marks.append({CurveMark::Kind::goal, {place.x.value * xFactor, goal}});
+    return marks;
+}
+
 void addLines(CurvePicture& picture, const CurveStudy& study, DrawnCurve::Kind kind, double xFactor,
               std::optional<double> here, const QLocale& locale) {
     for (std::size_t i = 0; i < study.lines.size(); ++i) {
@@ -109,6 +119,12 @@ void addMarks(CurvePicture& picture, const CurvePageStudy& study) {
             else if (mark.kind != CurveMark::Kind::kink)
                 picture.extremes.append(mark.at);
         }
+        if (!picture.goal) continue;
+        for (const CurveMark& mark : goalMarks(study.curve.lines[i], *picture.goal, picture.x.factor))
+            if (isNamed)
+                picture.marks.append(mark);
+            else
+                picture.extremes.append(mark.at);
     }
 }
 
@@ -129,16 +145,49 @@ void addBands(CurvePicture& picture, const CurveQuestion& question, std::span<co
     }
 }
 
+/// A number as the summary shows it.
+QString shownText(double value, const ShownUnit& unit, const QLocale& locale) {
+    const QString number = numberText(value, 5, locale);
+    return unit.unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit.unit;
+}
+
+/// Where a line takes the goal, how well that is known, and whether there may be others.
+QString goalWords(const CurvePicture& picture, const CurveLine& line, const QLocale& locale) {
+    const QString goal = QStringLiteral("%1 = %2").arg(outputName(*picture.output),
+                                                       shownText(*picture.goal, picture.value, locale));
+    const GoalAnswer& answer = *line.goal;
+    QStringList places;
+    for (const GoalPlace& place : answer.places) {
+        if (!place.isGiven()) continue;
+        if (place.kind == GoalPlace::Kind::everywhere) return tr("%1 everywhere").arg(goal);
+        const QString at = shownText(place.x.value * picture.x.factor, picture.x, locale);
+        places << tr("%1 ± %2").arg(at, boundText(place.x.error * picture.x.factor, locale));
+    }
+    const bool isWhole = answer.isComplete;
+    if (places.isEmpty() && !answer.nearest) return tr("nothing gives %1").arg(goal);
+    if (places.isEmpty()) {
+        const QString value =
+            shownText(answer.nearest->value.value * picture.valueFactor, picture.value, locale);
+        const QString at = shownText(answer.nearest->x.value * picture.x.factor, picture.x, locale);
+        return (isWhole ? tr("nothing in this range gives %1: the nearest is %2 at %3")
+                        : tr("nothing that is known gives %1: the nearest is %2 at %3"))
+            .arg(goal, value, at);
+    }
+    constexpr int mostTold = 6;
+    if (places.size() > mostTold) return tr("%1 at %2 places").arg(goal).arg(places.size());
+    return (isWhole ? tr("%1 at %2, nowhere else in this range") : tr("%1 at %2, perhaps elsewhere too"))
+        .arg(goal, places.join(QStringLiteral("; ")));
+}
+
 /// Of the line that is marked.
 QString summaryOf(const CurvePicture& picture, const CurvePageStudy& study, const QLocale& locale) {
     const DrawnCurve* line = picture.markedLine();
     if (!line) return tr("There is no answer anywhere in this range.");
-    const CurveOutput& output = study.curve.lines[static_cast<std::size_t>(line->number)].outputs.front();
-    const auto shown = [&](double value, const ShownUnit& unit) {
-        const QString number = numberText(value, 5, locale);
-        return unit.unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit.unit;
-    };
+    const CurveLine& marked = study.curve.lines[static_cast<std::size_t>(line->number)];
+    const CurveOutput& output = marked.outputs.front();
+    const auto shown = [&](double value, const ShownUnit& unit) { return shownText(value, unit, locale); };
     QStringList parts;
+    if (marked.goal) parts << goalWords(picture, marked, locale);
     const auto add = [&](CurveFeature::Kind kind, const QString& words) {
         const CurveFeature* found = output.extreme(kind);
         if (!found || found->shape == CurveFeature::Shape::everywhere) return;
@@ -197,6 +246,7 @@ CurvePicture curvePicture(const CurvePageStudy& study, const ShownUnits& units, 
     const bool isScaled = column.units == OutputUnits::si && !column.output->isOnlySi();
     picture.valueFactor =
         picture.value.factor / (isScaled ? column.output->scale(scalesOf(question.base)) : 1);
+    if (question.goal) picture.goal = *question.goal * picture.valueFactor;
     addAbove(picture, question);
     addLines(picture, study.curve, DrawnCurve::Kind::curve, picture.x.factor, here, locale);
     addMarks(picture, study);

@@ -43,9 +43,10 @@ struct CurvePicture {
     ShownUnit value;
     double valueFactor = 1;  ///< what is shown over what the study has
     QVector<DrawnCurve> lines;
-    int marked = -1;            ///< the line that the marks are of
-    QVector<CurveMark> marks;   ///< by place
-    QVector<QPointF> extremes;  ///< of the other lines
+    int marked = -1;             ///< the line that the marks are of
+    QVector<CurveMark> marks;    ///< by place
+    QVector<QPointF> extremes;   ///< of the other lines
+    std::optional<double> goal;  ///< as shown
     QVector<PresetBand> bands;
     QString summary;
 

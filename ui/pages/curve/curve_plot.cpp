@@ -27,6 +27,7 @@ CurvePlot::CurvePlot(QCustomPlot* plot) : StudyFrame(plot) {
     addRect();
     m_bands = new PresetBands(m_rect);
     m_one = addLevel(m_rect, QStringLiteral("grid"));
+    m_goal = addLevel(m_rect, QStringLiteral("grid"));
     m_extremes = plot->addGraph(x(), y());
     m_extremes->setLineStyle(QCPGraph::lsNone);
     addHere();
@@ -62,6 +63,7 @@ void CurvePlot::present(const CurvePicture& picture) {
     showAxes();
     m_bands->present(picture.bands);
     setLevel(*m_one, picture.output && picture.output->name == "cor" ? std::optional(1.0) : std::nullopt);
+    setLevel(*m_goal, picture.goal);
     setStyle(m_style);
     finish(otherAxes);
     dropMarks();
@@ -78,6 +80,7 @@ void CurvePlot::clear() {
     m_bands->present({});
     m_extremes->data()->clear();
     setLevel(*m_one, {});
+    setLevel(*m_goal, {});
 }
 
 void CurvePlot::dropMarks() {
@@ -147,6 +150,7 @@ void CurvePlot::restyle() {
     m_extremes->setScatterStyle(
         QCPScatterStyle(QCPScatterStyle::ssCircle, QPen(style.text, 1), style.background, 5));
     m_one->setPen(QPen(style.text, 1, Qt::DashDotLine));
+    m_goal->setPen(QPen(style.text, 1.4, Qt::DashLine));
     m_bands->setStyle(style);
     if (m_marks) m_marks->setStyle(style);
 }
@@ -169,6 +173,10 @@ void CurvePlot::setRanges() {
             values = own;
     }
     if (!values) values = QCPRange(0, 1);
+    // A goal that nothing comes near would make the curves flat.
+    if (m_picture.goal &&
+        values->expanded(QCPRange(*m_picture.goal, *m_picture.goal)).size() <= 2 * values->size())
+        values->expand(*m_picture.goal);
     const double size = std::max(values->size(), 0.02 * std::abs(values->upper));
     // Names of presets stand at the bottom.
     const double below = m_picture.bands.isEmpty() ? 0.06 : 0.16;

@@ -46,6 +46,7 @@ class CurvePlot : public StudyFrame {
     QVector<QCPGraph*> m_graphs;
     QCPGraph* m_extremes = nullptr;
     QCPItemStraightLine* m_one = nullptr;
+    QCPItemStraightLine* m_goal = nullptr;
     PresetBands* m_bands = nullptr;
     std::unique_ptr<CurveMarks> m_marks;
     CurvePicture m_picture;

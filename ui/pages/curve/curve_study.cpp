@@ -37,6 +37,7 @@ CurveQuestion referenceOf(const CurvePageQuestion& question) {
     if (reference.family) reference.family = inGroups(*reference.family, "gamma", 1);
     for (OutputColumn& column : reference.columns) column.units = OutputUnits::dimensionless;
     reference.levels.clear();
+    reference.goal.reset();
     reference.method = {};
     return reference;
 }
@@ -45,6 +46,7 @@ CurveQuestion closedFormOf(const CurveQuestion& question) {
     CurveQuestion closed = question;
     closed.method.method = Method::closedForm;
     closed.levels.clear();
+    closed.goal.reset();
     return closed;
 }
 

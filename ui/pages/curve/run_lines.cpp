@@ -15,6 +15,7 @@ std::optional<CurveQuestion> runLineQuestion(const CurveQuestion& page, const Sc
     question.base.title.clear();
     question.family.reset();
     question.levels.clear();  // nothing is marked on it
+    question.goal.reset();
     takeOut(question.base, *question.along.parameter, question.along.start);
     if (!isFollowedByEvents(run) && isFollowedByEvents(page.base)) question.along.count = sampledPoints;
     const bool isUsable =

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/string/string_page.h"
 
+#include <QAction>
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QLabel>
@@ -18,6 +19,7 @@
 #include "ui/pages/study/flow_layout.h"
 #include "ui/text/number_text.h"
 #include "ui/text/settings.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -35,6 +37,7 @@ StringPage::StringPage(Document& document, QWidget* parent)
       m_words(new QLabel(this)) {
     fillTable();
     m_edits = new StringEdits(document, *m_model, *m_table);
+    offerGoal();
     m_words->setObjectName(QStringLiteral("words"));
     m_words->setWordWrap(true);
     m_words->setMargin(4);
@@ -87,6 +90,21 @@ void StringPage::fillTable() {
         header->moveSection(header->visualIndex(column), header->visualIndex(StringModel::bore) + 1);
     m_table->setWordWrap(false);
     header->setHighlightSections(false);
+}
+
+// Of the cell that the menu is opened on, which is the current one then.
+void StringPage::offerGoal() {
+    auto* action = new QAction(tr("Find the value that gives…"), m_table);
+    action->setObjectName(QStringLiteral("seek"));
+    action->setEnabled(false);
+    m_table->addAction(action);
+    connect(
+        m_table->selectionModel(), &QItemSelectionModel::currentChanged, action,
+        [this, action](const QModelIndex& index) { action->setEnabled(bool(m_model->parameterAt(index))); });
+    connect(action, &QAction::triggered, this, [this] {
+        if (const KeptParameter parameter = m_model->parameterAt(m_table->currentIndex()))
+            emit goalRequested(fromView(parameter->key));
+    });
 }
 
 QWidget* StringPage::makeBar() {

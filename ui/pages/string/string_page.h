@@ -41,8 +41,13 @@ class StringPage : public Page {
     QTableView* table() const { return m_table; }
     StringEdits* edits() const { return m_edits; }
 
+  signals:
+    /// The user asks which value of that number gives a result.
+    void goalRequested(const QString& key);
+
   private:
     QWidget* makeBar();
+    void offerGoal();
     void fillTable();
     void followSelection();
     void showColumns();

@@ -12,8 +12,9 @@ namespace {
 
 constexpr int mostNamed = 6;  // of kinks, and of crossings
 constexpr int mostNamedExtremes = 8;
-constexpr int gapToPoint = 5;     // [px]
-constexpr int unreadable = 1000;  // words over other words, worse than over any curve
+constexpr int gapToPoint = 5;              // [px]
+constexpr char goalProperty[] = "isGoal";  // of points, which are filled then
+constexpr int unreadable = 1000;           // words over other words, worse than over any curve
 
 // Where words may stand beside their point, the best first: QCPItemText aligns that corner of itself with it.
 constexpr Qt::Alignment alignments[] = {Qt::AlignLeft | Qt::AlignBottom,    Qt::AlignRight | Qt::AlignBottom,
@@ -83,6 +84,7 @@ QString wordsOf(const CurveMark& mark, const ShownUnit& xUnit, const ShownUnit& 
     switch (mark.kind) {
         case CurveMark::Kind::extreme:
             return CurveMarks::tr("%1 at %2").arg(shown(mark.at.y(), yUnit), place);
+        case CurveMark::Kind::goal:
         case CurveMark::Kind::crossing:
             return place;
         case CurveMark::Kind::kink:
@@ -129,7 +131,8 @@ void CurveMarks::add(const CurveMark& mark, const QString& words) {
     auto* point = new QCPItemTracer(m_graph->parentPlot());
     prepare(*point, *point->position);
     point->setStyle(mark.kind == CurveMark::Kind::kink ? QCPItemTracer::tsSquare : QCPItemTracer::tsCircle);
-    point->setSize(mark.kind == CurveMark::Kind::kink ? 5 : 7);
+    point->setSize(mark.kind == CurveMark::Kind::kink ? 5 : mark.kind == CurveMark::Kind::goal ? 9 : 7);
+    point->setProperty(goalProperty, mark.kind == CurveMark::Kind::goal);
     m_points.append(point);
     if (words.isEmpty()) return;
     auto* text = new QCPItemText(m_graph->parentPlot());
@@ -147,7 +150,8 @@ void CurveMarks::setStyle(const PlotStyle& style) {
 void CurveMarks::applyStyle() {
     for (QCPItemTracer* point : m_points) {
         point->setPen(QPen(m_graph->pen().color(), 1.5));
-        point->setBrush(m_style.background);
+        point->setBrush(point->property(goalProperty).toBool() ? QBrush(m_graph->pen().color())
+                                                               : QBrush(m_style.background));
     }
     for (QCPItemText* words : m_words) {
         words->setFont(m_style.font);

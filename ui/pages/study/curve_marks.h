@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Extremes, crossings and kinks of a curve, with their numbers.
+// Goals, extremes, crossings and kinks of a curve, with their numbers.
 #pragma once
 
 #include <qcustomplot.h>
@@ -15,7 +15,7 @@ namespace drillwave {
 
 /// A place of a curve that is named.
 struct CurveMark {
-    enum class Kind { extreme, crossing, kink } kind = Kind::kink;
+    enum class Kind { goal, extreme, crossing, kink } kind = Kind::kink;
     QPointF at;  ///< parameter and value as shown
     bool operator==(const CurveMark&) const = default;
 };

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a result is to be, in a line to type it.
+#pragma once
+
+#include <QLineEdit>
+#include <optional>
+
+#include "core/text/units.h"
+
+namespace drillwave {
+
+/// "0.7" or "240 kN" in the numbers of the user; none where it is empty. Text that is neither stays, marked
+/// with the reason, and changes nothing.
+class GoalField : public QLineEdit {
+    Q_OBJECT
+
+  public:
+    explicit GoalField(QWidget* parent = nullptr);
+
+    /// In SI, or as it is of a ratio.
+    std::optional<double> value() const { return m_value; }
+    /// Shows another one in that unit, which bare numbers have too, and tells nobody. What is being typed
+    /// stays where nothing else has changed.
+    void present(std::optional<double> value, Quantity quantity, const Unit& unit);
+    /// Why the text is no goal; empty when it is.
+    const QString& problem() const { return m_problem; }
+    /// "240 kN", as the command line takes it back. Requires a value.
+    std::string commandText() const;
+
+  signals:
+    /// value() is another one.
+    void changed();
+
+  private:
+    void read();
+    void presentProblem();
+
+    std::optional<double> m_value;
+    Quantity m_quantity = Quantity::ratio;
+    const Unit* m_unit;
+    QString m_problem;
+};
+
+}  // namespace drillwave
