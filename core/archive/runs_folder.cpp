@@ -63,8 +63,10 @@ Message RunsFolder::write(const std::vector<NamedFile>& files, ExistingFiles exi
     const bool keeps = existing == ExistingFiles::kept;
     if (std::string foreign = keeps ? foreignFile(files) : std::string(); !foreign.empty())
         return {
-            "%1: has been put there or changed by somebody else; move it away, or keep the runs again to "
-            "replace it",
+            translatable(
+                "drillwave::Message",
+                "%1: has been put there or changed by somebody else; move it away, or keep the runs again to "
+                "replace it"),
             {std::move(foreign)}};
     FolderFiles folder{keeps ? unwritten(files) : files, {}};
     std::vector<std::string> outdated;

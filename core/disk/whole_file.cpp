@@ -134,8 +134,10 @@ WriteFailure replaceFile(const std::string& path, std::string_view bytes) {
 }
 
 Message notWritten(const std::string& name, const WriteFailure& failure) {
-    return {failure.isFull ? "%1: cannot be written: %2; free some space or choose another place"
-                           : "%1: cannot be written: %2; choose another place",
+    return {failure.isFull
+                ? translatable("drillwave::Message",
+                               "%1: cannot be written: %2; free some space or choose another place")
+                : translatable("drillwave::Message", "%1: cannot be written: %2; choose another place"),
             {name, failure.reason}};
 }
 

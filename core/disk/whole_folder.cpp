@@ -37,7 +37,8 @@ std::string reasonOf(int error) {
 }
 
 Message notMade(const std::string& folder, const std::string& reason) {
-    return {"%1: the folder cannot be made: %2; choose another one", {folder, reason}};
+    return {translatable("drillwave::Message", "%1: the folder cannot be made: %2; choose another one"),
+            {folder, reason}};
 }
 
 /// 0, or the errno.
@@ -55,9 +56,12 @@ Message nameProblem(const std::string& path, ExistingFiles existing) {
     if (!isThere(path)) return {};
     std::error_code ignored;
     if (!fs::is_symlink(path, ignored) && !fs::is_regular_file(path, ignored))
-        return {"%1: is there and no file; choose another folder", {path}};
+        return {translatable("drillwave::Message", "%1: is there and no file; choose another folder"),
+                {path}};
     if (existing == ExistingFiles::kept)
-        return {"%1: exists already; choose another folder or ask for it to be overwritten", {path}};
+        return {translatable("drillwave::Message",
+                             "%1: exists already; choose another folder or ask for it to be overwritten"),
+                {path}};
     return {};
 }
 
@@ -202,8 +206,9 @@ class Delivery {
             if (error != EWOULDBLOCK) return failed(notWritten(m_folder, {reasonOf(error), false}));
             if (std::chrono::steady_clock::now() > end)
                 return failed(
-                    {"%1: another run has been writing there for %2 seconds; wait for it or "
-                     "choose another folder",
+                    {translatable("drillwave::Message",
+                                  "%1: another run has been writing there for %2 seconds; wait for it or "
+                                  "choose another folder"),
                      {m_folder, std::to_string(longestWait.count())}});
             std::this_thread::sleep_for(lockPatience);
         }

@@ -14,6 +14,7 @@
 #include "ui/document/scenario_edit.h"
 #include "ui/document/table_name.h"
 #include "ui/document/whole_file.h"
+#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
 
@@ -34,8 +35,7 @@ QString lines(const ScenarioError& error) {
 
 // "stiffness β", as in "Undo change stiffness β to 0.6".
 QString editName(const Parameter& parameter) {
-    const QString label = fromView(parameter.label);
-    return (label + QLatin1Char(' ') + shownSymbol(parameter.symbol)).trimmed();
+    return parameterTitle(parameter);
 }
 
 QString keyOf(const Parameter& parameter) {
@@ -188,7 +188,7 @@ void Document::setShape(PulseShape shape) {
     Scenario changed = m_scenario;
     changed.pulse.shape = shape;
     const std::string_view shapeName = name(shape);
-    push(std::move(changed), tr("change the pulse shape to %1").arg(fromView(shapeName).replace(u'_', u' ')));
+    push(std::move(changed), tr("change the pulse shape to %1").arg(coreName(shapeName)));
 }
 
 void Document::setTitle(const QString& title) {

@@ -4,6 +4,7 @@
 #include <QAction>
 
 #include "ui/form/parameter_tip.h"
+#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
 #include "ui/text/unit_choice.h"
@@ -50,7 +51,7 @@ ParameterRow::ParameterRow(const Parameter& parameter, UnitChoice& units, const 
 
 void ParameterRow::nameWidgets(const QString& sectionTitle) {
     const std::string_view shortLabel = m_parameter.rules.shortLabel;
-    const QString label = fromView(shortLabel.empty() ? m_parameter.label : shortLabel);
+    const QString label = shortLabel.empty() ? parameterLabel(m_parameter) : coreText(shortLabel);
     const QString symbol = shownSymbol(m_parameter.symbol);
     const QString name = QStringLiteral("%1: %2").arg(sectionTitle, label);
     m_label->setText(symbol.isEmpty() ? label : QStringLiteral("%1 %2").arg(label, symbol));

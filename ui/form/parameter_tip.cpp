@@ -4,7 +4,8 @@
 #include <QLocale>
 #include <cmath>
 
-#include "core/manual/parameter_facts.h"
+#include "core/model/parameter.h"
+#include "ui/text/core_text.h"
 #include "ui/text/field_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
@@ -34,8 +35,8 @@ QString hardText(const Range& range, Quantity quantity, const Unit& unit) {
 ParameterTip tipOf(const Parameter& parameter, const Unit& shown) {
     const auto text = [&](double si) { return fieldText(si, parameter.quantity, shown, QLocale()); };
     const Range& usual = parameter.plausible;
-    const QString title = QString::fromStdString(titleOf(factsOf(parameter)));
-    const QString meaning = fromView(parameter.meaning) + u'.';
+    const QString title = parameterTitle(parameter);
+    const QString meaning = coreText(parameter.meaning) + u'.';
     const QString ranges = tr("Range: %1; usual: %2 – %3.")
                                .arg(hardText(parameter.hard, parameter.quantity, shown), text(usual.low),
                                     withUnit(text(usual.high), shown));

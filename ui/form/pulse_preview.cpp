@@ -9,8 +9,8 @@
 #include "core/model/scales.h"
 #include "ui/form/pulse_curve.h"
 #include "ui/plot/plot_style.h"
+#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
-#include "ui/text/shown_text.h"
 #include "ui/text/shown_units.h"
 #include "ui/text/unit_choice.h"
 
@@ -108,8 +108,7 @@ void PulsePreview::paintEvent(QPaintEvent* /*event*/) {
 }
 
 QString shapeText(PulseShape shape) {
-    const std::string_view text = name(shape);
-    return fromView(text).replace(u'_', u' ');
+    return coreName(name(shape));
 }
 
 }  // namespace drillwave

@@ -10,25 +10,26 @@
 #include "core/model/parameter.h"
 #include "core/model/scales.h"
 #include "ui/form/parameter_row.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
 
-constexpr std::size_t mostPointsKept = 15'000;  // in a scenario itself, which may have 1 MiB
-
 QString tableText(const Scenario& scenario, const UnitChoice& units) {
     const QLocale locale;
     const auto count = static_cast<qlonglong>(scenario.pulse.tablePoints.size());
-    const QString from = scenario.pulse.tableFile.empty()
-                             ? PulseSection::tr("kept in the scenario itself")
-                             : PulseSection::tr("from %1").arg(
-                                   QFileInfo(QFile::decodeName(scenario.pulse.tableFile.c_str())).fileName());
+    const QString from =
+        scenario.pulse.tableFile.empty()
+            ? tr("kept in the scenario itself")
+            : tr("from %1").arg(QFileInfo(QFile::decodeName(scenario.pulse.tableFile.c_str())).fileName());
     if (scenario.form == ScenarioForm::dimensionless)
-        return PulseSection::tr("%1 points, scaled to t₀ and I₀, %2").arg(locale.toString(count), from);
-    return PulseSection::tr("%1 points, %2, %3, %4")
+        return tr("%1 points, scaled to t₀ and I₀, %2").arg(locale.toString(count), from);
+    return tr("%1 points, %2, %3, %4")
         .arg(locale.toString(count), units.text(pulseDuration(scenario), UnitKind::time),
              units.text(pulseImpulse(scenario), UnitKind::impulse), from);
 }
+
+constexpr int mostPointsKept = 15'000;  // in a scenario itself, which may have 1 MiB
 
 }  // namespace
 

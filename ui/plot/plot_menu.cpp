@@ -27,7 +27,6 @@ class PlotActions {
     }
 
   private:
-    static QString tr(const char* text) { return PlotMenu::tr(text); }
     void addCopyAndSave();
     void addView();
     void addScale(QCPAxis* axis, const QString& text);
@@ -41,30 +40,30 @@ class PlotActions {
 };
 
 void PlotActions::addCopyAndSave() {
-    QAction* picture = m_menu.addAction(tr("Copy &picture"), &m_plot, &PlotWidget::copyPicture);
-    picture->setToolTip(tr("This view, black on white, for a report"));
+    QAction* picture = m_menu.addAction(PlotMenu::tr("Copy &picture"), &m_plot, &PlotWidget::copyPicture);
+    picture->setToolTip(PlotMenu::tr("This view, black on white, for a report"));
     picture->setEnabled(m_plot.isCurrent());
-    QAction* copy = m_menu.addAction(tr("Copy &data"), &m_plot, &PlotWidget::copyData);
-    copy->setToolTip(tr("The numbers of what is shown, as a table for a spreadsheet"));
+    QAction* copy = m_menu.addAction(PlotMenu::tr("Copy &data"), &m_plot, &PlotWidget::copyData);
+    copy->setToolTip(PlotMenu::tr("The numbers of what is shown, as a table for a spreadsheet"));
     copy->setEnabled(m_plot.hasData() && m_plot.isCurrent());
-    m_menu.addAction(tr("&Save picture…"), &m_plot, &PlotWidget::savePictureRequested)
-        ->setToolTip(tr("This view as PNG, SVG or PDF"));
-    QAction* save = m_menu.addAction(tr("Save da&ta…"), &m_plot, &PlotWidget::saveDataRequested);
-    save->setToolTip(tr("The numbers of what is shown, as CSV"));
+    m_menu.addAction(PlotMenu::tr("&Save picture…"), &m_plot, &PlotWidget::savePictureRequested)
+        ->setToolTip(PlotMenu::tr("This view as PNG, SVG or PDF"));
+    QAction* save = m_menu.addAction(PlotMenu::tr("Save da&ta…"), &m_plot, &PlotWidget::saveDataRequested);
+    save->setToolTip(PlotMenu::tr("The numbers of what is shown, as CSV"));
     save->setEnabled(m_plot.hasData());
 }
 
 void PlotActions::addView() {
-    m_menu.addAction(withKey(tr("&Fit"), Qt::Key_Home), &m_plot, &PlotWidget::fit)
-        ->setToolTip(tr("Bring all curves into view"));
-    QAction* back = m_menu.addAction(withKey(tr("&Zoom back"), Qt::Key_Backspace), &m_plot,
+    m_menu.addAction(withKey(PlotMenu::tr("&Fit"), Qt::Key_Home), &m_plot, &PlotWidget::fit)
+        ->setToolTip(PlotMenu::tr("Bring all curves into view"));
+    QAction* back = m_menu.addAction(withKey(PlotMenu::tr("&Zoom back"), Qt::Key_Backspace), &m_plot,
                                      [plot = &m_plot] { plot->view().goBack(); });
-    back->setToolTip(tr("The view before"));
+    back->setToolTip(PlotMenu::tr("The view before"));
     back->setEnabled(m_plot.view().canGoBack());
     QCPAxisRect* rect = m_plot.axisRectAt(m_at) ? m_plot.axisRectAt(m_at) : m_plot.view().activeRect();
     if (!rect) return;
-    addScale(rect->axis(QCPAxis::atBottom), tr("Logarithmic &horizontal axis"));
-    addScale(rect->axis(QCPAxis::atLeft), tr("Logarithmic &vertical axis"));
+    addScale(rect->axis(QCPAxis::atBottom), PlotMenu::tr("Logarithmic &horizontal axis"));
+    addScale(rect->axis(QCPAxis::atLeft), PlotMenu::tr("Logarithmic &vertical axis"));
 }
 
 void PlotActions::addScale(QCPAxis* axis, const QString& text) {
@@ -74,7 +73,8 @@ void PlotActions::addScale(QCPAxis* axis, const QString& text) {
     action->setCheckable(true);
     action->setChecked(logarithmic);
     action->setEnabled(reason.isEmpty());
-    action->setToolTip(reason.isEmpty() ? tr("Equal steps are equal factors; zeros are cut off") : reason);
+    action->setToolTip(reason.isEmpty() ? PlotMenu::tr("Equal steps are equal factors; zeros are cut off")
+                                        : reason);
     QObject::connect(action, &QAction::toggled, &m_plot, [plot = &m_plot, axis = QPointer(axis)](bool on) {
         if (axis) plot->setAxisScale(axis, on ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
     });
@@ -83,7 +83,7 @@ void PlotActions::addScale(QCPAxis* axis, const QString& text) {
 void PlotActions::addCurves() {
     const QList<QCPAbstractPlottable*> curves = namedCurves(m_plot);
     if (curves.isEmpty()) return;
-    QMenu* shown = m_menu.addMenu(tr("&Curves shown"));
+    QMenu* shown = m_menu.addMenu(PlotMenu::tr("&Curves shown"));
     shown->setObjectName(QStringLiteral("curvesMenu"));
     for (QCPAbstractPlottable* curve : curves) {
         QAction* action =
@@ -99,11 +99,12 @@ void PlotActions::addCurves() {
 
 void PlotActions::addKeyPoint() {
     QAction* enter =
-        m_menu.addAction(withKey(tr("&Point for keys"), Qt::Key_Enter), &m_plot, [plot = &m_plot] {
+        m_menu.addAction(withKey(PlotMenu::tr("&Point for keys"), Qt::Key_Enter), &m_plot, [plot = &m_plot] {
             plot->setFocus();
             plot->keyPoint().enter();
         });
-    enter->setToolTip(tr("Arrows move it, N goes to the next mark; Enter then does what a click there does"));
+    enter->setToolTip(
+        PlotMenu::tr("Arrows move it, N goes to the next mark; Enter then does what a click there does"));
     enter->setEnabled(!m_plot.keyPoint().place());
 }
 
@@ -116,17 +117,19 @@ void PlotActions::addCursors() {
                        [plot = &m_plot, cursor, at = m_at] { plot->mover().placeAt(cursor, at); })
             ->setToolTip(toolTip);
     };
-    add(PlotCursor::a, tr("Cursor &A here"), Qt::Key_A, tr("Reads the curves here; can be dragged"));
-    add(PlotCursor::b, tr("Cursor &B here"), Qt::Key_B,
-        tr("Reads the curves here; slope, mean and integral from A to B"));
+    add(PlotCursor::a, PlotMenu::tr("Cursor &A here"), Qt::Key_A,
+        PlotMenu::tr("Reads the curves here; can be dragged"));
+    add(PlotCursor::b, PlotMenu::tr("Cursor &B here"), Qt::Key_B,
+        PlotMenu::tr("Reads the curves here; slope, mean and integral from A to B"));
     if (m_plot.offersTime())
-        add(PlotCursor::time, tr("&Time cursor here"), Qt::Key_T, tr("The instant shown on all pages"));
+        add(PlotCursor::time, PlotMenu::tr("&Time cursor here"), Qt::Key_T,
+            PlotMenu::tr("The instant shown on all pages"));
     CurveReader& reader = m_plot.reader();
-    QAction* remove = m_menu.addAction(tr("&Remove cursors A and B"), &reader, &CurveReader::clear);
-    remove->setToolTip(tr("The table below the plot reads what is in view then"));
+    QAction* remove = m_menu.addAction(PlotMenu::tr("&Remove cursors A and B"), &reader, &CurveReader::clear);
+    remove->setToolTip(PlotMenu::tr("The table below the plot reads what is in view then"));
     remove->setEnabled(reader.position(PlotCursor::a) || reader.position(PlotCursor::b));
-    QAction* copy = m_menu.addAction(tr("Copy the &table below"), &reader, &CurveReader::copy);
-    copy->setToolTip(tr("What is read at the cursors, or in view, to paste into a spreadsheet"));
+    QAction* copy = m_menu.addAction(PlotMenu::tr("Copy the &table below"), &reader, &CurveReader::copy);
+    copy->setToolTip(PlotMenu::tr("What is read at the cursors, or in view, to paste into a spreadsheet"));
     copy->setEnabled(!reader.text().isEmpty() && m_plot.isCurrent());
 }
 

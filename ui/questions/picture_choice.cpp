@@ -41,14 +41,15 @@ QString PictureChoice::problem() const {
     const QLocale locale;
     if (!within(size.width, leastMillimetres, mostMillimetres) ||
         !within(size.height, leastMillimetres, mostMillimetres))
-        return tr("Width and height must be from %1 to %2 mm.")
+        return drillwave::tr("Width and height must be from %1 to %2 mm.")
             .arg(locale.toString(leastMillimetres), locale.toString(mostMillimetres));
     if (format != QLatin1String("png")) return {};
     if (!within(dpi, leastDpi, mostDpi))
-        return tr("The resolution must be from %1 to %2 dpi.")
+        return drillwave::tr("The resolution must be from %1 to %2 dpi.")
             .arg(locale.toString(leastDpi), locale.toString(mostDpi));
     if (double(pixels().width()) * pixels().height() > mostPixels)
-        return tr("That is more than %1 million pixels: choose a smaller size or a lower resolution.")
+        return drillwave::tr(
+                   "That is more than %1 million pixels: choose a smaller size or a lower resolution.")
             .arg(locale.toString(mostPixels / 1e6));
     return {};
 }

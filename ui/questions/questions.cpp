@@ -28,20 +28,21 @@ void printOut(const QString& what, const QString& details) {
 }
 
 QString scenarioFilter() {
-    return tr("Scenarios (*.yaml *.yml);;All files (*)");
+    return drillwave::tr("Scenarios (*.yaml *.yml);;All files (*)");
 }
 
 QString openFilter() {
-    return tr("Scenarios and results (*.yaml *.yml *.csv *.json *.html);;All files (*)");
+    return drillwave::tr("Scenarios and results (*.yaml *.yml *.csv *.json *.html);;All files (*)");
 }
 
 }  // namespace
 
 Questions::Unsaved DialogQuestions::unsavedChanges(QWidget* parent, const QString& name) {
     if (!someoneIsThere()) return Unsaved::discard;
-    QMessageBox box(QMessageBox::Warning, tr("Unsaved changes"), tr("Save the changes to “%1”?").arg(name),
+    QMessageBox box(QMessageBox::Warning, drillwave::tr("Unsaved changes"),
+                    drillwave::tr("Save the changes to “%1”?").arg(name),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
-    box.setInformativeText(tr("They are lost otherwise."));
+    box.setInformativeText(drillwave::tr("They are lost otherwise."));
     box.setDefaultButton(QMessageBox::Save);
     switch (box.exec()) {
         case QMessageBox::Save:
@@ -58,9 +59,10 @@ bool DialogQuestions::closeAllTheSame(QWidget* parent, const QString& what, cons
         printOut(what, details);
         return true;
     }
-    QMessageBox box(QMessageBox::Warning, tr("Drillwave"), what, QMessageBox::Cancel, parent);
+    QMessageBox box(QMessageBox::Warning, drillwave::tr("Drillwave"), what, QMessageBox::Cancel, parent);
     box.setInformativeText(details);
-    const QAbstractButton* closes = box.addButton(tr("Close all the same"), QMessageBox::DestructiveRole);
+    const QAbstractButton* closes =
+        box.addButton(drillwave::tr("Close all the same"), QMessageBox::DestructiveRole);
     box.setDefaultButton(QMessageBox::Cancel);
     box.exec();
     return box.clickedButton() == closes;
@@ -68,7 +70,7 @@ bool DialogQuestions::closeAllTheSame(QWidget* parent, const QString& what, cons
 
 QString DialogQuestions::fileToOpen(QWidget* parent, const QString& folder) {
     if (!someoneIsThere()) return {};
-    return QFileDialog::getOpenFileName(parent, tr("Open a scenario"), folder, openFilter());
+    return QFileDialog::getOpenFileName(parent, drillwave::tr("Open a scenario"), folder, openFilter());
 }
 
 QString DialogQuestions::fileToImport(QWidget* parent, const QString& title, const QString& folder,
@@ -79,7 +81,7 @@ QString DialogQuestions::fileToImport(QWidget* parent, const QString& title, con
 
 QString DialogQuestions::fileToSave(QWidget* parent, const QString& suggestion) {
     if (!someoneIsThere()) return {};
-    QFileDialog dialog(parent, tr("Save the scenario"), suggestion, scenarioFilter());
+    QFileDialog dialog(parent, drillwave::tr("Save the scenario"), suggestion, scenarioFilter());
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(QStringLiteral("yaml"));
     dialog.selectFile(suggestion);
@@ -105,7 +107,7 @@ std::unique_ptr<QPrinter> DialogQuestions::printer(QWidget* parent, const QStrin
 
 QString DialogQuestions::folderToExport(QWidget* parent, const QString& suggestion) {
     if (!someoneIsThere()) return {};
-    FolderDialog dialog(parent, tr("Export everything into a folder"), suggestion);
+    FolderDialog dialog(parent, drillwave::tr("Export everything into a folder"), suggestion);
     return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().value(0) : QString();
 }
 
@@ -119,7 +121,7 @@ std::optional<PictureChoice> DialogQuestions::picture(QWidget* parent, const Pic
 bool DialogQuestions::confirm(QWidget* parent, const QString& question, const QString& details,
                               const QString& action) {
     if (!someoneIsThere()) return false;
-    QMessageBox box(QMessageBox::Warning, tr("Drillwave"), question, QMessageBox::Cancel, parent);
+    QMessageBox box(QMessageBox::Warning, drillwave::tr("Drillwave"), question, QMessageBox::Cancel, parent);
     box.setInformativeText(details);
     const QAbstractButton* does = box.addButton(action, QMessageBox::AcceptRole);
     box.setDefaultButton(QMessageBox::Cancel);
@@ -129,12 +131,13 @@ bool DialogQuestions::confirm(QWidget* parent, const QString& question, const QS
 
 Questions::Recovery DialogQuestions::recover(QWidget* parent, const QString& name, const QString& details) {
     if (!someoneIsThere()) return Recovery::later;
-    QMessageBox box(QMessageBox::Question, tr("Unsaved changes found"),
-                    tr("Restore the unsaved changes to “%1”?").arg(name), QMessageBox::NoButton, parent);
+    QMessageBox box(QMessageBox::Question, drillwave::tr("Unsaved changes found"),
+                    drillwave::tr("Restore the unsaved changes to “%1”?").arg(name), QMessageBox::NoButton,
+                    parent);
     box.setInformativeText(details);
-    QPushButton* restore = box.addButton(tr("&Restore"), QMessageBox::AcceptRole);
-    const QAbstractButton* discard = box.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
-    box.setEscapeButton(box.addButton(tr("&Later"), QMessageBox::RejectRole));
+    QPushButton* restore = box.addButton(drillwave::tr("&Restore"), QMessageBox::AcceptRole);
+    const QAbstractButton* discard = box.addButton(drillwave::tr("&Discard"), QMessageBox::DestructiveRole);
+    box.setEscapeButton(box.addButton(drillwave::tr("&Later"), QMessageBox::RejectRole));
     box.setDefaultButton(restore);
     box.exec();
     if (box.clickedButton() == discard) return Recovery::discard;
@@ -144,7 +147,7 @@ Questions::Recovery DialogQuestions::recover(QWidget* parent, const QString& nam
 void DialogQuestions::tell(QWidget* parent, Tone tone, const QString& what, const QString& details) {
     if (!someoneIsThere()) return printOut(what, details);
     auto* box = new QMessageBox(tone == Tone::failure ? QMessageBox::Warning : QMessageBox::Information,
-                                tr("Drillwave"), what, QMessageBox::Ok, parent);
+                                drillwave::tr("Drillwave"), what, QMessageBox::Ok, parent);
     box->setInformativeText(details);
     box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     // Lines that begin with a path need width.

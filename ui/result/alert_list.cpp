@@ -7,6 +7,7 @@
 
 #include "core/model/parameter.h"
 #include "core/report/alert_words.h"
+#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -17,7 +18,7 @@ constexpr std::chrono::milliseconds shorterListRest{1500};
 
 QString fieldName(std::string_view key) {
     const KeptParameter parameter = findParameter(key);
-    return fromView(parameter ? parameter->label : key);
+    return parameter ? parameterLabel(*parameter) : fromView(key);
 }
 
 }  // namespace

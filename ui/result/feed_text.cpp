@@ -6,6 +6,7 @@
 
 #include "core/report/feed_words.h"
 #include "ui/runs/difference_text.h"
+#include "ui/text/core_text.h"
 #include "ui/text/local_style.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
@@ -99,7 +100,7 @@ QString marginChangeText(double margin, double reference, const SolvedBlow& blow
 }
 
 QString feedText(const SolvedBlow& blow) {
-    return blow.feed ? fromView(feedWord(blow.feed->feed)) : QString();
+    return blow.feed ? coreText(feedWord(blow.feed->feed)) : QString();
 }
 
 QString feedMeaningText(const SolvedBlow& blow) {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/result/output_text.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cmath>
 
@@ -9,13 +8,10 @@
 #include "core/model/blow_traits.h"
 #include "ui/result/output_unit.h"
 #include "ui/text/number_text.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
-
-QString words(const char* text) {
-    return QCoreApplication::translate("ResultPanel", text);
-}
 
 QString shown(double value, const ShownUnit& unit) {
     return quantityText(value, unit, QLocale());
@@ -70,7 +66,7 @@ QString impulseText(const Output& output, const SolvedBlow& blow) {
 }
 
 QString corErrorText(const SolvedBlow& blow) {
-    return words("Numerical error ± %1").arg(magnitudeText(blow.summary.corError, QLocale()));
+    return tr("Numerical error ± %1").arg(magnitudeText(blow.summary.corError, QLocale()));
 }
 
 std::optional<RodForce> placeOf(const Output& output, const SolvedBlow& blow) {
@@ -86,12 +82,12 @@ QString placeText(const Output& output, const SolvedBlow& blow) {
     if (!found) return {};
     const RodForce& force = *found;
     const QString time = shown(force.time, blow.units.time);
-    if (force.section < 0) return words("in the hammer, %1").arg(time);
+    if (force.section < 0) return tr("in the hammer, %1").arg(time);
     if (hasSections(blow.scenario))
-        return words("%1 from the shank, %2").arg(shown(force.section, blow.units.length), time);
+        return tr("%1 from the shank, %2").arg(shown(force.section, blow.units.length), time);
     if (blow.request.units == UnitSystem::dimensionless)
-        return words("at x/L = %1, t = %2").arg(numberText(force.section, 3, QLocale()), time);
-    return words("%1 from the hammer, %2").arg(shown(force.section, blow.units.length), time);
+        return tr("at x/L = %1, t = %2").arg(numberText(force.section, 3, QLocale()), time);
+    return tr("%1 from the hammer, %2").arg(shown(force.section, blow.units.length), time);
 }
 
 }  // namespace drillwave

@@ -10,15 +10,12 @@
 #include "ui/result/feed_text.h"
 #include "ui/result/output_text.h"
 #include "ui/result/output_unit.h"
+#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
-
-QString labelWords(std::string_view text) {
-    return tr(std::string(text).c_str());
-}
 
 ResultEntry::Number numberOf(const Output& output) {
     if (output.measure == Measure::error) return nullptr;
@@ -51,8 +48,8 @@ QList<ResultEntry> outputEntries(OutputGroup group) {
     for (const Output* const each : wanted) {
         const Output& output = *each;
         const auto concerns = [&output](const Scenario& scenario) { return output.concerns(scenario); };
-        entries.append({.name = labelWords(output.label()),
-                        .meaning = labelWords(output.note),
+        entries.append({.name = coreText(output.label()),
+                        .meaning = coreText(output.note),
                         .text = textOf(output),
                         .part = output.part,
                         .number = numberOf(output),

@@ -117,8 +117,8 @@ void ResultRow::presentChange(const SolvedBlow& blow, const SolvedBlow* referenc
     m_change->setText(change);
     m_change->setVisible(!change.isEmpty());
     if (change.isEmpty()) return;
-    m_change->setToolTip(tr("Off %1 by so much").arg(title));
-    m_change->setAccessibleName(tr("%1, against %2: %3").arg(m_entry.name, title, change));
+    m_change->setToolTip(drillwave::tr("Off %1 by so much").arg(title));
+    m_change->setAccessibleName(drillwave::tr("%1, against %2: %3").arg(m_entry.name, title, change));
 }
 
 }  // namespace drillwave

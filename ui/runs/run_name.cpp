@@ -8,6 +8,7 @@
 #include "core/model/blow_traits.h"
 #include "core/model/scenario_difference.h"
 #include "core/model/section_parameter.h"
+#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
@@ -22,7 +23,7 @@ constexpr qsizetype mostChanges = 4;  // more are no name
 // "k", "blow frequency"; of a section "coupling ⌀", "rod length", "section 2 bore".
 QString nameWords(const Parameter& parameter, const Scenario& scenario) {
     if (!parameter.address)
-        return parameter.symbol.empty() ? fromView(parameter.label) : shownSymbol(parameter.symbol);
+        return parameter.symbol.empty() ? parameterLabel(parameter) : shownSymbol(parameter.symbol);
     const SectionAddress& address = *parameter.address;
     QString section = QString::fromStdString(sectionName(parameter, scenario));
     if (section.isEmpty())
@@ -30,7 +31,7 @@ QString nameWords(const Parameter& parameter, const Scenario& scenario) {
             (address.chain == SectionAddress::Chain::hammer ? tr("hammer section %1") : tr("section %1"))
                 .arg(address.place);
     if (address.field->key == "diameter") return section + QStringLiteral(" ⌀");
-    return section + QLatin1Char(' ') + fromView(address.field->label);
+    return section + QLatin1Char(' ') + coreText(address.field->label);
 }
 
 // "k 300 MN/m", "blow frequency 60 Hz", "coupling ⌀39 mm".
@@ -48,7 +49,7 @@ QString valueWords(const Parameter& parameter, const Scenario& scenario, const U
 QString blowWords(const Pulse& pulse) {
     if (pulse.shape == PulseShape::table && !pulse.tableFile.empty())
         return QFileInfo(QString::fromStdString(pulse.tableFile)).fileName();
-    return fromView(name(pulse.shape)).replace(u'_', u' ');
+    return coreName(name(pulse.shape));
 }
 
 }  // namespace

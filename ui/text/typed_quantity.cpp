@@ -159,7 +159,7 @@ class Arithmetic {
         return value;
     }
     double quotient(double value, double divisor) {
-        return divisor == 0 ? fail(tr("divides by zero")) : value / divisor;
+        return divisor == 0 ? fail(drillwave::tr("divides by zero")) : value / divisor;
     }
     double factor() {
         if (take(u"(")) return bracket();
@@ -168,17 +168,17 @@ class Arithmetic {
         m_at += number.length;
         if (!number.problem.isEmpty()) return fail(number.problem);
         const std::optional<double> value = parseNumber(number.text.toStdString());
-        return value ? *value : fail(tr("has no number where one is needed"));
+        return value ? *value : fail(drillwave::tr("has no number where one is needed"));
     }
     double bracket() {
-        if (++m_depth > deepestBrackets) return fail(tr("has too many brackets in each other"));
+        if (++m_depth > deepestBrackets) return fail(drillwave::tr("has too many brackets in each other"));
         double value = takeSign() * product();
         while (problem.isEmpty() && (next() == u'+' || next() == u'-')) {
             const double sign = takeSign();
             value += sign * product();
         }
         --m_depth;
-        if (!take(u")")) fail(tr("lacks a closing bracket; a unit stands behind it"));
+        if (!take(u")")) fail(drillwave::tr("lacks a closing bracket; a unit stands behind it"));
         return value;
     }
 
@@ -193,7 +193,7 @@ TypedQuantity refused(const QString& problem) {
 }
 
 TypedQuantity quantityOf(double value, const QString& unit, Quantity quantity, const Unit& defaultUnit) {
-    if (!std::isfinite(value)) return refused(tr("is too large"));
+    if (!std::isfinite(value)) return refused(drillwave::tr("is too large"));
     const Unit* known = typedUnit(unit, quantity);
     const std::string name = known ? std::string(known->name) : unit.toStdString();
     return parseQuantity(formatNumber(value) + " " + name, quantity, BareNumber::inDefaultUnit, &defaultUnit);

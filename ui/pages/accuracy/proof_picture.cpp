@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
@@ -156,10 +157,13 @@ ProofPicture stabilityPicture(const StabilityReport& report, const QLocale& loca
     picture.caption = stabilitySentence(report, locale);
     picture.mark = 1;
     picture.markName = tr("a case above has failed");
-    constexpr std::array<std::string_view, 8> measures{"momentum", "energy", "continuity",   "limit",
-                                                       "lattice",  "pull",   "stated error", "return"};
+    constexpr std::array<std::string_view, 8> measures{
+        QT_TRANSLATE_NOOP("core", "momentum"),     QT_TRANSLATE_NOOP("core", "energy"),
+        QT_TRANSLATE_NOOP("core", "continuity"),   QT_TRANSLATE_NOOP("core", "limit"),
+        QT_TRANSLATE_NOOP("core", "lattice"),      QT_TRANSLATE_NOOP("core", "pull"),
+        QT_TRANSLATE_NOOP("core", "stated error"), QT_TRANSLATE_NOOP("core", "return")};
     for (const std::string_view measure : measures) {
-        ProofSeries series{.name = fromView(measure),
+        ProofSeries series{.name = coreText(measure),
                            .points = ProofSeries::Points::apart,
                            .at = {},
                            .labels = {},
@@ -189,7 +193,7 @@ QString stabilitySentence(const StabilityReport& report, const QLocale& locale) 
     if (!std::isfinite(worst.ratio))
         return count + tr("; not solved: %1").arg(QString::fromStdString(nearest.stabilityCase.name));
     return count + tr("; the worst: %1, %2 at %3 of its mark")
-                       .arg(QString::fromStdString(nearest.stabilityCase.name), fromView(worst.measure),
+                       .arg(QString::fromStdString(nearest.stabilityCase.name), coreText(worst.measure),
                             numberText(worst.ratio, 2, locale));
 }
 

@@ -8,6 +8,7 @@
 
 #include "core/report/accuracy_columns.h"
 #include "ui/pages/accuracy/proof_picture.h"
+#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
@@ -54,12 +55,12 @@ QString stabilityCell(const StabilityRow& row, int column) {
         case 0:
             return QString::fromStdString(row.stabilityCase.name);
         case 1:
-            return fromView(worst.measure);
+            return coreText(worst.measure);
         case 2:
             return isSolved ? numberText(100 * worst.ratio, 2, locale) + QStringLiteral(" %")
                             : QString::fromStdString(row.reason);
         case 3:
-            return fromView(name(row.stabilityCase.shape)).replace(u'_', u' ');
+            return coreName(name(row.stabilityCase.shape));
         case 4:
             return numberText(groups.beta, 4, locale);
         case 5:
@@ -89,7 +90,7 @@ void ProofTable::take(const QStringList& titles, std::vector<std::size_t> order,
 
 void ProofTable::present(std::shared_ptr<const Accuracy> accuracy) {
     QStringList titles{tr("method")};
-    for (const StudyColumn<AccuracyRow>* column : shownColumns()) titles << fromView(column->title);
+    for (const StudyColumn<AccuracyRow>* column : shownColumns()) titles << coreText(column->title);
     const std::size_t rows = accuracy->rows.size();
     take(titles, numbered(rows), [accuracy, columns = shownColumns()](std::size_t i, int column) {
         const AccuracyRow& row = accuracy->rows[i];
@@ -106,7 +107,7 @@ void ProofTable::present(std::shared_ptr<const Accuracy> accuracy) {
 void ProofTable::present(std::shared_ptr<const StringAccuracy> accuracy) {
     QStringList titles{tr("method")};
     for (const StudyColumn<StringAccuracyRow>& column : stringAccuracyColumns)
-        titles << fromView(column.title);
+        titles << coreText(column.title);
     const std::size_t rows = accuracy->rows.size();
     take(titles, numbered(rows), [accuracy](std::size_t i, int column) {
         const StringAccuracyRow& row = accuracy->rows[i];

@@ -12,6 +12,7 @@
 #include "ui/pages/study/parameter_names.h"
 #include "ui/result/output_unit.h"
 #include "ui/runs/difference_text.h"
+#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
 #include "ui/text/typed_text.h"
@@ -48,7 +49,7 @@ void addBlow(CompareTable& table, const Columns& columns) {
     for (const CompareColumn& each : columns) {
         const Pulse& pulse = each.scenario->pulse;
         row.words << (!isForced(*each.scenario) ? tr("elastic hammer")
-                      : pulse.tableFile.empty() ? fromView(name(pulse.shape)).replace(u'_', u' ')
+                      : pulse.tableFile.empty() ? coreName(name(pulse.shape))
                                                 : QString::fromStdString(pulse.tableFile));
     }
     table.rows.push_back(std::move(row));
@@ -61,7 +62,7 @@ QString nameIn(const Parameter& parameter, const std::vector<const Scenario*>& s
             const SectionAddress& address = *parameter.address;
             const bool ofHammer = address.chain == SectionAddress::Chain::hammer;
             return (ofHammer ? tr("%1 of %2 (hammer section %3)") : tr("%1 of %2 (section %3)"))
-                .arg(fromView(address.field->label), QString::fromStdString(section))
+                .arg(coreText(address.field->label), QString::fromStdString(section))
                 .arg(address.place);
         }
     return parameterName(parameter);

@@ -11,6 +11,7 @@
 #include "ui/pages/study/parameter_names.h"
 #include "ui/pages/study/preset_places.h"
 #include "ui/result/output_unit.h"
+#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
@@ -43,13 +44,11 @@ void addAbove(CurvePicture& picture, const CurveQuestion& question) {
 
 QString familyName(const CurveStudy& study, const CurveLine& line, const QLocale& locale) {
     if (!line.family) return {};
-    if (!study.question.family->parameter)
-        return fromView(name(static_cast<PulseShape>(*line.family)))
-            .replace(QLatin1Char('_'), QLatin1Char(' '));
+    if (!study.question.family->parameter) return coreName(name(static_cast<PulseShape>(*line.family)));
     const Parameter& parameter = *study.question.family->parameter;
     const Unit& unit = parameter.displayUnit();
     const QString symbol =
-        parameter.symbol.empty() ? fromView(parameter.label) : shownSymbol(parameter.symbol);
+        parameter.symbol.empty() ? parameterLabel(parameter) : shownSymbol(parameter.symbol);
     QString text = symbol + QStringLiteral(" = ") + numberText(unit.fromSi(*line.family), 4, locale);
     if (!unit.name.empty()) text += QChar(QChar::Nbsp) + fromView(unit.name);
     return text;

@@ -126,7 +126,7 @@ void addBars(DesignPicture& picture, const DesignReport& report) {
         for (std::size_t i = 0; i < output.indices.size(); ++i) {
             const bool isInput = i < study.uncertain.size();
             const SobolIndex& index = output.indices[i];
-            bars.bars.append({isInput ? parameterName(*study.uncertain[i].parameter) : tr("draws"),
+            bars.bars.append({isInput ? parameterName(*study.uncertain[i].parameter) : drillwave::tr("draws"),
                               std::clamp(index.first.value, 0.0, 1.0), index.total.value});
         }
         picture.bars.append(bars);
@@ -170,7 +170,7 @@ QString DesignUnits::designName(std::uint64_t design) const {
     QStringList names;
     const std::vector<double> values = m_study->choice(design);
     for (std::size_t i = 0; i < values.size(); ++i) names << text(m_study->choices[i], values[i]);
-    return names.isEmpty() ? tr("this scenario") : names.join(QStringLiteral(", "));
+    return names.isEmpty() ? drillwave::tr("this scenario") : names.join(QStringLiteral(", "));
 }
 
 QString aimName(const DesignAim& aim) {
@@ -203,7 +203,7 @@ DesignPicture designPicture(const DesignReport& report, const DesignUnits& units
         addSeries(picture, report, units);
     addPareto(picture, report, units);
     addBars(picture, report);
-    picture.summary = tr("%1 of %2 designs, robust best %3")
+    picture.summary = drillwave::tr("%1 of %2 designs, robust best %3")
                           .arg(picture.aimName, QString::number(study.designCount()),
                                units.designName(*report.findings.best.robust));
     return picture;

@@ -19,18 +19,19 @@ struct TableRow {
     const char* meaning;
 };
 constexpr TableRow tableRows[] = {
-    {0, QT_TRANSLATE_NOOP("DrillingTable", "gap at the blow"),
-     QT_TRANSLATE_NOOP("DrillingTable", "Between bit and rock when the hammer strikes")},
-    {3, QT_TRANSLATE_NOOP("DrillingTable", "penetration"),
-     QT_TRANSLATE_NOOP("DrillingTable", "Of a blow, an upper limit: all rock under the bit gives way")},
-    {2, QT_TRANSLATE_NOOP("DrillingTable", "rock impulse"),
-     QT_TRANSLATE_NOOP("DrillingTable",
+    {0, QT_TRANSLATE_NOOP("drillwave::DrillingTable", "gap at the blow"),
+     QT_TRANSLATE_NOOP("drillwave::DrillingTable", "Between bit and rock when the hammer strikes")},
+    {3, QT_TRANSLATE_NOOP("drillwave::DrillingTable", "penetration"),
+     QT_TRANSLATE_NOOP("drillwave::DrillingTable",
+                       "Of a blow, an upper limit: all rock under the bit gives way")},
+    {2, QT_TRANSLATE_NOOP("drillwave::DrillingTable", "rock impulse"),
+     QT_TRANSLATE_NOOP("drillwave::DrillingTable",
                        "Of a blow and the cycle behind it; on the mean the feed times the "
                        "interval")},
-    {4, QT_TRANSLATE_NOOP("DrillingTable", "peak force"),
-     QT_TRANSLATE_NOOP("DrillingTable", "Largest force of the rock in a cycle")},
-    {6, QT_TRANSLATE_NOOP("DrillingTable", "contacts"),
-     QT_TRANSLATE_NOOP("DrillingTable", "How many contacts begin in a cycle")}};
+    {4, QT_TRANSLATE_NOOP("drillwave::DrillingTable", "peak force"),
+     QT_TRANSLATE_NOOP("drillwave::DrillingTable", "Largest force of the rock in a cycle")},
+    {6, QT_TRANSLATE_NOOP("drillwave::DrillingTable", "contacts"),
+     QT_TRANSLATE_NOOP("drillwave::DrillingTable", "How many contacts begin in a cycle")}};
 constexpr int rowCountOfTable = int(std::size(tableRows));
 
 }  // namespace

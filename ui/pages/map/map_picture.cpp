@@ -62,12 +62,12 @@ QString MapPicture::textAt(MapGrid::Place place, const QLocale& locale) const {
     const double value = grid().value(place.column, place.row);
     QString result = outputText(value, locale);
     if (!grid().isThere(place.column, place.row))
-        result = tr("not solved yet");
+        result = drillwave::tr("not solved yet");
     else if (const auto reason = grid().reason(place.column, place.row); !reason.empty())
-        result = tr("not solved: %1").arg(fromView(reason));
+        result = drillwave::tr("not solved: %1").arg(fromView(reason));
     else if (std::isnan(value))
-        result = tr("no such result here");
-    return tr("%1 · %2 · %3")
+        result = drillwave::tr("no such result here");
+    return drillwave::tr("%1 · %2 · %3")
         .arg(xText(grid().xs()[place.column], locale), yText(grid().ys()[place.row], locale), result);
 }
 

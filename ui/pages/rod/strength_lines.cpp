@@ -72,7 +72,8 @@ void StrengthLines::place(const RodCurves& curves, const std::optional<double>& 
     setLevel(*m_lines[1], value && isOfBoth() ? std::optional(-*value) : std::nullopt);
     m_name->setVisible(value.has_value());
     if (!value) return;
-    m_name->setText((isOfBoth() ? tr("yield strength %1") : tr("fatigue strength %1")).arg(stress(*value)));
+    m_name->setText((isOfBoth() ? drillwave::tr("yield strength %1") : drillwave::tr("fatigue strength %1"))
+                        .arg(stress(*value)));
     m_name->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
     // On the side where the rod is not pulled most.
     const bool pulledAtRight = curves.largest(Load::tension).section > 0.5;
@@ -96,10 +97,11 @@ void StrengthLines::placeOverLongest(const RodCurves& curves, const StressText& 
     if (!longest) return;
     const double shown = *curves.shownStrength(longest->*strength);
     if (differ)
-        m_name->setText(isOfBoth() ? tr("yield strengths") : tr("fatigue strengths"));
+        m_name->setText(isOfBoth() ? drillwave::tr("yield strengths") : drillwave::tr("fatigue strengths"));
     else
         m_name->setText(
-            (isOfBoth() ? tr("yield strength %1") : tr("fatigue strength %1")).arg(stress(shown)));
+            (isOfBoth() ? drillwave::tr("yield strength %1") : drillwave::tr("fatigue strength %1"))
+                .arg(stress(shown)));
     m_name->setPositionAlignment(Qt::AlignHCenter | Qt::AlignBottom);
     m_name->position->setCoords((longest->rear + longest->front) / 2 * curves.units.length.factor, shown);
 }

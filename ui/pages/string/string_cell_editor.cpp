@@ -7,6 +7,7 @@
 #include "ui/form/problem_plate.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/string/string_model.h"
+#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -44,8 +45,8 @@ QWidget* StringCellEditor::newField(QWidget* parent, const QModelIndex& index) c
         new QuantityField(StringModel::ofColumn(parameter->address->field->key), m_document.units(), parent);
     field->setFrame(false);
     field->setButtonSymbols(QAbstractSpinBox::NoButtons);
-    field->setAccessibleName(fromView(parameter->label));
-    field->setToolTip(fromView(parameter->meaning));
+    field->setAccessibleName(parameterLabel(*parameter));
+    field->setToolTip(coreText(parameter->meaning));
     field->setAutoFillBackground(true);
     if (field->unitButton()) field->unitButton()->hide();
     if (mayBeMissing(*parameter->address->field)) field->setOptional(tr("not given"));
@@ -56,7 +57,7 @@ QWidget* StringCellEditor::newField(QWidget* parent, const QModelIndex& index) c
         if (problem.isEmpty())
             plate->hide();
         else
-            plate->say(QStringLiteral("⚠ %1: %2").arg(fromView(parameter->label), problem));
+            plate->say(QStringLiteral("⚠ %1: %2").arg(parameterLabel(*parameter), problem));
     });
     return field;
 }

@@ -8,6 +8,7 @@
 
 #include "core/model/blow_traits.h"
 #include "core/model/section_parameter.h"
+#include "ui/text/core_text.h"
 #include "ui/text/field_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
@@ -61,7 +62,7 @@ bool isLossOnTheWay(int column) {
 QString columnTitle(int column) {
     if (column == StringModel::massAfter) return StringModel::tr("mass\nbehind");
     if (column == StringModel::attenuation) return StringModel::tr("attenu-\nation");
-    QString title = fromView(findSectionField(fieldKey(column))->label);
+    QString title = coreText(findSectionField(fieldKey(column))->label);
     return title.replace(QLatin1Char(' '), QLatin1Char('\n'));
 }
 
@@ -253,7 +254,7 @@ QString StringModel::toolTip(const QModelIndex& index) const {
         return after.size > 0 ? during + tr("\nof the waves that the blow leaves: %1").arg(text(after))
                               : during;
     }
-    if (const KeptParameter parameter = parameterAt(index)) return fromView(parameter->meaning);
+    if (const KeptParameter parameter = parameterAt(index)) return coreText(parameter->meaning);
     if (isLossOnTheWay(column)) return tr("The hammer loses nothing inside");
     return tr("The section is given by its cross-section, not by diameters");
 }
@@ -272,7 +273,7 @@ QVariant StringModel::headerData(int section, Qt::Orientation orientation, int r
                 "Share of the energy of the hammer that the joint behind the section throws back of what "
                 "comes from the hammer; of a repeat, by the joint that throws back most");
         if (const std::string_view field = fieldKey(section); !field.empty())
-            return fromView(findSectionField(field)->meaning);
+            return coreText(findSectionField(field)->meaning);
         return {};
     }
     if (role != Qt::DisplayRole) return {};

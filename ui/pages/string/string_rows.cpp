@@ -16,12 +16,12 @@ void take(RowPeak& peak, const RowPeak& other) {
 
 QString StringRow::name() const {
     if (!section.name.empty()) return QString::fromStdString(section.name);
-    return (spot.inHammer ? tr("hammer %1") : tr("section %1")).arg(place);
+    return (spot.inHammer ? drillwave::tr("hammer %1") : drillwave::tr("section %1")).arg(place);
 }
 
 QString StringRow::nameAt(std::uint64_t itsPlace) const {
     if (spot.inHammer || section.name.empty())
-        return (spot.inHammer ? tr("hammer %1") : tr("section %1")).arg(itsPlace);
+        return (spot.inHammer ? drillwave::tr("hammer %1") : drillwave::tr("section %1")).arg(itsPlace);
     return QStringLiteral("%1 (%2)").arg(name()).arg(itsPlace);
 }
 

@@ -3,6 +3,7 @@
 
 #include <QSignalBlocker>
 
+#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -30,7 +31,7 @@ void OutputBox::present(const Scenario& scenario) {
             if (!output.problem(scenario).empty()) continue;
             if (m_offered == OfferedOutputs::ofOneBlow && output.needsThrustStudy()) continue;
             addItem(outputName(output), fromView(output.name));
-            setItemData(count() - 1, fromView(output.meaning), Qt::ToolTipRole);
+            setItemData(count() - 1, coreText(output.meaning), Qt::ToolTipRole);
         }
         setCurrentIndex(std::max(0, findData(findData(before) < 0 ? first : before)));
     }
@@ -48,8 +49,8 @@ void OutputBox::setOutput(const Output& output) {
 
 QString outputName(const Output& output) {
     if (output.name == "cor") return OutputBox::tr("COR e");
-    if (!output.label().empty()) return fromView(output.label());
-    return fromView(output.name).replace(QLatin1Char('_'), QLatin1Char(' '));
+    if (!output.label().empty()) return coreText(output.label());
+    return coreName(output.name);
 }
 
 }  // namespace drillwave

@@ -5,6 +5,7 @@
 #include <QSignalBlocker>
 
 #include "core/model/section_choice.h"
+#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -20,7 +21,7 @@ QString sectionsOf(const Parameter& parameter) {
 }  // namespace
 
 QString parameterName(const Parameter& parameter) {
-    return (fromView(parameter.label) + QLatin1Char(' ') + shownSymbol(parameter.symbol)).trimmed();
+    return parameterTitle(parameter);
 }
 
 void offerParameters(QComboBox& box, const Scenario& scenario, StudyOf of) {
@@ -33,7 +34,7 @@ void offerParameters(QComboBox& box, const Scenario& scenario, StudyOf of) {
     const auto offer = [&](const Parameter& parameter, const QString& own) {
         if (own != std::exchange(section, own) && box.count() > 0) box.insertSeparator(box.count());
         box.addItem(parameterName(parameter), fromView(parameter.key));
-        box.setItemData(box.count() - 1, fromView(parameter.meaning), Qt::ToolTipRole);
+        box.setItemData(box.count() - 1, coreText(parameter.meaning), Qt::ToolTipRole);
     };
     for (const Parameter& parameter : parameters())
         if (parameter.applies(scenario) && (parameter.scope != Scope::manyBlows || of == StudyOf::manyBlows))

@@ -7,6 +7,7 @@
 #include "ui/form/quantity_field.h"
 #include "ui/pages/study/flow_layout.h"
 #include "ui/pages/study/parameter_names.h"
+#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -22,7 +23,7 @@ MissingFields::MissingFields(const std::vector<std::string_view>& keys, const Un
         auto* field = new QuantityField(parameter, units, this);
         field->setObjectName(QStringLiteral("missing.") + fromView(key));
         field->setAccessibleName(parameterName(*parameter));
-        field->setToolTip(fromView(parameter->meaning));
+        field->setToolTip(coreText(parameter->meaning));
         field->setOptional(tr("not given"));
         label->setBuddy(field);
         // A value is taken when it is complete: the first digit of it would already take the field away.

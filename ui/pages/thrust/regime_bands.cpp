@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/report/feed_words.h"
+#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -25,7 +26,7 @@ RegimeBands::RegimeBands(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
         m_bands[i]->setPen(Qt::NoPen);
         m_names[i] = new QCPItemText(plot);
         m_names[i]->setSelectable(false);
-        m_names[i]->setText(fromView(feedWord(regimes[i])));
+        m_names[i]->setText(coreText(feedWord(regimes[i])));
         m_names[i]->setPadding(QMargins(6, 1, 6, 1));
         m_names[i]->setPositionAlignment(Qt::AlignRight | Qt::AlignVCenter);
         m_names[i]->setLayer(QStringLiteral("axes"));  // above the curves

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/report/feed_words.h"
+#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
@@ -94,7 +95,7 @@ void ThrustTable::present(const ThrustNeeds& needs, const ThrustUnits& units) {
             limit, which,
             need.frequencyLimit ? quantityText(*need.frequencyLimit, units.frequency, locale) : QString());
         presentGap(which, need.gapAtBlow, units.length);
-        setText(feed, which, fromView(feedWord(need.feed)));
+        setText(feed, which, coreText(feedWord(need.feed)));
     }
 }
 
