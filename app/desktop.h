@@ -12,9 +12,9 @@ namespace drillwave {
 
 /// Opens the window, with the scenario file of the command line if it names one, and returns when it is
 /// closed.
-/// `--reset-ui` forgets layout, page, units and all other choices before. Offers the unsaved changes of an
-/// instance that died. Throws CommandError (usage) for words that are no file and no option, and where there
-/// is no display.
+/// `--reset-ui` forgets layout, page, units and all other choices before; `--language CODE` is for this once.
+/// Offers the unsaved changes of an instance that died. Throws CommandError (usage) for words that are no
+/// file and no option, and where there is no display.
 int openWindow(int argc, char** argv);
 
 /// For a command that draws; needs no display. Throws CommandError (usage) where nothing can be drawn with.

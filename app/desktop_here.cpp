@@ -23,6 +23,7 @@
 #include "ui/export/plot_export.h"
 #include "ui/export/report_export.h"
 #include "ui/export/study_pictures.h"
+#include "ui/text/language.h"
 #include "ui/text/settings.h"
 #include "ui/text/shown_text.h"
 #include "ui/window/main_window.h"
@@ -146,6 +147,7 @@ int openWindow(int argc, char** argv) {
 
     const WindowArguments arguments = wordsFor(QCoreApplication::arguments());
     if (arguments.resetsUi) resetSettings();
+    speak(arguments.language ? *arguments.language : languageToSpeak());
     MainWindow window;
     window.show();
     if (!arguments.file.empty()) window.openFile(QString::fromStdString(arguments.file));

@@ -40,7 +40,8 @@ std::string programHelp() {
         chapterList() +
         ".\n"
         "  Without a display the window needs `-platform offscreen`.\n"
-        "  drillwave --reset-ui  opens the window with its first layout, page, units and choices.\n"
+        "  drillwave --reset-ui  opens the window with its first layout, page, units and choices;\n"
+        "  drillwave --language de  in German this once (sv: Swedish, en: English).\n"
         "\nExit codes: ";
     return help + std::string(exitCodesHelp) + ".\n";
 }

@@ -5,6 +5,7 @@
 #include <span>
 #include <string>
 
+#include "core/text/languages.h"
 #include "core/yaml/examples.h"
 
 namespace drillwave {
@@ -14,10 +15,11 @@ struct WindowArguments {
     std::string file;                  ///< to open, empty without
     const Example* example = nullptr;  ///< to open, where there is no file of its name
     bool resetsUi = false;
+    const Language* language = nullptr;  ///< to speak this once, in place of the one that is chosen
 };
 
-/// Throws CommandError: usage, for an option or a command that is not known and for a second file; unreadable
-/// input, for a file that is not there.
+/// Throws CommandError: usage, for an option, a language or a command that is not known and for a second
+/// file; unreadable input, for a file that is not there.
 WindowArguments windowArguments(std::span<const std::string> words);
 
 }  // namespace drillwave

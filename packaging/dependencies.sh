@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Sourced by run and test: installs what is missing on Debian 12, or says which command would; shows how far a build is.
 
-build_packages=(g++ cmake ninja-build qt6-base-dev qt6-svg-dev libqcustomplot-dev libboost-dev libeigen3-dev libyaml-cpp-dev
-    libgl-dev fonts-dejavu-core)
+build_packages=(g++ cmake ninja-build qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools libqcustomplot-dev libboost-dev
+    libeigen3-dev libyaml-cpp-dev libgl-dev fonts-dejavu-core)
 test_packages=(locales)
 
 is_installed() {

@@ -96,7 +96,7 @@ examples, the manual and completions for shells.")
 set(CPACK_DEBIAN_WINDOW_PACKAGE_NAME drillwave)
 set(CPACK_DEBIAN_WINDOW_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_WINDOW_PACKAGE_DEPENDS "drillwave-cli (= ${DRILLWAVE_DEBIAN_VERSION})")
-set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "hicolor-icon-theme, shared-mime-info")
+set(CPACK_DEBIAN_WINDOW_PACKAGE_RECOMMENDS "hicolor-icon-theme, shared-mime-info, qt6-translations-l10n")
 set(CPACK_DEBIAN_WINDOW_DESCRIPTION "${what}This package has the window, in which every change of a parameter is solved
 and drawn at once, and with which the commands draw pictures.")
 include(CPack)

@@ -168,6 +168,9 @@ std::string manPage(std::string_view date) {
             item(bold("-h") + ", " + bold("--help"), "what it takes") +
             item(bold("--version"), "version of the program") + "The window has\n" +
             item(bold("--reset-ui"), "open with the first layout, page, units and choices") +
+            item(bold("--language") + " CODE",
+                 "speak English (en), German (de) or Swedish (sv) this once, in place of the language chosen "
+                 "under View, or of that of the system") +
             ".SH EXIT STATUS\n" + exitCodes() +
             ".SH EXAMPLES\n.EX\ndrillwave run t38_medium_rock\n"
             "drillwave run t38_medium_rock \\-\\-set rod.length=4.27m gamma=0.2\n"
@@ -183,7 +186,8 @@ std::string manPage(std::string_view date) {
 std::string windowManPage(std::string_view date) {
     return heading("DRILLWAVE-WINDOW", date) +
            ".SH NAME\ndrillwave\\-window \\- the window of drillwave\n"
-           ".SH SYNOPSIS\n.B drillwave\\-window\n.RB [ \\-\\-reset\\-ui ]\n.RI [ FILE ]\n.SH DESCRIPTION\n" +
+           ".SH SYNOPSIS\n.B drillwave\\-window\n.RB [ \\-\\-reset\\-ui ]\n.RB [ \\-\\-language\n.IR CODE "
+           "]\n.RI [ FILE ]\n.SH DESCRIPTION\n" +
            manText(
                "The same program as `drillwave`, linked to the library of the desktop: it has the same "
                "commands, opens "

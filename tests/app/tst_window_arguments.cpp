@@ -22,6 +22,7 @@ class TestWindowArguments : public QObject {
   private slots:
     void aFileIsOpened();
     void anExampleIsOpenedByItsName();
+    void aLanguageIsSpoken();
     void otherWordsAreRefused_data();
     void otherWordsAreRefused();
 };
@@ -57,6 +58,28 @@ void TestWindowArguments::anExampleIsOpenedByItsName() {
     QVERIFY(QDir::setCurrent(before));
     QCOMPARE(arguments.file, builtInExamples().front().name);
     QVERIFY(!arguments.example);
+}
+
+void TestWindowArguments::aLanguageIsSpoken() {
+    QVERIFY(!windowArguments(Words{}).language);
+    for (const Language& language : languages) {
+        const std::string code(language.code);
+        QCOMPARE(windowArguments(Words{"--language", code}).language, &language);
+        const WindowArguments both = windowArguments(Words{"t38_string", "--language", code, "--reset-ui"});
+        QCOMPARE(both.language, &language);
+        QCOMPARE(both.example, findExample("t38_string"));
+        QVERIFY(both.resetsUi);
+    }
+    for (const Words& words :
+         {Words{"--language"}, Words{"--language", "tlh"}, Words{"--language", "--reset-ui"}})
+        try {
+            windowArguments(words);
+            QFAIL("not refused");
+        } catch (const CommandError& error) {
+            QCOMPARE(error.code(), ExitCode::usage);
+            QVERIFY2(error.lines().front().find("en, de, sv") != std::string::npos,
+                     error.lines().front().c_str());
+        }
 }
 
 void TestWindowArguments::otherWordsAreRefused_data() {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the whole window, to be looked at: screenshots FOLDER [PAGE]. Every page or that one, light and
 // dark, in four sizes, at one and two pixels a point: blow_dark_1440x900_2x.png and so on. Options choose the
-// units, the numbers of a locale, the size of the type, and one size alone.
+// units, the numbers of a locale, the language, the size of the type, and one size alone.
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QDir>
@@ -17,6 +17,7 @@
 #include "ui/job/study_activity.h"
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/drilling/drilling_page.h"
+#include "ui/text/language.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
 #include "ui/window/manual_help.h"
@@ -63,6 +64,12 @@ void pinRuns(MainWindow& window) {
     }
 }
 
+// In whatever language the window speaks.
+QString englishTitle(const Page& page) {
+    const EnglishTexts english;
+    return page.title();
+}
+
 bool isWanted(const QString& page, const Wanted& wanted) {
     return wanted.page.isEmpty() || page.compare(wanted.page, Qt::CaseInsensitive) == 0;
 }
@@ -72,7 +79,7 @@ bool drawPages(MainWindow& window, const QDir& folder, const QString& of, const 
                const Wanted& wanted) {
     auto* pages = window.findChild<PageTabs*>();
     for (int page = 0; page < pages->count(); ++page) {
-        if (!pages->isOffered(page) || !isWanted(pages->page(page).title(), wanted)) continue;
+        if (!pages->isOffered(page) || !isWanted(englishTitle(pages->page(page)), wanted)) continue;
         pages->setCurrentIndex(page);
         if (auto* drilling = qobject_cast<DrillingPage*>(&pages->page(page))) {
             settle(window);
@@ -85,8 +92,7 @@ bool drawPages(MainWindow& window, const QDir& folder, const QString& of, const 
             settle(window);
             const QString name = QStringLiteral("%1%2_%3_%4x%5_%6x.png")
                                      .arg(of,
-                                          pages->page(page)
-                                              .title()
+                                          englishTitle(pages->page(page))
                                               .section(QStringLiteral(" ("), 0, 0)
                                               .toLower()
                                               .replace(u' ', u'_'),
@@ -162,7 +168,8 @@ int main(int argc, char** argv) {
     const QCommandLineOption locale("locale", "Numbers as in LOCALE, such as de_DE.", "LOCALE", "C");
     const QCommandLineOption type("type", "Type of POINTS points.", "POINTS");
     const QCommandLineOption only("size", "That size alone, at one pixel a point.", "WIDTHxHEIGHT");
-    words.addOptions({us, locale, type, only});
+    const QCommandLineOption language("language", "The window in LANGUAGE: de, sv or en.", "LANGUAGE", "en");
+    words.addOptions({us, locale, language, type, only});
     words.addHelpOption();
     words.addPositionalArgument("FOLDER", "Where the pictures go.");
     words.addPositionalArgument("PAGE", "That page alone, by the words on its tab, or `manual`.", "[PAGE]");
@@ -177,6 +184,9 @@ int main(int argc, char** argv) {
     }
     if (named.isEmpty() || named.size() > 2 || wanted.sizes.first().isEmpty()) words.showHelp(2);
     QLocale::setDefault(QLocale(words.value(locale)));
+    const Language* spoken = findLanguage(words.value(language).toStdString());
+    if (!spoken) words.showHelp(2);
+    speak(*spoken);
     if (words.isSet(type)) {
         QFont font = QApplication::font();
         font.setPointSize(words.value(type).toInt());

@@ -14,6 +14,7 @@
 #include "ui/export/export_place.h"
 #include "ui/export/plot_export.h"
 #include "ui/plot/plot_rendering.h"
+#include "ui/text/language.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -75,6 +76,7 @@ void ExportMenu::save(const PageExport& wanted) {
     if (const QString why = wanted.obstacle ? wanted.obstacle() : QString(); !why.isEmpty()) return fail(why);
     if (wanted.picture) return savePicture(wanted);
     const auto contents = [wanted](const SolvedRun& run) {
+        const EnglishTexts english;
         const std::string rows = wanted.csv().toStdString();
         return wanted.content == PageExport::Content::rows ? runHeader(run) + rows : rows;
     };
@@ -150,8 +152,10 @@ void ExportMenu::writeFolder(const QString& folder, SolvedRun run, ExistingFiles
     const WaitCursor wait;
     addThrustMargin(run.blow);
     const std::vector<std::string> formats(pictureFormats.begin(), pictureFormats.end());
-    Pictures pictures;
-    if (run.blow.impact.hasHistories()) pictures = drawBlowPlots(run.blow, formats);
+    Pictures pictures = [&] {
+        const EnglishTexts english;
+        return run.blow.impact.hasHistories() ? drawBlowPlots(run.blow, formats) : Pictures();
+    }();
     if (!pictures.problem.isEmpty()) return fail(pictures.problem);
     const FolderEnd end = writeWholeFolder(QFile::encodeName(folder).toStdString(),
                                            runFolder(run, std::move(pictures.files)), existing);

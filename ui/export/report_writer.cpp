@@ -10,6 +10,7 @@
 #include "ui/document/whole_file.h"
 #include "ui/export/export_place.h"
 #include "ui/export/report_export.h"
+#include "ui/text/language.h"
 
 namespace drillwave {
 namespace {
@@ -98,7 +99,10 @@ void ReportWriter::follow() {
 void ReportWriter::writeTo(const QString& path, const BlowReport& report) {
     const WaitCursor wait;
     const std::string format = QFileInfo(path).suffix().toLower().toStdString();
-    const Pictures drawn = drawReport(report, {"report", {format}, {}}, PaperReader::of(m_document.units()));
+    const Pictures drawn = [&] {
+        const EnglishTexts english;
+        return drawReport(report, {"report", {format}, {}}, PaperReader::of(m_document.units()));
+    }();
     const QString problem = drawn.problem.isEmpty()
                                 ? writeWholeFile(path, QByteArray::fromStdString(drawn.files.front().bytes))
                                 : drawn.problem;
@@ -109,7 +113,11 @@ void ReportWriter::writeTo(const QString& path, const BlowReport& report) {
 
 void ReportWriter::printOn(QPrinter& printer, const BlowReport& report) {
     const WaitCursor wait;
-    if (!printReport(report, PaperReader::of(m_document.units()), printer))
+    const bool isPrinted = [&] {
+        const EnglishTexts english;
+        return printReport(report, PaperReader::of(m_document.units()), printer);
+    }();
+    if (!isPrinted)
         return fail(
             tr("%1 takes no pages; look after the printer, or write the report as PDF")
                 .arg(printer.printerName().isEmpty() ? printer.outputFileName() : printer.printerName()));

@@ -49,7 +49,7 @@ StudyStatus::StudyStatus(QWidget* parent)
     m_bar->setFixedSize(6 * fontMetrics().averageCharWidth() + 24, fontMetrics().height());
     m_bar->setAccessibleName(tr("Progress of the study"));
     m_text->setMinimumWidth(
-        m_text->fontMetrics().horizontalAdvance(QStringLiteral("9999/9999 · 99 min left")));
+        m_text->fontMetrics().horizontalAdvance(QStringLiteral("9999/9999 · ") + tr("%1 min left").arg(99)));
     m_button->setObjectName(QStringLiteral("studyButton"));
     m_button->setToolTip(tr("Stop the study; the points it has found stay"));
     m_button->setAccessibleName(tr("Cancel the study"));

@@ -12,6 +12,8 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "ui/text/translation.h"
+
 namespace drillwave {
 namespace {
 
@@ -91,8 +93,10 @@ CursorBar::CursorBar(QWidget* parent)
 int CursorBar::leastWidth(Form form) const {
     constexpr int buttons = 80;  // and what is around
     const bool wide = form == Form::wide;
-    const int cell = fontMetrics().horizontalAdvance(wide ? QStringLiteral("integral −88.8888 kN·ms")
-                                                          : QStringLiteral("mean −888.88 MPa"));
+    // The words are those of reading_cells.cpp.
+    const int cell =
+        fontMetrics().horizontalAdvance(wide ? drillwave::tr("integral") + QStringLiteral(" −88.8888 kN·ms")
+                                             : drillwave::tr("mean") + QStringLiteral(" −888.88 MPa"));
     return choiceWidth + (wide ? cellColumns + 2 : cellColumns) * (cell + m_grid->horizontalSpacing()) +
            buttons;
 }

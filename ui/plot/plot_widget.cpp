@@ -13,6 +13,7 @@
 #include "ui/plot/legend_entries.h"
 #include "ui/plot/plot_keys.h"
 #include "ui/plot/plot_menu.h"
+#include "ui/text/language.h"
 
 namespace drillwave {
 
@@ -182,7 +183,13 @@ void PlotWidget::copyPicture() {
 }
 
 QByteArray PlotWidget::dataText(char separator) const {
-    return m_dataText ? m_dataText(separator) : plotCsv(*this, m_meanings, separator);
+    const auto text = [&] {
+        const EnglishTexts english;
+        if (m_name) m_name();
+        return m_dataText ? m_dataText(separator) : plotCsv(*this, m_meanings, separator);
+    }();
+    if (m_name) m_name();
+    return text;
 }
 
 bool PlotWidget::hasData() const {

@@ -84,6 +84,9 @@ class PlotWidget : public QCustomPlot {
     bool hasData() const;
     /// For a plot whose data are not curves: its text with a separator between cells, as plotCsv() gives it.
     void setDataText(DataText text) { m_dataText = std::move(text); }
+    /// Names curves and axes in the language wanted at that time (EnglishTexts): what stands in csv() is in
+    /// English.
+    void setNaming(std::function<void()> name) { m_name = std::move(name); }
 
     /// Whether what is shown answers the present input; nothing else is copied or saved.
     void setCurrent(bool current);
@@ -138,6 +141,7 @@ class PlotWidget : public QCustomPlot {
 
     Restyle m_restyle;
     DataText m_dataText;
+    std::function<void()> m_name;
     bool m_current = true;
     CurveMeanings m_meanings;
     CurveReader m_reader;

@@ -239,7 +239,8 @@ void MainWindow::addMenus() {
     edit->addActions({m_formNotice->toString(), m_formNotice->toUniformRod(), m_formNotice->toForce()});
     edit->setToolTipsVisible(true);
     auto* areas = new AreaKeys({m_scenarioPanel.get(), m_pages, m_resultSide}, this);
-    menuBar()->addMenu(new ViewMenu({*m_units, *m_pages, *areas, *m_layout, *m_exampleNote}, this));
+    menuBar()->addMenu(
+        new ViewMenu({*m_units, *m_pages, *areas, *m_layout, *m_exampleNote, *m_questions}, this));
     menuBar()->addMenu(new StudyMenu(*m_pages, this));
     menuBar()->addMenu(new HelpMenu(*new ManualHelp(this, *m_pages), *m_questions, this));
 }

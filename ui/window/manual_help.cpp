@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "ui/help/help_topic.h"
+#include "ui/text/language.h"
 #include "ui/window/on_screen.h"
 #include "ui/window/page_tabs.h"
 
@@ -51,6 +52,7 @@ ManualPlace ManualHelp::here() const {
     const ManualPlace place = topicOf(m_window->focusWidget());
     if (!place.chapter.isEmpty()) return place;
     // "Compare (2)"
+    const EnglishTexts english;  // as the manual is
     return {QStringLiteral("window"), m_pages.current().title().section(QStringLiteral(" ("), 0, 0)};
 }
 

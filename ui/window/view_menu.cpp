@@ -3,6 +3,7 @@
 
 #include "ui/window/area_keys.h"
 #include "ui/window/example_note.h"
+#include "ui/window/language_menu.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/plot_view_menu.h"
 #include "ui/window/units_choice.h"
@@ -25,6 +26,8 @@ ViewMenu::ViewMenu(const Parts& parts, QWidget* window) : QMenu(tr("&View"), win
     parts.layout.addTo(*this);
     addSeparator();
     addAction(parts.example.action());
+    addSeparator();
+    addMenu(new LanguageMenu(parts.questions, window));
 }
 
 }  // namespace drillwave

@@ -9,6 +9,7 @@ namespace drillwave {
 class AreaKeys;
 class ExampleNote;
 class PageTabs;
+class Questions;
 class UnitsChoice;
 class WindowLayout;
 
@@ -23,6 +24,7 @@ class ViewMenu : public QMenu {
         AreaKeys& areas;
         WindowLayout& layout;
         ExampleNote& example;
+        Questions& questions;
     };
     ViewMenu(const Parts& parts, QWidget* window);
 };

@@ -78,6 +78,7 @@ BlowPage::BlowPage(Observation& observation, QWidget* parent)
     setLeastLines(lines);
 
     useFrame(*m_plots, tr("Waves, impact force, impulse and momentum over time"));
+    m_plot->setNaming([this] { m_plots->name(); });
     m_plot->followPalette([this](const PlotStyle& style) {
         m_plots->setStyle(style);
         m_measuredCurves->setStyle(style);

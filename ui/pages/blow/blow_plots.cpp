@@ -80,17 +80,36 @@ void setData(QCPGraph& graph, const GraphData& data) {
 BlowPlots::BlowPlots(QCustomPlot* plot) : StudyFrame(plot) {
     layOutAnew();
     auto* margins = new QCPMarginGroup(plot);
-    addPlot(waves, waveNames, margins);
-    addPlot(force, {tr("impact force F"), tr("closed form"), tr("force of the hammer on the string")},
-            margins);
-    addPlot(impulse, {tr("impulse of the impact force I")}, margins);
-    addPlot(momentumOfRod, {tr("momentum of the rod p")}, margins);
+    for (const std::size_t index : {waves, force, impulse, momentumOfRod}) addPlot(index, margins);
     linkTimeAxes();
     connect(plot, &QCustomPlot::beforeReplot, this, &BlowPlots::wrapLegends);
     setStyle(PlotStyle::forPaper());
 }
 
-void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGroup* margins) {
+// Of its graphs.
+QStringList BlowPlots::namesOf(std::size_t plot) {
+    switch (plot) {
+        case waves:
+            return waveNames;
+        case force:
+            return {tr("impact force F"), tr("closed form"), tr("force of the hammer on the string")};
+        case impulse:
+            return {tr("impulse of the impact force I")};
+        default:
+            return {tr("momentum of the rod p")};
+    }
+}
+
+void BlowPlots::name() {
+    for (std::size_t plot = 0; plot < m_plots.size(); ++plot) {
+        const QStringList names = namesOf(plot);
+        for (qsizetype i = 0; i < names.size(); ++i) m_plots[plot].graphs[i]->setName(names[i]);
+    }
+    nameWaves();
+    setLabels();
+}
+
+void BlowPlots::addPlot(std::size_t index, QCPMarginGroup* margins) {
     Plot& added = m_plots[index];
     const int row = 2 * static_cast<int>(index);
     auto* header = new QCPLayoutGrid;
@@ -122,6 +141,7 @@ void BlowPlots::addPlot(std::size_t index, const QStringList& names, QCPMarginGr
     m_plot->plotLayout()->addElement(row + 1, 0, added.rect);
     m_plot->plotLayout()->setRowStretchFactor(row, 1e-3);
 
+    const QStringList names = namesOf(index);
     for (const QString& name : names) {
         QCPGraph* graph = addCurve(added.rect->axis(QCPAxis::atBottom), added.rect->axis(QCPAxis::atLeft));
         graph->setName(name);

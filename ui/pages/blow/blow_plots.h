@@ -29,6 +29,8 @@ class BlowPlots : public StudyFrame {
     void removeOverlay(QCPGraph* overlay);
     /// Where in a drill string the waves of these curves are.
     static QString placeText(const BlowCurves& curves, const QLocale& locale);
+    /// Names curves and axes.
+    void name();
     QCPAxisRect* axisRect(int index) const { return m_plots.at(static_cast<std::size_t>(index)).rect; }
     /// N at the section, the sum of all waves there.
     QCPGraph* sectionForceGraph() const { return m_plots[0].graphs.first(); }
@@ -60,7 +62,8 @@ class BlowPlots : public StudyFrame {
     void clear() override;
     void restyle() override;
     void setRanges() override;
-    void addPlot(std::size_t index, const QStringList& names, QCPMarginGroup* margins);
+    static QStringList namesOf(std::size_t plot);
+    void addPlot(std::size_t index, QCPMarginGroup* margins);
     void wrapLegends();
     void linkTimeAxes();
     void showClosedForm();

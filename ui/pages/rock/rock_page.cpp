@@ -38,6 +38,7 @@ RockPage::RockPage(Observation& observation, QWidget* parent)
     setLeastLines(lines);
 
     useFrame(*m_rock, tr("Impact force against penetration"));
+    m_plot->setNaming([this] { m_rock->name(); });
     connect(&observation, &Observation::timeChanged, this, [this] {
         showTime();
         m_plot->layer(QStringLiteral("overlay"))->replot();

@@ -68,12 +68,17 @@ void RockPlot::present(const RockCurve& curve) {
     m_curve = curve;
     m_path->setData(curve.outline);
     if (hasOtherRuns) showRuns();
-    x()->setLabel(curve.units.penetration.axisLabel(tr("penetration U")));
-    y()->setLabel(curve.units.force.axisLabel(tr("impact force F")));
+    name();
     setMarksVisible(curve.peakForce > 0);
     m_lines->present(curve.peakForce > 0 ? curve.lines : QVector<RockLine>(), m_plot->locale());
     nameNumbers(curve);
     finish(unitsChanged);
+}
+
+void RockPlot::name() {
+    m_path->setName(tr("impact force F"));
+    x()->setLabel(m_curve.units.penetration.axisLabel(tr("penetration U")));
+    y()->setLabel(m_curve.units.force.axisLabel(tr("impact force F")));
 }
 
 void RockPlot::clear() {

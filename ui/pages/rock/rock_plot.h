@@ -26,6 +26,8 @@ class RockPlot : public StudyFrame {
     /// Marks a point of the path, in shown units, on the overlay layer; replots nothing.
     void setPoint(const std::optional<QPointF>& point);
     QCPCurve* path() const { return m_path; }
+    /// Names curve and axes.
+    void name();
     /// Those of pinned runs.
     const QVector<QCPCurve*>& runs() const { return m_runs->graphs(); }
 

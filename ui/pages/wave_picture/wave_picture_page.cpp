@@ -72,6 +72,7 @@ WavePicturePage::WavePicturePage(Observation& observation, QWidget* parent)
         m_cursors->setStyle(style);
     });
     m_plot->setDataText([this](char separator) { return m_picture->csv(separator); });
+    m_plot->setNaming([this] { m_picture->name(); });
     restoreChoices();
     wire();
     m_cursors->setSection(observation.section());

@@ -87,7 +87,7 @@ void WavePicturePlot::present(const SolvedBlowPtr& blow) {
     m_bar->setVisible(true);
     finish(isOther);
     if (!m_view->isFitted()) showWindow();
-    setLabels();
+    name();
     summarize();
 }
 
@@ -129,7 +129,8 @@ void WavePicturePlot::setFrontsShown(bool shown) {
     m_fronts->setVisible(shown);
 }
 
-void WavePicturePlot::setLabels() {
+void WavePicturePlot::name() {
+    if (!m_blow) return;
     const WavePicture& picture = *this->picture();
     const ShownUnit& unit = picture.units.of(picture.raster.quantity);
     x()->setLabel(picture.units.position.axisLabel(picture.string

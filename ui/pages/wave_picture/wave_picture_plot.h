@@ -39,6 +39,8 @@ class WavePicturePlot : public StudyFrame {
     TimeSpan timeInView() const { return m_window.time; }
     /// The field over the part in view; see wavePictureCsv(). Empty while nothing is on show.
     QByteArray csv(char separator) const;
+    /// Names the axes.
+    void name();
     /// The extremes in view and where the colours end, in words; empty while nothing is on show.
     QString rangeText() const;
     /// The place below a point of the plot and the field there, in words; of a string the section and all
@@ -60,7 +62,6 @@ class WavePicturePlot : public StudyFrame {
     void takeRanges();
     void showWindow();
     void checkNeed();
-    void setLabels();
     void summarize();
     QString stringReadout(double x, double t) const;
 

@@ -1,0 +1,7488 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de">
+<context>
+    <name>GaugeRows</name>
+    <message>
+        <source>gauge is on</source>
+        <translation>Messstelle</translation>
+    </message>
+    <message>
+        <source>Whose E and area make a force of a strain</source>
+        <translation>Deren E-Modul und Querschnitt machen aus einer Dehnung eine Kraft</translation>
+    </message>
+    <message>
+        <source>the rod or string</source>
+        <translation>Stange oder Strang</translation>
+    </message>
+    <message>
+        <source>another bar</source>
+        <translation>anderer Stab</translation>
+    </message>
+    <message>
+        <source>E of the bar</source>
+        <translation>E des Stabs</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>E-Modul</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Of the solid bar where the gauge is</source>
+        <translation>Des vollen Stabs an der Messstelle</translation>
+    </message>
+    <message>
+        <source>gauge factor k</source>
+        <translation>k-Faktor</translation>
+    </message>
+    <message>
+        <source>Relative resistance over strain</source>
+        <translation>Relative Widerstandsänderung je Dehnung</translation>
+    </message>
+    <message>
+        <source>active gauges</source>
+        <translation>aktive DMS</translation>
+    </message>
+    <message>
+        <source>Of the bridge that see the strain: 1 quarter, 2 half, 4 full bridge</source>
+        <translation>Der Brücke, die die Dehnung sehen: 1 Viertel-, 2 Halb-, 4 Vollbrücke</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractSpinBox</name>
+    <message>
+        <source>&amp;Select All</source>
+        <translation>&amp;Alles auswählen</translation>
+    </message>
+    <message>
+        <source>&amp;Step up</source>
+        <translation>Schritt &amp;höher</translation>
+    </message>
+    <message>
+        <source>Step &amp;down</source>
+        <translation>Schritt &amp;tiefer</translation>
+    </message>
+</context>
+<context>
+    <name>QDockWidget</name>
+    <message>
+        <source>Float</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Undocks and re-attaches the dock widget</source>
+        <translation>Löst das Feld vom Fenster und setzt es wieder ein</translation>
+    </message>
+    <message>
+        <source>Closes the dock widget</source>
+        <translation>Schließt das Feld</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>Parent Directory</source>
+        <translation>Übergeordneter Ordner</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Go forward</source>
+        <translation>Vor</translation>
+    </message>
+    <message>
+        <source>Go to the parent directory</source>
+        <translation>Zum übergeordneten Ordner</translation>
+    </message>
+    <message>
+        <source>Create New Folder</source>
+        <translation>Neuen Ordner anlegen</translation>
+    </message>
+    <message>
+        <source>Create a New Folder</source>
+        <translation>Einen neuen Ordner anlegen</translation>
+    </message>
+    <message>
+        <source>List View</source>
+        <translation>Liste</translation>
+    </message>
+    <message>
+        <source>Detail View</source>
+        <translation>Einzelheiten</translation>
+    </message>
+    <message>
+        <source>Change to list view mode</source>
+        <translation>Als Liste zeigen</translation>
+    </message>
+    <message>
+        <source>Change to detail view mode</source>
+        <translation>Mit Einzelheiten zeigen</translation>
+    </message>
+    <message>
+        <source>Look in:</source>
+        <translation>Suchen in:</translation>
+    </message>
+    <message>
+        <source>File &amp;name:</source>
+        <translation>Datei&amp;name:</translation>
+    </message>
+    <message>
+        <source>Files of type:</source>
+        <translation>Dateien vom Typ:</translation>
+    </message>
+    <message>
+        <source>Directory:</source>
+        <translation>Ordner:</translation>
+    </message>
+    <message>
+        <source>Directories</source>
+        <translation>Ordner</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>Ö&amp;ffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Speichern unter</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Wählen</translation>
+    </message>
+    <message>
+        <source>Find Directory</source>
+        <translation>Ordner suchen</translation>
+    </message>
+    <message>
+        <source>Recent Places</source>
+        <translation>Zuletzt besucht</translation>
+    </message>
+    <message>
+        <source>Sidebar</source>
+        <translation>Seitenleiste</translation>
+    </message>
+    <message>
+        <source>List of places and bookmarks</source>
+        <translation>Liste von Orten und Lesezeichen</translation>
+    </message>
+    <message>
+        <source>Show </source>
+        <translation>Zeigen </translation>
+    </message>
+    <message>
+        <source>Show &amp;hidden files</source>
+        <translation>&amp;Verborgene Dateien zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;New Folder</source>
+        <translation>&amp;Neuer Ordner</translation>
+    </message>
+    <message>
+        <source>New Folder</source>
+        <translation>Neuer Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>All Files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Could not delete directory.</source>
+        <translation>Der Ordner konnte nicht gelöscht werden.</translation>
+    </message>
+    <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation>%1 gibt es schon.
+Ersetzen?</translation>
+    </message>
+    <message>
+        <source>%1
+File not found.
+Please verify the correct file name was given.</source>
+        <translation>%1
+Die Datei wurde nicht gefunden.
+Ist der Dateiname richtig?</translation>
+    </message>
+    <message>
+        <source>%1
+Directory not found.
+Please verify the correct directory name was given.</source>
+        <translation>%1
+Der Ordner wurde nicht gefunden.
+Ist sein Name richtig?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is write protected.
+Do you want to delete it anyway?</source>
+        <translation>„%1“ ist schreibgeschützt.
+Trotzdem löschen?</translation>
+    </message>
+    <message>
+        <source>Are you sure you want to delete &apos;%1&apos;?</source>
+        <translation>„%1“ wirklich löschen?</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Date Modified</source>
+        <translation>Geändert</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Computer</translation>
+    </message>
+    <message>
+        <source>My Computer</source>
+        <translation>Mein Computer</translation>
+    </message>
+</context>
+<context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Aus&amp;schneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Alles auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>QMessageBox</name>
+    <message>
+        <source>Show Details...</source>
+        <translation>Details zeigen ...</translation>
+    </message>
+    <message>
+        <source>Hide Details...</source>
+        <translation>Details verbergen ...</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Ja</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;Nein</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hilfe</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>Ignorieren</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Alle speichern</translation>
+    </message>
+    <message>
+        <source>Yes to &amp;All</source>
+        <translation>Ja, &amp;alle</translation>
+    </message>
+    <message>
+        <source>N&amp;o to All</source>
+        <translation>N&amp;ein, keine</translation>
+    </message>
+    <message>
+        <source>Restore Defaults</source>
+        <translation>Vorgaben wiederherstellen</translation>
+    </message>
+</context>
+<context>
+    <name>QScrollBar</name>
+    <message>
+        <source>Scroll here</source>
+        <translation>Hierher rollen</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Left edge</source>
+        <translation>Linker Rand</translation>
+    </message>
+    <message>
+        <source>Right edge</source>
+        <translation>Rechter Rand</translation>
+    </message>
+    <message>
+        <source>Page up</source>
+        <translation>Seite nach oben</translation>
+    </message>
+    <message>
+        <source>Page down</source>
+        <translation>Seite nach unten</translation>
+    </message>
+    <message>
+        <source>Page left</source>
+        <translation>Seite nach links</translation>
+    </message>
+    <message>
+        <source>Page right</source>
+        <translation>Seite nach rechts</translation>
+    </message>
+    <message>
+        <source>Scroll up</source>
+        <translation>Nach oben rollen</translation>
+    </message>
+    <message>
+        <source>Scroll down</source>
+        <translation>Nach unten rollen</translation>
+    </message>
+    <message>
+        <source>Scroll left</source>
+        <translation>Nach links rollen</translation>
+    </message>
+    <message>
+        <source>Scroll right</source>
+        <translation>Nach rechts rollen</translation>
+    </message>
+</context>
+<context>
+    <name>QTabBar</name>
+    <message>
+        <source>Scroll Left</source>
+        <translation>Nach links rollen</translation>
+    </message>
+    <message>
+        <source>Scroll Right</source>
+        <translation>Nach rechts rollen</translation>
+    </message>
+</context>
+<context>
+    <name>QUndoStack</name>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Undo %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation>Wiederherstellen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Aus&amp;schneiden</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Link Location</source>
+        <translation>&amp;Link kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Alles auswählen</translation>
+    </message>
+</context>
+<context>
+    <name>UnitKind</name>
+    <message>
+        <source>length of the rod</source>
+        <translation>Länge der Stange</translation>
+    </message>
+    <message>
+        <source>penetration, gap, diameter</source>
+        <translation>Eindringung, Spalt, Durchmesser</translation>
+    </message>
+    <message>
+        <source>force, thrust</source>
+        <translation>Kraft, Andruck</translation>
+    </message>
+    <message>
+        <source>impulse</source>
+        <translation>Kraftstoß</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>stress</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>penetration rate</source>
+        <translation>Bohrfortschritt</translation>
+    </message>
+    <message>
+        <source>blow frequency</source>
+        <translation>Schlagfrequenz</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>E-Modul</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>Masse</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>attenuation</source>
+        <translation>Abklingen</translation>
+    </message>
+    <message>
+        <source>damping</source>
+        <translation>Dämpfung</translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>momentum</source>
+        <translation>Impuls</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>continuity</source>
+        <translation>Stetigkeit</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>Grenzfall</translation>
+    </message>
+    <message>
+        <source>lattice</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>pull</source>
+        <translation>Zug</translation>
+    </message>
+    <message>
+        <source>stated error</source>
+        <translation>angegebener Fehler</translation>
+    </message>
+    <message>
+        <source>return</source>
+        <translation>Rückkehr</translation>
+    </message>
+    <message>
+        <source>Angle of the hole below the horizontal; where it is given, the weight of machine and rod along the hole adds to the thrust</source>
+        <translation>Winkel des Bohrlochs unter der Waagrechten; wo er gegeben ist, kommt das Gewicht von Maschine und Stange entlang des Lochs zum Andruck hinzu</translation>
+    </message>
+    <message>
+        <source>Blows per second of the rock drill</source>
+        <translation>Schläge des Bohrhammers in einer Sekunde</translation>
+    </message>
+    <message>
+        <source>Blows that are followed, one after the other; 1000 where nothing is given</source>
+        <translation>Schläge, die nacheinander verfolgt werden; 1000, wo nichts gegeben ist</translation>
+    </message>
+    <message>
+        <source>Cross-section at the end towards the rock of a cone, whose `area` is that of its rear end</source>
+        <translation>Querschnitt am gesteinsseitigen Ende eines Kegels, dessen `area` die des hinteren Endes ist</translation>
+    </message>
+    <message>
+        <source>Cross-section of the rod, in place of its diameter and bore</source>
+        <translation>Querschnitt der Stange, anstelle von Durchmesser und Bohrung</translation>
+    </message>
+    <message>
+        <source>Cross-section, in place of diameter and bore</source>
+        <translation>Querschnitt, anstelle von Durchmesser und Bohrung</translation>
+    </message>
+    <message>
+        <source>Dashpot between machine and rear end, over many blows; needs a machine mass</source>
+        <translation>Dämpfer zwischen Maschine und hinterem Ende, über viele Schläge; braucht eine Maschinenmasse</translation>
+    </message>
+    <message>
+        <source>Decay of the amplitude of a wave per length</source>
+        <translation>Abnahme der Amplitude einer Welle je Länge</translation>
+    </message>
+    <message>
+        <source>Density of every section that has none of its own</source>
+        <translation>Dichte jedes Abschnitts, der keine eigene hat</translation>
+    </message>
+    <message>
+        <source>Density of the elastic hammer, the rod&apos;s if not given</source>
+        <translation>Dichte des elastischen Hammers, die der Stange, wenn nicht gegeben</translation>
+    </message>
+    <message>
+        <source>Density of the rod</source>
+        <translation>Dichte der Stange</translation>
+    </message>
+    <message>
+        <source>Density, that of the material if not given</source>
+        <translation>Dichte, die des Werkstoffs, wenn nicht gegeben</translation>
+    </message>
+    <message>
+        <source>Diameter of the elastic hammer</source>
+        <translation>Durchmesser des elastischen Hammers</translation>
+    </message>
+    <message>
+        <source>Diameter of the flushing hole, less than the outer diameter</source>
+        <translation>Durchmesser des Spüllochs, kleiner als der Außendurchmesser</translation>
+    </message>
+    <message>
+        <source>Duration of the hammer force; time constant of an exponential one</source>
+        <translation>Dauer der Hammerkraft; Zeitkonstante einer exponentiellen</translation>
+    </message>
+    <message>
+        <source>Elasticity parameter: loading over unloading stiffness; 1 is elastic</source>
+        <translation>Elastizitätsparameter: Steifigkeit der Belastung durch die der Entlastung; 1 ist elastisch</translation>
+    </message>
+    <message>
+        <source>Exponent of a power law F = k U (U/U1)^(p - 1) of loading; 1 is a straight line</source>
+        <translation>Exponent eines Potenzgesetzes F = k U (U/U1)^(p - 1) der Belastung; 1 ist eine Gerade</translation>
+    </message>
+    <message>
+        <source>Feed force that the drill rig applies</source>
+        <translation>Vorschubkraft, die das Bohrgerät aufbringt</translation>
+    </message>
+    <message>
+        <source>Force from which on the loading curve has another slope</source>
+        <translation>Kraft, ab der die Belastungskurve eine andere Steigung hat</translation>
+    </message>
+    <message>
+        <source>Gap between bit and rock when the hammer strikes</source>
+        <translation>Spalt zwischen Bohrkrone und Gestein, wenn der Hammer schlägt</translation>
+    </message>
+    <message>
+        <source>Gap over 2 I0/Z; in a dimensional scenario it moves the gap</source>
+        <translation>Spalt durch 2 I0/Z; in einem Szenario mit Einheiten verstellt sie den Spalt</translation>
+    </message>
+    <message>
+        <source>How often the sections of the first repeat of the string follow one another</source>
+        <translation>Wie oft die Abschnitte der ersten Wiederholung des Strangs aufeinander folgen</translation>
+    </message>
+    <message>
+        <source>Impedance of the elastic hammer over that of the rod</source>
+        <translation>Impedanz des elastischen Hammers durch die der Stange</translation>
+    </message>
+    <message>
+        <source>Impulse of the hammer force</source>
+        <translation>Kraftstoß der Hammerkraft</translation>
+    </message>
+    <message>
+        <source>Impulse of the impact force on the rock, (1 + e) times that of the hammer</source>
+        <translation>Kraftstoß der Stoßkraft auf das Gestein, das (1 + e)-Fache dessen des Hammers</translation>
+    </message>
+    <message>
+        <source>Largest compressive stress of the waves that are left after the blow and run on, of a string as long as it is followed; nothing damps them in the model, a real rod does</source>
+        <translation>Größte Druckspannung der Wellen, die nach dem Schlag verbleiben und weiterlaufen, in einem Strang, so lange er verfolgt wird; im Modell dämpft sie nichts, in einer wirklichen Stange schon</translation>
+    </message>
+    <message>
+        <source>Largest compressive stress of uniform sections while the blow lasts, to the last separation of bit and rock plus one transit time; threads and shoulders raise it locally</source>
+        <translation>Größte Druckspannung gleichförmiger Abschnitte, solange der Schlag dauert, bis zur letzten Trennung von Bohrkrone und Gestein und eine Laufzeit länger; Gewinde und Absätze erhöhen sie örtlich</translation>
+    </message>
+    <message>
+        <source>Largest impact force</source>
+        <translation>Größte Stoßkraft</translation>
+    </message>
+    <message>
+        <source>Largest penetration of the bit during the blow</source>
+        <translation>Größte Eindringung der Bohrkrone während des Schlags</translation>
+    </message>
+    <message>
+        <source>Largest tensile stress of the waves that are left after the blow and run on, of a string over a round trip at least; nothing damps them in the model, a real rod does</source>
+        <translation>Größte Zugspannung der Wellen, die nach dem Schlag verbleiben und weiterlaufen, in einem Strang mindestens über einen Hin- und Rücklauf; im Modell dämpft sie nichts, in einer wirklichen Stange schon</translation>
+    </message>
+    <message>
+        <source>Largest tensile stress of uniform sections while the blow lasts, to the last separation of bit and rock plus one transit time; threads and shoulders raise it locally</source>
+        <translation>Größte Zugspannung gleichförmiger Abschnitte, solange der Schlag dauert, bis zur letzten Trennung von Bohrkrone und Gestein und eine Laufzeit länger; Gewinde und Absätze erhöhen sie örtlich</translation>
+    </message>
+    <message>
+        <source>Length of the elastic hammer; its round trip is one step of the blow</source>
+        <translation>Länge des elastischen Hammers; ein Hin- und Rücklauf darin ist eine Stufe des Schlags</translation>
+    </message>
+    <message>
+        <source>Length of the rod or rod string, from the hammer to the bit</source>
+        <translation>Länge der Stange oder des Strangs, vom Hammer zur Bohrkrone</translation>
+    </message>
+    <message>
+        <source>Length of the section</source>
+        <translation>Länge des Abschnitts</translation>
+    </message>
+    <message>
+        <source>Mass lumped at the end towards the rock; of the last section of a string a mass of the bit</source>
+        <translation>Masse am gesteinsseitigen Ende; beim letzten Abschnitt eines Strangs eine Masse der Bohrkrone</translation>
+    </message>
+    <message>
+        <source>Mass that the feed carries besides the rod; counts where an inclination is given</source>
+        <translation>Masse, die der Vorschub außer der Stange trägt; zählt, wo eine Neigung gegeben ist</translation>
+    </message>
+    <message>
+        <source>Mean hammer force, impulse over duration</source>
+        <translation>Mittlere Hammerkraft, Kraftstoß durch Dauer</translation>
+    </message>
+    <message>
+        <source>Normal deviation of the time between two blows, of its mean, cut at three deviations</source>
+        <translation>Normalverteilte Abweichung der Zeit zwischen zwei Schlägen, als Anteil ihres Mittels, abgeschnitten bei drei Abweichungen</translation>
+    </message>
+    <message>
+        <source>Number of peaks of the impact force above 1 % of the largest</source>
+        <translation>Anzahl der Spitzen der Stoßkraft über 1 % der größten</translation>
+    </message>
+    <message>
+        <source>Of the scatter of the intervals</source>
+        <translation>Der Streuung der Abstände</translation>
+    </message>
+    <message>
+        <source>Outer diameter at the end towards the rock of a cone, whose `diameter` is that of its rear end; the bore is constant</source>
+        <translation>Außendurchmesser am gesteinsseitigen Ende eines Kegels, dessen `diameter` der des hinteren Endes ist; die Bohrung ist gleichbleibend</translation>
+    </message>
+    <message>
+        <source>Outer diameter of the rod</source>
+        <translation>Außendurchmesser der Stange</translation>
+    </message>
+    <message>
+        <source>Outer diameter of the section</source>
+        <translation>Außendurchmesser des Abschnitts</translation>
+    </message>
+    <message>
+        <source>Penetration at which a power law has the stiffness, in d0</source>
+        <translation>Eindringung, bei der ein Potenzgesetz die Steifigkeit hat, in d0</translation>
+    </message>
+    <message>
+        <source>Penetration at which a power law has the stiffness: F = k U1 there</source>
+        <translation>Eindringung, bei der ein Potenzgesetz die Steifigkeit hat: dort ist F = k U1</translation>
+    </message>
+    <message>
+        <source>Penetration that stays after the blow</source>
+        <translation>Eindringung, die nach dem Schlag bleibt</translation>
+    </message>
+    <message>
+        <source>Penetration that stays times the blow frequency: an upper limit, which indexing, flushing and a bit off the rock do not reach</source>
+        <translation>Bleibende Eindringung mal Schlagfrequenz: eine obere Grenze, die Umsetzen, Spülung und eine abgehobene Bohrkrone nicht erreichen lassen</translation>
+    </message>
+    <message>
+        <source>Share of its energy that runs to and fro in the hammer</source>
+        <translation>Anteil seiner Energie, der im Hammer hin und her läuft</translation>
+    </message>
+    <message>
+        <source>Share of its energy with which the hammer moves after the blow</source>
+        <translation>Anteil seiner Energie, mit dem sich der Hammer nach dem Schlag bewegt</translation>
+    </message>
+    <message>
+        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock</source>
+        <translation>Anteil der Energie einer Welle, der in der Verbindung am gesteinsseitigen Ende verloren geht</translation>
+    </message>
+    <message>
+        <source>Share of the energy of the hammer in the stiffness of the faces, where they still touch</source>
+        <translation>Anteil der Energie des Hammers in der Steifigkeit der Schlagflächen, wo sie sich noch berühren</translation>
+    </message>
+    <message>
+        <source>Share of the energy of the hammer that joints take</source>
+        <translation>Anteil der Energie des Hammers, den die Verbindungen aufnehmen</translation>
+    </message>
+    <message>
+        <source>Share of the energy of the hammer that waves lose on their way</source>
+        <translation>Anteil der Energie des Hammers, den Wellen unterwegs verlieren</translation>
+    </message>
+    <message>
+        <source>Share of the energy that moves the rod or the string back as a whole</source>
+        <translation>Anteil der Energie, der die Stange oder den Strang als Ganzes zurückbewegt</translation>
+    </message>
+    <message>
+        <source>Share of the energy that runs to and fro in the rod or the string</source>
+        <translation>Anteil der Energie, der in der Stange oder im Strang hin und her läuft</translation>
+    </message>
+    <message>
+        <source>Share of the energy that stays in the rock: the efficiency</source>
+        <translation>Anteil der Energie, der im Gestein bleibt: der Wirkungsgrad</translation>
+    </message>
+    <message>
+        <source>Share that the waves lose of their deviation from what is steady in a round trip, over many blows</source>
+        <translation>Anteil, den die Wellen in einem Hin- und Rücklauf von ihrer Abweichung vom Stationären verlieren, über viele Schläge</translation>
+    </message>
+    <message>
+        <source>Slope of the loading curve from that corner on, as a multiple of the stiffness</source>
+        <translation>Steigung der Belastungskurve ab dieser Ecke, als Vielfaches der Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Spring between machine and rear end, over many blows; needs a machine mass</source>
+        <translation>Feder zwischen Maschine und hinterem Ende, über viele Schläge; braucht eine Maschinenmasse</translation>
+    </message>
+    <message>
+        <source>Stiffness group k t0/Z; in a dimensional scenario it moves the stiffness</source>
+        <translation>Kennzahl der Steifigkeit k t0/Z; in einem Szenario mit Einheiten verstellt sie die Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Stiffness of bit and rock in primary loading</source>
+        <translation>Steifigkeit von Bohrkrone und Gestein bei Erstbelastung</translation>
+    </message>
+    <message>
+        <source>Stiffness of the contact of hammer and string; rigid if not given</source>
+        <translation>Steifigkeit des Kontakts von Hammer und Strang; starr, wenn nicht gegeben</translation>
+    </message>
+    <message>
+        <source>Stress up to which the rod is elastic; a blow that exceeds it raises a warning</source>
+        <translation>Spannung, bis zu der die Stange elastisch ist; ein Schlag darüber löst eine Warnung aus</translation>
+    </message>
+    <message>
+        <source>Stress up to which the section is elastic; a blow that exceeds it raises a warning</source>
+        <translation>Spannung, bis zu der der Abschnitt elastisch ist; ein Schlag darüber löst eine Warnung aus</translation>
+    </message>
+    <message>
+        <source>Summed over all contacts</source>
+        <translation>Über alle Kontakte summiert</translation>
+    </message>
+    <message>
+        <source>Tensile stress that the rod bears in blow after blow; more raises a warning</source>
+        <translation>Zugspannung, die die Stange Schlag für Schlag erträgt; mehr löst eine Warnung aus</translation>
+    </message>
+    <message>
+        <source>Tensile stress that the section bears in blow after blow; more raises a warning</source>
+        <translation>Zugspannung, die der Abschnitt Schlag für Schlag erträgt; mehr löst eine Warnung aus</translation>
+    </message>
+    <message>
+        <source>The first of the blows, which no statistic counts; a fifth of them where nothing is given</source>
+        <translation>Die ersten der Schläge, die in keiner Statistik zählen; ein Fünftel davon, wo nichts gegeben ist</translation>
+    </message>
+    <message>
+        <source>Time at which hammer and string first part</source>
+        <translation>Zeit, zu der sich Hammer und Strang zuerst trennen</translation>
+    </message>
+    <message>
+        <source>Time in which a trapezoid falls, as a fraction of the duration</source>
+        <translation>Zeit, in der ein Trapez fällt, als Anteil der Dauer</translation>
+    </message>
+    <message>
+        <source>Time in which a trapezoid rises, as a fraction of the duration</source>
+        <translation>Zeit, in der ein Trapez steigt, als Anteil der Dauer</translation>
+    </message>
+    <message>
+        <source>Time of the first contact</source>
+        <translation>Zeit des ersten Kontakts</translation>
+    </message>
+    <message>
+        <source>Time of the last separation</source>
+        <translation>Zeit der letzten Trennung</translation>
+    </message>
+    <message>
+        <source>Time until when the blow of a drill string is followed; to its end if not given</source>
+        <translation>Zeit, bis zu der der Schlag eines Bohrstrangs verfolgt wird; bis zu seinem Ende, wenn nicht gegeben</translation>
+    </message>
+    <message>
+        <source>Transit time of the rod over t0; in a dimensional scenario it moves the rod length</source>
+        <translation>Laufzeit der Stange durch t0; in einem Szenario mit Einheiten verstellt sie die Länge der Stange</translation>
+    </message>
+    <message>
+        <source>Velocity of the elastic hammer when it hits the rod</source>
+        <translation>Geschwindigkeit des elastischen Hammers, wenn er die Stange trifft</translation>
+    </message>
+    <message>
+        <source>Velocity of the hammer after the blow, away from the rock</source>
+        <translation>Geschwindigkeit des Hammers nach dem Schlag, vom Gestein weg</translation>
+    </message>
+    <message>
+        <source>Velocity of the hammer when it strikes the string</source>
+        <translation>Geschwindigkeit des Hammers, wenn er den Strang trifft</translation>
+    </message>
+    <message>
+        <source>What all the shares together miss</source>
+        <translation>Was alle Anteile zusammen verfehlen</translation>
+    </message>
+    <message>
+        <source>Work of the hammer on the rod</source>
+        <translation>Arbeit des Hammers an der Stange</translation>
+    </message>
+    <message>
+        <source>Work of the hammer on the rod times the blow frequency</source>
+        <translation>Arbeit des Hammers an der Stange mal der Schlagfrequenz</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>E-Modul</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of every section that has none of its own</source>
+        <translation>E-Modul jedes Abschnitts, der keinen eigenen hat</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of the elastic hammer, the rod&apos;s if not given</source>
+        <translation>E-Modul des elastischen Hammers, der der Stange, wenn nicht gegeben</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of the rod; sets its wave speed with the density</source>
+        <translation>E-Modul der Stange; bestimmt mit der Dichte ihre Wellengeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus, that of the material if not given</source>
+        <translation>E-Modul, der des Werkstoffs, wenn nicht gegeben</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>Querschnitt</translation>
+    </message>
+    <message>
+        <source>attenuation</source>
+        <translation>Abklingen</translation>
+    </message>
+    <message>
+        <source>balance error</source>
+        <translation>Bilanzfehler</translation>
+    </message>
+    <message>
+        <source>between the faces</source>
+        <translation>zwischen den Flächen</translation>
+    </message>
+    <message>
+        <source>blow frequency</source>
+        <translation>Schlagfrequenz</translation>
+    </message>
+    <message>
+        <source>blow frequency times impulse, N, when the scenario has a frequency</source>
+        <translation>Schlagfrequenz mal Kraftstoß, N, wenn das Szenario eine Frequenz hat</translation>
+    </message>
+    <message>
+        <source>blows</source>
+        <translation>Schläge</translation>
+    </message>
+    <message>
+        <source>bore</source>
+        <translation>Bohrung</translation>
+    </message>
+    <message>
+        <source>bound on the numerical error of cor</source>
+        <translation>Schranke des numerischen Fehlers von e</translation>
+    </message>
+    <message>
+        <source>cell</source>
+        <translation>Zelle</translation>
+    </message>
+    <message>
+        <source>cells x nodes</source>
+        <translation>Zellen x Knoten</translation>
+    </message>
+    <message>
+        <source>coefficient of restitution e = -pf/p0</source>
+        <translation>Stoßzahl e = -pf/p0</translation>
+    </message>
+    <message>
+        <source>compression, after</source>
+        <translation>Druck, danach</translation>
+    </message>
+    <message>
+        <source>compression, blow</source>
+        <translation>Druck, Schlag</translation>
+    </message>
+    <message>
+        <source>cor</source>
+        <translation>Stoßzahl e</translation>
+    </message>
+    <message>
+        <source>cor error</source>
+        <translation>Fehler der Stoßzahl</translation>
+    </message>
+    <message>
+        <source>dashpot</source>
+        <translation>Dämpfer</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source>effective feed force over the largest of the four needs of the thrust, less 1, when the scenario has them; takes a study of all gaps</source>
+        <translation>wirksame Vorschubkraft durch den größten der vier Bedarfe an Andruck, weniger 1, wenn das Szenario sie hat; braucht eine Studie aller Spalte</translation>
+    </message>
+    <message>
+        <source>efficiency</source>
+        <translation>Wirkungsgrad</translation>
+    </message>
+    <message>
+        <source>efficiency error</source>
+        <translation>Fehler des Wirkungsgrads</translation>
+    </message>
+    <message>
+        <source>efficiency recovered</source>
+        <translation>mit Rückgewinn</translation>
+    </message>
+    <message>
+        <source>efficiency, and what the hammer takes back with it, of a drill string</source>
+        <translation>Wirkungsgrad und was der Hammer davon zurücknimmt, eines Bohrstrangs</translation>
+    </message>
+    <message>
+        <source>elasticity</source>
+        <translation>Elastizität</translation>
+    </message>
+    <message>
+        <source>end area</source>
+        <translation>Endquerschnitt</translation>
+    </message>
+    <message>
+        <source>end diameter</source>
+        <translation>Enddurchmesser</translation>
+    </message>
+    <message>
+        <source>end time</source>
+        <translation>Endzeit</translation>
+    </message>
+    <message>
+        <source>energy in the stiffness of the faces, fraction of that of the hammer</source>
+        <translation>Energie in der Steifigkeit der Schlagflächen, Anteil an der des Hammers</translation>
+    </message>
+    <message>
+        <source>energy left in the rock, fraction of the hammer work</source>
+        <translation>Energie, die im Gestein bleibt, Anteil an der Hammerarbeit</translation>
+    </message>
+    <message>
+        <source>energy left in waves of the hammer, fraction of its own</source>
+        <translation>Energie, die in Wellen des Hammers bleibt, Anteil an seiner eigenen</translation>
+    </message>
+    <message>
+        <source>energy left in waves, fraction of the hammer work</source>
+        <translation>Energie, die in Wellen bleibt, Anteil an der Hammerarbeit</translation>
+    </message>
+    <message>
+        <source>energy lost in joints, fraction of that of the hammer</source>
+        <translation>Energie, die in Verbindungen verloren geht, Anteil an der des Hammers</translation>
+    </message>
+    <message>
+        <source>energy lost on the way through sections, fraction of that of the hammer</source>
+        <translation>Energie, die auf dem Weg durch Abschnitte verloren geht, Anteil an der des Hammers</translation>
+    </message>
+    <message>
+        <source>energy of the hammer moving back as a whole, fraction of that of impact</source>
+        <translation>Energie des als Ganzes zurücklaufenden Hammers, Anteil an der beim Aufschlag</translation>
+    </message>
+    <message>
+        <source>energy of the rebound, fraction of the hammer work</source>
+        <translation>Energie des Rückpralls, Anteil an der Hammerarbeit</translation>
+    </message>
+    <message>
+        <source>energy of the string after the blow, fraction of that of the hammer</source>
+        <translation>Energie des Strangs nach dem Schlag, Anteil an der des Hammers</translation>
+    </message>
+    <message>
+        <source>enough, bounces</source>
+        <translation>genug, springt</translation>
+    </message>
+    <message>
+        <source>enough, may bounce</source>
+        <translation>genug, springt vielleicht</translation>
+    </message>
+    <message>
+        <source>enough, rests</source>
+        <translation>genug, ruht</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>error of e</source>
+        <translation>Fehler von e</translation>
+    </message>
+    <message>
+        <source>error of the energy balance, fraction of the hammer work</source>
+        <translation>Fehler der Energiebilanz, Anteil an der Hammerarbeit</translation>
+    </message>
+    <message>
+        <source>error of the momentum balance, fraction of I0</source>
+        <translation>Fehler der Impulsbilanz, Anteil an I0</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>Schätzung</translation>
+    </message>
+    <message>
+        <source>events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>exponent</source>
+        <translation>Exponent</translation>
+    </message>
+    <message>
+        <source>exponential</source>
+        <translation>exponentiell</translation>
+    </message>
+    <message>
+        <source>face stiffness</source>
+        <translation>Stoßsteifigkeit</translation>
+    </message>
+    <message>
+        <source>fall</source>
+        <translation>Abfall</translation>
+    </message>
+    <message>
+        <source>fatigue strength</source>
+        <translation>Dauerfestigkeit</translation>
+    </message>
+    <message>
+        <source>first contact</source>
+        <translation>erster Kontakt</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>force peaks</source>
+        <translation>Kraftspitzen</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>Spalt</translation>
+    </message>
+    <message>
+        <source>half sine</source>
+        <translation>Halbsinus</translation>
+    </message>
+    <message>
+        <source>hammer Young&apos;s modulus</source>
+        <translation>Hammer-E</translation>
+    </message>
+    <message>
+        <source>hammer density</source>
+        <translation>Hammerdichte</translation>
+    </message>
+    <message>
+        <source>hammer diameter</source>
+        <translation>Hammer-⌀</translation>
+    </message>
+    <message>
+        <source>hammer leaves</source>
+        <translation>Hammer löst sich</translation>
+    </message>
+    <message>
+        <source>hammer length</source>
+        <translation>Hammerlänge</translation>
+    </message>
+    <message>
+        <source>hammer rebound</source>
+        <translation>Hammerrückprall</translation>
+    </message>
+    <message>
+        <source>hammer velocity</source>
+        <translation>Hammergeschw.</translation>
+    </message>
+    <message>
+        <source>hammer work W</source>
+        <translation>Hammerarbeit W</translation>
+    </message>
+    <message>
+        <source>hammer work times blow frequency, W, when the scenario has a frequency</source>
+        <translation>Hammerarbeit mal Schlagfrequenz, W, wenn das Szenario eine Frequenz hat</translation>
+    </message>
+    <message>
+        <source>impedance ratio</source>
+        <translation>Impedanzverhältn.</translation>
+    </message>
+    <message>
+        <source>impulse</source>
+        <translation>Kraftstoß</translation>
+    </message>
+    <message>
+        <source>impulse of the impact force, 1 + e</source>
+        <translation>Kraftstoß der Stoßkraft, 1 + e</translation>
+    </message>
+    <message>
+        <source>impulse on the rock</source>
+        <translation>Kraftstoß Gestein</translation>
+    </message>
+    <message>
+        <source>inclination</source>
+        <translation>Neigung</translation>
+    </message>
+    <message>
+        <source>installed thrust</source>
+        <translation>install. Andruck</translation>
+    </message>
+    <message>
+        <source>into the hammer</source>
+        <translation>in den Hammer</translation>
+    </message>
+    <message>
+        <source>into the rebound</source>
+        <translation>in den Rückprall</translation>
+    </message>
+    <message>
+        <source>into the rock</source>
+        <translation>ins Gestein</translation>
+    </message>
+    <message>
+        <source>largest compression in the rod while the blow lasts</source>
+        <translation>größter Druck in der Stange, solange der Schlag dauert</translation>
+    </message>
+    <message>
+        <source>largest compression of the waves left, undamped</source>
+        <translation>größter Druck der verbleibenden Wellen, ungedämpft</translation>
+    </message>
+    <message>
+        <source>largest impact force</source>
+        <translation>größte Stoßkraft</translation>
+    </message>
+    <message>
+        <source>largest penetration</source>
+        <translation>größte Eindringung</translation>
+    </message>
+    <message>
+        <source>largest penetration of the bit</source>
+        <translation>größte Eindringung der Bohrkrone</translation>
+    </message>
+    <message>
+        <source>largest tension in the rod while the blow lasts</source>
+        <translation>größter Zug in der Stange, solange der Schlag dauert</translation>
+    </message>
+    <message>
+        <source>largest tension of the waves left, undamped</source>
+        <translation>größter Zug der verbleibenden Wellen, ungedämpft</translation>
+    </message>
+    <message>
+        <source>last separation</source>
+        <translation>letzte Trennung</translation>
+    </message>
+    <message>
+        <source>left in waves</source>
+        <translation>in Wellen</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>loading work</source>
+        <translation>Belastungsarbeit</translation>
+    </message>
+    <message>
+        <source>loss</source>
+        <translation>Verlust</translation>
+    </message>
+    <message>
+        <source>lost in joints</source>
+        <translation>in Verbindungen</translation>
+    </message>
+    <message>
+        <source>lost in sections</source>
+        <translation>in Abschnitten</translation>
+    </message>
+    <message>
+        <source>machine mass</source>
+        <translation>Maschinenmasse</translation>
+    </message>
+    <message>
+        <source>machine pushed back</source>
+        <translation>Maschine weicht zurück</translation>
+    </message>
+    <message>
+        <source>mass behind it</source>
+        <translation>Masse dahinter</translation>
+    </message>
+    <message>
+        <source>mean force</source>
+        <translation>mittlere Kraft</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>mid-step</source>
+        <translation>Schrittmitte</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>momentum of the string after the blow, towards the rock, over that of the hammer</source>
+        <translation>Impuls des Strangs nach dem Schlag, zum Gestein, durch den des Hammers</translation>
+    </message>
+    <message>
+        <source>momentum residual</source>
+        <translation>Fehler der Impulsbilanz</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>Ordnung</translation>
+    </message>
+    <message>
+        <source>peak force</source>
+        <translation>Spitzenkraft</translation>
+    </message>
+    <message>
+        <source>peaks of the impact force above 1 % of the largest</source>
+        <translation>Spitzen der Stoßkraft über 1 % der größten</translation>
+    </message>
+    <message>
+        <source>penetration</source>
+        <translation>Eindringung</translation>
+    </message>
+    <message>
+        <source>penetration a blow</source>
+        <translation>Eindringung/Schlag</translation>
+    </message>
+    <message>
+        <source>penetration lost</source>
+        <translation>Eindringung verloren</translation>
+    </message>
+    <message>
+        <source>penetration rate</source>
+        <translation>Bohrfortschritt</translation>
+    </message>
+    <message>
+        <source>penetration that stays after the blow</source>
+        <translation>Eindringung, die nach dem Schlag bleibt</translation>
+    </message>
+    <message>
+        <source>penetration that stays times blow frequency, m/s, when the scenario has a frequency: an upper limit</source>
+        <translation>bleibende Eindringung mal Schlagfrequenz, m/s, wenn das Szenario eine Frequenz hat: eine obere Grenze</translation>
+    </message>
+    <message>
+        <source>percussion power</source>
+        <translation>Schlagleistung</translation>
+    </message>
+    <message>
+        <source>pieces</source>
+        <translation>Stücke</translation>
+    </message>
+    <message>
+        <source>piston</source>
+        <translation>Kolben</translation>
+    </message>
+    <message>
+        <source>rectangular</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>reference penetration</source>
+        <translation>Bezugseindringung</translation>
+    </message>
+    <message>
+        <source>repeats</source>
+        <translation>Wiederholungen</translation>
+    </message>
+    <message>
+        <source>rigid body</source>
+        <translation>starrer Körper</translation>
+    </message>
+    <message>
+        <source>rise</source>
+        <translation>Anstieg</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>scatter</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>settling</source>
+        <translation>Einschwingen</translation>
+    </message>
+    <message>
+        <source>share of the hammer work that stays in the rock</source>
+        <translation>Anteil der Hammerarbeit, der im Gestein bleibt</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>spring</source>
+        <translation>Feder</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>angegeben</translation>
+    </message>
+    <message>
+        <source>stated error of the efficiency of a drill string</source>
+        <translation>angegebener Fehler des Wirkungsgrads eines Bohrstrangs</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>string energy</source>
+        <translation>Energie des Strangs</translation>
+    </message>
+    <message>
+        <source>string momentum</source>
+        <translation>Impuls des Strangs</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>tension, after</source>
+        <translation>Zug, danach</translation>
+    </message>
+    <message>
+        <source>tension, blow</source>
+        <translation>Zug, Schlag</translation>
+    </message>
+    <message>
+        <source>thrust</source>
+        <translation>Andruck</translation>
+    </message>
+    <message>
+        <source>thrust margin</source>
+        <translation>Reserve des Andrucks</translation>
+    </message>
+    <message>
+        <source>time at which hammer and string first part</source>
+        <translation>Zeit, zu der sich Hammer und Strang zuerst trennen</translation>
+    </message>
+    <message>
+        <source>time in contact</source>
+        <translation>Zeit in Kontakt</translation>
+    </message>
+    <message>
+        <source>time in contact, summed over contacts</source>
+        <translation>Zeit in Kontakt, über die Kontakte summiert</translation>
+    </message>
+    <message>
+        <source>time of the first contact</source>
+        <translation>Zeit des ersten Kontakts</translation>
+    </message>
+    <message>
+        <source>time of the last separation</source>
+        <translation>Zeit der letzten Trennung</translation>
+    </message>
+    <message>
+        <source>time to which the blow was followed</source>
+        <translation>Zeit, bis zu der der Schlag verfolgt wurde</translation>
+    </message>
+    <message>
+        <source>transit time</source>
+        <translation>Laufzeit</translation>
+    </message>
+    <message>
+        <source>trapezoid</source>
+        <translation>Trapez</translation>
+    </message>
+    <message>
+        <source>triangular</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>velocity of the hammer after the blow, away from the rock, over that of impact</source>
+        <translation>Geschwindigkeit des Hammers nach dem Schlag, vom Gestein weg, durch die beim Aufschlag</translation>
+    </message>
+    <message>
+        <source>wave loss</source>
+        <translation>Wellenverlust</translation>
+    </message>
+    <message>
+        <source>waves in the hammer</source>
+        <translation>Wellen im Hammer</translation>
+    </message>
+    <message>
+        <source>work of the hammer over m v0^2/2</source>
+        <translation>Hammerarbeit durch m v0^2/2</translation>
+    </message>
+    <message>
+        <source>work on the rock up to the largest force, fraction of the hammer work</source>
+        <translation>Arbeit am Gestein bis zur größten Kraft, Anteil an der Hammerarbeit</translation>
+    </message>
+    <message>
+        <source>yield strength</source>
+        <translation>Streckgrenze</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave</name>
+    <message>
+        <source>it is damaged, or written by another version of the program</source>
+        <translation>sie ist beschädigt oder von einer anderen Version des Programms geschrieben</translation>
+    </message>
+    <message>
+        <source>No value has statistics.</source>
+        <translation>Zu keinem Wert gibt es eine Statistik.</translation>
+    </message>
+    <message>
+        <source>greater than %1</source>
+        <translation>größer als %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>über %1</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>ab %1</translation>
+    </message>
+    <message>
+        <source>%1 to below %2</source>
+        <translation>%1 bis unter %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>Range: %1; usual: %2 – %3.</source>
+        <translation>Bereich: %1; üblich: %2 – %3.</translation>
+    </message>
+    <message>
+        <source>F1: its place in the manual.</source>
+        <translation>F1: die Stelle im Handbuch.</translation>
+    </message>
+    <message>
+        <source>kept in the scenario itself</source>
+        <translation>im Szenario selbst enthalten</translation>
+    </message>
+    <message>
+        <source>%1 points, scaled to t₀ and I₀, %2</source>
+        <translation>%1 Punkte, auf t₀ und I₀ skaliert, %2</translation>
+    </message>
+    <message>
+        <source>%1 points, %2, %3, %4</source>
+        <translation>%1 Punkte, %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>must not be negative</source>
+        <translation>darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>must be greater than 0</source>
+        <translation>muss größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>must not be 0</source>
+        <translation>darf nicht 0 sein</translation>
+    </message>
+    <message>
+        <source>%1: unit</source>
+        <translation>%1: Einheit</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>um %1</translation>
+    </message>
+    <message>
+        <source>by less than %1</source>
+        <translation>um weniger als %1</translation>
+    </message>
+    <message>
+        <source>With the rod and the rock on show that changes e = %1 %2.</source>
+        <translation>Mit der gezeigten Stange und dem gezeigten Gestein ändert das e = %1 %2.</translation>
+    </message>
+    <message>
+        <source>Impulse %1, peak %2 at %3 in the file.</source>
+        <translation>Kraftstoß %1, Spitze %2 bei %3 in der Datei.</translation>
+    </message>
+    <message>
+        <source>All of the %1 samples are kept, of %2 in the record.</source>
+        <translation>Alle %1 Abtastwerte bleiben, von %2 der Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples become %3 points: no sample of what is taken is further than %4 (%5 of the peak) from the lines between them, the impulse changes by %6.</source>
+        <translation>Aus %1 von %2 Abtastwerten werden %3 Punkte: Kein genommener Abtastwert ist weiter als %4 (%5 der Spitze) von den Linien dazwischen entfernt, der Kraftstoß ändert sich um %6.</translation>
+    </message>
+    <message>
+        <source>%1 negative samples are clipped, which adds %2 to the impulse.</source>
+        <translation>%1 negative Abtastwerte werden abgeschnitten, was %2 zum Kraftstoß hinzufügt.</translation>
+    </message>
+    <message>
+        <source>That is much: take less of the record.</source>
+        <translation>Das ist viel: weniger von der Aufzeichnung nehmen.</translation>
+    </message>
+    <message>
+        <source>%1 rows without a number are skipped, the first is line %2.</source>
+        <translation>%1 Zeilen ohne Zahl werden übergangen, die erste ist Zeile %2.</translation>
+    </message>
+    <message>
+        <source>Table: separator, decimal sign, the first line with a sample and the columns are found out; change what is wrong. Without a column of times give the sampling rate.
+Signal: force, strain or the output of a bridge in the unit of the column. A strain becomes a force by E and the area of the rod, of the string where the gauge is, or of another bar. Tension is positive in the rod; a blow presses.
+Zero line: the mean of the first samples, in which nothing happens.
+Take from: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and Shift+drag zoom there), “All” the whole record.
+Points at most: of so many samples only some are kept, and it is said how far the others are from the lines between them. A blow keeps its impulse where that moves its forces little.</source>
+        <translation>Tabelle: Trennzeichen, Dezimalzeichen, die erste Zeile mit einem Abtastwert und die Spalten werden erkannt; was falsch ist, lässt sich ändern. Ohne Spalte der Zeiten ist die Abtastrate anzugeben.
+Signal: Kraft, Dehnung oder Ausgang einer Brücke in der Einheit der Spalte. Aus einer Dehnung wird eine Kraft mit E und dem Querschnitt der Stange, des Strangs an der Messstelle oder eines anderen Stabs. Zug ist in der Stange positiv; ein Schlag drückt.
+Nulllinie: der Mittelwert der ersten Abtastwerte, in denen nichts geschieht.
+Ausschnitt: „Spitze“ nimmt den Abschnitt um den größten Wert, „Ansicht“, was das Diagramm zeigt (dort zoomen das Rad und Ziehen mit Umschalt), „Alles“ die ganze Aufzeichnung.
+Punkte höchstens: Von so vielen Abtastwerten bleiben nur einige, und es wird gesagt, wie weit die anderen von den Linien dazwischen entfernt sind. Ein Schlag behält seinen Kraftstoß, wo das seine Kräfte wenig verändert.</translation>
+    </message>
+    <message>
+        <source>%1, the paper&apos;s choice</source>
+        <translation>%1, die Wahl der Veröffentlichung</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>geschlossene Form</translation>
+    </message>
+    <message>
+        <source>lattice, moved waves, %1</source>
+        <translation>Gitter, verschobene Wellen, %1</translation>
+    </message>
+    <message>
+        <source>lattice, ring buffer, %1</source>
+        <translation>Gitter, Ringpuffer, %1</translation>
+    </message>
+    <message>
+        <source>processor time of a solve for e [s]</source>
+        <translation>Rechenzeit einer Lösung für e [s]</translation>
+    </message>
+    <message>
+        <source>error of e</source>
+        <translation>Fehler von e</translation>
+    </message>
+    <message>
+        <source>lattice, moved waves</source>
+        <translation>Gitter, verschobene Wellen</translation>
+    </message>
+    <message>
+        <source>lattice, ring buffer</source>
+        <translation>Gitter, Ringpuffer</translation>
+    </message>
+    <message>
+        <source>The exact solution has no other to be compared with: %1</source>
+        <translation>Die exakte Lösung hat keine andere, mit der sie zu vergleichen wäre: %1</translation>
+    </message>
+    <message>
+        <source>e is right to %1 in %2</source>
+        <translation>e stimmt auf %1 in %2</translation>
+    </message>
+    <message>
+        <source>; the paper&apos;s %1 segments give %2 in %3</source>
+        <translation>; die %1 Abschnitte der Veröffentlichung geben %2 in %3</translation>
+    </message>
+    <message>
+        <source>polynomial cells (studies)</source>
+        <translation>polynomiale Zellen (Studien)</translation>
+    </message>
+    <message>
+        <source>cut cells (a blow)</source>
+        <translation>geteilte Zellen (ein Schlag)</translation>
+    </message>
+    <message>
+        <source>plain lattice</source>
+        <translation>einfaches Gitter</translation>
+    </message>
+    <message>
+        <source>processor time of a solve [s]</source>
+        <translation>Rechenzeit einer Lösung [s]</translation>
+    </message>
+    <message>
+        <source>error of the efficiency</source>
+        <translation>Fehler des Wirkungsgrads</translation>
+    </message>
+    <message>
+        <source>cells of %1</source>
+        <translation>Zellen von %1</translation>
+    </message>
+    <message>
+        <source>efficiency right to %1 in %2</source>
+        <translation>Wirkungsgrad stimmt auf %1 in %2</translation>
+    </message>
+    <message>
+        <source>, in studies to %1 in %2</source>
+        <translation>, in Studien auf %1 in %2</translation>
+    </message>
+    <message>
+        <source>; plain lattice %1 in %2</source>
+        <translation>; einfaches Gitter %1 in %2</translation>
+    </message>
+    <message>
+        <source>stiffness over elasticity β/γ, the stiffest rate [1/t₀]</source>
+        <translation>Steifigkeit durch Elastizität β/γ, die steifste Rate [1/t₀]</translation>
+    </message>
+    <message>
+        <source>worst measure over its mark</source>
+        <translation>schlechtestes Maß durch seine Marke</translation>
+    </message>
+    <message>
+        <source>a case above has failed</source>
+        <translation>ein Fall darüber ist durchgefallen</translation>
+    </message>
+    <message>
+        <source>%1 cases, all passed</source>
+        <translation>%1 Fälle, alle bestanden</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cases failed</source>
+        <translation>%1 von %2 Fällen durchgefallen</translation>
+    </message>
+    <message>
+        <source>; not solved: %1</source>
+        <translation>; nicht gelöst: %1</translation>
+    </message>
+    <message>
+        <source>; the worst: %1, %2 at %3 of its mark</source>
+        <translation>; der schlechteste: %1, %2 bei %3 seiner Marke</translation>
+    </message>
+    <message>
+        <source>hammer blow</source>
+        <translation>Hammerschlag</translation>
+    </message>
+    <message>
+        <source>elastic hammer</source>
+        <translation>elastischer Hammer</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (hammer section %3)</source>
+        <translation>%1 von %2 (Hammerabschnitt %3)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (section %3)</source>
+        <translation>%1 von %2 (Abschnitt %3)</translation>
+    </message>
+    <message>
+        <source>what differs</source>
+        <translation>Unterschiede</translation>
+    </message>
+    <message>
+        <source>nothing differs</source>
+        <translation>keine Unterschiede</translation>
+    </message>
+    <message>
+        <source>results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>(%1) − (%2)</source>
+        <translation>(%1) − (%2)</translation>
+    </message>
+    <message>
+        <source>((%1) − (%2)) / |%2| [%]</source>
+        <translation>((%1) − (%2)) / |%2| [%]</translation>
+    </message>
+    <message>
+        <source>this scenario</source>
+        <translation>dieses Szenario</translation>
+    </message>
+    <message>
+        <source>%1, this scenario</source>
+        <translation>%1, dieses Szenario</translation>
+    </message>
+    <message>
+        <source>rod without waves</source>
+        <translation>Stange ohne Wellen</translation>
+    </message>
+    <message>
+        <source>%1, no waves</source>
+        <translation>%1, keine Wellen</translation>
+    </message>
+    <message>
+        <source>%1, closed form</source>
+        <translation>%1, geschlossene Form</translation>
+    </message>
+    <message>
+        <source>There is no answer anywhere in this range.</source>
+        <translation>In diesem Bereich gibt es nirgends eine Antwort.</translation>
+    </message>
+    <message>
+        <source>%1 (end of the range)</source>
+        <translation>%1 (Ende des Bereichs)</translation>
+    </message>
+    <message>
+        <source>largest %1 at %2</source>
+        <translation>größter Wert %1 bei %2</translation>
+    </message>
+    <message>
+        <source>least %1 at %2</source>
+        <translation>kleinster Wert %1 bei %2</translation>
+    </message>
+    <message>
+        <source>1 is crossed %1 times</source>
+        <translation>1 wird %1-mal gekreuzt</translation>
+    </message>
+    <message>
+        <source>1 at %1</source>
+        <translation>1 bei %1</translation>
+    </message>
+    <message>
+        <source> · %1 points</source>
+        <translation> · %1 Punkte</translation>
+    </message>
+    <message>
+        <source> · known by points alone in a part of the range</source>
+        <translation> · in einem Teil des Bereichs nur von einzelnen Punkten bekannt</translation>
+    </message>
+    <message>
+        <source> · no answer in a part of the range: %1</source>
+        <translation> · keine Antwort in einem Teil des Bereichs: %1</translation>
+    </message>
+    <message>
+        <source>draws</source>
+        <translation>Ziehungen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 designs, robust best %3</source>
+        <translation>%1, %2 Auslegungen, robust beste %3</translation>
+    </message>
+    <message>
+        <source>rock</source>
+        <translation>Gestein</translation>
+    </message>
+    <message>
+        <source>damper</source>
+        <translation>Dämpfer</translation>
+    </message>
+    <message>
+        <source>waves, lost</source>
+        <translation>Wellen, verloren</translation>
+    </message>
+    <message>
+        <source>left behind</source>
+        <translation>zurückgeblieben</translation>
+    </message>
+    <message>
+        <source>still there</source>
+        <translation>noch da</translation>
+    </message>
+    <message>
+        <source>Gap and penetration of %1 of %2 blows; the first %3 settle and do not count.</source>
+        <translation>Spalt und Eindringung von %1 von %2 Schlägen; die ersten %3 schwingen sich ein und zählen nicht.</translation>
+    </message>
+    <message>
+        <source>COR e</source>
+        <translation>Stoßzahl e</translation>
+    </message>
+    <message>
+        <source>peak force Fm</source>
+        <translation>Spitzenkraft Fm</translation>
+    </message>
+    <message>
+        <source>efficiency</source>
+        <translation>Wirkungsgrad</translation>
+    </message>
+    <message>
+        <source>The mean gap must be from 0 to %1 d₀.</source>
+        <translation>Der mittlere Spalt muss zwischen 0 und %1 d₀ liegen.</translation>
+    </message>
+    <message>
+        <source>The deviation of the gap must be from %1 to %2 d₀.</source>
+        <translation>Die Abweichung des Spalts muss zwischen %1 und %2 d₀ liegen.</translation>
+    </message>
+    <message>
+        <source>Not solved at all gaps: %1</source>
+        <translation>Nicht bei allen Spalten gelöst: %1</translation>
+    </message>
+    <message>
+        <source>not solved yet</source>
+        <translation>noch nicht gelöst</translation>
+    </message>
+    <message>
+        <source>not solved: %1</source>
+        <translation>nicht gelöst: %1</translation>
+    </message>
+    <message>
+        <source>no such result here</source>
+        <translation>hier kein solches Ergebnis</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3</source>
+        <translation>%1 · %2 · %3</translation>
+    </message>
+    <message>
+        <source>yield strength %1</source>
+        <translation>Streckgrenze %1</translation>
+    </message>
+    <message>
+        <source>fatigue strength %1</source>
+        <translation>Dauerfestigkeit %1</translation>
+    </message>
+    <message>
+        <source>yield strengths</source>
+        <translation>Streckgrenzen</translation>
+    </message>
+    <message>
+        <source>fatigue strengths</source>
+        <translation>Dauerfestigkeiten</translation>
+    </message>
+    <message>
+        <source>hammer %1</source>
+        <translation>Hammer %1</translation>
+    </message>
+    <message>
+        <source>section %1</source>
+        <translation>Abschnitt %1</translation>
+    </message>
+    <message>
+        <source>this blow</source>
+        <translation>dieser Schlag</translation>
+    </message>
+    <message>
+        <source>95 % of all gaps</source>
+        <translation>95 % aller Spalte</translation>
+    </message>
+    <message>
+        <source>rigid rock</source>
+        <translation>starres Gestein</translation>
+    </message>
+    <message>
+        <source>elastic rock, worst gap</source>
+        <translation>elastisches Gestein, schlechtester Spalt</translation>
+    </message>
+    <message>
+        <source>No curve on this axis has positive values.</source>
+        <translation>Keine Kurve an dieser Achse hat positive Werte.</translation>
+    </message>
+    <message>
+        <source>Curves on this axis have negative values; hide them first.</source>
+        <translation>Kurven an dieser Achse haben negative Werte; erst ausblenden.</translation>
+    </message>
+    <message>
+        <source>%1 at A</source>
+        <translation>%1 bei A</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>%1 at B</source>
+        <translation>%1 bei B</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>%1 from A to B</source>
+        <translation>%1 von A bis B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>integral</source>
+        <translation>Integral</translation>
+    </message>
+    <message>
+        <source>∫</source>
+        <translation>∫</translation>
+    </message>
+    <message>
+        <source>least %1 in view</source>
+        <translation>kleinstes %1 im Bild</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>%1 of the least</source>
+        <translation>%1 des kleinsten</translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation>bei</translation>
+    </message>
+    <message>
+        <source>largest %1 in view</source>
+        <translation>größtes %1 im Bild</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>max</translation>
+    </message>
+    <message>
+        <source>%1 of the largest</source>
+        <translation>%1 des größten</translation>
+    </message>
+    <message>
+        <source>%1 from</source>
+        <translation>%1 ab</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>%1 to</source>
+        <translation>%1 bis</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>mean in view</source>
+        <translation>Mittel im Bild</translation>
+    </message>
+    <message>
+        <source>integral in view</source>
+        <translation>Integral im Bild</translation>
+    </message>
+    <message>
+        <source>Width and height must be from %1 to %2 mm.</source>
+        <translation>Breite und Höhe müssen zwischen %1 und %2 mm liegen.</translation>
+    </message>
+    <message>
+        <source>The resolution must be from %1 to %2 dpi.</source>
+        <translation>Die Auflösung muss zwischen %1 und %2 dpi liegen.</translation>
+    </message>
+    <message>
+        <source>That is more than %1 million pixels: choose a smaller size or a lower resolution.</source>
+        <translation>Das sind mehr als %1 Millionen Pixel: kleinere Maße oder geringere Auflösung wählen.</translation>
+    </message>
+    <message>
+        <source>Scenarios (*.yaml *.yml);;All files (*)</source>
+        <translation>Szenarien (*.yaml *.yml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Scenarios and results (*.yaml *.yml *.csv *.json *.html);;All files (*)</source>
+        <translation>Szenarien und Ergebnisse (*.yaml *.yml *.csv *.json *.html);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Die Änderungen an „%1“ speichern?</translation>
+    </message>
+    <message>
+        <source>They are lost otherwise.</source>
+        <translation>Sonst gehen sie verloren.</translation>
+    </message>
+    <message>
+        <source>Drillwave</source>
+        <translation>Drillwave</translation>
+    </message>
+    <message>
+        <source>Close all the same</source>
+        <translation>Trotzdem schließen</translation>
+    </message>
+    <message>
+        <source>Open a scenario</source>
+        <translation>Szenario öffnen</translation>
+    </message>
+    <message>
+        <source>Save the scenario</source>
+        <translation>Szenario speichern</translation>
+    </message>
+    <message>
+        <source>Export everything into a folder</source>
+        <translation>Alles in einen Ordner exportieren</translation>
+    </message>
+    <message>
+        <source>Unsaved changes found</source>
+        <translation>Nicht gespeicherte Änderungen gefunden</translation>
+    </message>
+    <message>
+        <source>Restore the unsaved changes to “%1”?</source>
+        <translation>Die nicht gespeicherten Änderungen an „%1“ wiederherstellen?</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Später</translation>
+    </message>
+    <message>
+        <source>Numerical error ± %1</source>
+        <translation>Numerischer Fehler ± %1</translation>
+    </message>
+    <message>
+        <source>in the hammer, %1</source>
+        <translation>im Hammer, %1</translation>
+    </message>
+    <message>
+        <source>%1 from the shank, %2</source>
+        <translation>%1 vom Einsteckende, %2</translation>
+    </message>
+    <message>
+        <source>at x/L = %1, t = %2</source>
+        <translation>bei x/L = %1, t = %2</translation>
+    </message>
+    <message>
+        <source>%1 from the hammer, %2</source>
+        <translation>%1 vom Hammer, %2</translation>
+    </message>
+    <message>
+        <source>Where in the rod it is first that large, and when: a click leads there</source>
+        <translation>Wo in der Stange das zuerst so groß ist, und wann: ein Klick führt dorthin</translation>
+    </message>
+    <message>
+        <source>feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>What the feed force does between the blows</source>
+        <translation>Was die Vorschubkraft zwischen den Schlägen bewirkt</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>Feed force less what this blow needs for full penetration, and as a share of that</source>
+        <translation>Vorschubkraft abzüglich dessen, was dieser Schlag für volle Eindringung braucht, und als Anteil davon</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>Bedarf</translation>
+    </message>
+    <message>
+        <source>Thrust for full penetration, up to that which brings a bit that was at rest back before the next blow even if nothing damps, with the e of this blow</source>
+        <translation>Andruck für volle Eindringung bis zu dem, der eine zuvor ruhende Bohrkrone auch ganz ohne Dämpfung vor dem nächsten Schlag zurückbringt, mit dem e dieses Schlags</translation>
+    </message>
+    <message>
+        <source>at every gap</source>
+        <translation>bei jedem Spalt</translation>
+    </message>
+    <message>
+        <source>The largest thrust for full penetration of this blow, of 95 % of all gaps, of a rigid rock, and of the worst gap on elastic rock</source>
+        <translation>Der größte Andruck für volle Eindringung: dieses Schlags, bei 95 % aller Spalte, auf starrem Gestein und beim schlechtesten Spalt auf elastischem Gestein</translation>
+    </message>
+    <message>
+        <source>Feed force less the largest of the four needs, and as a share of that: thrust_margin of commands and files</source>
+        <translation>Vorschubkraft abzüglich des größten der vier Bedarfe, und als Anteil davon: thrust_margin in Befehlen und Dateien</translation>
+    </message>
+    <message>
+        <source>installed</source>
+        <translation>installiert</translation>
+    </message>
+    <message>
+        <source>Feed force of the drill rig</source>
+        <translation>Vorschubkraft des Bohrgeräts</translation>
+    </message>
+    <message>
+        <source>Coefficient of restitution: momentum after the blow over momentum before it, reversed, e = −pf/p0</source>
+        <translation>Stoßzahl: Impuls nach dem Schlag durch Impuls davor, umgekehrt, e = −pf/p0</translation>
+    </message>
+    <message>
+        <source>Off %1 by so much</source>
+        <translation>So viel anders als %1</translation>
+    </message>
+    <message>
+        <source>%1, against %2: %3</source>
+        <translation>%1, gegenüber %2: %3</translation>
+    </message>
+    <message>
+        <source>hammer section %1</source>
+        <translation>Hammerabschnitt %1</translation>
+    </message>
+    <message>
+        <source>no %1</source>
+        <translation>kein %1</translation>
+    </message>
+    <message>
+        <source>drill string</source>
+        <translation>Bohrstrang</translation>
+    </message>
+    <message>
+        <source>uniform rod</source>
+        <translation>gleichförmige Stange</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>force of corner %1</source>
+        <translation>Kraft der Ecke %1</translation>
+    </message>
+    <message>
+        <source>slope behind corner %1</source>
+        <translation>Steigung hinter Ecke %1</translation>
+    </message>
+    <message>
+        <source>divides by zero</source>
+        <translation>teilt durch null</translation>
+    </message>
+    <message>
+        <source>has no number where one is needed</source>
+        <translation>hat keine Zahl, wo eine nötig ist</translation>
+    </message>
+    <message>
+        <source>has too many brackets in each other</source>
+        <translation>hat zu viele Klammern ineinander</translation>
+    </message>
+    <message>
+        <source>lacks a closing bracket; a unit stands behind it</source>
+        <translation>fehlt eine schließende Klammer; eine Einheit steht dahinter</translation>
+    </message>
+    <message>
+        <source>is too large</source>
+        <translation>ist zu groß</translation>
+    </message>
+    <message>
+        <source>can mean %1 or %2: write it without the separator, or as %3</source>
+        <translation>kann %1 oder %2 bedeuten: ohne das Trennzeichen schreiben, oder als %3</translation>
+    </message>
+    <message>
+        <source>is not one number: remove the separators of its digits</source>
+        <translation>ist nicht eine Zahl: die Trennzeichen ihrer Ziffern entfernen</translation>
+    </message>
+    <message>
+        <source>is more than one line: one value is needed</source>
+        <translation>ist mehr als eine Zeile: ein Wert ist nötig</translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly; the last change is of %1.</source>
+        <translation>Das Programm endete unerwartet; die letzte Änderung ist von %1.</translation>
+    </message>
+    <message>
+        <source>They were made to %1, which is not touched.</source>
+        <translation>Sie wurden an %1 vorgenommen, das unverändert ist.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes of an earlier run cannot be restored.</source>
+        <translation>Nicht gespeicherte Änderungen eines früheren Laufs können nicht wiederhergestellt werden.</translation>
+    </message>
+    <message>
+        <source>%1
+The file is kept as %2 and will not be offered again.</source>
+        <translation>%1
+Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::AccuracyPage</name>
+    <message>
+        <source>Error against run time, or the hardest cases against their marks</source>
+        <translation>Fehler über der Rechenzeit, oder die schwersten Fälle an ihren Marken</translation>
+    </message>
+    <message>
+        <source>This scenario</source>
+        <translation>Dieses Szenario</translation>
+    </message>
+    <message>
+        <source>Stiff and extreme cases</source>
+        <translation>Steife und extreme Fälle</translation>
+    </message>
+    <message>
+        <source>The worst first; a click loads a case</source>
+        <translation>Die schlechtesten zuerst; ein Klick lädt einen Fall</translation>
+    </message>
+    <message>
+        <source>Run 10 s</source>
+        <translation>10 s rechnen</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Rechnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Run 20 s</source>
+        <translation>20 s rechnen</translation>
+    </message>
+    <message>
+        <source>Stiff and extreme cases of uniform rods</source>
+        <translation>Steife und extreme Fälle gleichförmiger Stangen</translation>
+    </message>
+    <message>
+        <source>Solve this scenario with every method and measure errors and times</source>
+        <translation>Dieses Szenario mit jedem Verfahren lösen und Fehler und Zeiten messen</translation>
+    </message>
+    <message>
+        <source>Solve and check some thousand stiff and extreme cases</source>
+        <translation>Einige tausend steife und extreme Fälle lösen und prüfen</translation>
+    </message>
+    <message>
+        <source>Solving exactly, and in long double …</source>
+        <translation>Löst exakt, und in long double …</translation>
+    </message>
+    <message>
+        <source>Solving with cells half as large …</source>
+        <translation>Löst mit halb so großen Zellen …</translation>
+    </message>
+    <message>
+        <source>Run compares all methods on this scenario: error against time.</source>
+        <translation>Rechnen vergleicht alle Verfahren an diesem Szenario: Fehler gegen Zeit.</translation>
+    </message>
+    <message>
+        <source>Run solves and checks some thousand stiff and extreme cases.</source>
+        <translation>Rechnen löst und prüft einige tausend steife und extreme Fälle.</translation>
+    </message>
+    <message>
+        <source>Cases that break solvers, each with all its checks, the worst first. A click loads a case.</source>
+        <translation>Fälle, an denen Verfahren scheitern, jeder mit allen Prüfungen, die schlechtesten zuerst. Ein Klick lädt einen Fall.</translation>
+    </message>
+    <message>
+        <source>The efficiency of %1 is right to %2, the error that the method states.</source>
+        <translation>Der Wirkungsgrad von %1 stimmt auf %2, den Fehler, den das Verfahren angibt.</translation>
+    </message>
+    <message>
+        <source>How right the numbers are, and what other methods give.</source>
+        <translation>Wie richtig die Zahlen sind, und was andere Verfahren ergeben.</translation>
+    </message>
+    <message>
+        <source>e = %1 is right to %2, the bound that the exact solver states.</source>
+        <translation>e = %1 stimmt auf %2, die Schranke, die das exakte Verfahren angibt.</translation>
+    </message>
+    <message>
+        <source>load the case %1</source>
+        <translation>den Fall %1 laden</translation>
+    </message>
+    <message>
+        <source>The study is not finished yet.</source>
+        <translation>Die Studie ist noch nicht fertig.</translation>
+    </message>
+    <message>
+        <source>The study was stopped before its end: run it again.</source>
+        <translation>Die Studie wurde vor ihrem Ende angehalten: noch einmal rechnen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to write: run the study first.</source>
+        <translation>Es gibt nichts zu schreiben: erst die Studie rechnen.</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Genauigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::AimRow</name>
+    <message>
+        <source>on average</source>
+        <translation>im Mittel</translation>
+    </message>
+    <message>
+        <source>at the least sample</source>
+        <translation>bei der kleinsten Stichprobe</translation>
+    </message>
+    <message>
+        <source>at the largest sample</source>
+        <translation>bei der größten Stichprobe</translation>
+    </message>
+    <message>
+        <source>as the scenario is</source>
+        <translation>für das Szenario, wie es ist</translation>
+    </message>
+    <message>
+        <source>in the middle (median)</source>
+        <translation>in der Mitte (Median)</translation>
+    </message>
+    <message>
+        <source>in the worst %1 %</source>
+        <translation>in den schlechtesten %1 %</translation>
+    </message>
+    <message>
+        <source>in the best %1 %</source>
+        <translation>in den besten %1 %</translation>
+    </message>
+    <message>
+        <source>Largest or least</source>
+        <translation>Maximum oder Minimum</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>max.</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>min.</translation>
+    </message>
+    <message>
+        <source>By which statistic</source>
+        <translation>Nach welcher Statistik</translation>
+    </message>
+    <message>
+        <source>Remove this aim</source>
+        <translation>Dieses Ziel entfernen</translation>
+    </message>
+    <message>
+        <source>largest %1</source>
+        <translation>max. %1</translation>
+    </message>
+    <message>
+        <source>least %1</source>
+        <translation>min. %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::AimRows</name>
+    <message>
+        <source>+ aim</source>
+        <translation>+ Ziel</translation>
+    </message>
+    <message>
+        <source>One more aim, for what is best in all of them: the first decides</source>
+        <translation>Ein weiteres Ziel, für das, was in allen am besten ist: das erste entscheidet</translation>
+    </message>
+    <message>
+        <source>for the</source>
+        <translation>für</translation>
+    </message>
+    <message>
+        <source>then the</source>
+        <translation>dann</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::AlertLink</name>
+    <message>
+        <source>✓ nothing unusual</source>
+        <translation>✓ nichts Ungewöhnliches</translation>
+    </message>
+    <message>
+        <source>✖ not solved</source>
+        <translation>✖ nicht gelöst</translation>
+    </message>
+    <message>
+        <source>⚠ 1 alert</source>
+        <translation>⚠ 1 Warnung</translation>
+    </message>
+    <message>
+        <source>⚠ %1 alerts</source>
+        <translation>⚠ %1 Warnungen</translation>
+    </message>
+    <message>
+        <source>ℹ 1 note</source>
+        <translation>ℹ 1 Hinweis</translation>
+    </message>
+    <message>
+        <source>ℹ %1 notes</source>
+        <translation>ℹ %1 Hinweise</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::AlertList</name>
+    <message>
+        <source>Not solved</source>
+        <translation>Nicht gelöst</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Nothing unusual</source>
+        <translation>Nichts Ungewöhnliches</translation>
+    </message>
+    <message>
+        <source>Nothing unusual.</source>
+        <translation>Nichts Ungewöhnliches.</translation>
+    </message>
+    <message>
+        <source>Go to “%1”</source>
+        <translation>Zu „%1“</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::AreaKeys</name>
+    <message>
+        <source>Next &amp;area</source>
+        <translation>Nächster &amp;Bereich</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious area</source>
+        <translation>Vori&amp;ger Bereich</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::AxisFields</name>
+    <message>
+        <source>log</source>
+        <translation>log</translation>
+    </message>
+    <message>
+        <source>%1: parameter</source>
+        <translation>%1: Parameter</translation>
+    </message>
+    <message>
+        <source>%1: logarithmic</source>
+        <translation>%1: logarithmisch</translation>
+    </message>
+    <message>
+        <source>Even ratios in place of even steps</source>
+        <translation>Gleiche Verhältnisse statt gleicher Schritte</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>%1, unit</source>
+        <translation>%1, Einheit</translation>
+    </message>
+    <message>
+        <source>must be greater than 0 on a logarithmic axis</source>
+        <translation>muss auf einer logarithmischen Achse größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>must differ from the other end</source>
+        <translation>muss sich vom anderen Ende unterscheiden</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::BlowPage</name>
+    <message>
+        <source>rms %1 · peaks differ by %2</source>
+        <translation>rms %1 · Spitzen unterscheiden sich um %2</translation>
+    </message>
+    <message>
+        <source> · lag %1</source>
+        <translation> · Verzug %1</translation>
+    </message>
+    <message>
+        <source>Where in the rod or string the waves are observed: 0 is the struck end, 1 the bit.</source>
+        <translation>Wo in Stange oder Strang die Wellen beobachtet werden: 0 ist das Schlagende, 1 die Bohrkrone.</translation>
+    </message>
+    <message>
+        <source>Values at the time cursor: normal force at the section, impact force, impulse, momentum</source>
+        <translation>Werte am Zeitcursor: Normalkraft im Querschnitt, Stoßkraft, Kraftstoß, Impuls</translation>
+    </message>
+    <message>
+        <source>Waves, impact force, impulse and momentum over time</source>
+        <translation>Wellen, Stoßkraft, Kraftstoß und Impuls über der Zeit</translation>
+    </message>
+    <message>
+        <source>Section x/L</source>
+        <translation>Stelle x/L</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Bring all curves into view (double-click in the plots)</source>
+        <translation>Alle Kurven ins Bild bringen (Doppelklick in den Diagrammen)</translation>
+    </message>
+    <message>
+        <source>%1 behind the face of the hammer</source>
+        <translation>%1 hinter der Schlagfläche des Hammers</translation>
+    </message>
+    <message>
+        <source>%1 from the shank</source>
+        <translation>%1 vom Einsteckende</translation>
+    </message>
+    <message>
+        <source>%1 from the struck end</source>
+        <translation>%1 vom Schlagende</translation>
+    </message>
+    <message>
+        <source>No time chosen: click an event, or press T over the plots.</source>
+        <translation>Keine Zeit gewählt: auf ein Ereignis klicken, oder T über den Diagrammen drücken.</translation>
+    </message>
+    <message>
+        <source>t = %1 · N = %2 · F = %3 · I = %4 · p = %5</source>
+        <translation>t = %1 · N = %2 · F = %3 · I = %4 · p = %5</translation>
+    </message>
+    <message>
+        <source>Nothing to show: the waves of this blow are more than can be kept.</source>
+        <translation>Nichts zu zeigen: dieser Schlag hat mehr Wellen, als behalten werden können.</translation>
+    </message>
+    <message>
+        <source>Nothing to show: %1</source>
+        <translation>Nichts zu zeigen: %1</translation>
+    </message>
+    <message>
+        <source>wheel zooms · drag moves · double-click fits</source>
+        <translation>Rad zoomt · Ziehen verschiebt · Doppelklick passt ein</translation>
+    </message>
+    <message>
+        <source>Blow</source>
+        <translation>Schlag</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::BlowPlots</name>
+    <message>
+        <source>impact force F</source>
+        <translation>Stoßkraft F</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>geschlossene Form</translation>
+    </message>
+    <message>
+        <source>force of the hammer on the string</source>
+        <translation>Kraft des Hammers auf den Strang</translation>
+    </message>
+    <message>
+        <source>impulse of the impact force I</source>
+        <translation>Kraftstoß I der Stoßkraft</translation>
+    </message>
+    <message>
+        <source>momentum of the rod p</source>
+        <translation>Impuls der Stange p</translation>
+    </message>
+    <message>
+        <source>Nₚ to the bit</source>
+        <translation>Nₚ zur Bohrkrone</translation>
+    </message>
+    <message>
+        <source>Nₙ from the bit</source>
+        <translation>Nₙ von der Bohrkrone</translation>
+    </message>
+    <message>
+        <source>momentum of the string p</source>
+        <translation>Impuls des Strangs p</translation>
+    </message>
+    <message>
+        <source>section %1 of the hammer, %2 from its rear</source>
+        <translation>Abschnitt %1 des Hammers, %2 von seinem hinteren Ende</translation>
+    </message>
+    <message>
+        <source>section %1, %2 from its rear</source>
+        <translation>Abschnitt %1, %2 von seinem hinteren Ende</translation>
+    </message>
+    <message>
+        <source>section %1 (%2), %3 from its rear</source>
+        <translation>Abschnitt %1 (%2), %3 von seinem hinteren Ende</translation>
+    </message>
+    <message>
+        <source>closed form, error of e &lt; %1</source>
+        <translation>geschlossene Form, Fehler von e &lt; %1</translation>
+    </message>
+    <message>
+        <source>waves at x/L = %1</source>
+        <translation>Wellen bei x/L = %1</translation>
+    </message>
+    <message>
+        <source>N, tension +</source>
+        <translation>N, Zug +</translation>
+    </message>
+    <message>
+        <source>time t</source>
+        <translation>Zeit t</translation>
+    </message>
+    <message>
+        <source>Four plots over time from 0 to %1. %2: largest N %3, wave to the bit %4, from the bit %5. Impact force up to %6, force of the hammer on the string up to %7. Impulse up to %8. Momentum of the string up to %9.</source>
+        <translation>Vier Diagramme über der Zeit von 0 bis %1. %2: größtes N %3, Welle zur Bohrkrone %4, von der Bohrkrone %5. Stoßkraft bis %6, Kraft des Hammers auf den Strang bis %7. Kraftstoß bis %8. Impuls des Strangs bis %9.</translation>
+    </message>
+    <message>
+        <source>Four plots over time from 0 to %1. Waves at x/L = %2: largest N %10, N0p %3, N1n %4, N2p %5, N3n %6. Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.</source>
+        <translation>Vier Diagramme über der Zeit von 0 bis %1. Wellen bei x/L = %2: größtes N %10, N0p %3, N1n %4, N2p %5, N3n %6. Stoßkraft bis %7. Kraftstoß bis %8. Impuls der Stange bis %9.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::CompareModel</name>
+    <message>
+        <source>reference</source>
+        <translation>Bezug</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ComparePage</name>
+    <message>
+        <source>No runs are pinned yet.
+
+F7 (or Pin, at the right of the tabs) keeps the present result with its scenario. Then change something and pin again: the runs stand here side by side, and lie over the plots of the other pages.
+
+On the pages of studies, Shift and a click pin the point below the pointer.</source>
+        <translation>Noch sind keine Läufe angeheftet.
+
+F7 (oder Anheften, rechts neben den Reitern) behält das gegenwärtige Ergebnis mit seinem Szenario. Danach etwas ändern und wieder anheften: Die Läufe stehen hier nebeneinander und liegen über den Diagrammen der anderen Seiten.
+
+Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zeiger an.</translation>
+    </message>
+    <message>
+        <source>What the differences are taken from: here, in the list of runs and in the result</source>
+        <translation>Wovon die Unterschiede genommen werden: hier, in der Liste der Läufe und im Ergebnis</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Vergleichen mit</translation>
+    </message>
+    <message>
+        <source>Revert to this run</source>
+        <translation>Zurück zu diesem Lauf</translation>
+    </message>
+    <message>
+        <source>Brings back the scenario of the run whose column is chosen, as one step that can be undone</source>
+        <translation>Bringt das Szenario des Laufs zurück, dessen Spalte gewählt ist, als ein Schritt, der rückgängig gemacht werden kann</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>The whole table with all digits, for a spreadsheet</source>
+        <translation>Die ganze Tabelle mit allen Ziffern, für eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Als CSV speichern …</translation>
+    </message>
+    <message>
+        <source>Runs side by side</source>
+        <translation>Läufe nebeneinander</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Compare (%1)</source>
+        <translation>Vergleich (%1)</translation>
+    </message>
+    <message>
+        <source>the present result</source>
+        <translation>das gegenwärtige Ergebnis</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+    <message>
+        <source>Revert to %1</source>
+        <translation>Zurück zu %1</translation>
+    </message>
+    <message>
+        <source>No runs are pinned.</source>
+        <translation>Keine Läufe sind angeheftet.</translation>
+    </message>
+    <message>
+        <source>The present result is not solved yet.</source>
+        <translation>Das gegenwärtige Ergebnis ist noch nicht gelöst.</translation>
+    </message>
+    <message>
+        <source>&amp;Data of this table…</source>
+        <translation>&amp;Daten dieser Tabelle …</translation>
+    </message>
+    <message>
+        <source>Runs side by side with their differences, as CSV in the units on show</source>
+        <translation>Läufe nebeneinander mit ihren Unterschieden, als CSV in den gezeigten Einheiten</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ContactBarsItem</name>
+    <message>
+        <source>contact of bit and rock</source>
+        <translation>Kontakt von Bohrkrone und Gestein</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::CursorBar</name>
+    <message>
+        <source>Curve that is read</source>
+        <translation>Kurve, die abgelesen wird</translation>
+    </message>
+    <message>
+        <source>The curve that is read; a click on a curve chooses it</source>
+        <translation>Die Kurve, die abgelesen wird; ein Klick auf eine Kurve wählt sie</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy what is read</source>
+        <translation>Ablesungen kopieren</translation>
+    </message>
+    <message>
+        <source>This table with all digits, to paste into a spreadsheet</source>
+        <translation>Diese Tabelle mit allen Ziffern, zum Einfügen in eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>Remove the cursors A and B</source>
+        <translation>Die Cursor A und B entfernen</translation>
+    </message>
+    <message>
+        <source>Cursors: %1</source>
+        <translation>Cursor: %1</translation>
+    </message>
+    <message>
+        <source>In view: %1</source>
+        <translation>Im Bild: %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::CurveMarks</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>kink %1</source>
+        <translation>Knick %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::CurvePage</name>
+    <message>
+        <source>A result over a parameter</source>
+        <translation>Ein Ergebnis über einem Parameter</translation>
+    </message>
+    <message>
+        <source>vary</source>
+        <translation>variiert</translation>
+    </message>
+    <message>
+        <source>family</source>
+        <translation>Schar</translation>
+    </message>
+    <message>
+        <source>this scenario</source>
+        <translation>dieses Szenario</translation>
+    </message>
+    <message>
+        <source>A curve for the value of the family that the scenario has, too</source>
+        <translation>Eine Kurve auch für den Wert der Schar, den das Szenario hat</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>geschlossene Form</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s analytical solution, dashed where it holds: rectangular blow, elastic rock (γ = 1)</source>
+        <translation>Die analytische Lösung der Veröffentlichung, gestrichelt, wo sie gilt: Rechteckschlag, elastisches Gestein (γ = 1)</translation>
+    </message>
+    <message>
+        <source>Rod without waves</source>
+        <translation>Stange ohne Wellen</translation>
+    </message>
+    <message>
+        <source>The rod that arrives without waves, dotted, over its stiffness in one of two units</source>
+        <translation>Die Stange, die ohne Wellen ankommt, gepunktet, über ihrer Steifigkeit in einer von zwei Einheiten</translation>
+    </message>
+    <message>
+        <source>no rod without waves</source>
+        <translation>keine Stange ohne Wellen</translation>
+    </message>
+    <message>
+        <source>rod without waves, k₀ = Z/(2T)</source>
+        <translation>Stange ohne Wellen, k₀ = Z/(2T)</translation>
+    </message>
+    <message>
+        <source>rod without waves, k₀ = Z/t₀</source>
+        <translation>Stange ohne Wellen, k₀ = Z/t₀</translation>
+    </message>
+    <message>
+        <source>Points of a curve</source>
+        <translation>Punkte einer Kurve</translation>
+    </message>
+    <message>
+        <source>How many blows are solved along a curve of a drill string</source>
+        <translation>Wie viele Schläge entlang einer Kurve eines Bohrstrangs gelöst werden</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Efficiency–stiffness</source>
+        <translation>Wirkungsgrad–Steifigkeit</translation>
+    </message>
+    <message>
+        <source>COR–stiffness</source>
+        <translation>e–Steifigkeit</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::DensityMark</name>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>How often values come, from the least to the largest</source>
+        <translation>Wie oft Werte vorkommen, vom kleinsten bis zum größten</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::DesignCard</name>
+    <message>
+        <source>&lt;b&gt;This scenario&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Dieses Szenario&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Robust best: %1&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Robust beste: %1&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>The samples do not tell it apart from %1: any of them will do.</source>
+        <translation>Die Stichproben unterscheiden sie nicht von %1: jede davon ist recht.</translation>
+    </message>
+    <message>
+        <source>Of them %1 has the %2: %3.</source>
+        <translation>Unter ihnen hat %1 %2: %3.</translation>
+    </message>
+    <message>
+        <source>The nominal best, %1, would lose %2&#xa0;% of it %3.</source>
+        <translation>Die nominal beste, %1, verlöre davon %2 % %3.</translation>
+    </message>
+    <message>
+        <source>The nominal best, %1, would have %2&#xa0;% more of it %3.</source>
+        <translation>Die nominal beste, %1, hätte davon %2 % mehr %3.</translation>
+    </message>
+    <message>
+        <source>the draws</source>
+        <translation>die Ziehungen</translation>
+    </message>
+    <message>
+        <source>For %1 measure &lt;b&gt;%2&lt;/b&gt; first: %3 of its scatter.</source>
+        <translation>Für %1 zuerst &lt;b&gt;%2&lt;/b&gt; messen: %3 der Streuung.</translation>
+    </message>
+    <message>
+        <source>Least %1 found of the robust best: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
+        <translation>Kleinster gefundener Wert (%1) der robust besten: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
+    </message>
+    <message>
+        <source>Largest %1 found of the robust best: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
+        <translation>Größter gefundener Wert (%1) der robust besten: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
+    </message>
+    <message>
+        <source>The choices change the energy of the blow: machines of different power are compared. “keep the energy” keeps it.</source>
+        <translation>Die Wahl ändert die Energie des Schlags: verglichen werden Maschinen verschiedener Leistung. „Energie halten“ hält sie.</translation>
+    </message>
+    <message>
+        <source>The scatter of the efficiency is nearly all that of γ; work of loading shows what wave and machine can do.</source>
+        <translation>Der Wirkungsgrad streut fast nur mit γ; die Belastungsarbeit zeigt, was Welle und Maschine können.</translation>
+    </message>
+    <message>
+        <source>What the designs say</source>
+        <translation>Was die Auslegungen sagen</translation>
+    </message>
+    <message>
+        <source>Load the robust best</source>
+        <translation>Die robust beste laden</translation>
+    </message>
+    <message>
+        <source>Load the nominal best</source>
+        <translation>Die nominal beste laden</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Laden</translation>
+    </message>
+    <message>
+        <source>%1 samples of each design; errors are of 95 %.</source>
+        <translation>%1 Stichproben je Auslegung; Fehler zu 95 %.</translation>
+    </message>
+    <message>
+        <source>%1 samples so far, %2 to come.</source>
+        <translation>Bisher %1 Stichproben, %2 folgen.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::DesignPage</name>
+    <message>
+        <source>samples</source>
+        <translation>Stichproben</translation>
+    </message>
+    <message>
+        <source>Designs over what is not known</source>
+        <translation>Auslegungen über dem, was nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>to be chosen</source>
+        <translation>zu wählen</translation>
+    </message>
+    <message>
+        <source>keep the energy</source>
+        <translation>Energie halten</translation>
+    </message>
+    <message>
+        <source>The blow of every design is scaled to the energy of this one: by its impulse, or by the velocity of the hammer</source>
+        <translation>Der Schlag jeder Auslegung wird auf die Energie des gegenwärtigen skaliert: über seinen Kraftstoß oder über die Geschwindigkeit des Hammers</translation>
+    </message>
+    <message>
+        <source>Samples of each design</source>
+        <translation>Stichproben je Auslegung</translation>
+    </message>
+    <message>
+        <source>Too many of the samples have no answer: %1</source>
+        <translation>Zu viele der Stichproben haben keine Antwort: %1</translation>
+    </message>
+    <message>
+        <source>⚠ %1
+What is shown is of the value before.</source>
+        <translation>⚠ %1
+Gezeigt wird der Wert davor.</translation>
+    </message>
+    <message>
+        <source>%1 samples of each design</source>
+        <translation>%1 Stichproben je Auslegung</translation>
+    </message>
+    <message>
+        <source>%1 samples of each design so far, refined to %2</source>
+        <translation>Bisher %1 Stichproben je Auslegung, verfeinert auf %2</translation>
+    </message>
+    <message>
+        <source>There is no design to be told of.</source>
+        <translation>Es gibt keine Auslegung, von der zu berichten wäre.</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Auslegung</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::DesignPlot</name>
+    <message>
+        <source>5 % to 95 %</source>
+        <translation>5 % bis 95 %</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>wie es ist</translation>
+    </message>
+    <message>
+        <source>ties</source>
+        <translation>gleichauf</translation>
+    </message>
+    <message>
+        <source>nominal best</source>
+        <translation>nominal beste</translation>
+    </message>
+    <message>
+        <source>robust best</source>
+        <translation>robust beste</translation>
+    </message>
+    <message>
+        <source>share of the scatter
+(filled: alone)</source>
+        <translation>Anteil an der Streuung
+(gefüllt: allein)</translation>
+    </message>
+    <message>
+        <source>this scenario</source>
+        <translation>dieses Szenario</translation>
+    </message>
+    <message>
+        <source>%1: does not scatter</source>
+        <translation>%1: streut nicht</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::Document</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Unbenannt</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>change %1</source>
+        <translation>%1 ändern</translation>
+    </message>
+    <message>
+        <source>clear %1</source>
+        <translation>%1 leeren</translation>
+    </message>
+    <message>
+        <source>change the pulse shape to %1</source>
+        <translation>die Schlagform in %1 ändern</translation>
+    </message>
+    <message>
+        <source>change the title</source>
+        <translation>den Titel ändern</translation>
+    </message>
+    <message>
+        <source>reload the file</source>
+        <translation>die Datei neu laden</translation>
+    </message>
+    <message>
+        <source>A preset of a rod is for uniform rods, and this scenario is a drill string.</source>
+        <translation>Eine Vorgabe einer Stange ist für gleichförmige Stangen, und dieses Szenario ist ein Bohrstrang.</translation>
+    </message>
+    <message>
+        <source>A preset of a blow is a force, and this string is struck by the sections of its hammer.</source>
+        <translation>Eine Vorgabe eines Schlags ist eine Kraft, und diesen Strang schlagen die Abschnitte seines Hammers.</translation>
+    </message>
+    <message>
+        <source>A preset has physical units, and this scenario is given by its dimensionless groups.</source>
+        <translation>Eine Vorgabe hat physikalische Einheiten, und dieses Szenario ist durch seine dimensionslosen Kennzahlen gegeben.</translation>
+    </message>
+    <message>
+        <source>take the preset %1</source>
+        <translation>die Vorgabe %1 übernehmen</translation>
+    </message>
+    <message>
+        <source>take the hammer blow from %1</source>
+        <translation>den Hammerschlag aus %1 übernehmen</translation>
+    </message>
+    <message>
+        <source>reload the table of the hammer blow</source>
+        <translation>die Tabelle des Hammerschlags neu laden</translation>
+    </message>
+    <message>
+        <source>This string is struck by the sections of its hammer, not by a force from a table.</source>
+        <translation>Diesen Strang schlagen die Abschnitte seines Hammers, nicht eine Kraft aus einer Tabelle.</translation>
+    </message>
+    <message>
+        <source>follow the table of the pulse</source>
+        <translation>der Tabelle des Schlags folgen</translation>
+    </message>
+    <message>
+        <source>%1: cannot be saved: %2. Nothing is lost: save it under another name or in another folder.</source>
+        <translation>%1: kann nicht gespeichert werden: %2. Nichts ist verloren: unter einem anderen Namen oder in einem anderen Ordner speichern.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::DrillingPage</name>
+    <message>
+        <source>scan over</source>
+        <translation>durchlaufen</translation>
+    </message>
+    <message>
+        <source>Many blows under a feed</source>
+        <translation>Viele Schläge unter einem Vorschub</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Durchlauf</translation>
+    </message>
+    <message>
+        <source>The statistics at values of this parameter, each from rest and from bouncing</source>
+        <translation>Die Statistik bei Werten dieses Parameters, jeweils aus der Ruhe und aus dem Springen</translation>
+    </message>
+    <message>
+        <source>bracket</source>
+        <translation>einklammern</translation>
+    </message>
+    <message>
+        <source>Also under a constant force, and with a dashpot of half the impedance where there is a machine mass: no maker publishes its damper</source>
+        <translation>Auch unter konstanter Kraft, und mit einem Dämpfer der halben Impedanz, wo es eine Maschinenmasse gibt: kein Hersteller veröffentlicht seinen Dämpfer</translation>
+    </message>
+    <message>
+        <source>Drilling is of scenarios in physical units, and this one is given by its dimensionless groups: it has no blow frequency and no thrust. File ▸ New begins a scenario that has them.</source>
+        <translation>Bohren braucht Szenarien in physikalischen Einheiten, und dieses ist durch seine dimensionslosen Kennzahlen gegeben: es hat weder Schlagfrequenz noch Andruck. Datei ▸ Neu beginnt ein Szenario, das sie hat.</translation>
+    </message>
+    <message>
+        <source>blow</source>
+        <translation>Schlag</translation>
+    </message>
+    <message>
+        <source>Stop %1/%2</source>
+        <translation>Anhalten %1/%2</translation>
+    </message>
+    <message>
+        <source>φ = %1, n_b = %2</source>
+        <translation>φ = %1, n_b = %2</translation>
+    </message>
+    <message>
+        <source>; %1 % of the blows begin on the rock; %2</source>
+        <translation>; %1 % der Schläge beginnen auf dem Gestein; %2</translation>
+    </message>
+    <message>
+        <source>No scan: %1</source>
+        <translation>Kein Durchlauf: %1</translation>
+    </message>
+    <message>
+        <source>The scan below: %1</source>
+        <translation>Der Durchlauf darunter: %1</translation>
+    </message>
+    <message>
+        <source>Drilling</source>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>Blow %1 of %2 under the feed, with the waves and the motion that it began with: gap %3, penetration %4. What Result says is of a single blow that begins at rest.</source>
+        <translation>Schlag %1 von %2 unter dem Vorschub, mit den Wellen und der Bewegung, mit denen er begann: Spalt %3, Eindringung %4. Was das Ergebnis sagt, ist von einem einzelnen Schlag, der in Ruhe beginnt.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::DrillingPlot</name>
+    <message>
+        <source>Penetration rate, contact share and gaps over %1.</source>
+        <translation>Bohrfortschritt, Kontaktanteil und Spalte über %1.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::DrillingTable</name>
+    <message>
+        <source>gap at the blow</source>
+        <translation>Spalt beim Schlag</translation>
+    </message>
+    <message>
+        <source>Between bit and rock when the hammer strikes</source>
+        <translation>Zwischen Bohrkrone und Gestein, wenn der Hammer schlägt</translation>
+    </message>
+    <message>
+        <source>penetration</source>
+        <translation>Eindringung</translation>
+    </message>
+    <message>
+        <source>Of a blow, an upper limit: all rock under the bit gives way</source>
+        <translation>Eines Schlags, eine obere Grenze: alles Gestein unter der Bohrkrone gibt nach</translation>
+    </message>
+    <message>
+        <source>rock impulse</source>
+        <translation>Kraftstoß auf das Gestein</translation>
+    </message>
+    <message>
+        <source>Of a blow and the cycle behind it; on the mean the feed times the interval</source>
+        <translation>Eines Schlags und des Zyklus dahinter; im Mittel der Vorschub mal dem Abstand der Schläge</translation>
+    </message>
+    <message>
+        <source>peak force</source>
+        <translation>Spitzenkraft</translation>
+    </message>
+    <message>
+        <source>Largest force of the rock in a cycle</source>
+        <translation>Größte Kraft des Gesteins in einem Zyklus</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>How many contacts begin in a cycle</source>
+        <translation>Wie viele Kontakte in einem Zyklus beginnen</translation>
+    </message>
+    <message>
+        <source>Statistics of the blows</source>
+        <translation>Statistik der Schläge</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>Error of the mean, 95 %: by batches of blows, and what larger or smaller cells change</source>
+        <translation>Fehler des Mittels, 95 %: aus Gruppen von Schlägen, und was größere oder kleinere Zellen ändern</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ElsewhereNotice</name>
+    <message>
+        <source>Go there</source>
+        <translation>Dorthin</translation>
+    </message>
+    <message>
+        <source>To the page that has the answer</source>
+        <translation>Zu der Seite, die die Antwort hat</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::EnergyBar</name>
+    <message>
+        <source>rock</source>
+        <translation>Gestein</translation>
+    </message>
+    <message>
+        <source>rebound</source>
+        <translation>Rückprall</translation>
+    </message>
+    <message>
+        <source>hammer</source>
+        <translation>Hammer</translation>
+    </message>
+    <message>
+        <source>losses</source>
+        <translation>Verluste</translation>
+    </message>
+    <message>
+        <source>waves</source>
+        <translation>Wellen</translation>
+    </message>
+    <message>
+        <source>Energy: no result</source>
+        <translation>Energie: kein Ergebnis</translation>
+    </message>
+    <message>
+        <source>Energy: %1</source>
+        <translation>Energie: %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::EventModel</name>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>unloading begins</source>
+        <translation>Entlastung beginnt</translation>
+    </message>
+    <message>
+        <source>primary loading</source>
+        <translation>Erstbelastung</translation>
+    </message>
+    <message>
+        <source>separation</source>
+        <translation>Trennung</translation>
+    </message>
+    <message>
+        <source>corner of the law</source>
+        <translation>Ecke des Gesetzes</translation>
+    </message>
+    <message>
+        <source>event at the bit</source>
+        <translation>Ereignis an der Bohrkrone</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::EventTable</name>
+    <message>
+        <source>Events at the bit</source>
+        <translation>Ereignisse an der Bohrkrone</translation>
+    </message>
+    <message>
+        <source>Choose an event to move the time cursor there</source>
+        <translation>Ein Ereignis wählen, um den Zeitcursor dorthin zu setzen</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ExampleNote</name>
+    <message>
+        <source>&amp;About this example</source>
+        <translation>&amp;Über dieses Beispiel</translation>
+    </message>
+    <message>
+        <source>What to look at in the example that is open</source>
+        <translation>Worauf im geöffneten Beispiel zu achten ist</translation>
+    </message>
+    <message>
+        <source>You have changed this example: what is said of its values may no longer hold. Undo brings them back.</source>
+        <translation>Dieses Beispiel ist geändert: was von seinen Werten gesagt ist, gilt vielleicht nicht mehr. Rückgängig bringt sie zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ExportMenu</name>
+    <message>
+        <source>CSV (*.csv);;All files (*)</source>
+        <translation>CSV (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>E&amp;xportieren</translation>
+    </message>
+    <message>
+        <source>&amp;Histories…</source>
+        <translation>&amp;Verläufe …</translation>
+    </message>
+    <message>
+        <source>Forces, impulse, momentum, penetration and velocity over time, as CSV</source>
+        <translation>Kräfte, Kraftstoß, Impuls, Eindringung und Geschwindigkeit über der Zeit, als CSV</translation>
+    </message>
+    <message>
+        <source>&amp;Events…</source>
+        <translation>&amp;Ereignisse …</translation>
+    </message>
+    <message>
+        <source>Contacts, reversals and separations with their times, as CSV</source>
+        <translation>Kontakte, Umkehrungen und Trennungen mit ihren Zeiten, als CSV</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>Bild &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>As it is zoomed, to paste into a report</source>
+        <translation>Im gegenwärtigen Ausschnitt, zum Einfügen in einen Bericht</translation>
+    </message>
+    <message>
+        <source>Everything into a &amp;folder…</source>
+        <translation>Alles in einen &amp;Ordner …</translation>
+    </message>
+    <message>
+        <source>Scenario, summary, histories, events and plots, as `drillwave run -o` writes them</source>
+        <translation>Szenario, Zusammenfassung, Verläufe, Ereignisse und Diagramme, wie `drillwave run -o` sie schreibt</translation>
+    </message>
+    <message>
+        <source>Save the data of the plot</source>
+        <translation>Die Daten des Diagramms speichern</translation>
+    </message>
+    <message>
+        <source>The waves of this blow are more than can be kept: there are no histories.</source>
+        <translation>Dieser Schlag hat mehr Wellen, als behalten werden können: es gibt keine Verläufe.</translation>
+    </message>
+    <message>
+        <source>Export the histories</source>
+        <translation>Die Verläufe exportieren</translation>
+    </message>
+    <message>
+        <source>Export the events</source>
+        <translation>Die Ereignisse exportieren</translation>
+    </message>
+    <message>
+        <source>The blow could not be solved: %1</source>
+        <translation>Der Schlag konnte nicht gelöst werden: %1</translation>
+    </message>
+    <message>
+        <source>Overwrite the files in this folder?</source>
+        <translation>Die Dateien in diesem Ordner überschreiben?</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Das Bild speichern</translation>
+    </message>
+    <message>
+        <source>%1: not written, the plot could not be drawn</source>
+        <translation>%1: nicht geschrieben, das Diagramm konnte nicht gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>The picture</source>
+        <translation>Das Bild</translation>
+    </message>
+    <message>
+        <source>The picture is in the clipboard.</source>
+        <translation>Das Bild ist in der Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>The export has failed.</source>
+        <translation>Der Export ist fehlgeschlagen.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FamilyFields</name>
+    <message>
+        <source>%1: parameter</source>
+        <translation>%1: Parameter</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1: values</source>
+        <translation>%1: Werte</translation>
+    </message>
+    <message>
+        <source>One curve for each value, with or without units: 0.1; 0.3; 1</source>
+        <translation>Eine Kurve für jeden Wert, mit oder ohne Einheit: 0.1; 0.3; 1</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>kein Wert</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>höchstens %1 Werte</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FeedText</name>
+    <message>
+        <source>⚠ short by %1 (−%2 %)</source>
+        <translation>⚠ es fehlen %1 (−%2 %)</translation>
+    </message>
+    <message>
+        <source>✓ met, %1 (%2 %) to spare</source>
+        <translation>✓ erfüllt, %1 (%2 %) übrig</translation>
+    </message>
+    <message>
+        <source>%1, effective %2</source>
+        <translation>%1, wirksam %2</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FigureDialog</name>
+    <message>
+        <source>Figure %1 of the paper</source>
+        <translation>Abbildung %1 der Veröffentlichung</translation>
+    </message>
+    <message>
+        <source>The paper prints no number with this figure.</source>
+        <translation>Die Veröffentlichung druckt zu dieser Abbildung keine Zahl.</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>Zahl</translation>
+    </message>
+    <message>
+        <source>printed</source>
+        <translation>gedruckt</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>Numbers that the paper prints with this figure</source>
+        <translation>Zahlen, die die Veröffentlichung zu dieser Abbildung druckt</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>weicht ab</translation>
+    </message>
+    <message>
+        <source>differs: </source>
+        <translation>weicht ab: </translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FileLines</name>
+    <message>
+        <source>First lines of the file</source>
+        <translation>Erste Zeilen der Datei</translation>
+    </message>
+    <message>
+        <source>First lines of the file; samples begin at the marked one</source>
+        <translation>Erste Zeilen der Datei; die Abtastwerte beginnen an der markierten</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FileMenu</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>New di&amp;mensionless</source>
+        <translation>Neu, di&amp;mensionslos</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>neu</translation>
+    </message>
+    <message>
+        <source>A scenario given by its groups β, γ, τ and δ alone, without units</source>
+        <translation>Ein Szenario, das nur durch seine Kennzahlen β, γ, τ und δ gegeben ist, ohne Einheiten</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importieren …</translation>
+    </message>
+    <message>
+        <source>A measured signal from a table of samples: as the hammer blow, or to compare with</source>
+        <translation>Ein gemessenes Signal aus einer Tabelle von Abtastwerten: als Hammerschlag oder zum Vergleich</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>B&amp;eenden</translation>
+    </message>
+    <message>
+        <source>&amp;Examples</source>
+        <translation>Beis&amp;piele</translation>
+    </message>
+    <message>
+        <source>&amp;Figures of the paper</source>
+        <translation>Abbildungen der Veröffentlichun&amp;g</translation>
+    </message>
+    <message>
+        <source>waves at the middle of the rod</source>
+        <translation>Wellen in der Mitte der Stange</translation>
+    </message>
+    <message>
+        <source>impact force, impulse and momentum</source>
+        <translation>Stoßkraft, Kraftstoß und Impuls</translation>
+    </message>
+    <message>
+        <source>impact force and its closed form</source>
+        <translation>Stoßkraft und ihre geschlossene Form</translation>
+    </message>
+    <message>
+        <source>restitution over the stiffness</source>
+        <translation>Stoßzahl über der Steifigkeit</translation>
+    </message>
+    <message>
+        <source>restitution and its closed form</source>
+        <translation>Stoßzahl und ihre geschlossene Form</translation>
+    </message>
+    <message>
+        <source>restitution over the gap</source>
+        <translation>Stoßzahl über dem Spalt</translation>
+    </message>
+    <message>
+        <source>Figure &amp;%1: %2</source>
+        <translation>Abbildung &amp;%1: %2</translation>
+    </message>
+    <message>
+        <source>Computed anew, beside the numbers that the paper prints</source>
+        <translation>Neu berechnet, neben den Zahlen, die die Veröffentlichung druckt</translation>
+    </message>
+    <message>
+        <source>The example cannot be opened.</source>
+        <translation>Das Beispiel kann nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Zu&amp;letzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Clear list</source>
+        <translation>Liste &amp;leeren</translation>
+    </message>
+    <message>
+        <source>Forget these names; the files stay</source>
+        <translation>Diese Namen vergessen; die Dateien bleiben</translation>
+    </message>
+    <message>
+        <source>This file is no longer there.</source>
+        <translation>Diese Datei ist nicht mehr da.</translation>
+    </message>
+    <message>
+        <source>%1
+It may be on a drive that is not connected. Shall it be taken off the list?</source>
+        <translation>%1
+Vielleicht liegt sie auf einem Laufwerk, das nicht verbunden ist. Soll sie aus der Liste genommen werden?</translation>
+    </message>
+    <message>
+        <source>Take it off</source>
+        <translation>Herausnehmen</translation>
+    </message>
+    <message>
+        <source>The scenario cannot be opened.</source>
+        <translation>Das Szenario kann nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>This cannot be taken.</source>
+        <translation>Das kann nicht übernommen werden.</translation>
+    </message>
+    <message>
+        <source>%1 files were dropped; drop one at a time.</source>
+        <translation>%1 Dateien wurden abgelegt; bitte eine auf einmal.</translation>
+    </message>
+    <message>
+        <source>%1
+Drop a scenario (.yaml), a file of a run (.csv, .json), a report (.html), the CSV file of a hammer blow, or a table of samples (.txt, .dat).</source>
+        <translation>%1
+Ablegen lassen sich ein Szenario (.yaml), eine Datei eines Laufs (.csv, .json), ein Bericht (.html), die CSV-Datei eines Hammerschlags oder eine Tabelle von Abtastwerten (.txt, .dat).</translation>
+    </message>
+    <message>
+        <source>The file has been changed by another program.</source>
+        <translation>Die Datei wurde von einem anderen Programm geändert.</translation>
+    </message>
+    <message>
+        <source>%1
+Saving writes over what that program has written.</source>
+        <translation>%1
+Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Überschreiben</translation>
+    </message>
+    <message>
+        <source>A file of this name exists already.</source>
+        <translation>Eine Datei dieses Namens gibt es schon.</translation>
+    </message>
+    <message>
+        <source>The scenario has not been saved.</source>
+        <translation>Das Szenario wurde nicht gespeichert.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FileNotice</name>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>&amp;Neu laden</translation>
+    </message>
+    <message>
+        <source>Take the scenario from the file; Undo brings the present one back</source>
+        <translation>Das Szenario aus der Datei nehmen; Rückgängig bringt das gegenwärtige zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Keep mine</source>
+        <translation>&amp;Meines behalten</translation>
+    </message>
+    <message>
+        <source>Go on with the present scenario; saving writes it over the file</source>
+        <translation>Mit dem gegenwärtigen Szenario weiterarbeiten; Speichern schreibt es über die Datei</translation>
+    </message>
+    <message>
+        <source>%1 has been deleted or moved. Saving writes it again.</source>
+        <translation>%1 wurde gelöscht oder verschoben. Speichern schreibt die Datei neu.</translation>
+    </message>
+    <message>
+        <source>%1 has been changed by another program, and here as well.</source>
+        <translation>%1 wurde von einem anderen Programm geändert, und hier auch.</translation>
+    </message>
+    <message>
+        <source>%1 has been changed by another program.</source>
+        <translation>%1 wurde von einem anderen Programm geändert.</translation>
+    </message>
+    <message>
+        <source>The file cannot be reloaded.</source>
+        <translation>Die Datei kann nicht neu geladen werden.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FolderDialog</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>There is no such folder yet. Make it?</source>
+        <translation>Diesen Ordner gibt es noch nicht. Anlegen?</translation>
+    </message>
+    <message>
+        <source>Make it</source>
+        <translation>Anlegen</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FormNotice</name>
+    <message>
+        <source>&amp;Make a drill string of this</source>
+        <translation>&amp;Bohrstrang daraus machen</translation>
+    </message>
+    <message>
+        <source>&amp;Simplify to a uniform rod</source>
+        <translation>Zur gleichförmigen Stange &amp;vereinfachen</translation>
+    </message>
+    <message>
+        <source>Put a &amp;force in place of the hammer</source>
+        <translation>&amp;Kraft anstelle des Hammers setzen</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take the conversion back</source>
+        <translation>Die Umwandlung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>make a drill string</source>
+        <translation>einen Bohrstrang daraus machen</translation>
+    </message>
+    <message>
+        <source>This is a drill string now: a hammer and one rod, to which couplings, an adapter and a bit can be added on the page String.</source>
+        <translation>Das ist jetzt ein Bohrstrang: ein Hammer und eine Stange, zu denen auf der Seite Strang Kupplungsmuffen, ein Einsteckende und eine Bohrkrone hinzukommen können.</translation>
+    </message>
+    <message>
+        <source>simplify to a uniform rod</source>
+        <translation>zur gleichförmigen Stange vereinfachen</translation>
+    </message>
+    <message>
+        <source>This is a uniform rod now, through which waves travel as long as through the string.</source>
+        <translation>Das ist jetzt eine gleichförmige Stange, durch die Wellen so lange laufen wie durch den Strang.</translation>
+    </message>
+    <message>
+        <source>put a force in place of the hammer</source>
+        <translation>eine Kraft anstelle des Hammers setzen</translation>
+    </message>
+    <message>
+        <source>A force drives the string now: any shape, or a measured blow by File ▸ Import.</source>
+        <translation>Jetzt treibt eine Kraft den Strang: jede Form, oder ein gemessener Schlag über Datei ▸ Importieren.</translation>
+    </message>
+    <message>
+        <source>Nothing was converted: %1</source>
+        <translation>Nichts wurde umgewandelt: %1</translation>
+    </message>
+    <message>
+        <source>Lost or changed:</source>
+        <translation>Verloren oder geändert:</translation>
+    </message>
+    <message>
+        <source>A hammer and a rod of the same blow, to add couplings, an adapter and a bit to</source>
+        <translation>Ein Hammer und eine Stange mit demselben Schlag, für Kupplungsmuffen, Einsteckende und Bohrkrone</translation>
+    </message>
+    <message>
+        <source>Not of this scenario: %1</source>
+        <translation>Nicht in diesem Szenario: %1</translation>
+    </message>
+    <message>
+        <source>The rod alone, as long for the waves as the string, struck by a uniform piston</source>
+        <translation>Die Stange allein, für die Wellen so lang wie der Strang, von einem gleichförmigen Kolben geschlagen</translation>
+    </message>
+    <message>
+        <source>This scenario is a uniform rod</source>
+        <translation>Dieses Szenario ist eine gleichförmige Stange</translation>
+    </message>
+    <message>
+        <source>A force drives this scenario already</source>
+        <translation>Dieses Szenario treibt schon eine Kraft</translation>
+    </message>
+    <message>
+        <source>A force that does not feel what comes back, as a measured blow is</source>
+        <translation>Eine Kraft, die nicht spürt, was zurückkommt, wie ein gemessener Schlag</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::GapPage</name>
+    <message>
+        <source>Result over the gap, and how its values are distributed</source>
+        <translation>Ergebnis über dem Spalt, und wie seine Werte verteilt sind</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Which result is shown</source>
+        <translation>Welches Ergebnis gezeigt wird</translation>
+    </message>
+    <message>
+        <source>COR–gap is of uniform rods, whose results repeat over the gap; those of a drill string do not, and Efficiency–stiffness shows them over the gap point by point.</source>
+        <translation>e–Spalt ist für gleichförmige Stangen, deren Ergebnisse sich über dem Spalt wiederholen; die eines Bohrstrangs tun das nicht, und Wirkungsgrad–Steifigkeit zeigt sie über dem Spalt Punkt für Punkt.</translation>
+    </message>
+    <message>
+        <source>A first look; the curve follows.</source>
+        <translation>Ein erster Blick; die Kurve folgt.</translation>
+    </message>
+    <message>
+        <source>d₀</source>
+        <translation>d₀</translation>
+    </message>
+    <message>
+        <source>d₀ = %1</source>
+        <translation>d₀ = %1</translation>
+    </message>
+    <message>
+        <source>Results repeat with every %1 of gap. A click in the plot takes over the gap there, with Shift it pins it.</source>
+        <translation>Ergebnisse wiederholen sich mit jedem %1 Spalt. Ein Klick ins Diagramm übernimmt den Spalt dort, mit Umschalt heftet er ihn an.</translation>
+    </message>
+    <message>
+        <source>COR–gap</source>
+        <translation>e–Spalt</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::GapPlot</name>
+    <message>
+        <source>share in a band</source>
+        <translation>Anteil in einem Band</translation>
+    </message>
+    <message>
+        <source>share below</source>
+        <translation>Anteil darunter</translation>
+    </message>
+    <message>
+        <source>in a band [%]</source>
+        <translation>in einem Band [%]</translation>
+    </message>
+    <message>
+        <source>below [%]</source>
+        <translation>darunter [%]</translation>
+    </message>
+    <message>
+        <source>super rebound, e &gt; 1</source>
+        <translation>Überrückprall, e &gt; 1</translation>
+    </message>
+    <message>
+        <source>gap d</source>
+        <translation>Spalt d</translation>
+    </message>
+    <message>
+        <source>δ = gap / d₀</source>
+        <translation>δ = Spalt / d₀</translation>
+    </message>
+    <message>
+        <source>5 %</source>
+        <translation>5 %</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>scattered gap: mean %1, 5–95 % %2…%3</source>
+        <translation>gestreuter Spalt: Mittel %1, 5–95 % %2…%3</translation>
+    </message>
+    <message>
+        <source>all gaps alike: mean %1, 5–95 % %2…%3</source>
+        <translation>alle Spalte gleich: Mittel %1, 5–95 % %2…%3</translation>
+    </message>
+    <message>
+        <source> · e &gt; 1 at %1 of gaps</source>
+        <translation> · e &gt; 1 bei %1 der Spalte</translation>
+    </message>
+    <message>
+        <source> · thrust for 95 % of gaps %1</source>
+        <translation> · Andruck für 95 % der Spalte %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::HelpMenu</name>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>&amp;Handbuch</translation>
+    </message>
+    <message>
+        <source>&amp;Tutorial</source>
+        <translation>&amp;Einführung</translation>
+    </message>
+    <message>
+        <source>Mouse and &amp;keys</source>
+        <translation>&amp;Maus und Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;Glossary</source>
+        <translation>&amp;Glossar</translation>
+    </message>
+    <message>
+        <source>&amp;About Drillwave</source>
+        <translation>&amp;Über Drillwave</translation>
+    </message>
+    <message>
+        <source>Drillwave %1</source>
+        <translation>Drillwave %1</translation>
+    </message>
+    <message>
+        <source>Percussive rock drilling: waves in the rod, the impact on the rock, the rebound.
+Free software under the GNU General Public License, version 3 or later.</source>
+        <translation>Schlagendes Bohren: Wellen in der Stange, der Stoß auf das Gestein, der Rückprall.
+Freie Software unter der GNU General Public License, Version 3 oder später.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::HelpView</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbuch</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::HelpWindow</name>
+    <message>
+        <source>Manual — Drillwave</source>
+        <translation>Handbuch — Drillwave</translation>
+    </message>
+    <message>
+        <source>Back (Alt+Left)</source>
+        <translation>Zurück (Alt+Links)</translation>
+    </message>
+    <message>
+        <source>On (Alt+Right)</source>
+        <translation>Weiter (Alt+Rechts)</translation>
+    </message>
+    <message>
+        <source>Sections found</source>
+        <translation>Gefundene Abschnitte</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Größer</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Kleiner</translation>
+    </message>
+    <message>
+        <source>Usual size</source>
+        <translation>Übliche Größe</translation>
+    </message>
+    <message>
+        <source>Search all chapters (Ctrl+F)</source>
+        <translation>Alle Kapitel durchsuchen (Strg+F)</translation>
+    </message>
+    <message>
+        <source>Search all chapters</source>
+        <translation>Alle Kapitel durchsuchen</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Inhalt</translation>
+    </message>
+    <message>
+        <source>No section has all of these words.</source>
+        <translation>Kein Abschnitt hat alle diese Wörter.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ImportDialog</name>
+    <message>
+        <source>Import – %1</source>
+        <translation>Importieren – %1</translation>
+    </message>
+    <message>
+        <source>import as</source>
+        <translation>importieren als</translation>
+    </message>
+    <message>
+        <source>What the signal is for</source>
+        <translation>Wofür das Signal ist</translation>
+    </message>
+    <message>
+        <source>hammer blow</source>
+        <translation>Hammerschlag</translation>
+    </message>
+    <message>
+        <source>measured N in a section</source>
+        <translation>gemessenes N in einem Querschnitt</translation>
+    </message>
+    <message>
+        <source>measured force on the rock</source>
+        <translation>gemessene Kraft auf das Gestein</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Under which the measured curve is listed</source>
+        <translation>Unter dem die gemessene Kurve geführt wird</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>The record, and what is taken of it</source>
+        <translation>Die Aufzeichnung, und was davon genommen wird</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>N, tension +</source>
+        <translation>N, Zug +</translation>
+    </message>
+    <message>
+        <source>F, pressing +</source>
+        <translation>F, drückend +</translation>
+    </message>
+    <message>
+        <source>Nothing to show: %1</source>
+        <translation>Nichts zu zeigen: %1</translation>
+    </message>
+    <message>
+        <source>reading …</source>
+        <translation>liest …</translation>
+    </message>
+    <message>
+        <source>reading … %1 %</source>
+        <translation>liest … %1 %</translation>
+    </message>
+    <message>
+        <source>Only the shape is taken: this scenario has no physical units.</source>
+        <translation>Nur die Form wird genommen: dieses Szenario hat keine physikalischen Einheiten.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ImportPlot</name>
+    <message>
+        <source>record</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>taken</source>
+        <translation>genommen</translation>
+    </message>
+    <message>
+        <source>time in the file [%1]</source>
+        <translation>Zeit in der Datei [%1]</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::Importer</name>
+    <message>
+        <source>Import a measured signal</source>
+        <translation>Ein gemessenes Signal importieren</translation>
+    </message>
+    <message>
+        <source>Tables of samples (*.csv *.txt *.tsv *.dat *.asc *.prn);;All files (*)</source>
+        <translation>Tabellen von Abtastwerten (*.csv *.txt *.tsv *.dat *.asc *.prn);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>This cannot be taken.</source>
+        <translation>Das kann nicht übernommen werden.</translation>
+    </message>
+    <message>
+        <source>Import of a measured signal</source>
+        <translation>Import eines gemessenen Signals</translation>
+    </message>
+    <message>
+        <source>The hammer blow is taken from %1.</source>
+        <translation>Der Hammerschlag ist aus %1 übernommen.</translation>
+    </message>
+    <message>
+        <source>%1 is laid over the page Blow.</source>
+        <translation>%1 liegt jetzt über der Seite Schlag.</translation>
+    </message>
+    <message>
+        <source>This string is struck by the sections of its hammer; Edit ▸ Put a force in place of the hammer makes room for a measured one.</source>
+        <translation>Diesen Strang schlagen die Abschnitte seines Hammers; Bearbeiten ▸ Kraft anstelle des Hammers setzen macht Platz für einen gemessenen Schlag.</translation>
+    </message>
+    <message>
+        <source>take the hammer blow from %1</source>
+        <translation>den Hammerschlag aus %1 übernehmen</translation>
+    </message>
+    <message>
+        <source>%1 measured curves are there already: remove one on the page Blow.</source>
+        <translation>%1 gemessene Kurven sind schon da: eine auf der Seite Schlag entfernen.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::IndexingBox</name>
+    <message>
+        <source>rock</source>
+        <translation>Gestein</translation>
+    </message>
+    <message>
+        <source>Machine: rock</source>
+        <translation>Maschine: Gestein</translation>
+    </message>
+    <message>
+        <source>Whether the bit is turned onto new rock for every blow, or strikes the same crater again</source>
+        <translation>Ob die Bohrkrone für jeden Schlag auf neues Gestein gedreht wird, oder wieder denselben Krater trifft</translation>
+    </message>
+    <message>
+        <source>new for every blow</source>
+        <translation>neu für jeden Schlag</translation>
+    </message>
+    <message>
+        <source>the same crater</source>
+        <translation>derselbe Krater</translation>
+    </message>
+    <message>
+        <source>change which rock the blows meet</source>
+        <translation>ändern, welches Gestein die Schläge treffen</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::JointMarksItem</name>
+    <message>
+        <source>hammer</source>
+        <translation>Hammer</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::LanguageMenu</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>&amp;System</translation>
+    </message>
+    <message>
+        <source>The window speaks %1 when it is opened the next time.</source>
+        <translation>Das Fenster spricht %1, wenn es das nächste Mal geöffnet wird.</translation>
+    </message>
+    <message>
+        <source>Close it and start Drillwave again. Numbers stay as the system writes them; files, reports and the manual are in English.</source>
+        <translation>Dazu schließen und Drillwave neu starten. Zahlen bleiben, wie das System sie schreibt; Dateien, Berichte und das Handbuch sind englisch.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::LawSection</name>
+    <message>
+        <source>law</source>
+        <translation>Gesetz</translation>
+    </message>
+    <message>
+        <source>Bit and rock: law</source>
+        <translation>Bohrkrone und Gestein: Gesetz</translation>
+    </message>
+    <message>
+        <source>How the force rises with the penetration: along one line, along lines with corners, or with a power of it; it falls along one slope in all of them</source>
+        <translation>Wie die Kraft mit der Eindringung steigt: entlang einer Linie, entlang von Linien mit Ecken, oder mit einer Potenz davon; sie fällt immer entlang einer Steigung</translation>
+    </message>
+    <message>
+        <source>one line</source>
+        <translation>eine Linie</translation>
+    </message>
+    <message>
+        <source>corners</source>
+        <translation>Ecken</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>+ corner</source>
+        <translation>+ Ecke</translation>
+    </message>
+    <message>
+        <source>change the law of the rock</source>
+        <translation>das Gesetz des Gesteins ändern</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>slope, of k</source>
+        <translation>Steigung, von k</translation>
+    </message>
+    <message>
+        <source>Remove corner %1</source>
+        <translation>Ecke %1 entfernen</translation>
+    </message>
+    <message>
+        <source>Corner %1: %2</source>
+        <translation>Ecke %1: %2</translation>
+    </message>
+    <message>
+        <source>add a corner to the law of the rock</source>
+        <translation>dem Gesetz des Gesteins eine Ecke hinzufügen</translation>
+    </message>
+    <message>
+        <source>remove a corner from the law of the rock</source>
+        <translation>aus dem Gesetz des Gesteins eine Ecke entfernen</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::LevelField</name>
+    <message>
+        <source>Contours at</source>
+        <translation>Höhenlinien bei</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>at most %1 levels</source>
+        <translation>höchstens %1 Werte</translation>
+    </message>
+    <message>
+        <source>The values of which the map has contours, in the units on show: 0.95; 1; 1.05</source>
+        <translation>Die Werte, von denen das Kennfeld Höhenlinien hat, in den gezeigten Einheiten: 0.95; 1; 1.05</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MainWindow</name>
+    <message>
+        <source>exact · not solved</source>
+        <translation>exakt · nicht gelöst</translation>
+    </message>
+    <message>
+        <source>polynomial cells · not solved</source>
+        <translation>polynomiale Zellen · nicht gelöst</translation>
+    </message>
+    <message>
+        <source>polynomial cells · %1 · efficiency %2 ± %3</source>
+        <translation>polynomiale Zellen · %1 · Wirkungsgrad %2 ± %3</translation>
+    </message>
+    <message>
+        <source>exact · %1 · %2 · e = %3 ± %4</source>
+        <translation>exakt · %1 · %2 · e = %3 ± %4</translation>
+    </message>
+    <message>
+        <source>1 force peak</source>
+        <translation>1 Kraftspitze</translation>
+    </message>
+    <message>
+        <source>%1 force peaks</source>
+        <translation>%1 Kraftspitzen</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Szenario</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Bericht</translation>
+    </message>
+    <message>
+        <source>the run</source>
+        <translation>den Lauf</translation>
+    </message>
+    <message>
+        <source>the input was changed meanwhile.</source>
+        <translation>die Eingabe wurde inzwischen geändert.</translation>
+    </message>
+    <message>
+        <source>another page was chosen meanwhile.</source>
+        <translation>inzwischen wurde eine andere Seite gewählt.</translation>
+    </message>
+    <message>
+        <source>other units were chosen meanwhile.</source>
+        <translation>inzwischen wurden andere Einheiten gewählt.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes cannot be kept for the case of a crash.</source>
+        <translation>Nicht gespeicherte Änderungen können für den Fall eines Absturzes nicht aufbewahrt werden.</translation>
+    </message>
+    <message>
+        <source>%1[*] — Drillwave</source>
+        <translation>%1[*] — Drillwave</translation>
+    </message>
+    <message>
+        <source>%1 – %2[*] — Drillwave</source>
+        <translation>%1 – %2[*] — Drillwave</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ManualHelp</name>
+    <message>
+        <source>Menus, as they are now</source>
+        <translation>Menüs, wie sie jetzt sind</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>what it does</source>
+        <translation>was sie tut</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MapPage</name>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>contours</source>
+        <translation>Höhenlinien</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Result over two parameters</source>
+        <translation>Ergebnis über zwei Parametern</translation>
+    </message>
+    <message>
+        <source>Points of the map</source>
+        <translation>Punkte des Kennfelds</translation>
+    </message>
+    <message>
+        <source>How many values each of the two parameters takes</source>
+        <translation>Wie viele Werte jeder der beiden Parameter annimmt</translation>
+    </message>
+    <message>
+        <source>Both axes are %1: choose another parameter for one of them.</source>
+        <translation>Beide Achsen sind %1: für eine davon einen anderen Parameter wählen.</translation>
+    </message>
+    <message>
+        <source>A click takes over a point, with Shift it pins it; the crosshair can be dragged.</source>
+        <translation>Ein Klick übernimmt einen Punkt, mit Umschalt heftet er ihn an; das Fadenkreuz lässt sich ziehen.</translation>
+    </message>
+    <message>
+        <source>here %1. %2</source>
+        <translation>hier %1. %2</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Kennfeld</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MapPlot</name>
+    <message>
+        <source>nearest: %1</source>
+        <translation>am nächsten: %1</translation>
+    </message>
+    <message>
+        <source>No point could be solved.</source>
+        <translation>Kein Punkt konnte gelöst werden.</translation>
+    </message>
+    <message>
+        <source>The map follows.</source>
+        <translation>Das Kennfeld folgt.</translation>
+    </message>
+    <message>
+        <source>%1 … %2</source>
+        <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source> · nowhere %1</source>
+        <translation> · nirgends %1</translation>
+    </message>
+    <message>
+        <source> · %1 of %2 points not solved (hatched)</source>
+        <translation> · %1 von %2 Punkten nicht gelöst (schraffiert)</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MarchRects</name>
+    <message>
+        <source>blow (shaded: they count)</source>
+        <translation>Schlag (schattiert: sie zählen)</translation>
+    </message>
+    <message>
+        <source>gap modulo d₀, in d₀</source>
+        <translation>Spalt modulo d₀, in d₀</translation>
+    </message>
+    <message>
+        <source>blows [%]</source>
+        <translation>Schläge [%]</translation>
+    </message>
+    <message>
+        <source>e of this gap</source>
+        <translation>e dieses Spalts</translation>
+    </message>
+    <message>
+        <source>of the energy [%]</source>
+        <translation>der Energie [%]</translation>
+    </message>
+    <message>
+        <source>gap at the blow</source>
+        <translation>Spalt beim Schlag</translation>
+    </message>
+    <message>
+        <source>penetration</source>
+        <translation>Eindringung</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>Spalt</translation>
+    </message>
+    <message>
+        <source>
+a projection of more dimensions</source>
+        <translation>
+eine Projektion weiterer Dimensionen</translation>
+    </message>
+    <message>
+        <source>next gap</source>
+        <translation>nächster Spalt</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MarchedNotice</name>
+    <message>
+        <source>Single blow</source>
+        <translation>Einzelner Schlag</translation>
+    </message>
+    <message>
+        <source>Show the blow again that begins at rest, as in Result</source>
+        <translation>Wieder den Schlag zeigen, der in Ruhe beginnt, wie im Ergebnis</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MeasuredBar</name>
+    <message>
+        <source>N: %1</source>
+        <translation>N: %1</translation>
+    </message>
+    <message>
+        <source>F: %1</source>
+        <translation>F: %1</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>Ausrichten</translation>
+    </message>
+    <message>
+        <source>not drawn: compared with scenarios in physical units</source>
+        <translation>nicht gezeichnet: wird mit Szenarien in physikalischen Einheiten verglichen</translation>
+    </message>
+    <message>
+        <source>Measured curve</source>
+        <translation>Gemessene Kurve</translation>
+    </message>
+    <message>
+        <source>Show the waves at the section where this was measured</source>
+        <translation>Die Wellen an der Stelle zeigen, an der das gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Shift of the measured curve in time</source>
+        <translation>Zeitversatz der gemessenen Kurve</translation>
+    </message>
+    <message>
+        <source>Added to the times of the measured curve; Up and Down move it</source>
+        <translation>Kommt zu den Zeiten der gemessenen Kurve hinzu; Auf und Ab verschieben sie</translation>
+    </message>
+    <message>
+        <source>Shift it to where it fits the computed curve best</source>
+        <translation>Dorthin verschieben, wo sie am besten zur berechneten Kurve passt</translation>
+    </message>
+    <message>
+        <source>Remove the measured curve</source>
+        <translation>Die gemessene Kurve entfernen</translation>
+    </message>
+    <message>
+        <source>Take this measured curve away; Undo brings it back</source>
+        <translation>Diese gemessene Kurve wegnehmen; Rückgängig bringt sie zurück</translation>
+    </message>
+    <message>
+        <source>Over the time that both have: root of the mean square of their difference; size of the largest force, measured less computed; how much later the measured curve comes than where it fits best</source>
+        <translation>Über der gemeinsamen Zeit: Wurzel aus dem mittleren Quadrat des Unterschieds; Betrag der größten Kraft, gemessen weniger berechnet; um wie viel die gemessene Kurve später kommt, als wo sie am besten passt</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>Unit of the shift in time</source>
+        <translation>Einheit des Zeitversatzes</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>%1 points; no sample of what is taken is further than %2 from them</source>
+        <translation>%1 Punkte; kein genommener Abtastwert ist weiter als %2 von ihnen entfernt</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MeasuredList</name>
+    <message>
+        <source>lay over the measured curve %1</source>
+        <translation>die gemessene Kurve %1 darüberlegen</translation>
+    </message>
+    <message>
+        <source>remove the measured curve %1</source>
+        <translation>die gemessene Kurve %1 entfernen</translation>
+    </message>
+    <message>
+        <source>shift the measured curve %1</source>
+        <translation>die gemessene Kurve %1 verschieben</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::Message</name>
+    <message>
+        <source>%1: cannot be written: %2; free some space or choose another place</source>
+        <translation>%1: kann nicht geschrieben werden: %2; Platz schaffen oder einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2; choose another place</source>
+        <translation>%1: kann nicht geschrieben werden: %2; einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be made: %2; choose another one</source>
+        <translation>%1: der Ordner kann nicht angelegt werden: %2; einen anderen wählen</translation>
+    </message>
+    <message>
+        <source>%1: is there and no file; choose another folder</source>
+        <translation>%1: ist da und keine Datei; einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>%1: exists already; choose another folder or ask for it to be overwritten</source>
+        <translation>%1: gibt es schon; einen anderen Ordner wählen oder Überschreiben verlangen</translation>
+    </message>
+    <message>
+        <source>%1: another run has been writing there for %2 seconds; wait for it or choose another folder</source>
+        <translation>%1: ein anderer Lauf schreibt dort seit %2 Sekunden; auf ihn warten oder einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>%1: has been put there or changed by somebody else; move it away, or keep the runs again to replace it</source>
+        <translation>%1: wurde von jemand anderem dorthin gelegt oder geändert; verschieben, oder die Läufe noch einmal aufbewahren, um sie zu ersetzen</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MissingFields</name>
+    <message>
+        <source>enter the %1:</source>
+        <translation>%1 eingeben:</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>ohne</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::Notice</name>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Dismiss this note</source>
+        <translation>Diesen Hinweis schließen</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::OutputBox</name>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Which result is shown</source>
+        <translation>Welches Ergebnis gezeigt wird</translation>
+    </message>
+    <message>
+        <source>COR e</source>
+        <translation>Stoßzahl e</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PageTabs</name>
+    <message>
+        <source>THIS BLOW</source>
+        <translation>DIESER SCHLAG</translation>
+    </message>
+    <message>
+        <source>STUDIES</source>
+        <translation>STUDIEN</translation>
+    </message>
+    <message>
+        <source>&amp;Next page</source>
+        <translation>&amp;Nächste Seite</translation>
+    </message>
+    <message>
+        <source>&amp;Previous page</source>
+        <translation>&amp;Vorige Seite</translation>
+    </message>
+    <message>
+        <source>of drill strings alone, and this scenario is a uniform rod: a click makes a drill string of it, as Edit ▸ Make a drill string of this does</source>
+        <translation>nur für Bohrstränge, und dieses Szenario ist eine gleichförmige Stange: ein Klick macht einen Bohrstrang daraus, wie Bearbeiten ▸ Bohrstrang daraus machen</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ParameterRow</name>
+    <message>
+        <source>%1, slider</source>
+        <translation>%1, Schieber</translation>
+    </message>
+    <message>
+        <source>%1, unit</source>
+        <translation>%1, Einheit</translation>
+    </message>
+    <message>
+        <source>Unit in which the %1 is shown</source>
+        <translation>Einheit, in der %1 gezeigt wird</translation>
+    </message>
+    <message>
+        <source>The value lies beyond the range of the slider.</source>
+        <translation>Der Wert liegt außerhalb des Bereichs des Schiebers.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PictureCursors</name>
+    <message>
+        <source>t = %1</source>
+        <translation>t = %1</translation>
+    </message>
+    <message>
+        <source>x/L = %1</source>
+        <translation>x/L = %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PictureDialog</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>dpi</source>
+        <translation>dpi</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>PNG – pixels</source>
+        <translation>PNG – Pixel</translation>
+    </message>
+    <message>
+        <source>SVG – lines and text, for editing</source>
+        <translation>SVG – Linien und Text, zum Bearbeiten</translation>
+    </message>
+    <message>
+        <source>PDF – lines and text, for printing</source>
+        <translation>PDF – Linien und Text, zum Drucken</translation>
+    </message>
+    <message>
+        <source>The kind of file; always on white, whatever the window looks like</source>
+        <translation>Die Art der Datei; immer auf Weiß, wie auch das Fenster aussieht</translation>
+    </message>
+    <message>
+        <source>Width on paper</source>
+        <translation>Breite auf dem Papier</translation>
+    </message>
+    <message>
+        <source>Height on paper</source>
+        <translation>Höhe auf dem Papier</translation>
+    </message>
+    <message>
+        <source>Pixels per inch of a PNG; 300 is usual for print</source>
+        <translation>Pixel je Zoll eines PNG; 300 sind für den Druck üblich</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Höhe</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution</source>
+        <translation>&amp;Auflösung</translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation>Datei wählen …</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 Pixel</translation>
+    </message>
+    <message>
+        <source>Sharp at any size</source>
+        <translation>Scharf in jeder Größe</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PinnedRuns</name>
+    <message>
+        <source>&amp;Pin this result</source>
+        <translation>Dieses Ergebnis an&amp;heften</translation>
+    </message>
+    <message>
+        <source>&amp;Keep runs beside the file</source>
+        <translation>Läufe neben der Datei auf&amp;bewahren</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Anheften</translation>
+    </message>
+    <message>
+        <source>Keep this result with its scenario, to compare others with (F7)</source>
+        <translation>Dieses Ergebnis mit seinem Szenario behalten, um andere damit zu vergleichen (F7)</translation>
+    </message>
+    <message>
+        <source>In a folder of the same name, “.runs”: a scenario for each, so that they are there when the file is opened again</source>
+        <translation>In einem Ordner desselben Namens, „.runs“: ein Szenario für jeden, damit sie da sind, wenn die Datei wieder geöffnet wird</translation>
+    </message>
+    <message>
+        <source>There is no result to be pinned.</source>
+        <translation>Es gibt kein Ergebnis, das angeheftet werden könnte.</translation>
+    </message>
+    <message>
+        <source>This result cannot be pinned.</source>
+        <translation>Dieses Ergebnis kann nicht angeheftet werden.</translation>
+    </message>
+    <message>
+        <source>This result is not pinned.</source>
+        <translation>Dieses Ergebnis ist nicht angeheftet.</translation>
+    </message>
+    <message>
+        <source>revert to %1</source>
+        <translation>zurück zu %1</translation>
+    </message>
+    <message>
+        <source>The run cannot be brought back.</source>
+        <translation>Der Lauf kann nicht zurückgebracht werden.</translation>
+    </message>
+    <message>
+        <source>Shall the kept runs be taken away?</source>
+        <translation>Sollen die aufbewahrten Läufe weggenommen werden?</translation>
+    </message>
+    <message>
+        <source>%1
+They stay on the list until the window is closed.</source>
+        <translation>%1
+Sie bleiben in der Liste, bis das Fenster geschlossen wird.</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Wegnehmen</translation>
+    </message>
+    <message>
+        <source>There are runs beside this file already.</source>
+        <translation>Neben dieser Datei gibt es schon Läufe.</translation>
+    </message>
+    <message>
+        <source>%1
+Those that are not on the list here would be lost.</source>
+        <translation>%1
+Jene, die hier nicht in der Liste sind, gingen verloren.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>The runs are not kept.</source>
+        <translation>Die Läufe sind nicht aufbewahrt.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PlaceField</name>
+    <message>
+        <source>Section x/L of the waves</source>
+        <translation>Stelle x/L der Wellen</translation>
+    </message>
+    <message>
+        <source>
+Up and Down move it by 0.01, Page Up and Page Down by 0.1.</source>
+        <translation>
+Auf und Ab verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PlayBar</name>
+    <message>
+        <source>Time cursor</source>
+        <translation>Zeitcursor</translation>
+    </message>
+    <message>
+        <source>Moves the time cursor through the times in view</source>
+        <translation>Bewegt den Zeitcursor durch die Zeiten im Bild</translation>
+    </message>
+    <message>
+        <source>in %1 s</source>
+        <translation>in %1 s</translation>
+    </message>
+    <message>
+        <source>How long the times in view take to play</source>
+        <translation>Wie lange das Abspielen der Zeiten im Bild dauert</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Schleife</translation>
+    </message>
+    <message>
+        <source>Play again and again</source>
+        <translation>Immer wieder abspielen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Pause (space bar)</source>
+        <translation>Pause (Leertaste)</translation>
+    </message>
+    <message>
+        <source>Play the blow (space bar)</source>
+        <translation>Den Schlag abspielen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>real time ÷ %1</source>
+        <translation>Echtzeit ÷ %1</translation>
+    </message>
+    <message>
+        <source>%1 t₀ per second</source>
+        <translation>%1 t₀ je Sekunde</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PlotMenu</name>
+    <message>
+        <source>Copy &amp;picture</source>
+        <translation>B&amp;ild kopieren</translation>
+    </message>
+    <message>
+        <source>This view, black on white, for a report</source>
+        <translation>Diese Ansicht, schwarz auf weiß, für einen Bericht</translation>
+    </message>
+    <message>
+        <source>Copy &amp;data</source>
+        <translation>&amp;Daten kopieren</translation>
+    </message>
+    <message>
+        <source>The numbers of what is shown, as a table for a spreadsheet</source>
+        <translation>Die Zahlen dessen, was gezeigt wird, als Tabelle für eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>&amp;Save picture…</source>
+        <translation>Bild &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>This view as PNG, SVG or PDF</source>
+        <translation>Diese Ansicht als PNG, SVG oder PDF</translation>
+    </message>
+    <message>
+        <source>Save da&amp;ta…</source>
+        <translation>Daten s&amp;peichern …</translation>
+    </message>
+    <message>
+        <source>The numbers of what is shown, as CSV</source>
+        <translation>Die Zahlen dessen, was gezeigt wird, als CSV</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>Bring all curves into view</source>
+        <translation>Alle Kurven ins Bild bringen</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom back</source>
+        <translation>&amp;Zurück zoomen</translation>
+    </message>
+    <message>
+        <source>The view before</source>
+        <translation>Die Ansicht davor</translation>
+    </message>
+    <message>
+        <source>Logarithmic &amp;horizontal axis</source>
+        <translation>&amp;Waagrechte Achse logarithmisch</translation>
+    </message>
+    <message>
+        <source>Logarithmic &amp;vertical axis</source>
+        <translation>Senk&amp;rechte Achse logarithmisch</translation>
+    </message>
+    <message>
+        <source>Equal steps are equal factors; zeros are cut off</source>
+        <translation>Gleiche Schritte sind gleiche Faktoren; Nullen werden abgeschnitten</translation>
+    </message>
+    <message>
+        <source>&amp;Curves shown</source>
+        <translation>&amp;Gezeigte Kurven</translation>
+    </message>
+    <message>
+        <source>&amp;Point for keys</source>
+        <translation>Punkt für &amp;Tasten</translation>
+    </message>
+    <message>
+        <source>Arrows move it, N goes to the next mark; Enter then does what a click there does</source>
+        <translation>Pfeile bewegen ihn, N geht zur nächsten Marke; die Eingabetaste tut dann, was ein Klick dort tut</translation>
+    </message>
+    <message>
+        <source>Cursor &amp;A here</source>
+        <translation>Cursor &amp;A hier</translation>
+    </message>
+    <message>
+        <source>Reads the curves here; can be dragged</source>
+        <translation>Liest die Kurven hier ab; lässt sich ziehen</translation>
+    </message>
+    <message>
+        <source>Cursor &amp;B here</source>
+        <translation>Cursor &amp;B hier</translation>
+    </message>
+    <message>
+        <source>Reads the curves here; slope, mean and integral from A to B</source>
+        <translation>Liest die Kurven hier ab; Steigung, Mittel und Integral von A bis B</translation>
+    </message>
+    <message>
+        <source>&amp;Time cursor here</source>
+        <translation>Zeitcursor &amp;hier</translation>
+    </message>
+    <message>
+        <source>The instant shown on all pages</source>
+        <translation>Der Augenblick, der auf allen Seiten gezeigt wird</translation>
+    </message>
+    <message>
+        <source>&amp;Remove cursors A and B</source>
+        <translation>Cursor A und B ent&amp;fernen</translation>
+    </message>
+    <message>
+        <source>The table below the plot reads what is in view then</source>
+        <translation>Die Tabelle unter dem Diagramm liest dann ab, was im Bild ist</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;table below</source>
+        <translation>Tabelle dar&amp;unter kopieren</translation>
+    </message>
+    <message>
+        <source>What is read at the cursors, or in view, to paste into a spreadsheet</source>
+        <translation>Was an den Cursorn oder im Bild abgelesen ist, zum Einfügen in eine Tabellenkalkulation</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PlotPage</name>
+    <message>
+        <source>&amp;Data of this plot…</source>
+        <translation>&amp;Daten dieses Diagramms …</translation>
+    </message>
+    <message>
+        <source>The curves that the plot shows, as CSV</source>
+        <translation>Die Kurven, die das Diagramm zeigt, als CSV</translation>
+    </message>
+    <message>
+        <source>&amp;Picture of this plot…</source>
+        <translation>&amp;Bild dieses Diagramms …</translation>
+    </message>
+    <message>
+        <source>As it is zoomed, as PNG, SVG or PDF</source>
+        <translation>Im gegenwärtigen Ausschnitt, als PNG, SVG oder PDF</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PlotViewMenu</name>
+    <message>
+        <source>&amp;Plot on show</source>
+        <translation>Gezeigtes &amp;Diagramm</translation>
+    </message>
+    <message>
+        <source>&amp;Table below plots</source>
+        <translation>&amp;Tabelle unter den Diagrammen</translation>
+    </message>
+    <message>
+        <source>Reads what is in view, or at the cursors A and B</source>
+        <translation>Liest ab, was im Bild ist, oder an den Cursorn A und B</translation>
+    </message>
+    <message>
+        <source>No plot</source>
+        <translation>Kein Diagramm</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PresetBox</name>
+    <message>
+        <source>%1: preset</source>
+        <translation>%1: Vorgabe</translation>
+    </message>
+    <message>
+        <source>custom</source>
+        <translation>eigene</translation>
+    </message>
+    <message>
+        <source>The values are those of no preset. Choose one to start from its values.</source>
+        <translation>Die Werte sind die keiner Vorgabe. Eine wählen, um von ihren Werten auszugehen.</translation>
+    </message>
+    <message>
+        <source>Presets are physical values, and this scenario is given by its dimensionless groups alone. File ▸ New begins one in physical values.</source>
+        <translation>Vorgaben sind physikalische Werte, und dieses Szenario ist nur durch seine dimensionslosen Kennzahlen gegeben. Datei ▸ Neu beginnt eines in physikalischen Werten.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>&amp;Add file of presets…</source>
+        <translation>Datei mit Vorgaben &amp;hinzufügen …</translation>
+    </message>
+    <message>
+        <source>Offer the presets of a YAML file of your own, now and in later runs</source>
+        <translation>Die Vorgaben einer eigenen YAML-Datei anbieten, jetzt und künftig</translation>
+    </message>
+    <message>
+        <source>&amp;Open folder of presets</source>
+        <translation>&amp;Ordner der Vorgaben öffnen</translation>
+    </message>
+    <message>
+        <source>A file presets.yaml in %1 is read by itself</source>
+        <translation>Eine Datei presets.yaml in %1 wird von selbst gelesen</translation>
+    </message>
+    <message>
+        <source>Remove these from the list</source>
+        <translation>Diese aus der Liste entfernen</translation>
+    </message>
+    <message>
+        <source>⚠ %1 is not used: why?</source>
+        <translation>⚠ %1 wird nicht verwendet: warum?</translation>
+    </message>
+    <message>
+        <source>The presets of %1 are not used.</source>
+        <translation>Die Vorgaben von %1 werden nicht verwendet.</translation>
+    </message>
+    <message>
+        <source>Take it off the list</source>
+        <translation>Aus der Liste nehmen</translation>
+    </message>
+    <message>
+        <source>Add a file of presets</source>
+        <translation>Eine Datei mit Vorgaben hinzufügen</translation>
+    </message>
+    <message>
+        <source>Presets (*.yaml *.yml);;All files (*)</source>
+        <translation>Vorgaben (*.yaml *.yml);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>These presets cannot be used.</source>
+        <translation>Diese Vorgaben können nicht verwendet werden.</translation>
+    </message>
+    <message>
+        <source>This preset does not fit the rest of the scenario.</source>
+        <translation>Diese Vorgabe passt nicht zum Rest des Szenarios.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ProofStudy</name>
+    <message>
+        <source>Not solved: %1</source>
+        <translation>Nicht gelöst: %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ProofTable</name>
+    <message>
+        <source>method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>Fall</translation>
+    </message>
+    <message>
+        <source>worst check</source>
+        <translation>schlechteste</translation>
+    </message>
+    <message>
+        <source>of its mark</source>
+        <translation>ihrer Marke</translation>
+    </message>
+    <message>
+        <source>shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>e</source>
+        <translation>e</translation>
+    </message>
+    <message>
+        <source>error of e</source>
+        <translation>Fehler von e</translation>
+    </message>
+    <message>
+        <source>pieces</source>
+        <translation>Stücke</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PulsePreview</name>
+    <message>
+        <source>Hammer force over time</source>
+        <translation>Hammerkraft über der Zeit</translation>
+    </message>
+    <message>
+        <source>peak %1</source>
+        <translation>Spitze %1</translation>
+    </message>
+    <message>
+        <source>t₀ = %1</source>
+        <translation>t₀ = %1</translation>
+    </message>
+    <message>
+        <source>No hammer force: the rod arrives with a uniform velocity</source>
+        <translation>Keine Hammerkraft: die Stange kommt mit gleichförmiger Geschwindigkeit an</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Force of the hammer on the rod over time: %1</source>
+        <translation>Kraft des Hammers auf die Stange über der Zeit: %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PulseSection</name>
+    <message>
+        <source>shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Hammer blow: shape</source>
+        <translation>Hammerschlag: Form</translation>
+    </message>
+    <message>
+        <source>Shape of the force of the hammer on the rod over time</source>
+        <translation>Form der Kraft des Hammers auf die Stange über der Zeit</translation>
+    </message>
+    <message>
+        <source>Measured…</source>
+        <translation>Gemessen …</translation>
+    </message>
+    <message>
+        <source>Import a measured hammer blow: any table of samples, as a force, a strain or the output of a bridge</source>
+        <translation>Einen gemessenen Hammerschlag importieren: jede Tabelle von Abtastwerten, als Kraft, Dehnung oder Ausgang einer Brücke</translation>
+    </message>
+    <message>
+        <source>Table of the hammer blow</source>
+        <translation>Tabelle des Hammerschlags</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Read the CSV file of the hammer blow again</source>
+        <translation>Die CSV-Datei des Hammerschlags neu lesen</translation>
+    </message>
+    <message>
+        <source>Choose CSV…</source>
+        <translation>CSV wählen …</translation>
+    </message>
+    <message>
+        <source>Take the hammer blow from a CSV file that begins with `time [us],force [kN]`</source>
+        <translation>Den Hammerschlag aus einer CSV-Datei übernehmen, die mit `time [us],force [kN]` beginnt</translation>
+    </message>
+    <message>
+        <source>Hammer blow: impulse of the table</source>
+        <translation>Hammerschlag: Kraftstoß der Tabelle</translation>
+    </message>
+    <message>
+        <source>Impulse of the table; another one scales all its forces, which the scenario then keeps in itself</source>
+        <translation>Kraftstoß der Tabelle; ein anderer skaliert alle ihre Kräfte, die das Szenario dann selbst enthält</translation>
+    </message>
+    <message>
+        <source>impulse I₀</source>
+        <translation>Kraftstoß I₀</translation>
+    </message>
+    <message>
+        <source>Hammer blow: impulse of the table, unit</source>
+        <translation>Hammerschlag: Kraftstoß der Tabelle, Einheit</translation>
+    </message>
+    <message>
+        <source>a table of more than %1 points stays in its file: scale the forces there</source>
+        <translation>eine Tabelle von mehr als %1 Punkten bleibt in ihrer Datei: die Kräfte dort skalieren</translation>
+    </message>
+    <message>
+        <source>scale the hammer blow to %1</source>
+        <translation>den Hammerschlag auf %1 skalieren</translation>
+    </message>
+    <message>
+        <source>%1 from a file…</source>
+        <translation>%1 aus einer Datei …</translation>
+    </message>
+    <message>
+        <source>Take the hammer blow from a CSV file</source>
+        <translation>Den Hammerschlag aus einer CSV-Datei übernehmen</translation>
+    </message>
+    <message>
+        <source>Tables of time and force (*.csv);;All files (*)</source>
+        <translation>Tabellen von Zeit und Kraft (*.csv);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>The hammer blow cannot be taken from this file.</source>
+        <translation>Der Hammerschlag kann nicht aus dieser Datei übernommen werden.</translation>
+    </message>
+    <message>
+        <source>“Measured…” imports tables of any other form.</source>
+        <translation>„Gemessen …“ importiert Tabellen jeder anderen Form.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RangeRow</name>
+    <message>
+        <source>Uncertain parameter</source>
+        <translation>Unsicherer Parameter</translation>
+    </message>
+    <message>
+        <source>Chosen parameter</source>
+        <translation>Gewählter Parameter</translation>
+    </message>
+    <message>
+        <source>How it scatters</source>
+        <translation>Wie er streut</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>even in log</source>
+        <translation>gleich in log</translation>
+    </message>
+    <message>
+        <source>bell</source>
+        <translation>Glocke</translation>
+    </message>
+    <message>
+        <source>bell in log</source>
+        <translation>Glocke in log</translation>
+    </message>
+    <message>
+        <source>Every value between the ends as often as another, or a bell curve of which 95 % lie between them; in the value or in its logarithm</source>
+        <translation>Jeder Wert zwischen den Enden so oft wie ein anderer, oder eine Glockenkurve, von der 95 % dazwischen liegen; im Wert oder in seinem Logarithmus</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>log</translation>
+    </message>
+    <message>
+        <source>Even ratios in place of even steps</source>
+        <translation>Gleiche Verhältnisse statt gleicher Schritte</translation>
+    </message>
+    <message>
+        <source>Number of values</source>
+        <translation>Anzahl der Werte</translation>
+    </message>
+    <message>
+        <source> values</source>
+        <translation> Werte</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>%1, unit</source>
+        <translation>%1, Einheit</translation>
+    </message>
+    <message>
+        <source>must differ from the other end</source>
+        <translation>muss sich vom anderen Ende unterscheiden</translation>
+    </message>
+    <message>
+        <source>the range is upside down: the first end is the lower one</source>
+        <translation>der Bereich steht kopf: das erste Ende ist das untere</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>This one is known</source>
+        <translation>Dieser ist bekannt</translation>
+    </message>
+    <message>
+        <source>This one stays as it is</source>
+        <translation>Dieser bleibt, wie er ist</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RangeRows</name>
+    <message>
+        <source>Add an uncertain parameter</source>
+        <translation>Unsicheren Parameter hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a chosen parameter</source>
+        <translation>Gewählten Parameter hinzufügen</translation>
+    </message>
+    <message>
+        <source>One more number that is not known</source>
+        <translation>Eine weitere Zahl, die nicht bekannt ist</translation>
+    </message>
+    <message>
+        <source>One more number that can be chosen</source>
+        <translation>Eine weitere Zahl, die gewählt werden kann</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ReportWriter</name>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>Beri&amp;cht …</translation>
+    </message>
+    <message>
+        <source>A page to hand over, as HTML or PDF: inputs with their sources, results, verdict, plots and the scenario</source>
+        <translation>Eine Seite zum Weitergeben, als HTML oder PDF: Eingaben mit ihren Quellen, Ergebnisse, Urteil, Diagramme und das Szenario</translation>
+    </message>
+    <message>
+        <source>&amp;Print the report…</source>
+        <translation>Bericht &amp;drucken …</translation>
+    </message>
+    <message>
+        <source>The report on paper: two to four pages of A4</source>
+        <translation>Der Bericht auf Papier: zwei bis vier Seiten A4</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Bericht schreiben</translation>
+    </message>
+    <message>
+        <source>Web page (*.html);;PDF (*.pdf)</source>
+        <translation>Webseite (*.html);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report has not been written.</source>
+        <translation>Der Bericht wurde nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1: a report is a file that ends in .html or .pdf; choose such a name</source>
+        <translation>%1: ein Bericht ist eine Datei, die auf .html oder .pdf endet; einen solchen Namen wählen</translation>
+    </message>
+    <message>
+        <source>The report has not been printed.</source>
+        <translation>Der Bericht wurde nicht gedruckt.</translation>
+    </message>
+    <message>
+        <source>The blow could not be solved: %1</source>
+        <translation>Der Schlag konnte nicht gelöst werden: %1</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>%1 takes no pages; look after the printer, or write the report as PDF</source>
+        <translation>%1 nimmt keine Seiten an; nach dem Drucker sehen, oder den Bericht als PDF schreiben</translation>
+    </message>
+    <message>
+        <source>Printed: %1</source>
+        <translation>Gedruckt: %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ResultPanel</name>
+    <message>
+        <source>Thrust</source>
+        <translation>Andruck</translation>
+    </message>
+    <message>
+        <source>Penetration</source>
+        <translation>Eindringung</translation>
+    </message>
+    <message>
+        <source>Rebound</source>
+        <translation>Rückprall</translation>
+    </message>
+    <message>
+        <source>Stress in the rod</source>
+        <translation>Spannung in der Stange</translation>
+    </message>
+    <message>
+        <source>Force and times</source>
+        <translation>Kraft und Zeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Copy results</source>
+        <translation>Ergebnisse &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Alerts</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>what to do about the feed</source>
+        <translation>was mit dem Vorschub zu tun ist</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Ereignisse</translation>
+    </message>
+    <message>
+        <source>Stress in hammer and string</source>
+        <translation>Spannung in Hammer und Strang</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RockPage</name>
+    <message>
+        <source>State of the rock at the time cursor, the larger point on the path</source>
+        <translation>Zustand des Gesteins am Zeitcursor, dem größeren Punkt auf dem Weg</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Bring the whole path into view (double-click in the plot)</source>
+        <translation>Den ganzen Weg ins Bild bringen (Doppelklick im Diagramm)</translation>
+    </message>
+    <message>
+        <source>Impact force against penetration</source>
+        <translation>Stoßkraft über der Eindringung</translation>
+    </message>
+    <message>
+        <source>Nothing to show: the waves of this blow are more than can be kept.</source>
+        <translation>Nichts zu zeigen: dieser Schlag hat mehr Wellen, als behalten werden können.</translation>
+    </message>
+    <message>
+        <source>Nothing to show: %1</source>
+        <translation>Nichts zu zeigen: %1</translation>
+    </message>
+    <message>
+        <source>No time chosen: click an event, or place the time cursor in Blow.</source>
+        <translation>Keine Zeit gewählt: auf ein Ereignis klicken, oder auf der Seite Schlag den Zeitcursor setzen.</translation>
+    </message>
+    <message>
+        <source>t = %1 · U = %2 · F = %3</source>
+        <translation>t = %1 · U = %2 · F = %3</translation>
+    </message>
+    <message>
+        <source>Rock</source>
+        <translation>Gestein</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RockPlot</name>
+    <message>
+        <source>no energy left in the rock</source>
+        <translation>keine Energie bleibt im Gestein</translation>
+    </message>
+    <message>
+        <source>energy left in the rock: %1 (%2 of E₀)</source>
+        <translation>Energie, die im Gestein bleibt: %1 (%2 von E₀)</translation>
+    </message>
+    <message>
+        <source>energy left in the rock: %1 (%2 of W)</source>
+        <translation>Energie, die im Gestein bleibt: %1 (%2 von W)</translation>
+    </message>
+    <message>
+        <source>impact force F</source>
+        <translation>Stoßkraft F</translation>
+    </message>
+    <message>
+        <source>penetration U</source>
+        <translation>Eindringung U</translation>
+    </message>
+    <message>
+        <source>enclosed area: %1</source>
+        <translation>eingeschlossene Fläche: %1</translation>
+    </message>
+    <message>
+        <source>Fm = %1</source>
+        <translation>Fm = %1</translation>
+    </message>
+    <message>
+        <source>Um = %1</source>
+        <translation>Um = %1</translation>
+    </message>
+    <message>
+        <source>Ur = %1</source>
+        <translation>Ur = %1</translation>
+    </message>
+    <message>
+        <source>k = %1</source>
+        <translation>k = %1</translation>
+    </message>
+    <message>
+        <source>k/γ = %1</source>
+        <translation>k/γ = %1</translation>
+    </message>
+    <message>
+        <source>Impact force against penetration. Loading along the slope k = %1 up to the peak, Fm = %2 at the penetration Um = %3; unloading along k/γ = %4; the penetration Ur = %5 stays. The enclosed area: %6.</source>
+        <translation>Stoßkraft über der Eindringung. Belastung entlang der Steigung k = %1 bis zur Spitze, Fm = %2 bei der Eindringung Um = %3; Entlastung entlang k/γ = %4; die Eindringung Ur = %5 bleibt. Die eingeschlossene Fläche: %6.</translation>
+    </message>
+    <message>
+        <source> Behind its corners it loads along %1.</source>
+        <translation> Hinter ihren Ecken belastet es entlang %1.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RodPage</name>
+    <message>
+        <source>The dotted line: where in the rod one looks, 0 is the struck end, 1 the bit.
+A click in the plot moves it, and the time cursor to when the stress there is largest.</source>
+        <translation>Die gepunktete Linie: wohin in der Stange man schaut, 0 ist das Schlagende, 1 die Bohrkrone.
+Ein Klick ins Diagramm verschiebt sie, und den Zeitcursor dorthin, wo die Spannung dort am größten ist.</translation>
+    </message>
+    <message>
+        <source>Section x/L</source>
+        <translation>Stelle x/L</translation>
+    </message>
+    <message>
+        <source>The largest stresses at the section, and when they occur</source>
+        <translation>Die größten Spannungen an der Stelle, und wann sie auftreten</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Bring the whole rod into view (double-click in the plot)</source>
+        <translation>Die ganze Stange ins Bild bringen (Doppelklick im Diagramm)</translation>
+    </message>
+    <message>
+        <source>Largest stresses along the rod</source>
+        <translation>Größte Spannungen entlang der Stange</translation>
+    </message>
+    <message>
+        <source>Nothing to show: so many waves that they are not kept.</source>
+        <translation>Nichts zu zeigen: so viele Wellen, dass sie nicht behalten werden.</translation>
+    </message>
+    <message>
+        <source>Nothing to show: %1</source>
+        <translation>Nichts zu zeigen: %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>At %1 in the blow: %2 and %3
+in section %4%5 of the string</source>
+        <translation>Bei %1 im Schlag: %2 und %3
+in Abschnitt %4%5 des Strangs</translation>
+    </message>
+    <message>
+        <source>At %1 in the blow: %2 and %3
+of the waves left: %4 and %5</source>
+        <translation>Bei %1 im Schlag: %2 und %3
+der verbleibenden Wellen: %4 und %5</translation>
+    </message>
+    <message>
+        <source>Rod</source>
+        <translation>Stange</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RodPlot</name>
+    <message>
+        <source>largest compression in the blow</source>
+        <translation>größter Druck im Schlag</translation>
+    </message>
+    <message>
+        <source>largest tension in the blow</source>
+        <translation>größter Zug im Schlag</translation>
+    </message>
+    <message>
+        <source>compression of the waves left</source>
+        <translation>Druck der verbleibenden Wellen</translation>
+    </message>
+    <message>
+        <source>tension of the waves left</source>
+        <translation>Zug der verbleibenden Wellen</translation>
+    </message>
+    <message>
+        <source>position x from the shank, hammer below 0</source>
+        <translation>Stelle x vom Einsteckende, Hammer unter 0</translation>
+    </message>
+    <message>
+        <source>position x from the struck end</source>
+        <translation>Stelle x vom Schlagende</translation>
+    </message>
+    <message>
+        <source>stress (tension positive)</source>
+        <translation>Spannung (Zug positiv)</translation>
+    </message>
+    <message>
+        <source>stress, as force in the rod (tension positive)</source>
+        <translation>Spannung, als Kraft in der Stange (Zug positiv)</translation>
+    </message>
+    <message>
+        <source>force N (tension positive)</source>
+        <translation>Kraft N (Zug positiv)</translation>
+    </message>
+    <message>
+        <source>of uniform sections; threads and changes of diameter raise stresses locally</source>
+        <translation>der gleichförmigen Abschnitte; Gewinde und Durchmessersprünge erhöhen Spannungen örtlich</translation>
+    </message>
+    <message>
+        <source>so many waves that between the peaks a curve may be too low by %1</source>
+        <translation>so viele Wellen, dass eine Kurve zwischen den Spitzen um %1 zu niedrig sein kann</translation>
+    </message>
+    <message>
+        <source>of the uniform rod; couplings and threads raise stresses locally, nothing damps the waves left</source>
+        <translation>der gleichförmigen Stange; Kupplungsmuffen und Gewinde erhöhen Spannungen örtlich, nichts dämpft die verbleibenden Wellen</translation>
+    </message>
+    <message>
+        <source>%1 up to %2 at %3, %4</source>
+        <translation>%1 bis %2 bei %3, %4</translation>
+    </message>
+    <message>
+        <source>Largest stresses along the rod, tension positive: %1.</source>
+        <translation>Größte Spannungen entlang der Stange, Zug positiv: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RodProfile</name>
+    <message>
+        <source>Force along the rod at the time cursor, of this blow and of pinned runs</source>
+        <translation>Kraft entlang der Stange am Zeitcursor, dieses Schlags und der angehefteten Läufe</translation>
+    </message>
+    <message>
+        <source>Velocity along the rod at the time cursor, of this blow and of pinned runs</source>
+        <translation>Geschwindigkeit entlang der Stange am Zeitcursor, dieses Schlags und der angehefteten Läufe</translation>
+    </message>
+    <message>
+        <source>this blow</source>
+        <translation>dieser Schlag</translation>
+    </message>
+    <message>
+        <source>x = %1 · t = %2</source>
+        <translation>x = %1 · t = %2</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>jetzt</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RodStrip</name>
+    <message>
+        <source>The rod at the time cursor, coloured by its stress</source>
+        <translation>Die Stange am Zeitcursor, nach ihrer Spannung gefärbt</translation>
+    </message>
+    <message>
+        <source>The rod at the time cursor, coloured by its velocity</source>
+        <translation>Die Stange am Zeitcursor, nach ihrer Geschwindigkeit gefärbt</translation>
+    </message>
+    <message>
+        <source>The rod at the time cursor: hammer, rod, bit and rock. Blue is compressed, orange is in tension.</source>
+        <translation>Die Stange am Zeitcursor: Hammer, Stange, Bohrkrone und Gestein. Blau ist gedrückt, Orange gezogen.</translation>
+    </message>
+    <message>
+        <source>The rod at the time cursor: hammer, rod, bit and rock. Orange moves towards the rock, blue away from it; as on the colour bar above.</source>
+        <translation>Die Stange am Zeitcursor: Hammer, Stange, Bohrkrone und Gestein. Orange bewegt sich zum Gestein, Blau davon weg; wie auf dem Farbbalken darüber.</translation>
+    </message>
+    <message>
+        <source>t = %1 · later than the blow was followed, which is to %2</source>
+        <translation>t = %1 · später, als der Schlag verfolgt wurde, das ist bis %2</translation>
+    </message>
+    <message>
+        <source>contact, penetration %1, impact force %2</source>
+        <translation>Kontakt, Eindringung %1, Stoßkraft %2</translation>
+    </message>
+    <message>
+        <source>apart, gap %1</source>
+        <translation>getrennt, Spalt %1</translation>
+    </message>
+    <message>
+        <source>bit at the rock, no force</source>
+        <translation>Bohrkrone am Gestein, keine Kraft</translation>
+    </message>
+    <message>
+        <source> · hammer pushes</source>
+        <translation> · Hammer drückt</translation>
+    </message>
+    <message>
+        <source> · hammer apart</source>
+        <translation> · Hammer getrennt</translation>
+    </message>
+    <message>
+        <source>t = %1 · %2 · stress %3 … %4</source>
+        <translation>t = %1 · %2 · Spannung %3 … %4</translation>
+    </message>
+    <message>
+        <source>t = %1 · %2 · velocity %3 … %4</source>
+        <translation>t = %1 · %2 · Geschwindigkeit %3 … %4</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RunKeeper</name>
+    <message>
+        <source>A run is not what it was.</source>
+        <translation>Ein Lauf ist nicht mehr, was er war.</translation>
+    </message>
+    <message>
+        <source>%1: there is no room for it among the runs on show; remove some and open the file again</source>
+        <translation>%1: unter den gezeigten Läufen ist kein Platz dafür; einige entfernen und die Datei neu öffnen</translation>
+    </message>
+    <message>
+        <source>%1: its file would replace another one in %2; remove the run and open the file again</source>
+        <translation>%1: seine Datei würde eine andere in %2 ersetzen; den Lauf entfernen und die Datei neu öffnen</translation>
+    </message>
+    <message>
+        <source>Not all runs that are kept with this file can be shown.</source>
+        <translation>Nicht alle Läufe, die bei dieser Datei aufbewahrt sind, können gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>The runs are not kept beside the new file.</source>
+        <translation>Neben der neuen Datei werden die Läufe nicht aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The scenario has no file yet: save it first, the runs are kept beside it.</source>
+        <translation>Das Szenario hat noch keine Datei: erst speichern, die Läufe werden daneben aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The runs are not kept.</source>
+        <translation>Die Läufe sind nicht aufbewahrt.</translation>
+    </message>
+    <message>
+        <source>The runs are not kept any more.</source>
+        <translation>Die Läufe werden nicht mehr aufbewahrt.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RunPanel</name>
+    <message>
+        <source>Runs</source>
+        <translation>Läufe</translation>
+    </message>
+    <message>
+        <source>F7 pins this result to compare with.</source>
+        <translation>F7 heftet dieses Ergebnis zum Vergleich an.</translation>
+    </message>
+    <message>
+        <source>Ticked runs are drawn over the plots. F2 renames, Del removes, the menu key or a right click has the rest</source>
+        <translation>Angehakte Läufe werden über die Diagramme gezeichnet. F2 benennt um, Entf entfernt, die Menütaste oder ein Rechtsklick hat das Übrige</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>Lauf</translation>
+    </message>
+    <message>
+        <source>Δ</source>
+        <translation>Δ</translation>
+    </message>
+    <message>
+        <source>How far e is off that of the reference</source>
+        <translation>Wie weit e von dem des Bezugs abweicht</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert to this run</source>
+        <translation>&amp;Zurück zu diesem Lauf</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with this run</source>
+        <translation>&amp;Vergleichen mit diesem Lauf</translation>
+    </message>
+    <message>
+        <source>Compare with the &amp;present result</source>
+        <translation>Vergleichen mit dem &amp;gegenwärtigen Ergebnis</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>&amp;Umbenennen</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Entfernen</translation>
+    </message>
+    <message>
+        <source>● now</source>
+        <translation>● jetzt</translation>
+    </message>
+    <message>
+        <source>The present result</source>
+        <translation>Das gegenwärtige Ergebnis</translation>
+    </message>
+    <message>
+        <source>ref.</source>
+        <translation>Bez.</translation>
+    </message>
+    <message>
+        <source>Being solved</source>
+        <translation>Wird gelöst</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::Runs</name>
+    <message>
+        <source>This is the run %1 already.</source>
+        <translation>Das ist schon der Lauf %1.</translation>
+    </message>
+    <message>
+        <source>There are %1 runs, which is as many as can be told apart: remove one first.</source>
+        <translation>Es gibt %1 Läufe, so viele, wie sich unterscheiden lassen: erst einen entfernen.</translation>
+    </message>
+    <message>
+        <source>%1 had e = %2 and has %3 now: the table of its hammer blow has been changed, or another version has solved it.</source>
+        <translation>%1 hatte e = %2 und hat jetzt %3: die Tabelle seines Hammerschlags ist geändert, oder eine andere Version hat ihn gelöst.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ScanRects</name>
+    <message>
+        <source>blows from contact [%]</source>
+        <translation>Schläge aus dem Kontakt [%]</translation>
+    </message>
+    <message>
+        <source>blows from contact</source>
+        <translation>Schläge aus dem Kontakt</translation>
+    </message>
+    <message>
+        <source>constant force</source>
+        <translation>konstante Kraft</translation>
+    </message>
+    <message>
+        <source>dashpot of half the impedance</source>
+        <translation>Dämpfer der halben Impedanz</translation>
+    </message>
+    <message>
+        <source>penetration rate</source>
+        <translation>Bohrfortschritt</translation>
+    </message>
+    <message>
+        <source>begun bouncing</source>
+        <translation>springend begonnen</translation>
+    </message>
+    <message>
+        <source>%1 (of an earlier scenario: scan again)</source>
+        <translation>%1 (eines früheren Szenarios: neu durchlaufen)</translation>
+    </message>
+    <message>
+        <source>gap at the blow</source>
+        <translation>Spalt beim Schlag</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ScatterFields</name>
+    <message>
+        <source>gap</source>
+        <translation>Spalt</translation>
+    </message>
+    <message>
+        <source>How the gap scatters</source>
+        <translation>Wie der Spalt streut</translation>
+    </message>
+    <message>
+        <source>Nobody controls the gap at the rig: all gaps of a period alike, or a normal distribution cut off at no gap</source>
+        <translation>Niemand regelt den Spalt am Bohrgerät: alle Spalte einer Periode gleich, oder eine Normalverteilung, abgeschnitten bei keinem Spalt</translation>
+    </message>
+    <message>
+        <source>all alike</source>
+        <translation>alle gleich</translation>
+    </message>
+    <message>
+        <source>mean ± deviation</source>
+        <translation>Mittel ± Abweichung</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>standard deviation of the gap</source>
+        <translation>Standardabweichung des Spalts</translation>
+    </message>
+    <message>
+        <source>%1 of the gap</source>
+        <translation>%1 des Spalts</translation>
+    </message>
+    <message>
+        <source>%1, unit</source>
+        <translation>%1, Einheit</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ScenarioPanel</name>
+    <message>
+        <source>String</source>
+        <translation>Strang</translation>
+    </message>
+    <message>
+        <source>Hammer</source>
+        <translation>Hammer</translation>
+    </message>
+    <message>
+        <source>Rod</source>
+        <translation>Stange</translation>
+    </message>
+    <message>
+        <source>Hammer blow</source>
+        <translation>Hammerschlag</translation>
+    </message>
+    <message>
+        <source>Bit and rock</source>
+        <translation>Bohrkrone und Gestein</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Kennzahlen</translation>
+    </message>
+    <message>
+        <source>Title of the scenario</source>
+        <translation>Titel des Szenarios</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>ohne</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::SectionBox</name>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>zugeklappt</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::SignalFields</name>
+    <message>
+        <source>place x</source>
+        <translation>Stelle x</translation>
+    </message>
+    <message>
+        <source>Of the gauge, from the struck end; below 0 in the hammer</source>
+        <translation>Der Messstelle, vom Schlagende; unter 0 im Hammer</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <source>signal is</source>
+        <translation>Signal ist</translation>
+    </message>
+    <message>
+        <source>What the numbers are</source>
+        <translation>Was die Zahlen sind</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>output of a bridge</source>
+        <translation>Ausgang einer Brücke</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>In what the numbers are</source>
+        <translation>Worin die Zahlen angegeben sind</translation>
+    </message>
+    <message>
+        <source>positive is</source>
+        <translation>positiv ist</translation>
+    </message>
+    <message>
+        <source>What a number greater than 0 means. Here tension is positive in a rod, and pressing is in a blow and on the rock.</source>
+        <translation>Was eine Zahl größer als 0 bedeutet. Hier ist Zug in einer Stange positiv, und Drücken in einem Schlag und auf das Gestein.</translation>
+    </message>
+    <message>
+        <source>tension</source>
+        <translation>Zug</translation>
+    </message>
+    <message>
+        <source>compression</source>
+        <translation>Druck</translation>
+    </message>
+    <message>
+        <source>zero line</source>
+        <translation>Nulllinie</translation>
+    </message>
+    <message>
+        <source>What is taken off all samples</source>
+        <translation>Was von allen Abtastwerten abgezogen wird</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>wie aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>mean of the first</source>
+        <translation>Mittel der ersten</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>ein Wert</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>erste</translation>
+    </message>
+    <message>
+        <source>How long nothing happens in the record</source>
+        <translation>Wie lange in der Aufzeichnung nichts geschieht</translation>
+    </message>
+    <message>
+        <source>zero is at</source>
+        <translation>null liegt bei</translation>
+    </message>
+    <message>
+        <source>In the unit of the column</source>
+        <translation>In der Einheit der Spalte</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>von</translation>
+    </message>
+    <message>
+        <source>Samples before this time of the file are left out</source>
+        <translation>Abtastwerte vor dieser Zeit der Datei werden weggelassen</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Samples after this time of the file are left out</source>
+        <translation>Abtastwerte nach dieser Zeit der Datei werden weggelassen</translation>
+    </message>
+    <message>
+        <source>beginning</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Peak</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>From and to where the signal is 2 % of its peak, around it</source>
+        <translation>Von und bis dorthin, wo das Signal 2 % seiner Spitze ist, um sie herum</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>From and to the ends of what the plot shows: zoom there first</source>
+        <translation>Von und bis zu den Enden dessen, was das Diagramm zeigt: dort zuerst zoomen</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>All of the record</source>
+        <translation>Die ganze Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>take from</source>
+        <translation>nehmen von</translation>
+    </message>
+    <message>
+        <source>clip what is negative</source>
+        <translation>Negatives abschneiden</translation>
+    </message>
+    <message>
+        <source>Forces below zero become zero: a hammer only pushes, and noise does not</source>
+        <translation>Kräfte unter null werden null: ein Hammer drückt nur, Rauschen nicht</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>Skalierung</translation>
+    </message>
+    <message>
+        <source>Times what all forces are multiplied by</source>
+        <translation>Womit alle Kräfte malgenommen werden</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>wie es ist</translation>
+    </message>
+    <message>
+        <source>by a factor</source>
+        <translation>mit einem Faktor</translation>
+    </message>
+    <message>
+        <source>to an impulse</source>
+        <translation>auf einen Kraftstoß</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>Faktor</translation>
+    </message>
+    <message>
+        <source>All forces are multiplied by it</source>
+        <translation>Mit dem alle Kräfte malgenommen werden</translation>
+    </message>
+    <message>
+        <source>impulse</source>
+        <translation>Kraftstoß</translation>
+    </message>
+    <message>
+        <source>That the signal is to have</source>
+        <translation>Den das Signal haben soll</translation>
+    </message>
+    <message>
+        <source>points at most</source>
+        <translation>Punkte höchstens</translation>
+    </message>
+    <message>
+        <source>That are kept of the samples; how far the rest is from the lines between them is said below</source>
+        <translation>Die von den Abtastwerten bleiben; wie weit die übrigen von den Linien dazwischen entfernt sind, steht unten</translation>
+    </message>
+    <message>
+        <source>choose</source>
+        <translation>wählen</translation>
+    </message>
+    <message>
+        <source>The unit in the header is not known, or there is none: choose what the signal is, and its unit.</source>
+        <translation>Die Einheit im Kopf ist nicht bekannt, oder es gibt keine: wählen, was das Signal ist, und seine Einheit.</translation>
+    </message>
+    <message>
+        <source>place x: not given: a wave passes every section at another time; type how far the gauge is from the struck end</source>
+        <translation>Stelle x: nicht gegeben: eine Welle kommt durch jeden Querschnitt zu anderer Zeit; eingeben, wie weit die Messstelle vom Schlagende ist</translation>
+    </message>
+    <message>
+        <source>place x: must not be less than 0, the struck end</source>
+        <translation>Stelle x: darf nicht kleiner als 0 sein, das Schlagende</translation>
+    </message>
+    <message>
+        <source>place x: must be at least %1, the rear of the hammer</source>
+        <translation>Stelle x: muss mindestens %1 sein, das hintere Ende des Hammers</translation>
+    </message>
+    <message>
+        <source>place x: must be at most %1, the length of the string</source>
+        <translation>Stelle x: darf höchstens %1 sein, die Länge des Strangs</translation>
+    </message>
+    <message>
+        <source>place x: must be at most %1, the length of the rod</source>
+        <translation>Stelle x: darf höchstens %1 sein, die Länge der Stange</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::SolveStatus</name>
+    <message>
+        <source>%1 was not written: %2</source>
+        <translation>%1 wurde nicht geschrieben: %2</translation>
+    </message>
+    <message>
+        <source>solving was cancelled.</source>
+        <translation>das Lösen wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>stopped · what is shown is not of the present input</source>
+        <translation>angehalten · was gezeigt ist, gehört nicht zur gegenwärtigen Eingabe</translation>
+    </message>
+    <message>
+        <source>solving … %1 waits for the result</source>
+        <translation>löst … %1 wartet auf das Ergebnis</translation>
+    </message>
+    <message>
+        <source>solving …</source>
+        <translation>löst …</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Lösen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Solve the present input</source>
+        <translation>Die gegenwärtige Eingabe lösen</translation>
+    </message>
+    <message>
+        <source>Stop solving; the old result stays, marked as such</source>
+        <translation>Das Lösen anhalten; das alte Ergebnis bleibt, als solches markiert</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StaleVeil</name>
+    <message>
+        <source>not of the present input</source>
+        <translation>nicht zur gegenwärtigen Eingabe</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringCellEditor</name>
+    <message>
+        <source>not given</source>
+        <translation>ohne</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringDrawing</name>
+    <message>
+        <source>Drawing of hammer and string</source>
+        <translation>Zeichnung von Hammer und Strang</translation>
+    </message>
+    <message>
+        <source>impedance Z %1 kN s/m</source>
+        <translation>Impedanz Z %1 kN s/m</translation>
+    </message>
+    <message>
+        <source>largest tension %1</source>
+        <translation>größter Zug %1</translation>
+    </message>
+    <message>
+        <source>largest compression %1</source>
+        <translation>größter Druck %1</translation>
+    </message>
+    <message>
+        <source>after the blow, tension %1</source>
+        <translation>nach dem Schlag, Zug %1</translation>
+    </message>
+    <message>
+        <source>after the blow, compression %1</source>
+        <translation>nach dem Schlag, Druck %1</translation>
+    </message>
+    <message>
+        <source>hammer</source>
+        <translation>Hammer</translation>
+    </message>
+    <message>
+        <source>rock</source>
+        <translation>Gestein</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>Strang</translation>
+    </message>
+    <message>
+        <source>Lengths to scale, diameters × %1</source>
+        <translation>Längen maßstäblich, Durchmesser × %1</translation>
+    </message>
+    <message>
+        <source>; upper half tension, lower half compression</source>
+        <translation>; obere Hälfte Zug, untere Hälfte Druck</translation>
+    </message>
+    <message>
+        <source>compression %1</source>
+        <translation>Druck %1</translation>
+    </message>
+    <message>
+        <source>tension %1</source>
+        <translation>Zug %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringEdits</name>
+    <message>
+        <source>section</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Put a section behind the selected one: like it, a preset, or one of the example strings; adapters go to the shank, bits to the rock</source>
+        <translation>Einen Abschnitt hinter den gewählten setzen: wie ihn, eine Vorgabe, oder einen der Beispielstränge; Einsteckenden kommen an den Anfang, Bohrkronen ans Gestein</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Verdoppeln</translation>
+    </message>
+    <message>
+        <source>Put the selected section there once more, with its name</source>
+        <translation>Den gewählten Abschnitt mit seinem Namen noch einmal dorthin setzen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Take the selected sections away</source>
+        <translation>Die gewählten Abschnitte wegnehmen</translation>
+    </message>
+    <message>
+        <source>Towards the hammer</source>
+        <translation>Zum Hammer hin</translation>
+    </message>
+    <message>
+        <source>Move the selected section one step towards the rear, into or out of a repeat</source>
+        <translation>Den gewählten Abschnitt einen Schritt nach hinten verschieben, in eine Wiederholung oder aus ihr heraus</translation>
+    </message>
+    <message>
+        <source>Towards the bit</source>
+        <translation>Zur Bohrkrone hin</translation>
+    </message>
+    <message>
+        <source>Move the selected section one step towards the bit, into or out of a repeat</source>
+        <translation>Den gewählten Abschnitt einen Schritt zur Bohrkrone verschieben, in eine Wiederholung oder aus ihr heraus</translation>
+    </message>
+    <message>
+        <source>Repeat…</source>
+        <translation>Wiederholen …</translation>
+    </message>
+    <message>
+        <source>Let the selected sections follow one another several times; in a repeat, type how often</source>
+        <translation>Die gewählten Abschnitte mehrmals aufeinander folgen lassen; in einer Wiederholung eingeben, wie oft</translation>
+    </message>
+    <message>
+        <source>Like the selected one</source>
+        <translation>Wie der gewählte</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>Rods</source>
+        <translation>Stangen</translation>
+    </message>
+    <message>
+        <source>Hammer, in place of this one</source>
+        <translation>Hammer, anstelle des gegenwärtigen</translation>
+    </message>
+    <message>
+        <source>Adapters</source>
+        <translation>Einsteckenden</translation>
+    </message>
+    <message>
+        <source>Couplings</source>
+        <translation>Kupplungsmuffen</translation>
+    </message>
+    <message>
+        <source>Bits</source>
+        <translation>Bohrkronen</translation>
+    </message>
+    <message>
+        <source>From the example strings</source>
+        <translation>Aus den Beispielsträngen</translation>
+    </message>
+    <message>
+        <source>%1 sections</source>
+        <translation>%1 Abschnitte</translation>
+    </message>
+    <message>
+        <source>a section</source>
+        <translation>einen Abschnitt</translation>
+    </message>
+    <message>
+        <source>add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>take the hammer %1</source>
+        <translation>den Hammer %1 übernehmen</translation>
+    </message>
+    <message>
+        <source>duplicate %1</source>
+        <translation>%1 verdoppeln</translation>
+    </message>
+    <message>
+        <source>A hammer has at least one section.</source>
+        <translation>Ein Hammer hat mindestens einen Abschnitt.</translation>
+    </message>
+    <message>
+        <source>A string has at least one section.</source>
+        <translation>Ein Strang hat mindestens einen Abschnitt.</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation>%1 entfernen</translation>
+    </message>
+    <message>
+        <source>remove %1 sections</source>
+        <translation>%1 Abschnitte entfernen</translation>
+    </message>
+    <message>
+        <source>move %1 towards the hammer</source>
+        <translation>%1 zum Hammer hin verschieben</translation>
+    </message>
+    <message>
+        <source>move %1 towards the bit</source>
+        <translation>%1 zur Bohrkrone hin verschieben</translation>
+    </message>
+    <message>
+        <source>Sections of the hammer stay in the hammer, those of the string behind it.</source>
+        <translation>Abschnitte des Hammers bleiben im Hammer, die des Strangs dahinter.</translation>
+    </message>
+    <message>
+        <source>move %1</source>
+        <translation>%1 verschieben</translation>
+    </message>
+    <message>
+        <source>repeat %1</source>
+        <translation>%1 wiederholen</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringModel</name>
+    <message>
+        <source>mass
+behind</source>
+        <translation>Masse
+dahinter</translation>
+    </message>
+    <message>
+        <source>attenu-
+ation</source>
+        <translation>Ab-
+klingen</translation>
+    </message>
+    <message>
+        <source>%1 at %2 from its rear end, %3</source>
+        <translation>%1 bei %2 von seinem hinteren Ende, %3</translation>
+    </message>
+    <message>
+        <source>These sections come %1 times, one after another. Type another number; 1 takes the repeat away.</source>
+        <translation>Diese Abschnitte kommen %1-mal hintereinander. Eine andere Zahl eingeben; 1 nimmt die Wiederholung weg.</translation>
+    </message>
+    <message>
+        <source>Name of the section; parameters go by it, too</source>
+        <translation>Name des Abschnitts; auch Parameter gehen danach</translation>
+    </message>
+    <message>
+        <source>Share of the energy of the hammer that the joint behind %1 throws back of what comes from the hammer</source>
+        <translation>Anteil der Energie des Hammers, den die Verbindung hinter %1 von dem zurückwirft, was vom Hammer kommt</translation>
+    </message>
+    <message>
+        <source>
+of the waves that the blow leaves: %1</source>
+        <translation>
+der Wellen, die der Schlag hinterlässt: %1</translation>
+    </message>
+    <message>
+        <source>The hammer loses nothing inside</source>
+        <translation>Der Hammer verliert innen nichts</translation>
+    </message>
+    <message>
+        <source>The section is given by its cross-section, not by diameters</source>
+        <translation>Der Abschnitt ist durch seinen Querschnitt gegeben, nicht durch Durchmesser</translation>
+    </message>
+    <message>
+        <source>H%1</source>
+        <translation>H%1</translation>
+    </message>
+    <message>
+        <source>Largest compression of the section while the blow lasts</source>
+        <translation>Größter Druck im Abschnitt, solange der Schlag dauert</translation>
+    </message>
+    <message>
+        <source>Largest tension of the section while the blow lasts</source>
+        <translation>Größter Zug im Abschnitt, solange der Schlag dauert</translation>
+    </message>
+    <message>
+        <source>Share of the energy of the hammer that the joint behind the section throws back of what comes from the hammer; of a repeat, by the joint that throws back most</source>
+        <translation>Anteil der Energie des Hammers, den die Verbindung hinter dem Abschnitt von dem zurückwirft, was vom Hammer kommt; in einer Wiederholung der Verbindung, die am meisten zurückwirft</translation>
+    </message>
+    <message>
+        <source>repeat</source>
+        <translation>mal</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>compres-
+sion</source>
+        <translation>Druck-
+spannung</translation>
+    </message>
+    <message>
+        <source>tension</source>
+        <translation>Zug</translation>
+    </message>
+    <message>
+        <source>joint
+reflects</source>
+        <translation>Rück-
+wurf</translation>
+    </message>
+    <message>
+        <source>The name %1</source>
+        <translation>Der Name %1</translation>
+    </message>
+    <message>
+        <source>call %1 “%2”</source>
+        <translation>%1 „%2“ nennen</translation>
+    </message>
+    <message>
+        <source>A repeat is a whole number from 1 to %1</source>
+        <translation>Eine Wiederholung ist eine ganze Zahl von 1 bis %1</translation>
+    </message>
+    <message>
+        <source>take the repeat of %1 away</source>
+        <translation>die Wiederholung von %1 wegnehmen</translation>
+    </message>
+    <message>
+        <source>repeat %1 %2 times</source>
+        <translation>%1 %2-mal wiederholen</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringPage</name>
+    <message>
+        <source>Of uniform sections: threads and shoulders raise stresses locally</source>
+        <translation>Der gleichförmigen Abschnitte: Gewinde und Absätze erhöhen Spannungen örtlich</translation>
+    </message>
+    <message>
+        <source>Sections of hammer and string</source>
+        <translation>Abschnitte von Hammer und Strang</translation>
+    </message>
+    <message>
+        <source>All columns</source>
+        <translation>Alle Spalten</translation>
+    </message>
+    <message>
+        <source>Also cross-section, Young&apos;s modulus, density and strengths where no section has them of its own</source>
+        <translation>Auch Querschnitt, E-Modul, Dichte und Festigkeiten, wo kein Abschnitt eigene hat</translation>
+    </message>
+    <message>
+        <source>Not solved: %1</source>
+        <translation>Nicht gelöst: %1</translation>
+    </message>
+    <message>
+        <source>in %1, %2</source>
+        <translation>in %1, %2</translation>
+    </message>
+    <message>
+        <source>Largest tension %1; largest compression %2.</source>
+        <translation>Größter Zug %1; größter Druck %2.</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>&amp;Table of the sections…</source>
+        <translation>&amp;Tabelle der Abschnitte …</translation>
+    </message>
+    <message>
+        <source>Every section with its sizes and largest stresses, as CSV</source>
+        <translation>Jeder Abschnitt mit seinen Maßen und größten Spannungen, als CSV</translation>
+    </message>
+    <message>
+        <source>String</source>
+        <translation>Strang</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringRod</name>
+    <message>
+        <source>hammer section %1</source>
+        <translation>Hammerabschnitt %1</translation>
+    </message>
+    <message>
+        <source>section %1</source>
+        <translation>Abschnitt %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringSection</name>
+    <message>
+        <source>Closed forms and groups are of uniform rods, and not here</source>
+        <translation>Geschlossene Formen und Kennzahlen gibt es für gleichförmige Stangen, nicht hier</translation>
+    </message>
+    <message>
+        <source>Sections…</source>
+        <translation>Abschnitte …</translation>
+    </message>
+    <message>
+        <source>The page String: a drawing, and all sections in a table to edit</source>
+        <translation>Die Seite Strang: eine Zeichnung, und alle Abschnitte in einer Tabelle zum Bearbeiten</translation>
+    </message>
+    <message>
+        <source>may strike again</source>
+        <translation>darf wieder schlagen</translation>
+    </message>
+    <message>
+        <source>Hammer: may strike again</source>
+        <translation>Hammer: darf wieder schlagen</translation>
+    </message>
+    <message>
+        <source>The hammer stays where the string may meet it again; without it, it is withdrawn once they have parted</source>
+        <translation>Der Hammer bleibt, wo der Strang ihn wieder treffen kann; sonst wird er zurückgezogen, sobald sie sich getrennt haben</translation>
+    </message>
+    <message>
+        <source>let the hammer strike again</source>
+        <translation>den Hammer wieder schlagen lassen</translation>
+    </message>
+    <message>
+        <source>withdraw the hammer</source>
+        <translation>den Hammer zurückziehen</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3</source>
+        <translation>%1 von %2, %3</translation>
+    </message>
+    <message>
+        <source>1 section</source>
+        <translation>1 Abschnitt</translation>
+    </message>
+    <message>
+        <source>%1 sections</source>
+        <translation>%1 Abschnitte</translation>
+    </message>
+    <message>
+        <source>; hammer %1, %2</source>
+        <translation>; Hammer %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringSketch</name>
+    <message>
+        <source>position x from the shank, hammer below 0</source>
+        <translation>Stelle x vom Einsteckende, Hammer unter 0</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>h%1</source>
+        <translation>h%1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StudyMenu</name>
+    <message>
+        <source>&amp;Study</source>
+        <translation>&amp;Studie</translation>
+    </message>
+    <message>
+        <source>&amp;Copy as command line</source>
+        <translation>Als Befehlszeile &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>C&amp;ancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StudyPage</name>
+    <message>
+        <source>Copy as command line</source>
+        <translation>Als Befehlszeile kopieren</translation>
+    </message>
+    <message>
+        <source>The command that writes the same numbers as CSV, for a terminal</source>
+        <translation>Der Befehl, der dieselben Zahlen als CSV schreibt, für ein Terminal</translation>
+    </message>
+    <message>
+        <source>&amp;Data of this study…</source>
+        <translation>&amp;Daten dieser Studie …</translation>
+    </message>
+    <message>
+        <source>The numbers of the study, as CSV</source>
+        <translation>Die Zahlen der Studie, als CSV</translation>
+    </message>
+    <message>
+        <source>The study was stopped before its end.</source>
+        <translation>Die Studie wurde vor ihrem Ende angehalten.</translation>
+    </message>
+    <message>
+        <source>The study is not finished yet.</source>
+        <translation>Die Studie ist noch nicht fertig.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StudyStatus</name>
+    <message>
+        <source>%1 s left</source>
+        <translation>noch %1 s</translation>
+    </message>
+    <message>
+        <source>%1 min left</source>
+        <translation>noch %1 min</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Progress of the study</source>
+        <translation>Fortschritt der Studie</translation>
+    </message>
+    <message>
+        <source>Stop the study; the points it has found stay</source>
+        <translation>Die Studie anhalten; gefundene Punkte bleiben</translation>
+    </message>
+    <message>
+        <source>Cancel the study</source>
+        <translation>Die Studie abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 stopped</source>
+        <translation>%1 angehalten</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::TabStrip</name>
+    <message>
+        <source>Pages</source>
+        <translation>Seiten</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::TableFields</name>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>separator</source>
+        <translation>Trennzeichen</translation>
+    </message>
+    <message>
+        <source>What stands between the cells</source>
+        <translation>Was zwischen den Zellen steht</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>Tabulator</translation>
+    </message>
+    <message>
+        <source>semicolon ;</source>
+        <translation>Semikolon ;</translation>
+    </message>
+    <message>
+        <source>comma ,</source>
+        <translation>Komma ,</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>Leerzeichen</translation>
+    </message>
+    <message>
+        <source>decimal sign</source>
+        <translation>Dezimalzeichen</translation>
+    </message>
+    <message>
+        <source>What stands before the decimals of a number</source>
+        <translation>Was vor den Dezimalen einer Zahl steht</translation>
+    </message>
+    <message>
+        <source>point 1.5</source>
+        <translation>Punkt 1.5</translation>
+    </message>
+    <message>
+        <source>comma 1,5</source>
+        <translation>Komma 1,5</translation>
+    </message>
+    <message>
+        <source>samples from line</source>
+        <translation>Werte ab Zeile</translation>
+    </message>
+    <message>
+        <source>The first line of the file that is a sample</source>
+        <translation>Die erste Zeile der Datei, die ein Abtastwert ist</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>The column of times, or none</source>
+        <translation>Die Spalte der Zeiten, oder keine</translation>
+    </message>
+    <message>
+        <source>unit of time</source>
+        <translation>Einheit der Zeit</translation>
+    </message>
+    <message>
+        <source>In what the times are</source>
+        <translation>Worin die Zeiten angegeben sind</translation>
+    </message>
+    <message>
+        <source>sampling rate</source>
+        <translation>Abtastrate</translation>
+    </message>
+    <message>
+        <source>Samples in a second</source>
+        <translation>Abtastwerte in einer Sekunde</translation>
+    </message>
+    <message>
+        <source>signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>The column of the signal</source>
+        <translation>Die Spalte des Signals</translation>
+    </message>
+    <message>
+        <source>mean with</source>
+        <translation>Mittel mit</translation>
+    </message>
+    <message>
+        <source>A second gauge on the other side of the bar: the mean is free of bending</source>
+        <translation>Ein zweiter Messstreifen auf der anderen Seite des Stabs: das Mittel ist frei von Biegung</translation>
+    </message>
+    <message>
+        <source>rows without number</source>
+        <translation>Zeilen ohne Zahl</translation>
+    </message>
+    <message>
+        <source>Empty cells, NaN, words: whether they stop the import or are left out</source>
+        <translation>Leere Zellen, NaN, Wörter: ob sie den Import anhalten oder weggelassen werden</translation>
+    </message>
+    <message>
+        <source>refuse</source>
+        <translation>ablehnen</translation>
+    </message>
+    <message>
+        <source>skip and count</source>
+        <translation>übergehen, zählen</translation>
+    </message>
+    <message>
+        <source>no other gauge</source>
+        <translation>kein weiterer</translation>
+    </message>
+    <message>
+        <source>evenly spaced</source>
+        <translation>gleichmäßig</translation>
+    </message>
+    <message>
+        <source>choose</source>
+        <translation>wählen</translation>
+    </message>
+    <message>
+        <source>The file is empty, or no text.</source>
+        <translation>Die Datei ist leer, oder kein Text.</translation>
+    </message>
+    <message>
+        <source>No line of numbers is found in the first %1 lines with this separator and decimal sign: choose others, or the line where the samples begin; a longer header is to be cut off the file.</source>
+        <translation>In den ersten %1 Zeilen findet sich mit diesem Trennzeichen und Dezimalzeichen keine Zeile mit Zahlen: andere wählen, oder die Zeile, in der die Abtastwerte beginnen; ein längerer Kopf ist von der Datei abzuschneiden.</translation>
+    </message>
+    <message>
+        <source>Time and signal are the same column: choose another one, or a sampling rate.</source>
+        <translation>Zeit und Signal sind dieselbe Spalte: eine andere wählen, oder eine Abtastrate.</translation>
+    </message>
+    <message>
+        <source>The second gauge is a column that is used already: choose another one.</source>
+        <translation>Der zweite Messstreifen ist eine Spalte, die schon verwendet wird: eine andere wählen.</translation>
+    </message>
+    <message>
+        <source>unit of time: the table does not say it: choose one.</source>
+        <translation>Einheit der Zeit: die Tabelle sagt sie nicht: eine wählen.</translation>
+    </message>
+    <message>
+        <source>unit of time: %1 is not known: choose one.</source>
+        <translation>Einheit der Zeit: %1 ist nicht bekannt: eine wählen.</translation>
+    </message>
+    <message>
+        <source>sampling rate: %1</source>
+        <translation>Abtastrate: %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::TableNotice</name>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>&amp;Neu laden</translation>
+    </message>
+    <message>
+        <source>Read the hammer blow from the file again; Undo brings the present one back</source>
+        <translation>Den Hammerschlag neu aus der Datei lesen; Rückgängig bringt den gegenwärtigen zurück</translation>
+    </message>
+    <message>
+        <source>&amp;Keep mine</source>
+        <translation>&amp;Meines behalten</translation>
+    </message>
+    <message>
+        <source>Go on with the points that were read before</source>
+        <translation>Mit den Punkten weiterarbeiten, die zuvor gelesen wurden</translation>
+    </message>
+    <message>
+        <source>%1, the hammer blow of this scenario, has been changed by another program.</source>
+        <translation>%1, der Hammerschlag dieses Szenarios, wurde von einem anderen Programm geändert.</translation>
+    </message>
+    <message>
+        <source>%1, the hammer blow of this scenario, has been deleted or moved. Its points are still here, but the scenario cannot be opened without the file.</source>
+        <translation>%1, der Hammerschlag dieses Szenarios, wurde gelöscht oder verschoben. Seine Punkte sind noch da, aber ohne die Datei kann das Szenario nicht geöffnet werden.</translation>
+    </message>
+    <message>
+        <source>The hammer blow cannot be read again.</source>
+        <translation>Der Hammerschlag kann nicht neu gelesen werden.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ThrustPage</name>
+    <message>
+        <source>over</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>Needs of the thrust</source>
+        <translation>Bedarfe an Andruck</translation>
+    </message>
+    <message>
+        <source>Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: without a blow frequency and forces no feed can be judged. File ▸ New begins a scenario that has them.</source>
+        <translation>Andruck braucht Szenarien in physikalischen Einheiten, und dieses ist durch seine dimensionslosen Kennzahlen gegeben: ohne Schlagfrequenz und Kräfte lässt sich kein Vorschub beurteilen. Datei ▸ Neu beginnt ein Szenario, das sie hat.</translation>
+    </message>
+    <message>
+        <source>Thrust</source>
+        <translation>Andruck</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ThrustPlot</name>
+    <message>
+        <source>effective force, with weight along the hole</source>
+        <translation>wirksame Kraft, mit Gewicht entlang des Bohrlochs</translation>
+    </message>
+    <message>
+        <source>installed thrust</source>
+        <translation>installierter Andruck</translation>
+    </message>
+    <message>
+        <source>thrust</source>
+        <translation>Andruck</translation>
+    </message>
+    <message>
+        <source>Needs of the thrust over %1, for %2, each from full penetration to the bit back before the next blow; behind them what the feed does by the rebound of this blow.</source>
+        <translation>Bedarfe an Andruck über %1, für %2, jeder von voller Eindringung bis zur Bohrkrone, die vor dem nächsten Schlag zurück ist; dahinter, was der Vorschub beim Rückprall dieses Schlags bewirkt.</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>; </translation>
+    </message>
+    <message>
+        <source>each need from full penetration to the bit back before the next blow undamped</source>
+        <translation>jeder Bedarf: volle Eindringung bis Bohrkrone ungedämpft rechtzeitig zurück</translation>
+    </message>
+    <message>
+        <source>effective</source>
+        <translation>wirksam</translation>
+    </message>
+    <message>
+        <source>installed</source>
+        <translation>installiert</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ThrustTable</name>
+    <message>
+        <source>95 % of gaps</source>
+        <translation>95 % der Spalte</translation>
+    </message>
+    <message>
+        <source>worst gap</source>
+        <translation>schlechtester Spalt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>not steady</source>
+        <translation>nicht stetig</translation>
+    </message>
+    <message>
+        <source>Needs of the thrust</source>
+        <translation>Bedarfe an Andruck</translation>
+    </message>
+    <message>
+        <source>need</source>
+        <translation>Bedarf</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>enough up to</source>
+        <translation>genug bis</translation>
+    </message>
+    <message>
+        <source>gap at the blow</source>
+        <translation>Spalt beim Schlag</translation>
+    </message>
+    <message>
+        <source>feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>From the thrust for full penetration to that which brings a bit that was at rest back before the next blow even if nothing damps</source>
+        <translation>Vom Andruck für volle Eindringung bis zu dem, der eine zuvor ruhende Bohrkrone auch ganz ohne Dämpfung vor dem nächsten Schlag zurückbringt</translation>
+    </message>
+    <message>
+        <source>Effective force over what full penetration needs, less 1</source>
+        <translation>Wirksame Kraft durch das, was volle Eindringung braucht, weniger 1</translation>
+    </message>
+    <message>
+        <source>Blow frequency at which the effective force is just what full penetration needs</source>
+        <translation>Schlagfrequenz, bei der die wirksame Kraft gerade das ist, was volle Eindringung braucht</translation>
+    </message>
+    <message>
+        <source>How far the bit is off the rock when the hammer strikes, if nothing damps the rebound; with a damper `drillwave drill` follows it</source>
+        <translation>Wie weit die Bohrkrone vom Gestein entfernt ist, wenn der Hammer schlägt und nichts den Rückprall dämpft; mit einem Dämpfer verfolgt das `drillwave drill`</translation>
+    </message>
+    <message>
+        <source>What the effective force does between blows with this e</source>
+        <translation>Was die wirksame Kraft zwischen Schlägen mit diesem e bewirkt</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::UnitsChoice</name>
+    <message>
+        <source>dimensionless</source>
+        <translation>dimensionslos</translation>
+    </message>
+    <message>
+        <source>US</source>
+        <translation>US</translation>
+    </message>
+    <message>
+        <source>SI</source>
+        <translation>SI</translation>
+    </message>
+    <message>
+        <source>&amp;Units</source>
+        <translation>&amp;Einheiten</translation>
+    </message>
+    <message>
+        <source>&amp;SI</source>
+        <translation>&amp;SI</translation>
+    </message>
+    <message>
+        <source>&amp;US customary</source>
+        <translation>&amp;US-Einheiten</translation>
+    </message>
+    <message>
+        <source>&amp;Dimensionless</source>
+        <translation>&amp;Dimensionslos</translation>
+    </message>
+    <message>
+        <source>Units of fields, results and plots</source>
+        <translation>Einheiten der Felder, Ergebnisse und Diagramme</translation>
+    </message>
+    <message>
+        <source>as in the system chosen</source>
+        <translation>wie im gewählten System</translation>
+    </message>
+    <message>
+        <source>This scenario is dimensionless: it has no physical values.</source>
+        <translation>Dieses Szenario ist dimensionslos: es hat keine physikalischen Werte.</translation>
+    </message>
+    <message>
+        <source>Units: %1</source>
+        <translation>Einheiten: %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ViewMenu</name>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Fit plots</source>
+        <translation>Diagramme ein&amp;passen</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::WavePicturePage</name>
+    <message>
+        <source>Fronts</source>
+        <translation>Fronten</translation>
+    </message>
+    <message>
+        <source>The dashed line: where in the rod the waves of the page Blow are observed; 0 is the struck end, 1 the bit.</source>
+        <translation>Die gestrichelte Linie: wo in der Stange die Wellen der Seite Schlag beobachtet werden; 0 ist das Schlagende, 1 die Bohrkrone.</translation>
+    </message>
+    <message>
+        <source>Waves in the rod over position and time</source>
+        <translation>Wellen in der Stange über Ort und Zeit</translation>
+    </message>
+    <message>
+        <source>Force N</source>
+        <translation>Kraft N</translation>
+    </message>
+    <message>
+        <source>Particle velocity v</source>
+        <translation>Teilchengeschwindigkeit v</translation>
+    </message>
+    <message>
+        <source>What the colours show</source>
+        <translation>Was die Farben zeigen</translation>
+    </message>
+    <message>
+        <source>Normal force (tension positive) or particle velocity (towards the rock positive)</source>
+        <translation>Normalkraft (Zug positiv) oder Teilchengeschwindigkeit (zum Gestein positiv)</translation>
+    </message>
+    <message>
+        <source>Lines where the hammer force begins (solid), jumps or ends (dashed), running with the wave speed</source>
+        <translation>Linien, auf denen die Hammerkraft beginnt (durchgezogen), springt oder endet (gestrichelt), mit der Wellengeschwindigkeit laufend</translation>
+    </message>
+    <message>
+        <source>Section x/L</source>
+        <translation>Stelle x/L</translation>
+    </message>
+    <message>
+        <source>Value at the pointer</source>
+        <translation>Wert am Zeiger</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Bring the whole blow into view (double-click in the picture)</source>
+        <translation>Den ganzen Schlag ins Bild bringen (Doppelklick ins Bild)</translation>
+    </message>
+    <message>
+        <source>Nothing to show: %1</source>
+        <translation>Nichts zu zeigen: %1</translation>
+    </message>
+    <message>
+        <source>Nothing to show: so many waves that they are not kept.</source>
+        <translation>Nichts zu zeigen: so viele Wellen, dass sie nicht behalten werden.</translation>
+    </message>
+    <message>
+        <source>Wave picture</source>
+        <translation>Wellenbild</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::WavePicturePlot</name>
+    <message>
+        <source>force N (tension positive)</source>
+        <translation>Kraft N (Zug positiv)</translation>
+    </message>
+    <message>
+        <source>particle velocity v (towards the rock positive)</source>
+        <translation>Teilchengeschwindigkeit v (zum Gestein positiv)</translation>
+    </message>
+    <message>
+        <source>position x from the shank, hammer below 0</source>
+        <translation>Stelle x vom Einsteckende, Hammer unter 0</translation>
+    </message>
+    <message>
+        <source>position x from the struck end</source>
+        <translation>Stelle x vom Schlagende</translation>
+    </message>
+    <message>
+        <source>time t</source>
+        <translation>Zeit t</translation>
+    </message>
+    <message>
+        <source>x = %1 · t = %2 · %3 = %4</source>
+        <translation>x = %1 · t = %2 · %3 = %4</translation>
+    </message>
+    <message>
+        <source>%1 into %2 · t = %3</source>
+        <translation>%1 in %2 · t = %3</translation>
+    </message>
+    <message>
+        <source> · later than the blow was followed</source>
+        <translation> · später, als der Schlag verfolgt wurde</translation>
+    </message>
+    <message>
+        <source> · N = %1 · σ = %2 · v = %3</source>
+        <translation> · N = %1 · σ = %2 · v = %3</translation>
+    </message>
+    <message>
+        <source>in view %1 = %2 … %3</source>
+        <translation>im Bild %1 = %2 … %3</translation>
+    </message>
+    <message>
+        <source> · colours end at ±%1</source>
+        <translation> · Farben enden bei ±%1</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Picture of %1 over position and time from %2 to %3, up to %4. %5: %6%7.</source>
+        <translation>Bild: %1 über Ort und Zeit von %2 bis %3, bis %4. %5: %6%7.</translation>
+    </message>
+    <message>
+        <source>1 contact of bit and rock</source>
+        <translation>1 Kontakt von Bohrkrone und Gestein</translation>
+    </message>
+    <message>
+        <source>%1 contacts of bit and rock</source>
+        <translation>%1 Kontakte von Bohrkrone und Gestein</translation>
+    </message>
+    <message>
+        <source> and so on</source>
+        <translation> und so weiter</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::WindowLayout</name>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>Anordnung &amp;zurücksetzen</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,7488 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="sv">
+<context>
+    <name>GaugeRows</name>
+    <message>
+        <source>gauge is on</source>
+        <translation>givaren sitter på</translation>
+    </message>
+    <message>
+        <source>Whose E and area make a force of a strain</source>
+        <translation>Vars E-modul och area gör en kraft av en töjning</translation>
+    </message>
+    <message>
+        <source>the rod or string</source>
+        <translation>stången eller strängen</translation>
+    </message>
+    <message>
+        <source>another bar</source>
+        <translation>en annan stång</translation>
+    </message>
+    <message>
+        <source>E of the bar</source>
+        <translation>stångens E</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>E-modul</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>diameter</translation>
+    </message>
+    <message>
+        <source>Of the solid bar where the gauge is</source>
+        <translation>På den massiva stången där givaren sitter</translation>
+    </message>
+    <message>
+        <source>gauge factor k</source>
+        <translation>givarfaktor k</translation>
+    </message>
+    <message>
+        <source>Relative resistance over strain</source>
+        <translation>Relativ resistansändring per töjning</translation>
+    </message>
+    <message>
+        <source>active gauges</source>
+        <translation>aktiva givare</translation>
+    </message>
+    <message>
+        <source>Of the bridge that see the strain: 1 quarter, 2 half, 4 full bridge</source>
+        <translation>I bryggan, som känner töjningen: 1 kvarts-, 2 halv-, 4 helbrygga</translation>
+    </message>
+</context>
+<context>
+    <name>QAbstractSpinBox</name>
+    <message>
+        <source>&amp;Select All</source>
+        <translation>&amp;Markera allt</translation>
+    </message>
+    <message>
+        <source>&amp;Step up</source>
+        <translation>Steg &amp;upp</translation>
+    </message>
+    <message>
+        <source>Step &amp;down</source>
+        <translation>Steg &amp;ner</translation>
+    </message>
+</context>
+<context>
+    <name>QDockWidget</name>
+    <message>
+        <source>Float</source>
+        <translation>Lösgör</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Stäng</translation>
+    </message>
+    <message>
+        <source>Undocks and re-attaches the dock widget</source>
+        <translation>Lösgör panelen från fönstret och sätter tillbaka den</translation>
+    </message>
+    <message>
+        <source>Closes the dock widget</source>
+        <translation>Stänger panelen</translation>
+    </message>
+</context>
+<context>
+    <name>QFileDialog</name>
+    <message>
+        <source>Back</source>
+        <translation>Tillbaka</translation>
+    </message>
+    <message>
+        <source>Forward</source>
+        <translation>Framåt</translation>
+    </message>
+    <message>
+        <source>Parent Directory</source>
+        <translation>Överordnad mapp</translation>
+    </message>
+    <message>
+        <source>Go back</source>
+        <translation>Gå tillbaka</translation>
+    </message>
+    <message>
+        <source>Go forward</source>
+        <translation>Gå framåt</translation>
+    </message>
+    <message>
+        <source>Go to the parent directory</source>
+        <translation>Gå till överordnad mapp</translation>
+    </message>
+    <message>
+        <source>Create New Folder</source>
+        <translation>Skapa ny mapp</translation>
+    </message>
+    <message>
+        <source>Create a New Folder</source>
+        <translation>Skapa en ny mapp</translation>
+    </message>
+    <message>
+        <source>List View</source>
+        <translation>Lista</translation>
+    </message>
+    <message>
+        <source>Detail View</source>
+        <translation>Detaljer</translation>
+    </message>
+    <message>
+        <source>Change to list view mode</source>
+        <translation>Visa som lista</translation>
+    </message>
+    <message>
+        <source>Change to detail view mode</source>
+        <translation>Visa med detaljer</translation>
+    </message>
+    <message>
+        <source>Look in:</source>
+        <translation>Sök i:</translation>
+    </message>
+    <message>
+        <source>File &amp;name:</source>
+        <translation>Fil&amp;namn:</translation>
+    </message>
+    <message>
+        <source>Files of type:</source>
+        <translation>Filer av typen:</translation>
+    </message>
+    <message>
+        <source>Directory:</source>
+        <translation>Mapp:</translation>
+    </message>
+    <message>
+        <source>Directories</source>
+        <translation>Mappar</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Filer</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öppna</translation>
+    </message>
+    <message>
+        <source>&amp;Open</source>
+        <translation>&amp;Öppna</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Spara</translation>
+    </message>
+    <message>
+        <source>Save As</source>
+        <translation>Spara som</translation>
+    </message>
+    <message>
+        <source>&amp;Choose</source>
+        <translation>&amp;Välj</translation>
+    </message>
+    <message>
+        <source>Find Directory</source>
+        <translation>Sök mapp</translation>
+    </message>
+    <message>
+        <source>Recent Places</source>
+        <translation>Senaste platser</translation>
+    </message>
+    <message>
+        <source>Sidebar</source>
+        <translation>Sidofält</translation>
+    </message>
+    <message>
+        <source>List of places and bookmarks</source>
+        <translation>Lista över platser och bokmärken</translation>
+    </message>
+    <message>
+        <source>Show </source>
+        <translation>Visa </translation>
+    </message>
+    <message>
+        <source>Show &amp;hidden files</source>
+        <translation>Visa &amp;dolda filer</translation>
+    </message>
+    <message>
+        <source>&amp;New Folder</source>
+        <translation>&amp;Ny mapp</translation>
+    </message>
+    <message>
+        <source>New Folder</source>
+        <translation>Ny mapp</translation>
+    </message>
+    <message>
+        <source>&amp;Rename</source>
+        <translation>&amp;Byt namn</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Ta bort</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>All Files (*)</source>
+        <translation>Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>Could not delete directory.</source>
+        <translation>Mappen kunde inte tas bort.</translation>
+    </message>
+    <message>
+        <source>%1 already exists.
+Do you want to replace it?</source>
+        <translation>%1 finns redan.
+Ersätta den?</translation>
+    </message>
+    <message>
+        <source>%1
+File not found.
+Please verify the correct file name was given.</source>
+        <translation>%1
+Filen hittades inte.
+Är filnamnet rätt?</translation>
+    </message>
+    <message>
+        <source>%1
+Directory not found.
+Please verify the correct directory name was given.</source>
+        <translation>%1
+Mappen hittades inte.
+Är dess namn rätt?</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is write protected.
+Do you want to delete it anyway?</source>
+        <translation>”%1” är skrivskyddad.
+Ta bort ändå?</translation>
+    </message>
+    <message>
+        <source>Are you sure you want to delete &apos;%1&apos;?</source>
+        <translation>Ska ”%1” verkligen tas bort?</translation>
+    </message>
+</context>
+<context>
+    <name>QFileSystemModel</name>
+    <message>
+        <source>Name</source>
+        <translation>Namn</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Storlek</translation>
+    </message>
+    <message>
+        <source>Type</source>
+        <translation>Typ</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Sort</translation>
+    </message>
+    <message>
+        <source>Date Modified</source>
+        <translation>Ändrad</translation>
+    </message>
+    <message>
+        <source>Computer</source>
+        <translation>Dator</translation>
+    </message>
+    <message>
+        <source>My Computer</source>
+        <translation>Min dator</translation>
+    </message>
+</context>
+<context>
+    <name>QLineEdit</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Ångra</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gör om</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Klipp &amp;ut</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiera</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Klistra &amp;in</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Markera allt</translation>
+    </message>
+</context>
+<context>
+    <name>QMessageBox</name>
+    <message>
+        <source>Show Details...</source>
+        <translation>Visa detaljer...</translation>
+    </message>
+    <message>
+        <source>Hide Details...</source>
+        <translation>Dölj detaljer...</translation>
+    </message>
+</context>
+<context>
+    <name>QPlatformTheme</name>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>&amp;Yes</source>
+        <translation>&amp;Ja</translation>
+    </message>
+    <message>
+        <source>&amp;No</source>
+        <translation>&amp;Nej</translation>
+    </message>
+    <message>
+        <source>Help</source>
+        <translation>Hjälp</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öppna</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Spara</translation>
+    </message>
+    <message>
+        <source>Abort</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Verkställ</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Stäng</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Återställ</translation>
+    </message>
+    <message>
+        <source>Retry</source>
+        <translation>Försök igen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>Ignorera</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Kasta</translation>
+    </message>
+    <message>
+        <source>Save All</source>
+        <translation>Spara alla</translation>
+    </message>
+    <message>
+        <source>Yes to &amp;All</source>
+        <translation>Ja till &amp;alla</translation>
+    </message>
+    <message>
+        <source>N&amp;o to All</source>
+        <translation>N&amp;ej till alla</translation>
+    </message>
+    <message>
+        <source>Restore Defaults</source>
+        <translation>Återställ förval</translation>
+    </message>
+</context>
+<context>
+    <name>QScrollBar</name>
+    <message>
+        <source>Scroll here</source>
+        <translation>Rulla hit</translation>
+    </message>
+    <message>
+        <source>Top</source>
+        <translation>Början</translation>
+    </message>
+    <message>
+        <source>Bottom</source>
+        <translation>Slutet</translation>
+    </message>
+    <message>
+        <source>Left edge</source>
+        <translation>Vänsterkanten</translation>
+    </message>
+    <message>
+        <source>Right edge</source>
+        <translation>Högerkanten</translation>
+    </message>
+    <message>
+        <source>Page up</source>
+        <translation>Sida uppåt</translation>
+    </message>
+    <message>
+        <source>Page down</source>
+        <translation>Sida nedåt</translation>
+    </message>
+    <message>
+        <source>Page left</source>
+        <translation>Sida åt vänster</translation>
+    </message>
+    <message>
+        <source>Page right</source>
+        <translation>Sida åt höger</translation>
+    </message>
+    <message>
+        <source>Scroll up</source>
+        <translation>Rulla uppåt</translation>
+    </message>
+    <message>
+        <source>Scroll down</source>
+        <translation>Rulla nedåt</translation>
+    </message>
+    <message>
+        <source>Scroll left</source>
+        <translation>Rulla åt vänster</translation>
+    </message>
+    <message>
+        <source>Scroll right</source>
+        <translation>Rulla åt höger</translation>
+    </message>
+</context>
+<context>
+    <name>QTabBar</name>
+    <message>
+        <source>Scroll Left</source>
+        <translation>Rulla åt vänster</translation>
+    </message>
+    <message>
+        <source>Scroll Right</source>
+        <translation>Rulla åt höger</translation>
+    </message>
+</context>
+<context>
+    <name>QUndoStack</name>
+    <message>
+        <source>Undo</source>
+        <translation>Ångra</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Gör om</translation>
+    </message>
+    <message>
+        <source>Undo %1</source>
+        <translation>Ångra: %1</translation>
+    </message>
+    <message>
+        <source>Redo %1</source>
+        <translation>Gör om: %1</translation>
+    </message>
+</context>
+<context>
+    <name>QWidgetTextControl</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Ångra</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gör om</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>Klipp &amp;ut</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiera</translation>
+    </message>
+    <message>
+        <source>Copy &amp;Link Location</source>
+        <translation>Kopiera &amp;länken</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>Klistra &amp;in</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Select All</source>
+        <translation>Markera allt</translation>
+    </message>
+</context>
+<context>
+    <name>UnitKind</name>
+    <message>
+        <source>length of the rod</source>
+        <translation>stångens längd</translation>
+    </message>
+    <message>
+        <source>penetration, gap, diameter</source>
+        <translation>inträngning, spalt, diameter</translation>
+    </message>
+    <message>
+        <source>force, thrust</source>
+        <translation>kraft, matningskraft</translation>
+    </message>
+    <message>
+        <source>impulse</source>
+        <translation>impuls</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>energi</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>effekt</translation>
+    </message>
+    <message>
+        <source>stress</source>
+        <translation>spänning</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>styvhet</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tid</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>hastighet</translation>
+    </message>
+    <message>
+        <source>penetration rate</source>
+        <translation>borrsjunkning</translation>
+    </message>
+    <message>
+        <source>blow frequency</source>
+        <translation>slagfrekvens</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>area</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>E-modul</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>densitet</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>massa</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>vinkel</translation>
+    </message>
+    <message>
+        <source>attenuation</source>
+        <translation>avklingning</translation>
+    </message>
+    <message>
+        <source>damping</source>
+        <translation>dämpning</translation>
+    </message>
+</context>
+<context>
+    <name>core</name>
+    <message>
+        <source>momentum</source>
+        <translation>rörelsemängd</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>energi</translation>
+    </message>
+    <message>
+        <source>continuity</source>
+        <translation>kontinuitet</translation>
+    </message>
+    <message>
+        <source>limit</source>
+        <translation>gränsfall</translation>
+    </message>
+    <message>
+        <source>lattice</source>
+        <translation>gitter</translation>
+    </message>
+    <message>
+        <source>pull</source>
+        <translation>drag</translation>
+    </message>
+    <message>
+        <source>stated error</source>
+        <translation>angivet fel</translation>
+    </message>
+    <message>
+        <source>return</source>
+        <translation>återkomst</translation>
+    </message>
+    <message>
+        <source>Angle of the hole below the horizontal; where it is given, the weight of machine and rod along the hole adds to the thrust</source>
+        <translation>Hålets vinkel under horisontalen; där den är angiven läggs vikten av maskin och stång längs hålet till matningskraften</translation>
+    </message>
+    <message>
+        <source>Blows per second of the rock drill</source>
+        <translation>Borrmaskinens slag per sekund</translation>
+    </message>
+    <message>
+        <source>Blows that are followed, one after the other; 1000 where nothing is given</source>
+        <translation>Slag som följs, det ena efter det andra; 1000 där inget är angivet</translation>
+    </message>
+    <message>
+        <source>Cross-section at the end towards the rock of a cone, whose `area` is that of its rear end</source>
+        <translation>Tvärsnittsarea vid änden mot berget för en kon, vars `area` är bakändens</translation>
+    </message>
+    <message>
+        <source>Cross-section of the rod, in place of its diameter and bore</source>
+        <translation>Stångens tvärsnittsarea, i stället för dess diameter och borrning</translation>
+    </message>
+    <message>
+        <source>Cross-section, in place of diameter and bore</source>
+        <translation>Tvärsnittsarea, i stället för diameter och borrning</translation>
+    </message>
+    <message>
+        <source>Dashpot between machine and rear end, over many blows; needs a machine mass</source>
+        <translation>Dämpare mellan maskin och bakände, över många slag; kräver en maskinmassa</translation>
+    </message>
+    <message>
+        <source>Decay of the amplitude of a wave per length</source>
+        <translation>Avtagande av en vågs amplitud per längd</translation>
+    </message>
+    <message>
+        <source>Density of every section that has none of its own</source>
+        <translation>Densitet hos varje sektion som inte har en egen</translation>
+    </message>
+    <message>
+        <source>Density of the elastic hammer, the rod&apos;s if not given</source>
+        <translation>Den elastiska hammarens densitet, stångens om inte angiven</translation>
+    </message>
+    <message>
+        <source>Density of the rod</source>
+        <translation>Stångens densitet</translation>
+    </message>
+    <message>
+        <source>Density, that of the material if not given</source>
+        <translation>Densitet, materialets om inte angiven</translation>
+    </message>
+    <message>
+        <source>Diameter of the elastic hammer</source>
+        <translation>Den elastiska hammarens diameter</translation>
+    </message>
+    <message>
+        <source>Diameter of the flushing hole, less than the outer diameter</source>
+        <translation>Spolhålets diameter, mindre än ytterdiametern</translation>
+    </message>
+    <message>
+        <source>Duration of the hammer force; time constant of an exponential one</source>
+        <translation>Hammarkraftens varaktighet; tidskonstanten för en exponentiell</translation>
+    </message>
+    <message>
+        <source>Elasticity parameter: loading over unloading stiffness; 1 is elastic</source>
+        <translation>Elasticitetsparameter: styvhet vid belastning genom styvhet vid avlastning; 1 är elastiskt</translation>
+    </message>
+    <message>
+        <source>Exponent of a power law F = k U (U/U1)^(p - 1) of loading; 1 is a straight line</source>
+        <translation>Exponent i en potenslag F = k U (U/U1)^(p - 1) för belastning; 1 är en rät linje</translation>
+    </message>
+    <message>
+        <source>Feed force that the drill rig applies</source>
+        <translation>Matningskraft som borriggen utövar</translation>
+    </message>
+    <message>
+        <source>Force from which on the loading curve has another slope</source>
+        <translation>Kraft från vilken belastningskurvan har en annan lutning</translation>
+    </message>
+    <message>
+        <source>Gap between bit and rock when the hammer strikes</source>
+        <translation>Spalt mellan borrkrona och berg när hammaren slår</translation>
+    </message>
+    <message>
+        <source>Gap over 2 I0/Z; in a dimensional scenario it moves the gap</source>
+        <translation>Spalt genom 2 I0/Z; i ett scenario med enheter flyttar det spalten</translation>
+    </message>
+    <message>
+        <source>How often the sections of the first repeat of the string follow one another</source>
+        <translation>Hur ofta sektionerna i strängens första upprepning följer på varandra</translation>
+    </message>
+    <message>
+        <source>Impedance of the elastic hammer over that of the rod</source>
+        <translation>Den elastiska hammarens impedans genom stångens</translation>
+    </message>
+    <message>
+        <source>Impulse of the hammer force</source>
+        <translation>Hammarkraftens impuls</translation>
+    </message>
+    <message>
+        <source>Impulse of the impact force on the rock, (1 + e) times that of the hammer</source>
+        <translation>Stötkraftens impuls på berget, (1 + e) gånger hammarens</translation>
+    </message>
+    <message>
+        <source>Largest compressive stress of the waves that are left after the blow and run on, of a string as long as it is followed; nothing damps them in the model, a real rod does</source>
+        <translation>Största tryckspänning i de vågor som är kvar efter slaget och löper vidare, i en sträng så länge den följs; i modellen dämpar inget dem, det gör en verklig stång</translation>
+    </message>
+    <message>
+        <source>Largest compressive stress of uniform sections while the blow lasts, to the last separation of bit and rock plus one transit time; threads and shoulders raise it locally</source>
+        <translation>Största tryckspänning i likformiga sektioner medan slaget varar, till sista separationen av borrkrona och berg plus en gångtid; gängor och ansatser höjer den lokalt</translation>
+    </message>
+    <message>
+        <source>Largest impact force</source>
+        <translation>Största stötkraft</translation>
+    </message>
+    <message>
+        <source>Largest penetration of the bit during the blow</source>
+        <translation>Borrkronans största inträngning under slaget</translation>
+    </message>
+    <message>
+        <source>Largest tensile stress of the waves that are left after the blow and run on, of a string over a round trip at least; nothing damps them in the model, a real rod does</source>
+        <translation>Största dragspänning i de vågor som är kvar efter slaget och löper vidare, i en sträng minst över ett varv fram och åter; i modellen dämpar inget dem, det gör en verklig stång</translation>
+    </message>
+    <message>
+        <source>Largest tensile stress of uniform sections while the blow lasts, to the last separation of bit and rock plus one transit time; threads and shoulders raise it locally</source>
+        <translation>Största dragspänning i likformiga sektioner medan slaget varar, till sista separationen av borrkrona och berg plus en gångtid; gängor och ansatser höjer den lokalt</translation>
+    </message>
+    <message>
+        <source>Length of the elastic hammer; its round trip is one step of the blow</source>
+        <translation>Den elastiska hammarens längd; dess varv fram och åter är ett steg i slaget</translation>
+    </message>
+    <message>
+        <source>Length of the rod or rod string, from the hammer to the bit</source>
+        <translation>Stångens eller strängens längd, från hammaren till borrkronan</translation>
+    </message>
+    <message>
+        <source>Length of the section</source>
+        <translation>Sektionens längd</translation>
+    </message>
+    <message>
+        <source>Mass lumped at the end towards the rock; of the last section of a string a mass of the bit</source>
+        <translation>Massa samlad vid änden mot berget; för en strängs sista sektion en massa hos borrkronan</translation>
+    </message>
+    <message>
+        <source>Mass that the feed carries besides the rod; counts where an inclination is given</source>
+        <translation>Massa som matningen bär utöver stången; räknas där en lutning är angiven</translation>
+    </message>
+    <message>
+        <source>Mean hammer force, impulse over duration</source>
+        <translation>Hammarens medelkraft, impuls genom varaktighet</translation>
+    </message>
+    <message>
+        <source>Normal deviation of the time between two blows, of its mean, cut at three deviations</source>
+        <translation>Normalfördelad avvikelse hos tiden mellan två slag, som andel av dess medelvärde, avskuren vid tre avvikelser</translation>
+    </message>
+    <message>
+        <source>Number of peaks of the impact force above 1 % of the largest</source>
+        <translation>Antal toppar i stötkraften över 1 % av den största</translation>
+    </message>
+    <message>
+        <source>Of the scatter of the intervals</source>
+        <translation>För intervallens spridning</translation>
+    </message>
+    <message>
+        <source>Outer diameter at the end towards the rock of a cone, whose `diameter` is that of its rear end; the bore is constant</source>
+        <translation>Ytterdiameter vid änden mot berget för en kon, vars `diameter` är bakändens; borrningen är konstant</translation>
+    </message>
+    <message>
+        <source>Outer diameter of the rod</source>
+        <translation>Stångens ytterdiameter</translation>
+    </message>
+    <message>
+        <source>Outer diameter of the section</source>
+        <translation>Sektionens ytterdiameter</translation>
+    </message>
+    <message>
+        <source>Penetration at which a power law has the stiffness, in d0</source>
+        <translation>Inträngning vid vilken en potenslag har styvheten, i d0</translation>
+    </message>
+    <message>
+        <source>Penetration at which a power law has the stiffness: F = k U1 there</source>
+        <translation>Inträngning vid vilken en potenslag har styvheten: där är F = k U1</translation>
+    </message>
+    <message>
+        <source>Penetration that stays after the blow</source>
+        <translation>Inträngning som blir kvar efter slaget</translation>
+    </message>
+    <message>
+        <source>Penetration that stays times the blow frequency: an upper limit, which indexing, flushing and a bit off the rock do not reach</source>
+        <translation>Kvarstående inträngning gånger slagfrekvensen: en övre gräns, som indexering, spolning och en lyft borrkrona gör att man inte når</translation>
+    </message>
+    <message>
+        <source>Share of its energy that runs to and fro in the hammer</source>
+        <translation>Andel av dess energi som löper fram och åter i hammaren</translation>
+    </message>
+    <message>
+        <source>Share of its energy with which the hammer moves after the blow</source>
+        <translation>Andel av dess energi med vilken hammaren rör sig efter slaget</translation>
+    </message>
+    <message>
+        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock</source>
+        <translation>Andel av en vågs energi som går förlorad i skarven vid änden mot berget</translation>
+    </message>
+    <message>
+        <source>Share of the energy of the hammer in the stiffness of the faces, where they still touch</source>
+        <translation>Andel av hammarens energi i ytornas styvhet, där de ännu rör vid varandra</translation>
+    </message>
+    <message>
+        <source>Share of the energy of the hammer that joints take</source>
+        <translation>Andel av hammarens energi som skarvarna tar</translation>
+    </message>
+    <message>
+        <source>Share of the energy of the hammer that waves lose on their way</source>
+        <translation>Andel av hammarens energi som vågor förlorar på vägen</translation>
+    </message>
+    <message>
+        <source>Share of the energy that moves the rod or the string back as a whole</source>
+        <translation>Andel av energin som för stången eller strängen tillbaka som helhet</translation>
+    </message>
+    <message>
+        <source>Share of the energy that runs to and fro in the rod or the string</source>
+        <translation>Andel av energin som löper fram och åter i stången eller strängen</translation>
+    </message>
+    <message>
+        <source>Share of the energy that stays in the rock: the efficiency</source>
+        <translation>Andel av energin som stannar i berget: verkningsgraden</translation>
+    </message>
+    <message>
+        <source>Share that the waves lose of their deviation from what is steady in a round trip, over many blows</source>
+        <translation>Andel som vågorna under ett varv fram och åter förlorar av sin avvikelse från det stationära, över många slag</translation>
+    </message>
+    <message>
+        <source>Slope of the loading curve from that corner on, as a multiple of the stiffness</source>
+        <translation>Belastningskurvans lutning från detta hörn, som en multipel av styvheten</translation>
+    </message>
+    <message>
+        <source>Spring between machine and rear end, over many blows; needs a machine mass</source>
+        <translation>Fjäder mellan maskin och bakände, över många slag; kräver en maskinmassa</translation>
+    </message>
+    <message>
+        <source>Stiffness group k t0/Z; in a dimensional scenario it moves the stiffness</source>
+        <translation>Styvhetstal k t0/Z; i ett scenario med enheter flyttar det styvheten</translation>
+    </message>
+    <message>
+        <source>Stiffness of bit and rock in primary loading</source>
+        <translation>Styvhet hos borrkrona och berg vid första belastning</translation>
+    </message>
+    <message>
+        <source>Stiffness of the contact of hammer and string; rigid if not given</source>
+        <translation>Styvhet i kontakten mellan hammare och sträng; stel om inte angiven</translation>
+    </message>
+    <message>
+        <source>Stress up to which the rod is elastic; a blow that exceeds it raises a warning</source>
+        <translation>Spänning upp till vilken stången är elastisk; ett slag däröver ger en varning</translation>
+    </message>
+    <message>
+        <source>Stress up to which the section is elastic; a blow that exceeds it raises a warning</source>
+        <translation>Spänning upp till vilken sektionen är elastisk; ett slag däröver ger en varning</translation>
+    </message>
+    <message>
+        <source>Summed over all contacts</source>
+        <translation>Summerad över alla kontakter</translation>
+    </message>
+    <message>
+        <source>Tensile stress that the rod bears in blow after blow; more raises a warning</source>
+        <translation>Dragspänning som stången tål slag efter slag; mer ger en varning</translation>
+    </message>
+    <message>
+        <source>Tensile stress that the section bears in blow after blow; more raises a warning</source>
+        <translation>Dragspänning som sektionen tål slag efter slag; mer ger en varning</translation>
+    </message>
+    <message>
+        <source>The first of the blows, which no statistic counts; a fifth of them where nothing is given</source>
+        <translation>De första av slagen, som ingen statistik räknar; en femtedel av dem där inget är angivet</translation>
+    </message>
+    <message>
+        <source>Time at which hammer and string first part</source>
+        <translation>Tid då hammare och sträng först skils åt</translation>
+    </message>
+    <message>
+        <source>Time in which a trapezoid falls, as a fraction of the duration</source>
+        <translation>Tid på vilken en trapets faller, som andel av varaktigheten</translation>
+    </message>
+    <message>
+        <source>Time in which a trapezoid rises, as a fraction of the duration</source>
+        <translation>Tid på vilken en trapets stiger, som andel av varaktigheten</translation>
+    </message>
+    <message>
+        <source>Time of the first contact</source>
+        <translation>Tid för den första kontakten</translation>
+    </message>
+    <message>
+        <source>Time of the last separation</source>
+        <translation>Tid för den sista separationen</translation>
+    </message>
+    <message>
+        <source>Time until when the blow of a drill string is followed; to its end if not given</source>
+        <translation>Tid till vilken en borrsträngs slag följs; till dess slut om inte angiven</translation>
+    </message>
+    <message>
+        <source>Transit time of the rod over t0; in a dimensional scenario it moves the rod length</source>
+        <translation>Stångens gångtid genom t0; i ett scenario med enheter flyttar det stångens längd</translation>
+    </message>
+    <message>
+        <source>Velocity of the elastic hammer when it hits the rod</source>
+        <translation>Den elastiska hammarens hastighet när den träffar stången</translation>
+    </message>
+    <message>
+        <source>Velocity of the hammer after the blow, away from the rock</source>
+        <translation>Hammarens hastighet efter slaget, bort från berget</translation>
+    </message>
+    <message>
+        <source>Velocity of the hammer when it strikes the string</source>
+        <translation>Hammarens hastighet när den träffar strängen</translation>
+    </message>
+    <message>
+        <source>What all the shares together miss</source>
+        <translation>Vad alla andelar tillsammans missar</translation>
+    </message>
+    <message>
+        <source>Work of the hammer on the rod</source>
+        <translation>Hammarens arbete på stången</translation>
+    </message>
+    <message>
+        <source>Work of the hammer on the rod times the blow frequency</source>
+        <translation>Hammarens arbete på stången gånger slagfrekvensen</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus</source>
+        <translation>E-modul</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of every section that has none of its own</source>
+        <translation>E-modul hos varje sektion som inte har en egen</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of the elastic hammer, the rod&apos;s if not given</source>
+        <translation>Den elastiska hammarens E-modul, stångens om inte angiven</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of the rod; sets its wave speed with the density</source>
+        <translation>Stångens E-modul; ger med densiteten dess våghastighet</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus, that of the material if not given</source>
+        <translation>E-modul, materialets om inte angiven</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>area</translation>
+    </message>
+    <message>
+        <source>attenuation</source>
+        <translation>avklingning</translation>
+    </message>
+    <message>
+        <source>balance error</source>
+        <translation>balansfel</translation>
+    </message>
+    <message>
+        <source>between the faces</source>
+        <translation>mellan ytorna</translation>
+    </message>
+    <message>
+        <source>blow frequency</source>
+        <translation>slagfrekvens</translation>
+    </message>
+    <message>
+        <source>blow frequency times impulse, N, when the scenario has a frequency</source>
+        <translation>slagfrekvens gånger impuls, N, när scenariot har en frekvens</translation>
+    </message>
+    <message>
+        <source>blows</source>
+        <translation>slag</translation>
+    </message>
+    <message>
+        <source>bore</source>
+        <translation>borrning</translation>
+    </message>
+    <message>
+        <source>bound on the numerical error of cor</source>
+        <translation>gräns för det numeriska felet i e</translation>
+    </message>
+    <message>
+        <source>cell</source>
+        <translation>cell</translation>
+    </message>
+    <message>
+        <source>cells x nodes</source>
+        <translation>celler x noder</translation>
+    </message>
+    <message>
+        <source>coefficient of restitution e = -pf/p0</source>
+        <translation>studstal e = -pf/p0</translation>
+    </message>
+    <message>
+        <source>compression, after</source>
+        <translation>tryck, efter</translation>
+    </message>
+    <message>
+        <source>compression, blow</source>
+        <translation>tryck, slag</translation>
+    </message>
+    <message>
+        <source>cor</source>
+        <translation>studstal e</translation>
+    </message>
+    <message>
+        <source>cor error</source>
+        <translation>fel i studstalet</translation>
+    </message>
+    <message>
+        <source>dashpot</source>
+        <translation>dämpare</translation>
+    </message>
+    <message>
+        <source>density</source>
+        <translation>densitet</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>diameter</translation>
+    </message>
+    <message>
+        <source>duration</source>
+        <translation>varaktighet</translation>
+    </message>
+    <message>
+        <source>effective feed force over the largest of the four needs of the thrust, less 1, when the scenario has them; takes a study of all gaps</source>
+        <translation>verksam matningskraft genom det största av de fyra behoven av matningskraft, minus 1, när scenariot har dem; kräver en studie av alla spalter</translation>
+    </message>
+    <message>
+        <source>efficiency</source>
+        <translation>verkningsgrad</translation>
+    </message>
+    <message>
+        <source>efficiency error</source>
+        <translation>fel i verkningsgraden</translation>
+    </message>
+    <message>
+        <source>efficiency recovered</source>
+        <translation>med återvinning</translation>
+    </message>
+    <message>
+        <source>efficiency, and what the hammer takes back with it, of a drill string</source>
+        <translation>verkningsgrad och det hammaren tar tillbaka, för en borrsträng</translation>
+    </message>
+    <message>
+        <source>elasticity</source>
+        <translation>elasticitet</translation>
+    </message>
+    <message>
+        <source>end area</source>
+        <translation>slutarea</translation>
+    </message>
+    <message>
+        <source>end diameter</source>
+        <translation>slutdiameter</translation>
+    </message>
+    <message>
+        <source>end time</source>
+        <translation>sluttid</translation>
+    </message>
+    <message>
+        <source>energy in the stiffness of the faces, fraction of that of the hammer</source>
+        <translation>energi i ytornas styvhet, andel av hammarens</translation>
+    </message>
+    <message>
+        <source>energy left in the rock, fraction of the hammer work</source>
+        <translation>energi kvar i berget, andel av hammarens arbete</translation>
+    </message>
+    <message>
+        <source>energy left in waves of the hammer, fraction of its own</source>
+        <translation>energi kvar i hammarens vågor, andel av dess egen</translation>
+    </message>
+    <message>
+        <source>energy left in waves, fraction of the hammer work</source>
+        <translation>energi kvar i vågor, andel av hammarens arbete</translation>
+    </message>
+    <message>
+        <source>energy lost in joints, fraction of that of the hammer</source>
+        <translation>energi förlorad i skarvar, andel av hammarens</translation>
+    </message>
+    <message>
+        <source>energy lost on the way through sections, fraction of that of the hammer</source>
+        <translation>energi förlorad på vägen genom sektioner, andel av hammarens</translation>
+    </message>
+    <message>
+        <source>energy of the hammer moving back as a whole, fraction of that of impact</source>
+        <translation>energi hos hammaren som helhet på väg tillbaka, andel av den vid anslaget</translation>
+    </message>
+    <message>
+        <source>energy of the rebound, fraction of the hammer work</source>
+        <translation>studsens energi, andel av hammarens arbete</translation>
+    </message>
+    <message>
+        <source>energy of the string after the blow, fraction of that of the hammer</source>
+        <translation>strängens energi efter slaget, andel av hammarens</translation>
+    </message>
+    <message>
+        <source>enough, bounces</source>
+        <translation>nog, studsar</translation>
+    </message>
+    <message>
+        <source>enough, may bounce</source>
+        <translation>nog, studsar kanske</translation>
+    </message>
+    <message>
+        <source>enough, rests</source>
+        <translation>nog, vilar</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>fel</translation>
+    </message>
+    <message>
+        <source>error of e</source>
+        <translation>fel i e</translation>
+    </message>
+    <message>
+        <source>error of the energy balance, fraction of the hammer work</source>
+        <translation>fel i energibalansen, andel av hammarens arbete</translation>
+    </message>
+    <message>
+        <source>error of the momentum balance, fraction of I0</source>
+        <translation>fel i rörelsemängdens balans, andel av I0</translation>
+    </message>
+    <message>
+        <source>estimate</source>
+        <translation>uppskattning</translation>
+    </message>
+    <message>
+        <source>events</source>
+        <translation>händelser</translation>
+    </message>
+    <message>
+        <source>exponent</source>
+        <translation>exponent</translation>
+    </message>
+    <message>
+        <source>exponential</source>
+        <translation>exponentiell</translation>
+    </message>
+    <message>
+        <source>face stiffness</source>
+        <translation>ytans styvhet</translation>
+    </message>
+    <message>
+        <source>fall</source>
+        <translation>fall</translation>
+    </message>
+    <message>
+        <source>fatigue strength</source>
+        <translation>utmattningsgräns</translation>
+    </message>
+    <message>
+        <source>first contact</source>
+        <translation>första kontakt</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>kraft</translation>
+    </message>
+    <message>
+        <source>force peaks</source>
+        <translation>krafttoppar</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>spalt</translation>
+    </message>
+    <message>
+        <source>half sine</source>
+        <translation>halvsinus</translation>
+    </message>
+    <message>
+        <source>hammer Young&apos;s modulus</source>
+        <translation>hammarens E</translation>
+    </message>
+    <message>
+        <source>hammer density</source>
+        <translation>hammardensitet</translation>
+    </message>
+    <message>
+        <source>hammer diameter</source>
+        <translation>hammardiameter</translation>
+    </message>
+    <message>
+        <source>hammer leaves</source>
+        <translation>hammaren lämnar</translation>
+    </message>
+    <message>
+        <source>hammer length</source>
+        <translation>hammarlängd</translation>
+    </message>
+    <message>
+        <source>hammer rebound</source>
+        <translation>hammarstuds</translation>
+    </message>
+    <message>
+        <source>hammer velocity</source>
+        <translation>hammarhastighet</translation>
+    </message>
+    <message>
+        <source>hammer work W</source>
+        <translation>hammararbete W</translation>
+    </message>
+    <message>
+        <source>hammer work times blow frequency, W, when the scenario has a frequency</source>
+        <translation>hammarens arbete gånger slagfrekvensen, W, när scenariot har en frekvens</translation>
+    </message>
+    <message>
+        <source>impedance ratio</source>
+        <translation>impedansförhållande</translation>
+    </message>
+    <message>
+        <source>impulse</source>
+        <translation>impuls</translation>
+    </message>
+    <message>
+        <source>impulse of the impact force, 1 + e</source>
+        <translation>stötkraftens impuls, 1 + e</translation>
+    </message>
+    <message>
+        <source>impulse on the rock</source>
+        <translation>impuls på berget</translation>
+    </message>
+    <message>
+        <source>inclination</source>
+        <translation>lutning</translation>
+    </message>
+    <message>
+        <source>installed thrust</source>
+        <translation>matningskraft</translation>
+    </message>
+    <message>
+        <source>into the hammer</source>
+        <translation>till hammaren</translation>
+    </message>
+    <message>
+        <source>into the rebound</source>
+        <translation>till studsen</translation>
+    </message>
+    <message>
+        <source>into the rock</source>
+        <translation>till berget</translation>
+    </message>
+    <message>
+        <source>largest compression in the rod while the blow lasts</source>
+        <translation>största tryck i stången medan slaget varar</translation>
+    </message>
+    <message>
+        <source>largest compression of the waves left, undamped</source>
+        <translation>största tryck i de kvarvarande vågorna, odämpat</translation>
+    </message>
+    <message>
+        <source>largest impact force</source>
+        <translation>största stötkraft</translation>
+    </message>
+    <message>
+        <source>largest penetration</source>
+        <translation>största inträngning</translation>
+    </message>
+    <message>
+        <source>largest penetration of the bit</source>
+        <translation>borrkronans största inträngning</translation>
+    </message>
+    <message>
+        <source>largest tension in the rod while the blow lasts</source>
+        <translation>största drag i stången medan slaget varar</translation>
+    </message>
+    <message>
+        <source>largest tension of the waves left, undamped</source>
+        <translation>största drag i de kvarvarande vågorna, odämpat</translation>
+    </message>
+    <message>
+        <source>last separation</source>
+        <translation>sista separation</translation>
+    </message>
+    <message>
+        <source>left in waves</source>
+        <translation>kvar i vågor</translation>
+    </message>
+    <message>
+        <source>length</source>
+        <translation>längd</translation>
+    </message>
+    <message>
+        <source>loading work</source>
+        <translation>belastningsarbete</translation>
+    </message>
+    <message>
+        <source>loss</source>
+        <translation>förlust</translation>
+    </message>
+    <message>
+        <source>lost in joints</source>
+        <translation>förlorat i skarvar</translation>
+    </message>
+    <message>
+        <source>lost in sections</source>
+        <translation>förlorat i sektioner</translation>
+    </message>
+    <message>
+        <source>machine mass</source>
+        <translation>maskinmassa</translation>
+    </message>
+    <message>
+        <source>machine pushed back</source>
+        <translation>maskinen trycks tillbaka</translation>
+    </message>
+    <message>
+        <source>mass behind it</source>
+        <translation>massa bakom</translation>
+    </message>
+    <message>
+        <source>mean force</source>
+        <translation>medelkraft</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>median</translation>
+    </message>
+    <message>
+        <source>mid-step</source>
+        <translation>mitt i steget</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>minimum</translation>
+    </message>
+    <message>
+        <source>momentum of the string after the blow, towards the rock, over that of the hammer</source>
+        <translation>strängens rörelsemängd efter slaget, mot berget, genom hammarens</translation>
+    </message>
+    <message>
+        <source>momentum residual</source>
+        <translation>fel i rörelsemängdens balans</translation>
+    </message>
+    <message>
+        <source>order</source>
+        <translation>ordning</translation>
+    </message>
+    <message>
+        <source>peak force</source>
+        <translation>toppkraft</translation>
+    </message>
+    <message>
+        <source>peaks of the impact force above 1 % of the largest</source>
+        <translation>toppar i stötkraften över 1 % av den största</translation>
+    </message>
+    <message>
+        <source>penetration</source>
+        <translation>inträngning</translation>
+    </message>
+    <message>
+        <source>penetration a blow</source>
+        <translation>inträngning/slag</translation>
+    </message>
+    <message>
+        <source>penetration lost</source>
+        <translation>förlorad inträngning</translation>
+    </message>
+    <message>
+        <source>penetration rate</source>
+        <translation>borrsjunkning</translation>
+    </message>
+    <message>
+        <source>penetration that stays after the blow</source>
+        <translation>inträngning som blir kvar efter slaget</translation>
+    </message>
+    <message>
+        <source>penetration that stays times blow frequency, m/s, when the scenario has a frequency: an upper limit</source>
+        <translation>kvarstående inträngning gånger slagfrekvensen, m/s, när scenariot har en frekvens: en övre gräns</translation>
+    </message>
+    <message>
+        <source>percussion power</source>
+        <translation>slageffekt</translation>
+    </message>
+    <message>
+        <source>pieces</source>
+        <translation>bitar</translation>
+    </message>
+    <message>
+        <source>piston</source>
+        <translation>kolv</translation>
+    </message>
+    <message>
+        <source>rectangular</source>
+        <translation>rektangulär</translation>
+    </message>
+    <message>
+        <source>reference penetration</source>
+        <translation>referensinträngning</translation>
+    </message>
+    <message>
+        <source>repeats</source>
+        <translation>upprepningar</translation>
+    </message>
+    <message>
+        <source>rigid body</source>
+        <translation>stel kropp</translation>
+    </message>
+    <message>
+        <source>rise</source>
+        <translation>stigning</translation>
+    </message>
+    <message>
+        <source>runs</source>
+        <translation>körningar</translation>
+    </message>
+    <message>
+        <source>scatter</source>
+        <translation>spridning</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>startvärde</translation>
+    </message>
+    <message>
+        <source>settling</source>
+        <translation>insvängning</translation>
+    </message>
+    <message>
+        <source>share of the hammer work that stays in the rock</source>
+        <translation>andel av hammarens arbete som stannar i berget</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>lutning</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>fart</translation>
+    </message>
+    <message>
+        <source>spring</source>
+        <translation>fjäder</translation>
+    </message>
+    <message>
+        <source>stated</source>
+        <translation>angivet</translation>
+    </message>
+    <message>
+        <source>stated error of the efficiency of a drill string</source>
+        <translation>angivet fel i en borrsträngs verkningsgrad</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>styvhet</translation>
+    </message>
+    <message>
+        <source>string energy</source>
+        <translation>strängens energi</translation>
+    </message>
+    <message>
+        <source>string momentum</source>
+        <translation>strängens rörelsemängd</translation>
+    </message>
+    <message>
+        <source>table</source>
+        <translation>tabell</translation>
+    </message>
+    <message>
+        <source>tension, after</source>
+        <translation>drag, efter</translation>
+    </message>
+    <message>
+        <source>tension, blow</source>
+        <translation>drag, slag</translation>
+    </message>
+    <message>
+        <source>thrust</source>
+        <translation>matningskraft</translation>
+    </message>
+    <message>
+        <source>thrust margin</source>
+        <translation>matningskraftens marginal</translation>
+    </message>
+    <message>
+        <source>time at which hammer and string first part</source>
+        <translation>tid då hammare och sträng först skils åt</translation>
+    </message>
+    <message>
+        <source>time in contact</source>
+        <translation>tid i kontakt</translation>
+    </message>
+    <message>
+        <source>time in contact, summed over contacts</source>
+        <translation>tid i kontakt, summerad över kontakterna</translation>
+    </message>
+    <message>
+        <source>time of the first contact</source>
+        <translation>tid för den första kontakten</translation>
+    </message>
+    <message>
+        <source>time of the last separation</source>
+        <translation>tid för den sista separationen</translation>
+    </message>
+    <message>
+        <source>time to which the blow was followed</source>
+        <translation>tid till vilken slaget följdes</translation>
+    </message>
+    <message>
+        <source>transit time</source>
+        <translation>gångtid</translation>
+    </message>
+    <message>
+        <source>trapezoid</source>
+        <translation>trapets</translation>
+    </message>
+    <message>
+        <source>triangular</source>
+        <translation>triangulär</translation>
+    </message>
+    <message>
+        <source>velocity</source>
+        <translation>hastighet</translation>
+    </message>
+    <message>
+        <source>velocity of the hammer after the blow, away from the rock, over that of impact</source>
+        <translation>hammarens hastighet efter slaget, bort från berget, genom den vid anslaget</translation>
+    </message>
+    <message>
+        <source>wave loss</source>
+        <translation>vågförlust</translation>
+    </message>
+    <message>
+        <source>waves in the hammer</source>
+        <translation>vågor i hammaren</translation>
+    </message>
+    <message>
+        <source>work of the hammer over m v0^2/2</source>
+        <translation>hammarens arbete genom m v0^2/2</translation>
+    </message>
+    <message>
+        <source>work on the rock up to the largest force, fraction of the hammer work</source>
+        <translation>arbete på berget upp till den största kraften, andel av hammarens arbete</translation>
+    </message>
+    <message>
+        <source>yield strength</source>
+        <translation>sträckgräns</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave</name>
+    <message>
+        <source>it is damaged, or written by another version of the program</source>
+        <translation>den är skadad, eller skriven av en annan version av programmet</translation>
+    </message>
+    <message>
+        <source>No value has statistics.</source>
+        <translation>Inget värde har någon statistik.</translation>
+    </message>
+    <message>
+        <source>greater than %1</source>
+        <translation>större än %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>minst %1</translation>
+    </message>
+    <message>
+        <source>above %1</source>
+        <translation>över %1</translation>
+    </message>
+    <message>
+        <source>from %1</source>
+        <translation>från %1</translation>
+    </message>
+    <message>
+        <source>%1 to below %2</source>
+        <translation>%1 till under %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 till %2</translation>
+    </message>
+    <message>
+        <source>Range: %1; usual: %2 – %3.</source>
+        <translation>Område: %1; vanligt: %2 – %3.</translation>
+    </message>
+    <message>
+        <source>F1: its place in the manual.</source>
+        <translation>F1: dess plats i handboken.</translation>
+    </message>
+    <message>
+        <source>kept in the scenario itself</source>
+        <translation>finns i själva scenariot</translation>
+    </message>
+    <message>
+        <source>%1 points, scaled to t₀ and I₀, %2</source>
+        <translation>%1 punkter, skalade till t₀ och I₀, %2</translation>
+    </message>
+    <message>
+        <source>%1 points, %2, %3, %4</source>
+        <translation>%1 punkter, %2, %3, %4</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>rad %1: %2</translation>
+    </message>
+    <message>
+        <source>must not be negative</source>
+        <translation>får inte vara negativ</translation>
+    </message>
+    <message>
+        <source>must be greater than 0</source>
+        <translation>måste vara större än 0</translation>
+    </message>
+    <message>
+        <source>must not be 0</source>
+        <translation>får inte vara 0</translation>
+    </message>
+    <message>
+        <source>%1: unit</source>
+        <translation>%1: enhet</translation>
+    </message>
+    <message>
+        <source>by %1</source>
+        <translation>med %1</translation>
+    </message>
+    <message>
+        <source>by less than %1</source>
+        <translation>med mindre än %1</translation>
+    </message>
+    <message>
+        <source>With the rod and the rock on show that changes e = %1 %2.</source>
+        <translation>Med den stång och det berg som visas ändrar det e = %1 %2.</translation>
+    </message>
+    <message>
+        <source>Impulse %1, peak %2 at %3 in the file.</source>
+        <translation>Impuls %1, topp %2 vid %3 i filen.</translation>
+    </message>
+    <message>
+        <source>All of the %1 samples are kept, of %2 in the record.</source>
+        <translation>Alla de %1 samplen behålls, av %2 i inspelningen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 samples become %3 points: no sample of what is taken is further than %4 (%5 of the peak) from the lines between them, the impulse changes by %6.</source>
+        <translation>%1 av %2 sampel blir %3 punkter: inget sampel i det som tas ligger längre än %4 (%5 av toppen) från linjerna mellan dem, impulsen ändras med %6.</translation>
+    </message>
+    <message>
+        <source>%1 negative samples are clipped, which adds %2 to the impulse.</source>
+        <translation>%1 negativa sampel klipps bort, vilket lägger %2 till impulsen.</translation>
+    </message>
+    <message>
+        <source>That is much: take less of the record.</source>
+        <translation>Det är mycket: ta en mindre del av inspelningen.</translation>
+    </message>
+    <message>
+        <source>%1 rows without a number are skipped, the first is line %2.</source>
+        <translation>%1 rader utan tal hoppas över, den första är rad %2.</translation>
+    </message>
+    <message>
+        <source>Table: separator, decimal sign, the first line with a sample and the columns are found out; change what is wrong. Without a column of times give the sampling rate.
+Signal: force, strain or the output of a bridge in the unit of the column. A strain becomes a force by E and the area of the rod, of the string where the gauge is, or of another bar. Tension is positive in the rod; a blow presses.
+Zero line: the mean of the first samples, in which nothing happens.
+Take from: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and Shift+drag zoom there), “All” the whole record.
+Points at most: of so many samples only some are kept, and it is said how far the others are from the lines between them. A blow keeps its impulse where that moves its forces little.</source>
+        <translation>Tabell: skiljetecken, decimaltecken, första raden med ett sampel och kolumnerna hittas av sig själva; ändra det som är fel. Ange samplingsfrekvensen om ingen kolumn har tider.
+Signal: kraft, töjning eller en bryggas utsignal i kolumnens enhet. En töjning blir en kraft genom E och arean hos stången, hos strängen där givaren sitter, eller hos en annan stång. Drag är positivt i stången; ett slag trycker.
+Nollinje: medelvärdet av de första samplen, där ingenting händer.
+Ta från: ”Topp” tar stycket kring det största värdet, ”Vy” det som diagrammet visar (där zoomar hjulet och Skift+dra), ”Allt” hela inspelningen.
+Högst antal punkter: av så många sampel behålls bara några, och det anges hur långt de övriga ligger från linjerna mellan dem. Ett slag behåller sin impuls där det ändrar krafterna litet.</translation>
+    </message>
+    <message>
+        <source>%1, the paper&apos;s choice</source>
+        <translation>%1, artikelns val</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>sluten form</translation>
+    </message>
+    <message>
+        <source>lattice, moved waves, %1</source>
+        <translation>gitter, flyttade vågor, %1</translation>
+    </message>
+    <message>
+        <source>lattice, ring buffer, %1</source>
+        <translation>gitter, ringbuffert, %1</translation>
+    </message>
+    <message>
+        <source>processor time of a solve for e [s]</source>
+        <translation>processortid för en lösning av e [s]</translation>
+    </message>
+    <message>
+        <source>error of e</source>
+        <translation>fel i e</translation>
+    </message>
+    <message>
+        <source>lattice, moved waves</source>
+        <translation>gitter, flyttade vågor</translation>
+    </message>
+    <message>
+        <source>lattice, ring buffer</source>
+        <translation>gitter, ringbuffert</translation>
+    </message>
+    <message>
+        <source>The exact solution has no other to be compared with: %1</source>
+        <translation>Den exakta lösningen har ingen annan att jämföras med: %1</translation>
+    </message>
+    <message>
+        <source>e is right to %1 in %2</source>
+        <translation>e är rätt på %1 när, på %2</translation>
+    </message>
+    <message>
+        <source>; the paper&apos;s %1 segments give %2 in %3</source>
+        <translation>; artikelns %1 segment ger %2 på %3</translation>
+    </message>
+    <message>
+        <source>polynomial cells (studies)</source>
+        <translation>polynomceller (studier)</translation>
+    </message>
+    <message>
+        <source>cut cells (a blow)</source>
+        <translation>delade celler (ett slag)</translation>
+    </message>
+    <message>
+        <source>plain lattice</source>
+        <translation>enkelt gitter</translation>
+    </message>
+    <message>
+        <source>processor time of a solve [s]</source>
+        <translation>processortid för en lösning [s]</translation>
+    </message>
+    <message>
+        <source>error of the efficiency</source>
+        <translation>fel i verkningsgraden</translation>
+    </message>
+    <message>
+        <source>cells of %1</source>
+        <translation>celler på %1</translation>
+    </message>
+    <message>
+        <source>efficiency right to %1 in %2</source>
+        <translation>verkningsgraden rätt på %1 när, på %2</translation>
+    </message>
+    <message>
+        <source>, in studies to %1 in %2</source>
+        <translation>, i studier på %1 när, på %2</translation>
+    </message>
+    <message>
+        <source>; plain lattice %1 in %2</source>
+        <translation>; enkelt gitter %1 på %2</translation>
+    </message>
+    <message>
+        <source>stiffness over elasticity β/γ, the stiffest rate [1/t₀]</source>
+        <translation>styvhet genom elasticitet β/γ, den styvaste takten [1/t₀]</translation>
+    </message>
+    <message>
+        <source>worst measure over its mark</source>
+        <translation>sämsta mått genom dess gräns</translation>
+    </message>
+    <message>
+        <source>a case above has failed</source>
+        <translation>ett fall ovanför har underkänts</translation>
+    </message>
+    <message>
+        <source>%1 cases, all passed</source>
+        <translation>%1 fall, alla godkända</translation>
+    </message>
+    <message>
+        <source>%1 of %2 cases failed</source>
+        <translation>%1 av %2 fall underkända</translation>
+    </message>
+    <message>
+        <source>; not solved: %1</source>
+        <translation>; inte löst: %1</translation>
+    </message>
+    <message>
+        <source>; the worst: %1, %2 at %3 of its mark</source>
+        <translation>; det sämsta: %1, %2 vid %3 av sin gräns</translation>
+    </message>
+    <message>
+        <source>hammer blow</source>
+        <translation>hammarslag</translation>
+    </message>
+    <message>
+        <source>elastic hammer</source>
+        <translation>elastisk hammare</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (hammer section %3)</source>
+        <translation>%1 för %2 (hammarsektion %3)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 (section %3)</source>
+        <translation>%1 för %2 (sektion %3)</translation>
+    </message>
+    <message>
+        <source>what differs</source>
+        <translation>skillnader</translation>
+    </message>
+    <message>
+        <source>nothing differs</source>
+        <translation>inga skillnader</translation>
+    </message>
+    <message>
+        <source>results</source>
+        <translation>resultat</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>storhet</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>enhet</translation>
+    </message>
+    <message>
+        <source>(%1) − (%2)</source>
+        <translation>(%1) − (%2)</translation>
+    </message>
+    <message>
+        <source>((%1) − (%2)) / |%2| [%]</source>
+        <translation>((%1) − (%2)) / |%2| [%]</translation>
+    </message>
+    <message>
+        <source>this scenario</source>
+        <translation>detta scenario</translation>
+    </message>
+    <message>
+        <source>%1, this scenario</source>
+        <translation>%1, detta scenario</translation>
+    </message>
+    <message>
+        <source>rod without waves</source>
+        <translation>stång utan vågor</translation>
+    </message>
+    <message>
+        <source>%1, no waves</source>
+        <translation>%1, inga vågor</translation>
+    </message>
+    <message>
+        <source>%1, closed form</source>
+        <translation>%1, sluten form</translation>
+    </message>
+    <message>
+        <source>There is no answer anywhere in this range.</source>
+        <translation>Det finns inget svar någonstans i detta område.</translation>
+    </message>
+    <message>
+        <source>%1 (end of the range)</source>
+        <translation>%1 (områdets slut)</translation>
+    </message>
+    <message>
+        <source>largest %1 at %2</source>
+        <translation>största värde %1 vid %2</translation>
+    </message>
+    <message>
+        <source>least %1 at %2</source>
+        <translation>minsta värde %1 vid %2</translation>
+    </message>
+    <message>
+        <source>1 is crossed %1 times</source>
+        <translation>1 korsas %1 gånger</translation>
+    </message>
+    <message>
+        <source>1 at %1</source>
+        <translation>1 vid %1</translation>
+    </message>
+    <message>
+        <source> · %1 points</source>
+        <translation> · %1 punkter</translation>
+    </message>
+    <message>
+        <source> · known by points alone in a part of the range</source>
+        <translation> · i en del av området känt bara i enstaka punkter</translation>
+    </message>
+    <message>
+        <source> · no answer in a part of the range: %1</source>
+        <translation> · inget svar i en del av området: %1</translation>
+    </message>
+    <message>
+        <source>draws</source>
+        <translation>dragningar</translation>
+    </message>
+    <message>
+        <source>%1 of %2 designs, robust best %3</source>
+        <translation>%1, %2 konstruktioner, robust bästa %3</translation>
+    </message>
+    <message>
+        <source>rock</source>
+        <translation>berg</translation>
+    </message>
+    <message>
+        <source>damper</source>
+        <translation>dämpare</translation>
+    </message>
+    <message>
+        <source>waves, lost</source>
+        <translation>vågor, förlorat</translation>
+    </message>
+    <message>
+        <source>left behind</source>
+        <translation>kvarlämnat</translation>
+    </message>
+    <message>
+        <source>still there</source>
+        <translation>ännu kvar</translation>
+    </message>
+    <message>
+        <source>Gap and penetration of %1 of %2 blows; the first %3 settle and do not count.</source>
+        <translation>Spalt och inträngning för %1 av %2 slag; de första %3 svänger in och räknas inte.</translation>
+    </message>
+    <message>
+        <source>COR e</source>
+        <translation>studstal e</translation>
+    </message>
+    <message>
+        <source>peak force Fm</source>
+        <translation>toppkraft Fm</translation>
+    </message>
+    <message>
+        <source>efficiency</source>
+        <translation>verkningsgrad</translation>
+    </message>
+    <message>
+        <source>The mean gap must be from 0 to %1 d₀.</source>
+        <translation>Medelspalten måste ligga mellan 0 och %1 d₀.</translation>
+    </message>
+    <message>
+        <source>The deviation of the gap must be from %1 to %2 d₀.</source>
+        <translation>Spaltens avvikelse måste ligga mellan %1 och %2 d₀.</translation>
+    </message>
+    <message>
+        <source>Not solved at all gaps: %1</source>
+        <translation>Inte löst för alla spalter: %1</translation>
+    </message>
+    <message>
+        <source>not solved yet</source>
+        <translation>ännu inte löst</translation>
+    </message>
+    <message>
+        <source>not solved: %1</source>
+        <translation>inte löst: %1</translation>
+    </message>
+    <message>
+        <source>no such result here</source>
+        <translation>inget sådant resultat här</translation>
+    </message>
+    <message>
+        <source>%1 · %2 · %3</source>
+        <translation>%1 · %2 · %3</translation>
+    </message>
+    <message>
+        <source>yield strength %1</source>
+        <translation>sträckgräns %1</translation>
+    </message>
+    <message>
+        <source>fatigue strength %1</source>
+        <translation>utmattningsgräns %1</translation>
+    </message>
+    <message>
+        <source>yield strengths</source>
+        <translation>sträckgränser</translation>
+    </message>
+    <message>
+        <source>fatigue strengths</source>
+        <translation>utmattningsgränser</translation>
+    </message>
+    <message>
+        <source>hammer %1</source>
+        <translation>hammare %1</translation>
+    </message>
+    <message>
+        <source>section %1</source>
+        <translation>sektion %1</translation>
+    </message>
+    <message>
+        <source>this blow</source>
+        <translation>detta slag</translation>
+    </message>
+    <message>
+        <source>95 % of all gaps</source>
+        <translation>95 % av alla spalter</translation>
+    </message>
+    <message>
+        <source>rigid rock</source>
+        <translation>stelt berg</translation>
+    </message>
+    <message>
+        <source>elastic rock, worst gap</source>
+        <translation>elastiskt berg, sämsta spalt</translation>
+    </message>
+    <message>
+        <source>No curve on this axis has positive values.</source>
+        <translation>Ingen kurva på denna axel har positiva värden.</translation>
+    </message>
+    <message>
+        <source>Curves on this axis have negative values; hide them first.</source>
+        <translation>Kurvor på denna axel har negativa värden; dölj dem först.</translation>
+    </message>
+    <message>
+        <source>%1 at A</source>
+        <translation>%1 vid A</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>%1 at B</source>
+        <translation>%1 vid B</translation>
+    </message>
+    <message>
+        <source>B</source>
+        <translation>B</translation>
+    </message>
+    <message>
+        <source>%1 from A to B</source>
+        <translation>%1 från A till B</translation>
+    </message>
+    <message>
+        <source>B − A</source>
+        <translation>B − A</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>medel</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>lutning</translation>
+    </message>
+    <message>
+        <source>integral</source>
+        <translation>integral</translation>
+    </message>
+    <message>
+        <source>∫</source>
+        <translation>∫</translation>
+    </message>
+    <message>
+        <source>least %1 in view</source>
+        <translation>minsta %1 i vyn</translation>
+    </message>
+    <message>
+        <source>min</source>
+        <translation>min</translation>
+    </message>
+    <message>
+        <source>%1 of the least</source>
+        <translation>%1 för det minsta</translation>
+    </message>
+    <message>
+        <source>at</source>
+        <translation>vid</translation>
+    </message>
+    <message>
+        <source>largest %1 in view</source>
+        <translation>största %1 i vyn</translation>
+    </message>
+    <message>
+        <source>max</source>
+        <translation>max</translation>
+    </message>
+    <message>
+        <source>%1 of the largest</source>
+        <translation>%1 för det största</translation>
+    </message>
+    <message>
+        <source>%1 from</source>
+        <translation>%1 från</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>från</translation>
+    </message>
+    <message>
+        <source>%1 to</source>
+        <translation>%1 till</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>till</translation>
+    </message>
+    <message>
+        <source>mean in view</source>
+        <translation>medel i vyn</translation>
+    </message>
+    <message>
+        <source>integral in view</source>
+        <translation>integral i vyn</translation>
+    </message>
+    <message>
+        <source>Width and height must be from %1 to %2 mm.</source>
+        <translation>Bredd och höjd måste ligga mellan %1 och %2 mm.</translation>
+    </message>
+    <message>
+        <source>The resolution must be from %1 to %2 dpi.</source>
+        <translation>Upplösningen måste ligga mellan %1 och %2 dpi.</translation>
+    </message>
+    <message>
+        <source>That is more than %1 million pixels: choose a smaller size or a lower resolution.</source>
+        <translation>Det är mer än %1 miljoner bildpunkter: välj mindre mått eller lägre upplösning.</translation>
+    </message>
+    <message>
+        <source>Scenarios (*.yaml *.yml);;All files (*)</source>
+        <translation>Scenarier (*.yaml *.yml);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>Scenarios and results (*.yaml *.yml *.csv *.json *.html);;All files (*)</source>
+        <translation>Scenarier och resultat (*.yaml *.yml *.csv *.json *.html);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Osparade ändringar</translation>
+    </message>
+    <message>
+        <source>Save the changes to “%1”?</source>
+        <translation>Spara ändringarna i ”%1”?</translation>
+    </message>
+    <message>
+        <source>They are lost otherwise.</source>
+        <translation>Annars går de förlorade.</translation>
+    </message>
+    <message>
+        <source>Drillwave</source>
+        <translation>Drillwave</translation>
+    </message>
+    <message>
+        <source>Close all the same</source>
+        <translation>Stäng ändå</translation>
+    </message>
+    <message>
+        <source>Open a scenario</source>
+        <translation>Öppna ett scenario</translation>
+    </message>
+    <message>
+        <source>Save the scenario</source>
+        <translation>Spara scenariot</translation>
+    </message>
+    <message>
+        <source>Export everything into a folder</source>
+        <translation>Exportera allt till en mapp</translation>
+    </message>
+    <message>
+        <source>Unsaved changes found</source>
+        <translation>Osparade ändringar hittades</translation>
+    </message>
+    <message>
+        <source>Restore the unsaved changes to “%1”?</source>
+        <translation>Återställa de osparade ändringarna i ”%1”?</translation>
+    </message>
+    <message>
+        <source>&amp;Restore</source>
+        <translation>&amp;Återställ</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Kasta</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Senare</translation>
+    </message>
+    <message>
+        <source>Numerical error ± %1</source>
+        <translation>Numeriskt fel ± %1</translation>
+    </message>
+    <message>
+        <source>in the hammer, %1</source>
+        <translation>i hammaren, %1</translation>
+    </message>
+    <message>
+        <source>%1 from the shank, %2</source>
+        <translation>%1 från nacken, %2</translation>
+    </message>
+    <message>
+        <source>at x/L = %1, t = %2</source>
+        <translation>vid x/L = %1, t = %2</translation>
+    </message>
+    <message>
+        <source>%1 from the hammer, %2</source>
+        <translation>%1 från hammaren, %2</translation>
+    </message>
+    <message>
+        <source>Where in the rod it is first that large, and when: a click leads there</source>
+        <translation>Var i stången det först är så stort, och när: ett klick leder dit</translation>
+    </message>
+    <message>
+        <source>feed</source>
+        <translation>matning</translation>
+    </message>
+    <message>
+        <source>What the feed force does between the blows</source>
+        <translation>Vad matningskraften gör mellan slagen</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>marginal</translation>
+    </message>
+    <message>
+        <source>Feed force less what this blow needs for full penetration, and as a share of that</source>
+        <translation>Matningskraft minus vad detta slag behöver för full inträngning, och som andel av det</translation>
+    </message>
+    <message>
+        <source>needed</source>
+        <translation>behov</translation>
+    </message>
+    <message>
+        <source>Thrust for full penetration, up to that which brings a bit that was at rest back before the next blow even if nothing damps, with the e of this blow</source>
+        <translation>Matningskraft för full inträngning, upp till den som även helt utan dämpning hinner föra tillbaka en vilande borrkrona före nästa slag, med detta slags e</translation>
+    </message>
+    <message>
+        <source>at every gap</source>
+        <translation>vid varje spalt</translation>
+    </message>
+    <message>
+        <source>The largest thrust for full penetration of this blow, of 95 % of all gaps, of a rigid rock, and of the worst gap on elastic rock</source>
+        <translation>Den största matningskraften för full inträngning: för detta slag, för 95 % av alla spalter, på stelt berg och vid sämsta spalten på elastiskt berg</translation>
+    </message>
+    <message>
+        <source>Feed force less the largest of the four needs, and as a share of that: thrust_margin of commands and files</source>
+        <translation>Matningskraft minus det största av de fyra behoven, och som andel av det: thrust_margin i kommandon och filer</translation>
+    </message>
+    <message>
+        <source>installed</source>
+        <translation>installerad</translation>
+    </message>
+    <message>
+        <source>Feed force of the drill rig</source>
+        <translation>Borriggens matningskraft</translation>
+    </message>
+    <message>
+        <source>Coefficient of restitution: momentum after the blow over momentum before it, reversed, e = −pf/p0</source>
+        <translation>Studstal: rörelsemängd efter slaget genom rörelsemängd före, omvänd, e = −pf/p0</translation>
+    </message>
+    <message>
+        <source>Off %1 by so much</source>
+        <translation>Så mycket skiljer det från %1</translation>
+    </message>
+    <message>
+        <source>%1, against %2: %3</source>
+        <translation>%1, mot %2: %3</translation>
+    </message>
+    <message>
+        <source>hammer section %1</source>
+        <translation>hammarsektion %1</translation>
+    </message>
+    <message>
+        <source>no %1</source>
+        <translation>ingen %1</translation>
+    </message>
+    <message>
+        <source>drill string</source>
+        <translation>borrsträng</translation>
+    </message>
+    <message>
+        <source>uniform rod</source>
+        <translation>likformig stång</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 för %2</translation>
+    </message>
+    <message>
+        <source>force of corner %1</source>
+        <translation>kraft i hörn %1</translation>
+    </message>
+    <message>
+        <source>slope behind corner %1</source>
+        <translation>lutning bakom hörn %1</translation>
+    </message>
+    <message>
+        <source>divides by zero</source>
+        <translation>delar med noll</translation>
+    </message>
+    <message>
+        <source>has no number where one is needed</source>
+        <translation>saknar tal där ett behövs</translation>
+    </message>
+    <message>
+        <source>has too many brackets in each other</source>
+        <translation>har för många parenteser i varandra</translation>
+    </message>
+    <message>
+        <source>lacks a closing bracket; a unit stands behind it</source>
+        <translation>saknar en högerparentes; en enhet står efter den</translation>
+    </message>
+    <message>
+        <source>is too large</source>
+        <translation>är för stort</translation>
+    </message>
+    <message>
+        <source>can mean %1 or %2: write it without the separator, or as %3</source>
+        <translation>kan betyda %1 eller %2: skriv det utan skiljetecken, eller som %3</translation>
+    </message>
+    <message>
+        <source>is not one number: remove the separators of its digits</source>
+        <translation>är inte ett tal: ta bort skiljetecknen mellan siffrorna</translation>
+    </message>
+    <message>
+        <source>is more than one line: one value is needed</source>
+        <translation>är mer än en rad: ett värde behövs</translation>
+    </message>
+    <message>
+        <source>The program ended unexpectedly; the last change is of %1.</source>
+        <translation>Programmet avslutades oväntat; den senaste ändringen är från %1.</translation>
+    </message>
+    <message>
+        <source>They were made to %1, which is not touched.</source>
+        <translation>De gjordes i %1, som är orörd.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes of an earlier run cannot be restored.</source>
+        <translation>Osparade ändringar från en tidigare körning kan inte återställas.</translation>
+    </message>
+    <message>
+        <source>%1
+The file is kept as %2 and will not be offered again.</source>
+        <translation>%1
+Filen sparas som %2 och erbjuds inte igen.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::AccuracyPage</name>
+    <message>
+        <source>Error against run time, or the hardest cases against their marks</source>
+        <translation>Fel mot beräkningstid, eller de svåraste fallen mot sina gränser</translation>
+    </message>
+    <message>
+        <source>This scenario</source>
+        <translation>Detta scenario</translation>
+    </message>
+    <message>
+        <source>Stiff and extreme cases</source>
+        <translation>Styva och extrema fall</translation>
+    </message>
+    <message>
+        <source>The worst first; a click loads a case</source>
+        <translation>De sämsta först; ett klick laddar ett fall</translation>
+    </message>
+    <message>
+        <source>Run 10 s</source>
+        <translation>Beräkna i 10 s</translation>
+    </message>
+    <message>
+        <source>Run</source>
+        <translation>Beräkna</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Run 20 s</source>
+        <translation>Beräkna i 20 s</translation>
+    </message>
+    <message>
+        <source>Stiff and extreme cases of uniform rods</source>
+        <translation>Styva och extrema fall av likformiga stänger</translation>
+    </message>
+    <message>
+        <source>Solve this scenario with every method and measure errors and times</source>
+        <translation>Lös detta scenario med alla metoder och mät fel och tider</translation>
+    </message>
+    <message>
+        <source>Solve and check some thousand stiff and extreme cases</source>
+        <translation>Lös och kontrollera några tusen styva och extrema fall</translation>
+    </message>
+    <message>
+        <source>Solving exactly, and in long double …</source>
+        <translation>Löser exakt, och i long double …</translation>
+    </message>
+    <message>
+        <source>Solving with cells half as large …</source>
+        <translation>Löser med hälften så stora celler …</translation>
+    </message>
+    <message>
+        <source>Run compares all methods on this scenario: error against time.</source>
+        <translation>Beräkna jämför alla metoder på detta scenario: fel mot tid.</translation>
+    </message>
+    <message>
+        <source>Run solves and checks some thousand stiff and extreme cases.</source>
+        <translation>Beräkna löser och kontrollerar några tusen styva och extrema fall.</translation>
+    </message>
+    <message>
+        <source>Cases that break solvers, each with all its checks, the worst first. A click loads a case.</source>
+        <translation>Fall som knäcker lösare, vart och ett med alla kontroller, de sämsta först. Ett klick laddar ett fall.</translation>
+    </message>
+    <message>
+        <source>The efficiency of %1 is right to %2, the error that the method states.</source>
+        <translation>Verkningsgraden %1 är rätt på %2 när, det fel som metoden anger.</translation>
+    </message>
+    <message>
+        <source>How right the numbers are, and what other methods give.</source>
+        <translation>Hur riktiga talen är, och vad andra metoder ger.</translation>
+    </message>
+    <message>
+        <source>e = %1 is right to %2, the bound that the exact solver states.</source>
+        <translation>e = %1 är rätt på %2 när, den gräns som den exakta lösaren anger.</translation>
+    </message>
+    <message>
+        <source>load the case %1</source>
+        <translation>ladda fallet %1</translation>
+    </message>
+    <message>
+        <source>The study is not finished yet.</source>
+        <translation>Studien är inte färdig än.</translation>
+    </message>
+    <message>
+        <source>The study was stopped before its end: run it again.</source>
+        <translation>Studien stoppades före slutet: beräkna igen.</translation>
+    </message>
+    <message>
+        <source>There is nothing to write: run the study first.</source>
+        <translation>Det finns inget att skriva: beräkna studien först.</translation>
+    </message>
+    <message>
+        <source>Accuracy</source>
+        <translation>Noggrannhet</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::AimRow</name>
+    <message>
+        <source>on average</source>
+        <translation>i medeltal</translation>
+    </message>
+    <message>
+        <source>at the least sample</source>
+        <translation>för det minsta stickprovet</translation>
+    </message>
+    <message>
+        <source>at the largest sample</source>
+        <translation>för det största stickprovet</translation>
+    </message>
+    <message>
+        <source>as the scenario is</source>
+        <translation>för scenariot som det är</translation>
+    </message>
+    <message>
+        <source>in the middle (median)</source>
+        <translation>i mitten (median)</translation>
+    </message>
+    <message>
+        <source>in the worst %1 %</source>
+        <translation>i de sämsta %1 %</translation>
+    </message>
+    <message>
+        <source>in the best %1 %</source>
+        <translation>i de bästa %1 %</translation>
+    </message>
+    <message>
+        <source>Largest or least</source>
+        <translation>Störst eller minst</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>störst</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>minst</translation>
+    </message>
+    <message>
+        <source>By which statistic</source>
+        <translation>Efter vilken statistik</translation>
+    </message>
+    <message>
+        <source>Remove this aim</source>
+        <translation>Ta bort detta mål</translation>
+    </message>
+    <message>
+        <source>largest %1</source>
+        <translation>störst %1</translation>
+    </message>
+    <message>
+        <source>least %1</source>
+        <translation>minst %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::AimRows</name>
+    <message>
+        <source>+ aim</source>
+        <translation>+ mål</translation>
+    </message>
+    <message>
+        <source>One more aim, for what is best in all of them: the first decides</source>
+        <translation>Ett mål till, för det som är bäst i alla: det första avgör</translation>
+    </message>
+    <message>
+        <source>for the</source>
+        <translation>för</translation>
+    </message>
+    <message>
+        <source>then the</source>
+        <translation>sedan</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::AlertLink</name>
+    <message>
+        <source>✓ nothing unusual</source>
+        <translation>✓ inget ovanligt</translation>
+    </message>
+    <message>
+        <source>✖ not solved</source>
+        <translation>✖ inte löst</translation>
+    </message>
+    <message>
+        <source>⚠ 1 alert</source>
+        <translation>⚠ 1 varning</translation>
+    </message>
+    <message>
+        <source>⚠ %1 alerts</source>
+        <translation>⚠ %1 varningar</translation>
+    </message>
+    <message>
+        <source>ℹ 1 note</source>
+        <translation>ℹ 1 anmärkning</translation>
+    </message>
+    <message>
+        <source>ℹ %1 notes</source>
+        <translation>ℹ %1 anmärkningar</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::AlertList</name>
+    <message>
+        <source>Not solved</source>
+        <translation>Inte löst</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Varning</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Anmärkning</translation>
+    </message>
+    <message>
+        <source>Nothing unusual</source>
+        <translation>Inget ovanligt</translation>
+    </message>
+    <message>
+        <source>Nothing unusual.</source>
+        <translation>Inget ovanligt.</translation>
+    </message>
+    <message>
+        <source>Go to “%1”</source>
+        <translation>Gå till ”%1”</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::AreaKeys</name>
+    <message>
+        <source>Next &amp;area</source>
+        <translation>Nästa &amp;område</translation>
+    </message>
+    <message>
+        <source>Pre&amp;vious area</source>
+        <translation>Före&amp;gående område</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::AxisFields</name>
+    <message>
+        <source>log</source>
+        <translation>log</translation>
+    </message>
+    <message>
+        <source>%1: parameter</source>
+        <translation>%1: parameter</translation>
+    </message>
+    <message>
+        <source>%1: logarithmic</source>
+        <translation>%1: logaritmisk</translation>
+    </message>
+    <message>
+        <source>Even ratios in place of even steps</source>
+        <translation>Lika förhållanden i stället för lika steg</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>från</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>till</translation>
+    </message>
+    <message>
+        <source>%1, unit</source>
+        <translation>%1, enhet</translation>
+    </message>
+    <message>
+        <source>must be greater than 0 on a logarithmic axis</source>
+        <translation>måste vara större än 0 på en logaritmisk axel</translation>
+    </message>
+    <message>
+        <source>must differ from the other end</source>
+        <translation>måste skilja sig från den andra änden</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::BlowPage</name>
+    <message>
+        <source>rms %1 · peaks differ by %2</source>
+        <translation>rms %1 · topparna skiljer %2</translation>
+    </message>
+    <message>
+        <source> · lag %1</source>
+        <translation> · eftersläpning %1</translation>
+    </message>
+    <message>
+        <source>Where in the rod or string the waves are observed: 0 is the struck end, 1 the bit.</source>
+        <translation>Var i stången eller strängen vågorna betraktas: 0 är slagänden, 1 borrkronan.</translation>
+    </message>
+    <message>
+        <source>Values at the time cursor: normal force at the section, impact force, impulse, momentum</source>
+        <translation>Värden vid tidsmarkören: normalkraft i tvärsnittet, stötkraft, impuls, rörelsemängd</translation>
+    </message>
+    <message>
+        <source>Waves, impact force, impulse and momentum over time</source>
+        <translation>Vågor, stötkraft, impuls och rörelsemängd över tiden</translation>
+    </message>
+    <message>
+        <source>Section x/L</source>
+        <translation>Läge x/L</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassa</translation>
+    </message>
+    <message>
+        <source>Bring all curves into view (double-click in the plots)</source>
+        <translation>Visa alla kurvor i sin helhet (dubbelklick i diagrammen)</translation>
+    </message>
+    <message>
+        <source>%1 behind the face of the hammer</source>
+        <translation>%1 bakom hammarens slagyta</translation>
+    </message>
+    <message>
+        <source>%1 from the shank</source>
+        <translation>%1 från nacken</translation>
+    </message>
+    <message>
+        <source>%1 from the struck end</source>
+        <translation>%1 från slagänden</translation>
+    </message>
+    <message>
+        <source>No time chosen: click an event, or press T over the plots.</source>
+        <translation>Ingen tid vald: klicka på en händelse, eller tryck T över diagrammen.</translation>
+    </message>
+    <message>
+        <source>t = %1 · N = %2 · F = %3 · I = %4 · p = %5</source>
+        <translation>t = %1 · N = %2 · F = %3 · I = %4 · p = %5</translation>
+    </message>
+    <message>
+        <source>Nothing to show: the waves of this blow are more than can be kept.</source>
+        <translation>Inget att visa: detta slag har fler vågor än vad som kan sparas.</translation>
+    </message>
+    <message>
+        <source>Nothing to show: %1</source>
+        <translation>Inget att visa: %1</translation>
+    </message>
+    <message>
+        <source>wheel zooms · drag moves · double-click fits</source>
+        <translation>hjulet zoomar · dra flyttar · dubbelklick anpassar</translation>
+    </message>
+    <message>
+        <source>Blow</source>
+        <translation>Slag</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::BlowPlots</name>
+    <message>
+        <source>impact force F</source>
+        <translation>stötkraft F</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>sluten form</translation>
+    </message>
+    <message>
+        <source>force of the hammer on the string</source>
+        <translation>hammarens kraft på strängen</translation>
+    </message>
+    <message>
+        <source>impulse of the impact force I</source>
+        <translation>stötkraftens impuls I</translation>
+    </message>
+    <message>
+        <source>momentum of the rod p</source>
+        <translation>stångens rörelsemängd p</translation>
+    </message>
+    <message>
+        <source>Nₚ to the bit</source>
+        <translation>Nₚ mot borrkronan</translation>
+    </message>
+    <message>
+        <source>Nₙ from the bit</source>
+        <translation>Nₙ från borrkronan</translation>
+    </message>
+    <message>
+        <source>momentum of the string p</source>
+        <translation>strängens rörelsemängd p</translation>
+    </message>
+    <message>
+        <source>section %1 of the hammer, %2 from its rear</source>
+        <translation>hammarens sektion %1, %2 från dess bakände</translation>
+    </message>
+    <message>
+        <source>section %1, %2 from its rear</source>
+        <translation>sektion %1, %2 från dess bakände</translation>
+    </message>
+    <message>
+        <source>section %1 (%2), %3 from its rear</source>
+        <translation>sektion %1 (%2), %3 från dess bakände</translation>
+    </message>
+    <message>
+        <source>closed form, error of e &lt; %1</source>
+        <translation>sluten form, fel i e &lt; %1</translation>
+    </message>
+    <message>
+        <source>waves at x/L = %1</source>
+        <translation>vågor vid x/L = %1</translation>
+    </message>
+    <message>
+        <source>N, tension +</source>
+        <translation>N, drag +</translation>
+    </message>
+    <message>
+        <source>time t</source>
+        <translation>tid t</translation>
+    </message>
+    <message>
+        <source>Four plots over time from 0 to %1. %2: largest N %3, wave to the bit %4, from the bit %5. Impact force up to %6, force of the hammer on the string up to %7. Impulse up to %8. Momentum of the string up to %9.</source>
+        <translation>Fyra diagram över tiden från 0 till %1. %2: största N %3, våg mot borrkronan %4, från borrkronan %5. Stötkraft upp till %6, hammarens kraft på strängen upp till %7. Impuls upp till %8. Strängens rörelsemängd upp till %9.</translation>
+    </message>
+    <message>
+        <source>Four plots over time from 0 to %1. Waves at x/L = %2: largest N %10, N0p %3, N1n %4, N2p %5, N3n %6. Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.</source>
+        <translation>Fyra diagram över tiden från 0 till %1. Vågor vid x/L = %2: största N %10, N0p %3, N1n %4, N2p %5, N3n %6. Stötkraft upp till %7. Impuls upp till %8. Stångens rörelsemängd upp till %9.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::CompareModel</name>
+    <message>
+        <source>reference</source>
+        <translation>referens</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ComparePage</name>
+    <message>
+        <source>No runs are pinned yet.
+
+F7 (or Pin, at the right of the tabs) keeps the present result with its scenario. Then change something and pin again: the runs stand here side by side, and lie over the plots of the other pages.
+
+On the pages of studies, Shift and a click pin the point below the pointer.</source>
+        <translation>Inga körningar är fästa ännu.
+
+F7 (eller Fäst, till höger om flikarna) behåller det aktuella resultatet med sitt scenario. Ändra sedan något och fäst igen: körningarna står här sida vid sida, och ligger över diagrammen på de andra sidorna.
+
+På studiernas sidor fäster Skift och ett klick punkten under pekaren.</translation>
+    </message>
+    <message>
+        <source>What the differences are taken from: here, in the list of runs and in the result</source>
+        <translation>Vad skillnaderna räknas från: här, i listan över körningar och i resultatet</translation>
+    </message>
+    <message>
+        <source>Compare with</source>
+        <translation>Jämför med</translation>
+    </message>
+    <message>
+        <source>Revert to this run</source>
+        <translation>Återgå till denna körning</translation>
+    </message>
+    <message>
+        <source>Brings back the scenario of the run whose column is chosen, as one step that can be undone</source>
+        <translation>Tar tillbaka scenariot för den körning vars kolumn är vald, som ett steg som kan ångras</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiera</translation>
+    </message>
+    <message>
+        <source>The whole table with all digits, for a spreadsheet</source>
+        <translation>Hela tabellen med alla siffror, för ett kalkylark</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Spara som CSV…</translation>
+    </message>
+    <message>
+        <source>Runs side by side</source>
+        <translation>Körningar sida vid sida</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Jämförelse</translation>
+    </message>
+    <message>
+        <source>Compare (%1)</source>
+        <translation>Jämförelse (%1)</translation>
+    </message>
+    <message>
+        <source>the present result</source>
+        <translation>det aktuella resultatet</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>nu</translation>
+    </message>
+    <message>
+        <source>Revert to %1</source>
+        <translation>Återgå till %1</translation>
+    </message>
+    <message>
+        <source>No runs are pinned.</source>
+        <translation>Inga körningar är fästa.</translation>
+    </message>
+    <message>
+        <source>The present result is not solved yet.</source>
+        <translation>Det aktuella resultatet är inte löst än.</translation>
+    </message>
+    <message>
+        <source>&amp;Data of this table…</source>
+        <translation>&amp;Data i denna tabell…</translation>
+    </message>
+    <message>
+        <source>Runs side by side with their differences, as CSV in the units on show</source>
+        <translation>Körningar sida vid sida med sina skillnader, som CSV i de visade enheterna</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ContactBarsItem</name>
+    <message>
+        <source>contact of bit and rock</source>
+        <translation>kontakt mellan borrkrona och berg</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::CursorBar</name>
+    <message>
+        <source>Curve that is read</source>
+        <translation>Kurva som avläses</translation>
+    </message>
+    <message>
+        <source>The curve that is read; a click on a curve chooses it</source>
+        <translation>Kurvan som avläses; ett klick på en kurva väljer den</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopiera</translation>
+    </message>
+    <message>
+        <source>Copy what is read</source>
+        <translation>Kopiera avläsningen</translation>
+    </message>
+    <message>
+        <source>This table with all digits, to paste into a spreadsheet</source>
+        <translation>Denna tabell med alla siffror, att klistra in i ett kalkylark</translation>
+    </message>
+    <message>
+        <source>Remove the cursors A and B</source>
+        <translation>Ta bort markörerna A och B</translation>
+    </message>
+    <message>
+        <source>Cursors: %1</source>
+        <translation>Markörer: %1</translation>
+    </message>
+    <message>
+        <source>In view: %1</source>
+        <translation>I vyn: %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::CurveMarks</name>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 vid %2</translation>
+    </message>
+    <message>
+        <source>kink %1</source>
+        <translation>knäck %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::CurvePage</name>
+    <message>
+        <source>A result over a parameter</source>
+        <translation>Ett resultat över en parameter</translation>
+    </message>
+    <message>
+        <source>vary</source>
+        <translation>variera</translation>
+    </message>
+    <message>
+        <source>family</source>
+        <translation>skara</translation>
+    </message>
+    <message>
+        <source>this scenario</source>
+        <translation>detta scenario</translation>
+    </message>
+    <message>
+        <source>A curve for the value of the family that the scenario has, too</source>
+        <translation>En kurva även för det värde i skaran som scenariot har</translation>
+    </message>
+    <message>
+        <source>closed form</source>
+        <translation>sluten form</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s analytical solution, dashed where it holds: rectangular blow, elastic rock (γ = 1)</source>
+        <translation>Artikelns analytiska lösning, streckad där den gäller: rektangulärt slag, elastiskt berg (γ = 1)</translation>
+    </message>
+    <message>
+        <source>Rod without waves</source>
+        <translation>Stång utan vågor</translation>
+    </message>
+    <message>
+        <source>The rod that arrives without waves, dotted, over its stiffness in one of two units</source>
+        <translation>Stången som kommer fram utan vågor, prickad, över sin styvhet i en av två enheter</translation>
+    </message>
+    <message>
+        <source>no rod without waves</source>
+        <translation>ingen stång utan vågor</translation>
+    </message>
+    <message>
+        <source>rod without waves, k₀ = Z/(2T)</source>
+        <translation>stång utan vågor, k₀ = Z/(2T)</translation>
+    </message>
+    <message>
+        <source>rod without waves, k₀ = Z/t₀</source>
+        <translation>stång utan vågor, k₀ = Z/t₀</translation>
+    </message>
+    <message>
+        <source>Points of a curve</source>
+        <translation>Punkter på en kurva</translation>
+    </message>
+    <message>
+        <source>How many blows are solved along a curve of a drill string</source>
+        <translation>Hur många slag som löses längs en kurva för en borrsträng</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>punkter</translation>
+    </message>
+    <message>
+        <source>Efficiency–stiffness</source>
+        <translation>Verkningsgrad–styvhet</translation>
+    </message>
+    <message>
+        <source>COR–stiffness</source>
+        <translation>e–styvhet</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::DensityMark</name>
+    <message>
+        <source>Density</source>
+        <translation>Täthet</translation>
+    </message>
+    <message>
+        <source>How often values come, from the least to the largest</source>
+        <translation>Hur ofta värden förekommer, från det minsta till det största</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::DesignCard</name>
+    <message>
+        <source>&lt;b&gt;This scenario&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Detta scenario&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Robust best: %1&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Robust bästa: %1&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>The samples do not tell it apart from %1: any of them will do.</source>
+        <translation>Stickproven skiljer den inte från %1: vilken som helst av dem duger.</translation>
+    </message>
+    <message>
+        <source>Of them %1 has the %2: %3.</source>
+        <translation>Av dem har %1 %2: %3.</translation>
+    </message>
+    <message>
+        <source>The nominal best, %1, would lose %2&#xa0;% of it %3.</source>
+        <translation>Den nominellt bästa, %1, skulle förlora %2 % av det %3.</translation>
+    </message>
+    <message>
+        <source>The nominal best, %1, would have %2&#xa0;% more of it %3.</source>
+        <translation>Den nominellt bästa, %1, skulle ha %2 % mer av det %3.</translation>
+    </message>
+    <message>
+        <source>the draws</source>
+        <translation>dragningarna</translation>
+    </message>
+    <message>
+        <source>For %1 measure &lt;b&gt;%2&lt;/b&gt; first: %3 of its scatter.</source>
+        <translation>För %1, mät &lt;b&gt;%2&lt;/b&gt; först: %3 av spridningen.</translation>
+    </message>
+    <message>
+        <source>Least %1 found of the robust best: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
+        <translation>Minsta funna värde (%1) för den robust bästa: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
+    </message>
+    <message>
+        <source>Largest %1 found of the robust best: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
+        <translation>Största funna värde (%1) för den robust bästa: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
+    </message>
+    <message>
+        <source>The choices change the energy of the blow: machines of different power are compared. “keep the energy” keeps it.</source>
+        <translation>Valen ändrar slagets energi: maskiner med olika effekt jämförs. ”behåll energin” behåller den.</translation>
+    </message>
+    <message>
+        <source>The scatter of the efficiency is nearly all that of γ; work of loading shows what wave and machine can do.</source>
+        <translation>Verkningsgraden sprider nästan bara med γ; belastningsarbetet visar vad våg och maskin förmår.</translation>
+    </message>
+    <message>
+        <source>What the designs say</source>
+        <translation>Vad konstruktionerna säger</translation>
+    </message>
+    <message>
+        <source>Load the robust best</source>
+        <translation>Ladda den robust bästa</translation>
+    </message>
+    <message>
+        <source>Load the nominal best</source>
+        <translation>Ladda den nominellt bästa</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Ladda</translation>
+    </message>
+    <message>
+        <source>%1 samples of each design; errors are of 95 %.</source>
+        <translation>%1 stickprov per konstruktion; fel på 95 %.</translation>
+    </message>
+    <message>
+        <source>%1 samples so far, %2 to come.</source>
+        <translation>Hittills %1 stickprov, %2 återstår.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::DesignPage</name>
+    <message>
+        <source>samples</source>
+        <translation>stickprov</translation>
+    </message>
+    <message>
+        <source>Designs over what is not known</source>
+        <translation>Konstruktioner över det som inte är känt</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inte känt</translation>
+    </message>
+    <message>
+        <source>to be chosen</source>
+        <translation>att välja</translation>
+    </message>
+    <message>
+        <source>keep the energy</source>
+        <translation>behåll energin</translation>
+    </message>
+    <message>
+        <source>The blow of every design is scaled to the energy of this one: by its impulse, or by the velocity of the hammer</source>
+        <translation>Varje konstruktions slag skalas till det aktuella slagets energi: med dess impuls, eller med hammarens hastighet</translation>
+    </message>
+    <message>
+        <source>Samples of each design</source>
+        <translation>Stickprov per konstruktion</translation>
+    </message>
+    <message>
+        <source>Too many of the samples have no answer: %1</source>
+        <translation>För många av stickproven saknar svar: %1</translation>
+    </message>
+    <message>
+        <source>⚠ %1
+What is shown is of the value before.</source>
+        <translation>⚠ %1
+Det som visas gäller värdet dessförinnan.</translation>
+    </message>
+    <message>
+        <source>%1 samples of each design</source>
+        <translation>%1 stickprov per konstruktion</translation>
+    </message>
+    <message>
+        <source>%1 samples of each design so far, refined to %2</source>
+        <translation>Hittills %1 stickprov per konstruktion, förfinat till %2</translation>
+    </message>
+    <message>
+        <source>There is no design to be told of.</source>
+        <translation>Det finns ingen konstruktion att berätta om.</translation>
+    </message>
+    <message>
+        <source>Design</source>
+        <translation>Konstruktion</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::DesignPlot</name>
+    <message>
+        <source>5 % to 95 %</source>
+        <translation>5 % till 95 %</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>medel</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>som det är</translation>
+    </message>
+    <message>
+        <source>ties</source>
+        <translation>lika bra</translation>
+    </message>
+    <message>
+        <source>nominal best</source>
+        <translation>nominellt bästa</translation>
+    </message>
+    <message>
+        <source>robust best</source>
+        <translation>robust bästa</translation>
+    </message>
+    <message>
+        <source>share of the scatter
+(filled: alone)</source>
+        <translation>andel av spridningen
+(fylld: ensam)</translation>
+    </message>
+    <message>
+        <source>this scenario</source>
+        <translation>detta scenario</translation>
+    </message>
+    <message>
+        <source>%1: does not scatter</source>
+        <translation>%1: sprider inte</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::Document</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Namnlös</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 till %2</translation>
+    </message>
+    <message>
+        <source>change %1</source>
+        <translation>ändra %1</translation>
+    </message>
+    <message>
+        <source>clear %1</source>
+        <translation>rensa %1</translation>
+    </message>
+    <message>
+        <source>change the pulse shape to %1</source>
+        <translation>ändra slagets form till %1</translation>
+    </message>
+    <message>
+        <source>change the title</source>
+        <translation>ändra titeln</translation>
+    </message>
+    <message>
+        <source>reload the file</source>
+        <translation>läs om filen</translation>
+    </message>
+    <message>
+        <source>A preset of a rod is for uniform rods, and this scenario is a drill string.</source>
+        <translation>Ett förval för en stång är för likformiga stänger, och detta scenario är en borrsträng.</translation>
+    </message>
+    <message>
+        <source>A preset of a blow is a force, and this string is struck by the sections of its hammer.</source>
+        <translation>Ett förval för ett slag är en kraft, och denna sträng slås av sektionerna i sin hammare.</translation>
+    </message>
+    <message>
+        <source>A preset has physical units, and this scenario is given by its dimensionless groups.</source>
+        <translation>Ett förval har fysikaliska enheter, och detta scenario är givet av sina dimensionslösa tal.</translation>
+    </message>
+    <message>
+        <source>take the preset %1</source>
+        <translation>ta förvalet %1</translation>
+    </message>
+    <message>
+        <source>take the hammer blow from %1</source>
+        <translation>ta hammarslaget från %1</translation>
+    </message>
+    <message>
+        <source>reload the table of the hammer blow</source>
+        <translation>läs om hammarslagets tabell</translation>
+    </message>
+    <message>
+        <source>This string is struck by the sections of its hammer, not by a force from a table.</source>
+        <translation>Denna sträng slås av sektionerna i sin hammare, inte av en kraft ur en tabell.</translation>
+    </message>
+    <message>
+        <source>follow the table of the pulse</source>
+        <translation>följ slagets tabell</translation>
+    </message>
+    <message>
+        <source>%1: cannot be saved: %2. Nothing is lost: save it under another name or in another folder.</source>
+        <translation>%1: kan inte sparas: %2. Inget är förlorat: spara under ett annat namn eller i en annan mapp.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::DrillingPage</name>
+    <message>
+        <source>scan over</source>
+        <translation>svep över</translation>
+    </message>
+    <message>
+        <source>Many blows under a feed</source>
+        <translation>Många slag under en matning</translation>
+    </message>
+    <message>
+        <source>Scan</source>
+        <translation>Svep</translation>
+    </message>
+    <message>
+        <source>The statistics at values of this parameter, each from rest and from bouncing</source>
+        <translation>Statistiken vid värden på denna parameter, var och en från vila och från studsande</translation>
+    </message>
+    <message>
+        <source>bracket</source>
+        <translation>inringa</translation>
+    </message>
+    <message>
+        <source>Also under a constant force, and with a dashpot of half the impedance where there is a machine mass: no maker publishes its damper</source>
+        <translation>Även under konstant kraft, och med en dämpare på halva impedansen där det finns en maskinmassa: ingen tillverkare publicerar sin dämpare</translation>
+    </message>
+    <message>
+        <source>Drilling is of scenarios in physical units, and this one is given by its dimensionless groups: it has no blow frequency and no thrust. File ▸ New begins a scenario that has them.</source>
+        <translation>Borrning gäller scenarier i fysikaliska enheter, och detta är givet av sina dimensionslösa tal: det har ingen slagfrekvens och ingen matningskraft. Arkiv ▸ Ny börjar ett scenario som har dem.</translation>
+    </message>
+    <message>
+        <source>blow</source>
+        <translation>slag</translation>
+    </message>
+    <message>
+        <source>Stop %1/%2</source>
+        <translation>Stoppa %1/%2</translation>
+    </message>
+    <message>
+        <source>φ = %1, n_b = %2</source>
+        <translation>φ = %1, n_b = %2</translation>
+    </message>
+    <message>
+        <source>; %1 % of the blows begin on the rock; %2</source>
+        <translation>; %1 % av slagen börjar på berget; %2</translation>
+    </message>
+    <message>
+        <source>No scan: %1</source>
+        <translation>Inget svep: %1</translation>
+    </message>
+    <message>
+        <source>The scan below: %1</source>
+        <translation>Svepet nedan: %1</translation>
+    </message>
+    <message>
+        <source>Drilling</source>
+        <translation>Borrning</translation>
+    </message>
+    <message>
+        <source>Blow %1 of %2 under the feed, with the waves and the motion that it began with: gap %3, penetration %4. What Result says is of a single blow that begins at rest.</source>
+        <translation>Slag %1 av %2 under matningen, med de vågor och den rörelse som det började med: spalt %3, inträngning %4. Det som resultatet säger gäller ett enstaka slag som börjar i vila.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::DrillingPlot</name>
+    <message>
+        <source>Penetration rate, contact share and gaps over %1.</source>
+        <translation>Borrsjunkning, kontaktandel och spalter över %1.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::DrillingTable</name>
+    <message>
+        <source>gap at the blow</source>
+        <translation>spalt vid slaget</translation>
+    </message>
+    <message>
+        <source>Between bit and rock when the hammer strikes</source>
+        <translation>Mellan borrkrona och berg när hammaren slår</translation>
+    </message>
+    <message>
+        <source>penetration</source>
+        <translation>inträngning</translation>
+    </message>
+    <message>
+        <source>Of a blow, an upper limit: all rock under the bit gives way</source>
+        <translation>För ett slag, en övre gräns: allt berg under borrkronan ger efter</translation>
+    </message>
+    <message>
+        <source>rock impulse</source>
+        <translation>impuls på berget</translation>
+    </message>
+    <message>
+        <source>Of a blow and the cycle behind it; on the mean the feed times the interval</source>
+        <translation>För ett slag och cykeln efter det; i medeltal matningen gånger tiden mellan slagen</translation>
+    </message>
+    <message>
+        <source>peak force</source>
+        <translation>toppkraft</translation>
+    </message>
+    <message>
+        <source>Largest force of the rock in a cycle</source>
+        <translation>Bergets största kraft i en cykel</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>kontakter</translation>
+    </message>
+    <message>
+        <source>How many contacts begin in a cycle</source>
+        <translation>Hur många kontakter som börjar i en cykel</translation>
+    </message>
+    <message>
+        <source>Statistics of the blows</source>
+        <translation>Statistik över slagen</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>medel</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>avvikelse</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>median</translation>
+    </message>
+    <message>
+        <source>Error of the mean, 95 %: by batches of blows, and what larger or smaller cells change</source>
+        <translation>Fel i medelvärdet, 95 %: ur grupper av slag, och vad större eller mindre celler ändrar</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ElsewhereNotice</name>
+    <message>
+        <source>Go there</source>
+        <translation>Gå dit</translation>
+    </message>
+    <message>
+        <source>To the page that has the answer</source>
+        <translation>Till sidan som har svaret</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::EnergyBar</name>
+    <message>
+        <source>rock</source>
+        <translation>berg</translation>
+    </message>
+    <message>
+        <source>rebound</source>
+        <translation>studs</translation>
+    </message>
+    <message>
+        <source>hammer</source>
+        <translation>hammare</translation>
+    </message>
+    <message>
+        <source>losses</source>
+        <translation>förluster</translation>
+    </message>
+    <message>
+        <source>waves</source>
+        <translation>vågor</translation>
+    </message>
+    <message>
+        <source>Energy: no result</source>
+        <translation>Energi: inget resultat</translation>
+    </message>
+    <message>
+        <source>Energy: %1</source>
+        <translation>Energi: %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::EventModel</name>
+    <message>
+        <source>contact</source>
+        <translation>kontakt</translation>
+    </message>
+    <message>
+        <source>unloading begins</source>
+        <translation>avlastning börjar</translation>
+    </message>
+    <message>
+        <source>primary loading</source>
+        <translation>första belastning</translation>
+    </message>
+    <message>
+        <source>separation</source>
+        <translation>separation</translation>
+    </message>
+    <message>
+        <source>corner of the law</source>
+        <translation>hörn i lagen</translation>
+    </message>
+    <message>
+        <source>event at the bit</source>
+        <translation>händelse vid borrkronan</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::EventTable</name>
+    <message>
+        <source>Events at the bit</source>
+        <translation>Händelser vid borrkronan</translation>
+    </message>
+    <message>
+        <source>Choose an event to move the time cursor there</source>
+        <translation>Välj en händelse för att flytta tidsmarkören dit</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ExampleNote</name>
+    <message>
+        <source>&amp;About this example</source>
+        <translation>O&amp;m detta exempel</translation>
+    </message>
+    <message>
+        <source>What to look at in the example that is open</source>
+        <translation>Vad man ska titta på i exemplet som är öppet</translation>
+    </message>
+    <message>
+        <source>You have changed this example: what is said of its values may no longer hold. Undo brings them back.</source>
+        <translation>Detta exempel är ändrat: det som sägs om dess värden gäller kanske inte längre. Ångra tar tillbaka dem.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ExportMenu</name>
+    <message>
+        <source>CSV (*.csv);;All files (*)</source>
+        <translation>CSV (*.csv);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>&amp;Exportera</translation>
+    </message>
+    <message>
+        <source>&amp;Histories…</source>
+        <translation>&amp;Förlopp…</translation>
+    </message>
+    <message>
+        <source>Forces, impulse, momentum, penetration and velocity over time, as CSV</source>
+        <translation>Krafter, impuls, rörelsemängd, inträngning och hastighet över tiden, som CSV</translation>
+    </message>
+    <message>
+        <source>&amp;Events…</source>
+        <translation>&amp;Händelser…</translation>
+    </message>
+    <message>
+        <source>Contacts, reversals and separations with their times, as CSV</source>
+        <translation>Kontakter, vändningar och separationer med sina tider, som CSV</translation>
+    </message>
+    <message>
+        <source>&amp;Copy picture</source>
+        <translation>&amp;Kopiera bild</translation>
+    </message>
+    <message>
+        <source>As it is zoomed, to paste into a report</source>
+        <translation>Som den är zoomad, att klistra in i en rapport</translation>
+    </message>
+    <message>
+        <source>Everything into a &amp;folder…</source>
+        <translation>Allt till en &amp;mapp…</translation>
+    </message>
+    <message>
+        <source>Scenario, summary, histories, events and plots, as `drillwave run -o` writes them</source>
+        <translation>Scenario, sammanfattning, förlopp, händelser och diagram, som `drillwave run -o` skriver dem</translation>
+    </message>
+    <message>
+        <source>Save the data of the plot</source>
+        <translation>Spara diagrammets data</translation>
+    </message>
+    <message>
+        <source>The waves of this blow are more than can be kept: there are no histories.</source>
+        <translation>Detta slag har fler vågor än vad som kan sparas: det finns inga förlopp.</translation>
+    </message>
+    <message>
+        <source>Export the histories</source>
+        <translation>Exportera förloppen</translation>
+    </message>
+    <message>
+        <source>Export the events</source>
+        <translation>Exportera händelserna</translation>
+    </message>
+    <message>
+        <source>The blow could not be solved: %1</source>
+        <translation>Slaget kunde inte lösas: %1</translation>
+    </message>
+    <message>
+        <source>Overwrite the files in this folder?</source>
+        <translation>Skriva över filerna i denna mapp?</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Skriv över</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Spara bilden</translation>
+    </message>
+    <message>
+        <source>%1: not written, the plot could not be drawn</source>
+        <translation>%1: inte skriven, diagrammet kunde inte ritas</translation>
+    </message>
+    <message>
+        <source>The picture</source>
+        <translation>Bilden</translation>
+    </message>
+    <message>
+        <source>The picture is in the clipboard.</source>
+        <translation>Bilden finns i urklipp.</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Skriven: %1</translation>
+    </message>
+    <message>
+        <source>The export has failed.</source>
+        <translation>Exporten misslyckades.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FamilyFields</name>
+    <message>
+        <source>%1: parameter</source>
+        <translation>%1: parameter</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>%1: values</source>
+        <translation>%1: värden</translation>
+    </message>
+    <message>
+        <source>One curve for each value, with or without units: 0.1; 0.3; 1</source>
+        <translation>En kurva för varje värde, med eller utan enheter: 0.1; 0.3; 1</translation>
+    </message>
+    <message>
+        <source>no value</source>
+        <translation>inget värde</translation>
+    </message>
+    <message>
+        <source>at most %1 values</source>
+        <translation>högst %1 värden</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FeedText</name>
+    <message>
+        <source>⚠ short by %1 (−%2 %)</source>
+        <translation>⚠ saknar %1 (−%2 %)</translation>
+    </message>
+    <message>
+        <source>✓ met, %1 (%2 %) to spare</source>
+        <translation>✓ uppfyllt, %1 (%2 %) till godo</translation>
+    </message>
+    <message>
+        <source>%1, effective %2</source>
+        <translation>%1, verksam %2</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FigureDialog</name>
+    <message>
+        <source>Figure %1 of the paper</source>
+        <translation>Figur %1 i artikeln</translation>
+    </message>
+    <message>
+        <source>The paper prints no number with this figure.</source>
+        <translation>Artikeln trycker inget tal till denna figur.</translation>
+    </message>
+    <message>
+        <source>number</source>
+        <translation>tal</translation>
+    </message>
+    <message>
+        <source>printed</source>
+        <translation>tryckt</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>anmärkning</translation>
+    </message>
+    <message>
+        <source>Numbers that the paper prints with this figure</source>
+        <translation>Tal som artikeln trycker till denna figur</translation>
+    </message>
+    <message>
+        <source>differs</source>
+        <translation>avviker</translation>
+    </message>
+    <message>
+        <source>differs: </source>
+        <translation>avviker: </translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FileLines</name>
+    <message>
+        <source>First lines of the file</source>
+        <translation>Filens första rader</translation>
+    </message>
+    <message>
+        <source>First lines of the file; samples begin at the marked one</source>
+        <translation>Filens första rader; samplen börjar på den markerade</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FileMenu</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Arkiv</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Ny</translation>
+    </message>
+    <message>
+        <source>New di&amp;mensionless</source>
+        <translation>Ny di&amp;mensionslös</translation>
+    </message>
+    <message>
+        <source>new</source>
+        <translation>ny</translation>
+    </message>
+    <message>
+        <source>A scenario given by its groups β, γ, τ and δ alone, without units</source>
+        <translation>Ett scenario givet enbart av sina tal β, γ, τ och δ, utan enheter</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>&amp;Öppna…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Spara</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Spara s&amp;om…</translation>
+    </message>
+    <message>
+        <source>&amp;Import…</source>
+        <translation>&amp;Importera…</translation>
+    </message>
+    <message>
+        <source>A measured signal from a table of samples: as the hammer blow, or to compare with</source>
+        <translation>En uppmätt signal ur en tabell med sampel: som hammarslag, eller att jämföra med</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Avsluta</translation>
+    </message>
+    <message>
+        <source>&amp;Examples</source>
+        <translation>Exem&amp;pel</translation>
+    </message>
+    <message>
+        <source>&amp;Figures of the paper</source>
+        <translation>Fi&amp;gurer ur artikeln</translation>
+    </message>
+    <message>
+        <source>waves at the middle of the rod</source>
+        <translation>vågor i stångens mitt</translation>
+    </message>
+    <message>
+        <source>impact force, impulse and momentum</source>
+        <translation>stötkraft, impuls och rörelsemängd</translation>
+    </message>
+    <message>
+        <source>impact force and its closed form</source>
+        <translation>stötkraft och dess slutna form</translation>
+    </message>
+    <message>
+        <source>restitution over the stiffness</source>
+        <translation>studstal över styvheten</translation>
+    </message>
+    <message>
+        <source>restitution and its closed form</source>
+        <translation>studstal och dess slutna form</translation>
+    </message>
+    <message>
+        <source>restitution over the gap</source>
+        <translation>studstal över spalten</translation>
+    </message>
+    <message>
+        <source>Figure &amp;%1: %2</source>
+        <translation>Figur &amp;%1: %2</translation>
+    </message>
+    <message>
+        <source>Computed anew, beside the numbers that the paper prints</source>
+        <translation>Beräknad på nytt, bredvid talen som artikeln trycker</translation>
+    </message>
+    <message>
+        <source>The example cannot be opened.</source>
+        <translation>Exemplet kan inte öppnas.</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>Öppna se&amp;naste</translation>
+    </message>
+    <message>
+        <source>&amp;Clear list</source>
+        <translation>&amp;Töm listan</translation>
+    </message>
+    <message>
+        <source>Forget these names; the files stay</source>
+        <translation>Glöm dessa namn; filerna finns kvar</translation>
+    </message>
+    <message>
+        <source>This file is no longer there.</source>
+        <translation>Denna fil finns inte längre.</translation>
+    </message>
+    <message>
+        <source>%1
+It may be on a drive that is not connected. Shall it be taken off the list?</source>
+        <translation>%1
+Den kan ligga på en enhet som inte är ansluten. Ska den tas bort från listan?</translation>
+    </message>
+    <message>
+        <source>Take it off</source>
+        <translation>Ta bort den</translation>
+    </message>
+    <message>
+        <source>The scenario cannot be opened.</source>
+        <translation>Scenariot kan inte öppnas.</translation>
+    </message>
+    <message>
+        <source>This cannot be taken.</source>
+        <translation>Detta kan inte tas emot.</translation>
+    </message>
+    <message>
+        <source>%1 files were dropped; drop one at a time.</source>
+        <translation>%1 filer släpptes; släpp en åt gången.</translation>
+    </message>
+    <message>
+        <source>%1
+Drop a scenario (.yaml), a file of a run (.csv, .json), a report (.html), the CSV file of a hammer blow, or a table of samples (.txt, .dat).</source>
+        <translation>%1
+Släpp ett scenario (.yaml), en fil från en körning (.csv, .json), en rapport (.html), CSV-filen för ett hammarslag, eller en tabell med sampel (.txt, .dat).</translation>
+    </message>
+    <message>
+        <source>The file has been changed by another program.</source>
+        <translation>Filen har ändrats av ett annat program.</translation>
+    </message>
+    <message>
+        <source>%1
+Saving writes over what that program has written.</source>
+        <translation>%1
+Att spara skriver över det som det programmet har skrivit.</translation>
+    </message>
+    <message>
+        <source>Overwrite</source>
+        <translation>Skriv över</translation>
+    </message>
+    <message>
+        <source>A file of this name exists already.</source>
+        <translation>En fil med detta namn finns redan.</translation>
+    </message>
+    <message>
+        <source>The scenario has not been saved.</source>
+        <translation>Scenariot har inte sparats.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FileNotice</name>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>&amp;Läs om</translation>
+    </message>
+    <message>
+        <source>Take the scenario from the file; Undo brings the present one back</source>
+        <translation>Ta scenariot från filen; Ångra tar tillbaka det aktuella</translation>
+    </message>
+    <message>
+        <source>&amp;Keep mine</source>
+        <translation>&amp;Behåll mitt</translation>
+    </message>
+    <message>
+        <source>Go on with the present scenario; saving writes it over the file</source>
+        <translation>Fortsätt med det aktuella scenariot; att spara skriver det över filen</translation>
+    </message>
+    <message>
+        <source>%1 has been deleted or moved. Saving writes it again.</source>
+        <translation>%1 har tagits bort eller flyttats. Att spara skriver den igen.</translation>
+    </message>
+    <message>
+        <source>%1 has been changed by another program, and here as well.</source>
+        <translation>%1 har ändrats av ett annat program, och även här.</translation>
+    </message>
+    <message>
+        <source>%1 has been changed by another program.</source>
+        <translation>%1 har ändrats av ett annat program.</translation>
+    </message>
+    <message>
+        <source>The file cannot be reloaded.</source>
+        <translation>Filen kan inte läsas om.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FolderDialog</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportera</translation>
+    </message>
+    <message>
+        <source>There is no such folder yet. Make it?</source>
+        <translation>Det finns ingen sådan mapp ännu. Skapa den?</translation>
+    </message>
+    <message>
+        <source>Make it</source>
+        <translation>Skapa den</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::FormNotice</name>
+    <message>
+        <source>&amp;Make a drill string of this</source>
+        <translation>Gör en &amp;borrsträng av detta</translation>
+    </message>
+    <message>
+        <source>&amp;Simplify to a uniform rod</source>
+        <translation>&amp;Förenkla till en likformig stång</translation>
+    </message>
+    <message>
+        <source>Put a &amp;force in place of the hammer</source>
+        <translation>Sätt en &amp;kraft i hammarens ställe</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Ångra</translation>
+    </message>
+    <message>
+        <source>Take the conversion back</source>
+        <translation>Ta tillbaka omvandlingen</translation>
+    </message>
+    <message>
+        <source>make a drill string</source>
+        <translation>gör en borrsträng</translation>
+    </message>
+    <message>
+        <source>This is a drill string now: a hammer and one rod, to which couplings, an adapter and a bit can be added on the page String.</source>
+        <translation>Detta är nu en borrsträng: en hammare och en stång, till vilka skarvhylsor, en nackadapter och en borrkrona kan läggas på sidan Sträng.</translation>
+    </message>
+    <message>
+        <source>simplify to a uniform rod</source>
+        <translation>förenkla till en likformig stång</translation>
+    </message>
+    <message>
+        <source>This is a uniform rod now, through which waves travel as long as through the string.</source>
+        <translation>Detta är nu en likformig stång, genom vilken vågor går lika länge som genom strängen.</translation>
+    </message>
+    <message>
+        <source>put a force in place of the hammer</source>
+        <translation>sätt en kraft i hammarens ställe</translation>
+    </message>
+    <message>
+        <source>A force drives the string now: any shape, or a measured blow by File ▸ Import.</source>
+        <translation>En kraft driver nu strängen: vilken form som helst, eller ett uppmätt slag via Arkiv ▸ Importera.</translation>
+    </message>
+    <message>
+        <source>Nothing was converted: %1</source>
+        <translation>Inget omvandlades: %1</translation>
+    </message>
+    <message>
+        <source>Lost or changed:</source>
+        <translation>Förlorat eller ändrat:</translation>
+    </message>
+    <message>
+        <source>A hammer and a rod of the same blow, to add couplings, an adapter and a bit to</source>
+        <translation>En hammare och en stång med samma slag, att lägga skarvhylsor, en nackadapter och en borrkrona till</translation>
+    </message>
+    <message>
+        <source>Not of this scenario: %1</source>
+        <translation>Inte för detta scenario: %1</translation>
+    </message>
+    <message>
+        <source>The rod alone, as long for the waves as the string, struck by a uniform piston</source>
+        <translation>Bara stången, lika lång för vågorna som strängen, slagen av en likformig kolv</translation>
+    </message>
+    <message>
+        <source>This scenario is a uniform rod</source>
+        <translation>Detta scenario är en likformig stång</translation>
+    </message>
+    <message>
+        <source>A force drives this scenario already</source>
+        <translation>En kraft driver redan detta scenario</translation>
+    </message>
+    <message>
+        <source>A force that does not feel what comes back, as a measured blow is</source>
+        <translation>En kraft som inte känner av det som kommer tillbaka, som ett uppmätt slag</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::GapPage</name>
+    <message>
+        <source>Result over the gap, and how its values are distributed</source>
+        <translation>Resultat över spalten, och hur dess värden fördelar sig</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultat</translation>
+    </message>
+    <message>
+        <source>Which result is shown</source>
+        <translation>Vilket resultat som visas</translation>
+    </message>
+    <message>
+        <source>COR–gap is of uniform rods, whose results repeat over the gap; those of a drill string do not, and Efficiency–stiffness shows them over the gap point by point.</source>
+        <translation>e–spalt gäller likformiga stänger, vars resultat upprepas över spalten; en borrsträngs resultat gör inte det, och Verkningsgrad–styvhet visar dem över spalten punkt för punkt.</translation>
+    </message>
+    <message>
+        <source>A first look; the curve follows.</source>
+        <translation>En första blick; kurvan följer.</translation>
+    </message>
+    <message>
+        <source>d₀</source>
+        <translation>d₀</translation>
+    </message>
+    <message>
+        <source>d₀ = %1</source>
+        <translation>d₀ = %1</translation>
+    </message>
+    <message>
+        <source>Results repeat with every %1 of gap. A click in the plot takes over the gap there, with Shift it pins it.</source>
+        <translation>Resultaten upprepas med varje %1 spalt. Ett klick i diagrammet tar över spalten där, med Skift fäster det den.</translation>
+    </message>
+    <message>
+        <source>COR–gap</source>
+        <translation>e–spalt</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::GapPlot</name>
+    <message>
+        <source>share in a band</source>
+        <translation>andel i ett band</translation>
+    </message>
+    <message>
+        <source>share below</source>
+        <translation>andel under</translation>
+    </message>
+    <message>
+        <source>in a band [%]</source>
+        <translation>i ett band [%]</translation>
+    </message>
+    <message>
+        <source>below [%]</source>
+        <translation>under [%]</translation>
+    </message>
+    <message>
+        <source>super rebound, e &gt; 1</source>
+        <translation>superstuds, e &gt; 1</translation>
+    </message>
+    <message>
+        <source>gap d</source>
+        <translation>spalt d</translation>
+    </message>
+    <message>
+        <source>δ = gap / d₀</source>
+        <translation>δ = spalt / d₀</translation>
+    </message>
+    <message>
+        <source>5 %</source>
+        <translation>5 %</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>medel</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>scattered gap: mean %1, 5–95 % %2…%3</source>
+        <translation>spridd spalt: medel %1, 5–95 % %2…%3</translation>
+    </message>
+    <message>
+        <source>all gaps alike: mean %1, 5–95 % %2…%3</source>
+        <translation>alla spalter lika: medel %1, 5–95 % %2…%3</translation>
+    </message>
+    <message>
+        <source> · e &gt; 1 at %1 of gaps</source>
+        <translation> · e &gt; 1 vid %1 av spalterna</translation>
+    </message>
+    <message>
+        <source> · thrust for 95 % of gaps %1</source>
+        <translation> · matningskraft för 95 % av spalterna %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::HelpMenu</name>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hjälp</translation>
+    </message>
+    <message>
+        <source>&amp;Manual</source>
+        <translation>Hand&amp;bok</translation>
+    </message>
+    <message>
+        <source>&amp;Tutorial</source>
+        <translation>&amp;Introduktion</translation>
+    </message>
+    <message>
+        <source>Mouse and &amp;keys</source>
+        <translation>&amp;Mus och tangenter</translation>
+    </message>
+    <message>
+        <source>&amp;Glossary</source>
+        <translation>Ord&amp;lista</translation>
+    </message>
+    <message>
+        <source>&amp;About Drillwave</source>
+        <translation>&amp;Om Drillwave</translation>
+    </message>
+    <message>
+        <source>Drillwave %1</source>
+        <translation>Drillwave %1</translation>
+    </message>
+    <message>
+        <source>Percussive rock drilling: waves in the rod, the impact on the rock, the rebound.
+Free software under the GNU General Public License, version 3 or later.</source>
+        <translation>Slående bergborrning: vågor i stången, stöten mot berget, studsen.
+Fri programvara under GNU General Public License, version 3 eller senare.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::HelpView</name>
+    <message>
+        <source>Manual</source>
+        <translation>Handbok</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::HelpWindow</name>
+    <message>
+        <source>Manual — Drillwave</source>
+        <translation>Handbok — Drillwave</translation>
+    </message>
+    <message>
+        <source>Back (Alt+Left)</source>
+        <translation>Tillbaka (Alt+Vänster)</translation>
+    </message>
+    <message>
+        <source>On (Alt+Right)</source>
+        <translation>Framåt (Alt+Höger)</translation>
+    </message>
+    <message>
+        <source>Sections found</source>
+        <translation>Funna avsnitt</translation>
+    </message>
+    <message>
+        <source>Search</source>
+        <translation>Sök</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Stäng</translation>
+    </message>
+    <message>
+        <source>Larger</source>
+        <translation>Större</translation>
+    </message>
+    <message>
+        <source>Smaller</source>
+        <translation>Mindre</translation>
+    </message>
+    <message>
+        <source>Usual size</source>
+        <translation>Vanlig storlek</translation>
+    </message>
+    <message>
+        <source>Search all chapters (Ctrl+F)</source>
+        <translation>Sök i alla kapitel (Ctrl+F)</translation>
+    </message>
+    <message>
+        <source>Search all chapters</source>
+        <translation>Sök i alla kapitel</translation>
+    </message>
+    <message>
+        <source>Contents</source>
+        <translation>Innehåll</translation>
+    </message>
+    <message>
+        <source>No section has all of these words.</source>
+        <translation>Inget avsnitt har alla dessa ord.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ImportDialog</name>
+    <message>
+        <source>Import – %1</source>
+        <translation>Importera – %1</translation>
+    </message>
+    <message>
+        <source>import as</source>
+        <translation>importera som</translation>
+    </message>
+    <message>
+        <source>What the signal is for</source>
+        <translation>Vad signalen ska användas till</translation>
+    </message>
+    <message>
+        <source>hammer blow</source>
+        <translation>hammarslag</translation>
+    </message>
+    <message>
+        <source>measured N in a section</source>
+        <translation>uppmätt N i ett tvärsnitt</translation>
+    </message>
+    <message>
+        <source>measured force on the rock</source>
+        <translation>uppmätt kraft på berget</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>namn</translation>
+    </message>
+    <message>
+        <source>Under which the measured curve is listed</source>
+        <translation>Vad den uppmätta kurvan kallas i listan</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabell</translation>
+    </message>
+    <message>
+        <source>Signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>The record, and what is taken of it</source>
+        <translation>Inspelningen, och vad som tas av den</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importera</translation>
+    </message>
+    <message>
+        <source>N, tension +</source>
+        <translation>N, drag +</translation>
+    </message>
+    <message>
+        <source>F, pressing +</source>
+        <translation>F, tryckande +</translation>
+    </message>
+    <message>
+        <source>Nothing to show: %1</source>
+        <translation>Inget att visa: %1</translation>
+    </message>
+    <message>
+        <source>reading …</source>
+        <translation>läser …</translation>
+    </message>
+    <message>
+        <source>reading … %1 %</source>
+        <translation>läser … %1 %</translation>
+    </message>
+    <message>
+        <source>Only the shape is taken: this scenario has no physical units.</source>
+        <translation>Bara formen tas: detta scenario har inga fysikaliska enheter.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ImportPlot</name>
+    <message>
+        <source>record</source>
+        <translation>inspelning</translation>
+    </message>
+    <message>
+        <source>taken</source>
+        <translation>taget</translation>
+    </message>
+    <message>
+        <source>time in the file [%1]</source>
+        <translation>tid i filen [%1]</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::Importer</name>
+    <message>
+        <source>Import a measured signal</source>
+        <translation>Importera en uppmätt signal</translation>
+    </message>
+    <message>
+        <source>Tables of samples (*.csv *.txt *.tsv *.dat *.asc *.prn);;All files (*)</source>
+        <translation>Tabeller med sampel (*.csv *.txt *.tsv *.dat *.asc *.prn);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>This cannot be taken.</source>
+        <translation>Detta kan inte tas emot.</translation>
+    </message>
+    <message>
+        <source>Import of a measured signal</source>
+        <translation>Import av en uppmätt signal</translation>
+    </message>
+    <message>
+        <source>The hammer blow is taken from %1.</source>
+        <translation>Hammarslaget är taget från %1.</translation>
+    </message>
+    <message>
+        <source>%1 is laid over the page Blow.</source>
+        <translation>%1 ligger nu över sidan Slag.</translation>
+    </message>
+    <message>
+        <source>This string is struck by the sections of its hammer; Edit ▸ Put a force in place of the hammer makes room for a measured one.</source>
+        <translation>Denna sträng slås av sektionerna i sin hammare; Redigera ▸ Sätt en kraft i hammarens ställe ger plats för ett uppmätt slag.</translation>
+    </message>
+    <message>
+        <source>take the hammer blow from %1</source>
+        <translation>ta hammarslaget från %1</translation>
+    </message>
+    <message>
+        <source>%1 measured curves are there already: remove one on the page Blow.</source>
+        <translation>%1 uppmätta kurvor finns redan: ta bort en på sidan Slag.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::IndexingBox</name>
+    <message>
+        <source>rock</source>
+        <translation>berg</translation>
+    </message>
+    <message>
+        <source>Machine: rock</source>
+        <translation>Maskin: berg</translation>
+    </message>
+    <message>
+        <source>Whether the bit is turned onto new rock for every blow, or strikes the same crater again</source>
+        <translation>Om borrkronan vrids till nytt berg för varje slag, eller träffar samma krater igen</translation>
+    </message>
+    <message>
+        <source>new for every blow</source>
+        <translation>nytt för varje slag</translation>
+    </message>
+    <message>
+        <source>the same crater</source>
+        <translation>samma krater</translation>
+    </message>
+    <message>
+        <source>change which rock the blows meet</source>
+        <translation>ändra vilket berg slagen träffar</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::JointMarksItem</name>
+    <message>
+        <source>hammer</source>
+        <translation>hammare</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::LanguageMenu</name>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Språk</translation>
+    </message>
+    <message>
+        <source>&amp;System</source>
+        <translation>&amp;Systemets</translation>
+    </message>
+    <message>
+        <source>The window speaks %1 when it is opened the next time.</source>
+        <translation>Fönstret talar %1 nästa gång det öppnas.</translation>
+    </message>
+    <message>
+        <source>Close it and start Drillwave again. Numbers stay as the system writes them; files, reports and the manual are in English.</source>
+        <translation>Stäng det och starta Drillwave igen. Tal skrivs som systemet skriver dem; filer, rapporter och handboken är på engelska.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::LawSection</name>
+    <message>
+        <source>law</source>
+        <translation>lag</translation>
+    </message>
+    <message>
+        <source>Bit and rock: law</source>
+        <translation>Borrkrona och berg: lag</translation>
+    </message>
+    <message>
+        <source>How the force rises with the penetration: along one line, along lines with corners, or with a power of it; it falls along one slope in all of them</source>
+        <translation>Hur kraften växer med inträngningen: längs en linje, längs linjer med hörn, eller med en potens av den; den faller alltid längs en lutning</translation>
+    </message>
+    <message>
+        <source>one line</source>
+        <translation>en linje</translation>
+    </message>
+    <message>
+        <source>corners</source>
+        <translation>hörn</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>effekt</translation>
+    </message>
+    <message>
+        <source>+ corner</source>
+        <translation>+ hörn</translation>
+    </message>
+    <message>
+        <source>change the law of the rock</source>
+        <translation>ändra bergets lag</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>från</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>kraft</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>lutning</translation>
+    </message>
+    <message>
+        <source>slope, of k</source>
+        <translation>lutning, av k</translation>
+    </message>
+    <message>
+        <source>Remove corner %1</source>
+        <translation>Ta bort hörn %1</translation>
+    </message>
+    <message>
+        <source>Corner %1: %2</source>
+        <translation>Hörn %1: %2</translation>
+    </message>
+    <message>
+        <source>add a corner to the law of the rock</source>
+        <translation>lägg ett hörn till bergets lag</translation>
+    </message>
+    <message>
+        <source>remove a corner from the law of the rock</source>
+        <translation>ta bort ett hörn ur bergets lag</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::LevelField</name>
+    <message>
+        <source>Contours at</source>
+        <translation>Nivåkurvor vid</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>%1 is not a number</source>
+        <translation>%1 är inget tal</translation>
+    </message>
+    <message>
+        <source>at most %1 levels</source>
+        <translation>högst %1 nivåer</translation>
+    </message>
+    <message>
+        <source>The values of which the map has contours, in the units on show: 0.95; 1; 1.05</source>
+        <translation>De värden som kartan har nivåkurvor för, i de visade enheterna: 0.95; 1; 1.05</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MainWindow</name>
+    <message>
+        <source>exact · not solved</source>
+        <translation>exakt · inte löst</translation>
+    </message>
+    <message>
+        <source>polynomial cells · not solved</source>
+        <translation>polynomceller · inte löst</translation>
+    </message>
+    <message>
+        <source>polynomial cells · %1 · efficiency %2 ± %3</source>
+        <translation>polynomceller · %1 · verkningsgrad %2 ± %3</translation>
+    </message>
+    <message>
+        <source>exact · %1 · %2 · e = %3 ± %4</source>
+        <translation>exakt · %1 · %2 · e = %3 ± %4</translation>
+    </message>
+    <message>
+        <source>1 force peak</source>
+        <translation>1 krafttopp</translation>
+    </message>
+    <message>
+        <source>%1 force peaks</source>
+        <translation>%1 krafttoppar</translation>
+    </message>
+    <message>
+        <source>Pages</source>
+        <translation>Sidor</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Scenario</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Resultat</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Redigera</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Ångra</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Gör om</translation>
+    </message>
+    <message>
+        <source>Report</source>
+        <translation>Rapport</translation>
+    </message>
+    <message>
+        <source>the run</source>
+        <translation>körningen</translation>
+    </message>
+    <message>
+        <source>the input was changed meanwhile.</source>
+        <translation>indata ändrades under tiden.</translation>
+    </message>
+    <message>
+        <source>another page was chosen meanwhile.</source>
+        <translation>en annan sida valdes under tiden.</translation>
+    </message>
+    <message>
+        <source>other units were chosen meanwhile.</source>
+        <translation>andra enheter valdes under tiden.</translation>
+    </message>
+    <message>
+        <source>Unsaved changes cannot be kept for the case of a crash.</source>
+        <translation>Osparade ändringar kan inte bevaras för händelse av en krasch.</translation>
+    </message>
+    <message>
+        <source>%1[*] — Drillwave</source>
+        <translation>%1[*] — Drillwave</translation>
+    </message>
+    <message>
+        <source>%1 – %2[*] — Drillwave</source>
+        <translation>%1 – %2[*] — Drillwave</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ManualHelp</name>
+    <message>
+        <source>Menus, as they are now</source>
+        <translation>Menyerna, som de är nu</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>tangent</translation>
+    </message>
+    <message>
+        <source>what it does</source>
+        <translation>vad den gör</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MapPage</name>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>färg</translation>
+    </message>
+    <message>
+        <source>contours</source>
+        <translation>nivåkurvor</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>punkter</translation>
+    </message>
+    <message>
+        <source>Result over two parameters</source>
+        <translation>Resultat över två parametrar</translation>
+    </message>
+    <message>
+        <source>Points of the map</source>
+        <translation>Kartans punkter</translation>
+    </message>
+    <message>
+        <source>How many values each of the two parameters takes</source>
+        <translation>Hur många värden var och en av de två parametrarna tar</translation>
+    </message>
+    <message>
+        <source>Both axes are %1: choose another parameter for one of them.</source>
+        <translation>Båda axlarna är %1: välj en annan parameter för en av dem.</translation>
+    </message>
+    <message>
+        <source>A click takes over a point, with Shift it pins it; the crosshair can be dragged.</source>
+        <translation>Ett klick tar över en punkt, med Skift fäster det den; hårkorset kan dras.</translation>
+    </message>
+    <message>
+        <source>here %1. %2</source>
+        <translation>här %1. %2</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karta</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MapPlot</name>
+    <message>
+        <source>nearest: %1</source>
+        <translation>närmast: %1</translation>
+    </message>
+    <message>
+        <source>No point could be solved.</source>
+        <translation>Ingen punkt kunde lösas.</translation>
+    </message>
+    <message>
+        <source>The map follows.</source>
+        <translation>Kartan följer.</translation>
+    </message>
+    <message>
+        <source>%1 … %2</source>
+        <translation>%1 … %2</translation>
+    </message>
+    <message>
+        <source> · nowhere %1</source>
+        <translation> · ingenstans %1</translation>
+    </message>
+    <message>
+        <source> · %1 of %2 points not solved (hatched)</source>
+        <translation> · %1 av %2 punkter inte lösta (streckade)</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MarchRects</name>
+    <message>
+        <source>blow (shaded: they count)</source>
+        <translation>slag (skuggat: de räknas)</translation>
+    </message>
+    <message>
+        <source>gap modulo d₀, in d₀</source>
+        <translation>spalt modulo d₀, i d₀</translation>
+    </message>
+    <message>
+        <source>blows [%]</source>
+        <translation>slag [%]</translation>
+    </message>
+    <message>
+        <source>e of this gap</source>
+        <translation>e för denna spalt</translation>
+    </message>
+    <message>
+        <source>of the energy [%]</source>
+        <translation>av energin [%]</translation>
+    </message>
+    <message>
+        <source>gap at the blow</source>
+        <translation>spalt vid slaget</translation>
+    </message>
+    <message>
+        <source>penetration</source>
+        <translation>inträngning</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>spalt</translation>
+    </message>
+    <message>
+        <source>
+a projection of more dimensions</source>
+        <translation>
+en projektion av fler dimensioner</translation>
+    </message>
+    <message>
+        <source>next gap</source>
+        <translation>nästa spalt</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MarchedNotice</name>
+    <message>
+        <source>Single blow</source>
+        <translation>Enstaka slag</translation>
+    </message>
+    <message>
+        <source>Show the blow again that begins at rest, as in Result</source>
+        <translation>Visa åter slaget som börjar i vila, som i resultatet</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MeasuredBar</name>
+    <message>
+        <source>N: %1</source>
+        <translation>N: %1</translation>
+    </message>
+    <message>
+        <source>F: %1</source>
+        <translation>F: %1</translation>
+    </message>
+    <message>
+        <source>Align</source>
+        <translation>Passa in</translation>
+    </message>
+    <message>
+        <source>not drawn: compared with scenarios in physical units</source>
+        <translation>inte ritad: jämförs med scenarier i fysikaliska enheter</translation>
+    </message>
+    <message>
+        <source>Measured curve</source>
+        <translation>Uppmätt kurva</translation>
+    </message>
+    <message>
+        <source>Show the waves at the section where this was measured</source>
+        <translation>Visa vågorna i det tvärsnitt där detta mättes</translation>
+    </message>
+    <message>
+        <source>Shift of the measured curve in time</source>
+        <translation>Den uppmätta kurvans förskjutning i tid</translation>
+    </message>
+    <message>
+        <source>Added to the times of the measured curve; Up and Down move it</source>
+        <translation>Läggs till den uppmätta kurvans tider; Upp och Ner flyttar den</translation>
+    </message>
+    <message>
+        <source>Shift it to where it fits the computed curve best</source>
+        <translation>Förskjut den dit där den passar bäst med den beräknade kurvan</translation>
+    </message>
+    <message>
+        <source>Remove the measured curve</source>
+        <translation>Ta bort den uppmätta kurvan</translation>
+    </message>
+    <message>
+        <source>Take this measured curve away; Undo brings it back</source>
+        <translation>Ta bort denna uppmätta kurva; Ångra tar tillbaka den</translation>
+    </message>
+    <message>
+        <source>Over the time that both have: root of the mean square of their difference; size of the largest force, measured less computed; how much later the measured curve comes than where it fits best</source>
+        <translation>Över den tid som båda har: roten ur medelkvadraten av deras skillnad; storleken på den största kraften, uppmätt minus beräknad; hur mycket senare den uppmätta kurvan kommer än där den passar bäst</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Uppmätt</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>förskjutning</translation>
+    </message>
+    <message>
+        <source>Unit of the shift in time</source>
+        <translation>Enhet för förskjutningen i tid</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>vid %1</translation>
+    </message>
+    <message>
+        <source>%1 points; no sample of what is taken is further than %2 from them</source>
+        <translation>%1 punkter; inget sampel i det som tas ligger längre än %2 från dem</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MeasuredList</name>
+    <message>
+        <source>lay over the measured curve %1</source>
+        <translation>lägg den uppmätta kurvan %1 över</translation>
+    </message>
+    <message>
+        <source>remove the measured curve %1</source>
+        <translation>ta bort den uppmätta kurvan %1</translation>
+    </message>
+    <message>
+        <source>shift the measured curve %1</source>
+        <translation>förskjut den uppmätta kurvan %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::Message</name>
+    <message>
+        <source>%1: cannot be written: %2; free some space or choose another place</source>
+        <translation>%1: kan inte skrivas: %2; frigör utrymme eller välj en annan plats</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2; choose another place</source>
+        <translation>%1: kan inte skrivas: %2; välj en annan plats</translation>
+    </message>
+    <message>
+        <source>%1: the folder cannot be made: %2; choose another one</source>
+        <translation>%1: mappen kan inte skapas: %2; välj en annan</translation>
+    </message>
+    <message>
+        <source>%1: is there and no file; choose another folder</source>
+        <translation>%1: finns och är ingen fil; välj en annan mapp</translation>
+    </message>
+    <message>
+        <source>%1: exists already; choose another folder or ask for it to be overwritten</source>
+        <translation>%1: finns redan; välj en annan mapp eller begär att den skrivs över</translation>
+    </message>
+    <message>
+        <source>%1: another run has been writing there for %2 seconds; wait for it or choose another folder</source>
+        <translation>%1: en annan körning har skrivit där i %2 sekunder; vänta på den eller välj en annan mapp</translation>
+    </message>
+    <message>
+        <source>%1: has been put there or changed by somebody else; move it away, or keep the runs again to replace it</source>
+        <translation>%1: har lagts dit eller ändrats av någon annan; flytta undan den, eller spara körningarna igen för att ersätta den</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::MissingFields</name>
+    <message>
+        <source>enter the %1:</source>
+        <translation>ange %1:</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>inte angiven</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::Notice</name>
+    <message>
+        <source>Warning</source>
+        <translation>Varning</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Anmärkning</translation>
+    </message>
+    <message>
+        <source>Dismiss this note</source>
+        <translation>Stäng denna upplysning</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::OutputBox</name>
+    <message>
+        <source>Result</source>
+        <translation>Resultat</translation>
+    </message>
+    <message>
+        <source>Which result is shown</source>
+        <translation>Vilket resultat som visas</translation>
+    </message>
+    <message>
+        <source>COR e</source>
+        <translation>studstal e</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PageTabs</name>
+    <message>
+        <source>THIS BLOW</source>
+        <translation>DETTA SLAG</translation>
+    </message>
+    <message>
+        <source>STUDIES</source>
+        <translation>STUDIER</translation>
+    </message>
+    <message>
+        <source>&amp;Next page</source>
+        <translation>&amp;Nästa sida</translation>
+    </message>
+    <message>
+        <source>&amp;Previous page</source>
+        <translation>&amp;Föregående sida</translation>
+    </message>
+    <message>
+        <source>of drill strings alone, and this scenario is a uniform rod: a click makes a drill string of it, as Edit ▸ Make a drill string of this does</source>
+        <translation>bara för borrsträngar, och detta scenario är en likformig stång: ett klick gör en borrsträng av det, som Redigera ▸ Gör en borrsträng av detta</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ParameterRow</name>
+    <message>
+        <source>%1, slider</source>
+        <translation>%1, skjutreglage</translation>
+    </message>
+    <message>
+        <source>%1, unit</source>
+        <translation>%1, enhet</translation>
+    </message>
+    <message>
+        <source>Unit in which the %1 is shown</source>
+        <translation>Enhet som %1 visas i</translation>
+    </message>
+    <message>
+        <source>The value lies beyond the range of the slider.</source>
+        <translation>Värdet ligger utanför skjutreglagets område.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PictureCursors</name>
+    <message>
+        <source>t = %1</source>
+        <translation>t = %1</translation>
+    </message>
+    <message>
+        <source>x/L = %1</source>
+        <translation>x/L = %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PictureDialog</name>
+    <message>
+        <source>mm</source>
+        <translation>mm</translation>
+    </message>
+    <message>
+        <source>dpi</source>
+        <translation>dpi</translation>
+    </message>
+    <message>
+        <source>Save picture</source>
+        <translation>Spara bild</translation>
+    </message>
+    <message>
+        <source>PNG – pixels</source>
+        <translation>PNG – bildpunkter</translation>
+    </message>
+    <message>
+        <source>SVG – lines and text, for editing</source>
+        <translation>SVG – linjer och text, för redigering</translation>
+    </message>
+    <message>
+        <source>PDF – lines and text, for printing</source>
+        <translation>PDF – linjer och text, för utskrift</translation>
+    </message>
+    <message>
+        <source>The kind of file; always on white, whatever the window looks like</source>
+        <translation>Filens slag; alltid på vitt, hur fönstret än ser ut</translation>
+    </message>
+    <message>
+        <source>Width on paper</source>
+        <translation>Bredd på papper</translation>
+    </message>
+    <message>
+        <source>Height on paper</source>
+        <translation>Höjd på papper</translation>
+    </message>
+    <message>
+        <source>Pixels per inch of a PNG; 300 is usual for print</source>
+        <translation>Bildpunkter per tum i en PNG; 300 är vanligt för tryck</translation>
+    </message>
+    <message>
+        <source>&amp;Format</source>
+        <translation>&amp;Format</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Bredd</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Höjd</translation>
+    </message>
+    <message>
+        <source>&amp;Resolution</source>
+        <translation>&amp;Upplösning</translation>
+    </message>
+    <message>
+        <source>Choose file…</source>
+        <translation>Välj fil…</translation>
+    </message>
+    <message>
+        <source>%1 × %2 pixels</source>
+        <translation>%1 × %2 bildpunkter</translation>
+    </message>
+    <message>
+        <source>Sharp at any size</source>
+        <translation>Skarp i alla storlekar</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PinnedRuns</name>
+    <message>
+        <source>&amp;Pin this result</source>
+        <translation>Fäst &amp;detta resultat</translation>
+    </message>
+    <message>
+        <source>&amp;Keep runs beside the file</source>
+        <translation>&amp;Behåll körningar bredvid filen</translation>
+    </message>
+    <message>
+        <source>Pin</source>
+        <translation>Fäst</translation>
+    </message>
+    <message>
+        <source>Keep this result with its scenario, to compare others with (F7)</source>
+        <translation>Behåll detta resultat med sitt scenario, att jämföra andra med (F7)</translation>
+    </message>
+    <message>
+        <source>In a folder of the same name, “.runs”: a scenario for each, so that they are there when the file is opened again</source>
+        <translation>I en mapp med samma namn, ”.runs”: ett scenario för varje, så att de finns där när filen öppnas igen</translation>
+    </message>
+    <message>
+        <source>There is no result to be pinned.</source>
+        <translation>Det finns inget resultat att fästa.</translation>
+    </message>
+    <message>
+        <source>This result cannot be pinned.</source>
+        <translation>Detta resultat kan inte fästas.</translation>
+    </message>
+    <message>
+        <source>This result is not pinned.</source>
+        <translation>Detta resultat är inte fäst.</translation>
+    </message>
+    <message>
+        <source>revert to %1</source>
+        <translation>återgå till %1</translation>
+    </message>
+    <message>
+        <source>The run cannot be brought back.</source>
+        <translation>Körningen kan inte tas tillbaka.</translation>
+    </message>
+    <message>
+        <source>Shall the kept runs be taken away?</source>
+        <translation>Ska de sparade körningarna tas bort?</translation>
+    </message>
+    <message>
+        <source>%1
+They stay on the list until the window is closed.</source>
+        <translation>%1
+De är kvar i listan tills fönstret stängs.</translation>
+    </message>
+    <message>
+        <source>Take away</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>There are runs beside this file already.</source>
+        <translation>Det finns redan körningar bredvid denna fil.</translation>
+    </message>
+    <message>
+        <source>%1
+Those that are not on the list here would be lost.</source>
+        <translation>%1
+De som inte finns i listan här skulle gå förlorade.</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersätt</translation>
+    </message>
+    <message>
+        <source>The runs are not kept.</source>
+        <translation>Körningarna är inte sparade.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PlaceField</name>
+    <message>
+        <source>Section x/L of the waves</source>
+        <translation>Läge x/L för vågorna</translation>
+    </message>
+    <message>
+        <source>
+Up and Down move it by 0.01, Page Up and Page Down by 0.1.</source>
+        <translation>
+Upp och Ner flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PlayBar</name>
+    <message>
+        <source>Time cursor</source>
+        <translation>Tidsmarkör</translation>
+    </message>
+    <message>
+        <source>Moves the time cursor through the times in view</source>
+        <translation>Flyttar tidsmarkören genom tiderna i vyn</translation>
+    </message>
+    <message>
+        <source>in %1 s</source>
+        <translation>på %1 s</translation>
+    </message>
+    <message>
+        <source>How long the times in view take to play</source>
+        <translation>Hur lång tid det tar att spela upp tiderna i vyn</translation>
+    </message>
+    <message>
+        <source>Loop</source>
+        <translation>Slinga</translation>
+    </message>
+    <message>
+        <source>Play again and again</source>
+        <translation>Spela upp om och om igen</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Paus</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Spela upp</translation>
+    </message>
+    <message>
+        <source>Pause (space bar)</source>
+        <translation>Paus (mellanslag)</translation>
+    </message>
+    <message>
+        <source>Play the blow (space bar)</source>
+        <translation>Spela upp slaget (mellanslag)</translation>
+    </message>
+    <message>
+        <source>real time ÷ %1</source>
+        <translation>verklig tid ÷ %1</translation>
+    </message>
+    <message>
+        <source>%1 t₀ per second</source>
+        <translation>%1 t₀ per sekund</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PlotMenu</name>
+    <message>
+        <source>Copy &amp;picture</source>
+        <translation>Kopiera b&amp;ild</translation>
+    </message>
+    <message>
+        <source>This view, black on white, for a report</source>
+        <translation>Denna vy, svart på vitt, för en rapport</translation>
+    </message>
+    <message>
+        <source>Copy &amp;data</source>
+        <translation>Kopiera &amp;data</translation>
+    </message>
+    <message>
+        <source>The numbers of what is shown, as a table for a spreadsheet</source>
+        <translation>Talen i det som visas, som en tabell för ett kalkylark</translation>
+    </message>
+    <message>
+        <source>&amp;Save picture…</source>
+        <translation>&amp;Spara bild…</translation>
+    </message>
+    <message>
+        <source>This view as PNG, SVG or PDF</source>
+        <translation>Denna vy som PNG, SVG eller PDF</translation>
+    </message>
+    <message>
+        <source>Save da&amp;ta…</source>
+        <translation>S&amp;para data…</translation>
+    </message>
+    <message>
+        <source>The numbers of what is shown, as CSV</source>
+        <translation>Talen i det som visas, som CSV</translation>
+    </message>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>A&amp;npassa</translation>
+    </message>
+    <message>
+        <source>Bring all curves into view</source>
+        <translation>Visa alla kurvor i sin helhet</translation>
+    </message>
+    <message>
+        <source>&amp;Zoom back</source>
+        <translation>&amp;Zooma tillbaka</translation>
+    </message>
+    <message>
+        <source>The view before</source>
+        <translation>Föregående vy</translation>
+    </message>
+    <message>
+        <source>Logarithmic &amp;horizontal axis</source>
+        <translation>Logaritmisk vå&amp;grät axel</translation>
+    </message>
+    <message>
+        <source>Logarithmic &amp;vertical axis</source>
+        <translation>Logaritmisk &amp;lodrät axel</translation>
+    </message>
+    <message>
+        <source>Equal steps are equal factors; zeros are cut off</source>
+        <translation>Lika steg är lika faktorer; nollor klipps bort</translation>
+    </message>
+    <message>
+        <source>&amp;Curves shown</source>
+        <translation>Visade &amp;kurvor</translation>
+    </message>
+    <message>
+        <source>&amp;Point for keys</source>
+        <translation>Punkt för &amp;tangenter</translation>
+    </message>
+    <message>
+        <source>Arrows move it, N goes to the next mark; Enter then does what a click there does</source>
+        <translation>Pilar flyttar den, N går till nästa märke; Retur gör sedan vad ett klick gör där</translation>
+    </message>
+    <message>
+        <source>Cursor &amp;A here</source>
+        <translation>Markör &amp;A här</translation>
+    </message>
+    <message>
+        <source>Reads the curves here; can be dragged</source>
+        <translation>Läser av kurvorna här; kan dras</translation>
+    </message>
+    <message>
+        <source>Cursor &amp;B here</source>
+        <translation>Markör &amp;B här</translation>
+    </message>
+    <message>
+        <source>Reads the curves here; slope, mean and integral from A to B</source>
+        <translation>Läser av kurvorna här; lutning, medel och integral från A till B</translation>
+    </message>
+    <message>
+        <source>&amp;Time cursor here</source>
+        <translation>Tidsmarkör &amp;här</translation>
+    </message>
+    <message>
+        <source>The instant shown on all pages</source>
+        <translation>Det ögonblick som visas på alla sidor</translation>
+    </message>
+    <message>
+        <source>&amp;Remove cursors A and B</source>
+        <translation>Ta bort markörerna A &amp;och B</translation>
+    </message>
+    <message>
+        <source>The table below the plot reads what is in view then</source>
+        <translation>Tabellen under diagrammet läser då av det som är i vyn</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;table below</source>
+        <translation>Kopiera tabellen &amp;under</translation>
+    </message>
+    <message>
+        <source>What is read at the cursors, or in view, to paste into a spreadsheet</source>
+        <translation>Det som är avläst vid markörerna eller i vyn, att klistra in i ett kalkylark</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PlotPage</name>
+    <message>
+        <source>&amp;Data of this plot…</source>
+        <translation>&amp;Data i detta diagram…</translation>
+    </message>
+    <message>
+        <source>The curves that the plot shows, as CSV</source>
+        <translation>Kurvorna som diagrammet visar, som CSV</translation>
+    </message>
+    <message>
+        <source>&amp;Picture of this plot…</source>
+        <translation>B&amp;ild av detta diagram…</translation>
+    </message>
+    <message>
+        <source>As it is zoomed, as PNG, SVG or PDF</source>
+        <translation>Som den är zoomad, som PNG, SVG eller PDF</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PlotViewMenu</name>
+    <message>
+        <source>&amp;Plot on show</source>
+        <translation>Visat &amp;diagram</translation>
+    </message>
+    <message>
+        <source>&amp;Table below plots</source>
+        <translation>&amp;Tabell under diagrammen</translation>
+    </message>
+    <message>
+        <source>Reads what is in view, or at the cursors A and B</source>
+        <translation>Läser av det som är i vyn, eller vid markörerna A och B</translation>
+    </message>
+    <message>
+        <source>No plot</source>
+        <translation>Inget diagram</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PresetBox</name>
+    <message>
+        <source>%1: preset</source>
+        <translation>%1: förval</translation>
+    </message>
+    <message>
+        <source>custom</source>
+        <translation>egna</translation>
+    </message>
+    <message>
+        <source>The values are those of no preset. Choose one to start from its values.</source>
+        <translation>Värdena är inget förvals. Välj ett för att utgå från dess värden.</translation>
+    </message>
+    <message>
+        <source>Presets are physical values, and this scenario is given by its dimensionless groups alone. File ▸ New begins one in physical values.</source>
+        <translation>Förval är fysikaliska värden, och detta scenario är givet enbart av sina dimensionslösa tal. Arkiv ▸ Ny börjar ett i fysikaliska värden.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>&amp;Add file of presets…</source>
+        <translation>Lägg till fil med &amp;förval…</translation>
+    </message>
+    <message>
+        <source>Offer the presets of a YAML file of your own, now and in later runs</source>
+        <translation>Erbjud förvalen i en egen YAML-fil, nu och framöver</translation>
+    </message>
+    <message>
+        <source>&amp;Open folder of presets</source>
+        <translation>&amp;Öppna mappen med förval</translation>
+    </message>
+    <message>
+        <source>A file presets.yaml in %1 is read by itself</source>
+        <translation>En fil presets.yaml i %1 läses av sig själv</translation>
+    </message>
+    <message>
+        <source>Remove these from the list</source>
+        <translation>Ta bort dessa från listan</translation>
+    </message>
+    <message>
+        <source>⚠ %1 is not used: why?</source>
+        <translation>⚠ %1 används inte: varför?</translation>
+    </message>
+    <message>
+        <source>The presets of %1 are not used.</source>
+        <translation>Förvalen i %1 används inte.</translation>
+    </message>
+    <message>
+        <source>Take it off the list</source>
+        <translation>Ta bort den från listan</translation>
+    </message>
+    <message>
+        <source>Add a file of presets</source>
+        <translation>Lägg till en fil med förval</translation>
+    </message>
+    <message>
+        <source>Presets (*.yaml *.yml);;All files (*)</source>
+        <translation>Förval (*.yaml *.yml);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>These presets cannot be used.</source>
+        <translation>Dessa förval kan inte användas.</translation>
+    </message>
+    <message>
+        <source>This preset does not fit the rest of the scenario.</source>
+        <translation>Detta förval passar inte resten av scenariot.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ProofStudy</name>
+    <message>
+        <source>Not solved: %1</source>
+        <translation>Inte löst: %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ProofTable</name>
+    <message>
+        <source>method</source>
+        <translation>metod</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>fall</translation>
+    </message>
+    <message>
+        <source>worst check</source>
+        <translation>sämsta kontroll</translation>
+    </message>
+    <message>
+        <source>of its mark</source>
+        <translation>av gränsen</translation>
+    </message>
+    <message>
+        <source>shape</source>
+        <translation>form</translation>
+    </message>
+    <message>
+        <source>e</source>
+        <translation>e</translation>
+    </message>
+    <message>
+        <source>error of e</source>
+        <translation>fel i e</translation>
+    </message>
+    <message>
+        <source>pieces</source>
+        <translation>bitar</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PulsePreview</name>
+    <message>
+        <source>Hammer force over time</source>
+        <translation>Hammarkraft över tiden</translation>
+    </message>
+    <message>
+        <source>peak %1</source>
+        <translation>topp %1</translation>
+    </message>
+    <message>
+        <source>t₀ = %1</source>
+        <translation>t₀ = %1</translation>
+    </message>
+    <message>
+        <source>No hammer force: the rod arrives with a uniform velocity</source>
+        <translation>Ingen hammarkraft: stången kommer fram med likformig hastighet</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>Force of the hammer on the rod over time: %1</source>
+        <translation>Hammarens kraft på stången över tiden: %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::PulseSection</name>
+    <message>
+        <source>shape</source>
+        <translation>form</translation>
+    </message>
+    <message>
+        <source>Hammer blow: shape</source>
+        <translation>Hammarslag: form</translation>
+    </message>
+    <message>
+        <source>Shape of the force of the hammer on the rod over time</source>
+        <translation>Formen på hammarens kraft på stången över tiden</translation>
+    </message>
+    <message>
+        <source>Measured…</source>
+        <translation>Uppmätt…</translation>
+    </message>
+    <message>
+        <source>Import a measured hammer blow: any table of samples, as a force, a strain or the output of a bridge</source>
+        <translation>Importera ett uppmätt hammarslag: vilken tabell med sampel som helst, som kraft, töjning eller en bryggas utsignal</translation>
+    </message>
+    <message>
+        <source>Table of the hammer blow</source>
+        <translation>Hammarslagets tabell</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Läs om</translation>
+    </message>
+    <message>
+        <source>Read the CSV file of the hammer blow again</source>
+        <translation>Läs hammarslagets CSV-fil igen</translation>
+    </message>
+    <message>
+        <source>Choose CSV…</source>
+        <translation>Välj CSV…</translation>
+    </message>
+    <message>
+        <source>Take the hammer blow from a CSV file that begins with `time [us],force [kN]`</source>
+        <translation>Ta hammarslaget från en CSV-fil som börjar med `time [us],force [kN]`</translation>
+    </message>
+    <message>
+        <source>Hammer blow: impulse of the table</source>
+        <translation>Hammarslag: tabellens impuls</translation>
+    </message>
+    <message>
+        <source>Impulse of the table; another one scales all its forces, which the scenario then keeps in itself</source>
+        <translation>Tabellens impuls; en annan skalar alla dess krafter, som scenariot då håller i sig självt</translation>
+    </message>
+    <message>
+        <source>impulse I₀</source>
+        <translation>impuls I₀</translation>
+    </message>
+    <message>
+        <source>Hammer blow: impulse of the table, unit</source>
+        <translation>Hammarslag: tabellens impuls, enhet</translation>
+    </message>
+    <message>
+        <source>a table of more than %1 points stays in its file: scale the forces there</source>
+        <translation>en tabell med mer än %1 punkter stannar i sin fil: skala krafterna där</translation>
+    </message>
+    <message>
+        <source>scale the hammer blow to %1</source>
+        <translation>skala hammarslaget till %1</translation>
+    </message>
+    <message>
+        <source>%1 from a file…</source>
+        <translation>%1 från en fil…</translation>
+    </message>
+    <message>
+        <source>Take the hammer blow from a CSV file</source>
+        <translation>Ta hammarslaget från en CSV-fil</translation>
+    </message>
+    <message>
+        <source>Tables of time and force (*.csv);;All files (*)</source>
+        <translation>Tabeller med tid och kraft (*.csv);;Alla filer (*)</translation>
+    </message>
+    <message>
+        <source>The hammer blow cannot be taken from this file.</source>
+        <translation>Hammarslaget kan inte tas från denna fil.</translation>
+    </message>
+    <message>
+        <source>“Measured…” imports tables of any other form.</source>
+        <translation>”Uppmätt…” importerar tabeller av alla andra slag.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RangeRow</name>
+    <message>
+        <source>Uncertain parameter</source>
+        <translation>Osäker parameter</translation>
+    </message>
+    <message>
+        <source>Chosen parameter</source>
+        <translation>Vald parameter</translation>
+    </message>
+    <message>
+        <source>How it scatters</source>
+        <translation>Hur den sprider</translation>
+    </message>
+    <message>
+        <source>even</source>
+        <translation>jämn</translation>
+    </message>
+    <message>
+        <source>even in log</source>
+        <translation>jämn i log</translation>
+    </message>
+    <message>
+        <source>bell</source>
+        <translation>klocka</translation>
+    </message>
+    <message>
+        <source>bell in log</source>
+        <translation>klocka i log</translation>
+    </message>
+    <message>
+        <source>Every value between the ends as often as another, or a bell curve of which 95 % lie between them; in the value or in its logarithm</source>
+        <translation>Varje värde mellan ändarna lika ofta som ett annat, eller en klockkurva av vilken 95 % ligger mellan dem; i värdet eller i dess logaritm</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>log</translation>
+    </message>
+    <message>
+        <source>Even ratios in place of even steps</source>
+        <translation>Lika förhållanden i stället för lika steg</translation>
+    </message>
+    <message>
+        <source>Number of values</source>
+        <translation>Antal värden</translation>
+    </message>
+    <message>
+        <source> values</source>
+        <translation> värden</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>från</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>till</translation>
+    </message>
+    <message>
+        <source>%1, unit</source>
+        <translation>%1, enhet</translation>
+    </message>
+    <message>
+        <source>must differ from the other end</source>
+        <translation>måste skilja sig från den andra änden</translation>
+    </message>
+    <message>
+        <source>the range is upside down: the first end is the lower one</source>
+        <translation>området är upp och ner: den första änden är den undre</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Ta bort %1</translation>
+    </message>
+    <message>
+        <source>This one is known</source>
+        <translation>Denna är känd</translation>
+    </message>
+    <message>
+        <source>This one stays as it is</source>
+        <translation>Denna förblir som den är</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RangeRows</name>
+    <message>
+        <source>Add an uncertain parameter</source>
+        <translation>Lägg till en osäker parameter</translation>
+    </message>
+    <message>
+        <source>Add a chosen parameter</source>
+        <translation>Lägg till en vald parameter</translation>
+    </message>
+    <message>
+        <source>One more number that is not known</source>
+        <translation>Ett tal till som inte är känt</translation>
+    </message>
+    <message>
+        <source>One more number that can be chosen</source>
+        <translation>Ett tal till som kan väljas</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ReportWriter</name>
+    <message>
+        <source>&amp;Report…</source>
+        <translation>&amp;Rapport…</translation>
+    </message>
+    <message>
+        <source>A page to hand over, as HTML or PDF: inputs with their sources, results, verdict, plots and the scenario</source>
+        <translation>En sida att lämna över, som HTML eller PDF: indata med sina källor, resultat, omdöme, diagram och scenariot</translation>
+    </message>
+    <message>
+        <source>&amp;Print the report…</source>
+        <translation>Skriv &amp;ut rapporten…</translation>
+    </message>
+    <message>
+        <source>The report on paper: two to four pages of A4</source>
+        <translation>Rapporten på papper: två till fyra A4-sidor</translation>
+    </message>
+    <message>
+        <source>Write the report</source>
+        <translation>Skriv rapporten</translation>
+    </message>
+    <message>
+        <source>Web page (*.html);;PDF (*.pdf)</source>
+        <translation>Webbsida (*.html);;PDF (*.pdf)</translation>
+    </message>
+    <message>
+        <source>The report has not been written.</source>
+        <translation>Rapporten har inte skrivits.</translation>
+    </message>
+    <message>
+        <source>%1: a report is a file that ends in .html or .pdf; choose such a name</source>
+        <translation>%1: en rapport är en fil som slutar på .html eller .pdf; välj ett sådant namn</translation>
+    </message>
+    <message>
+        <source>The report has not been printed.</source>
+        <translation>Rapporten har inte skrivits ut.</translation>
+    </message>
+    <message>
+        <source>The blow could not be solved: %1</source>
+        <translation>Slaget kunde inte lösas: %1</translation>
+    </message>
+    <message>
+        <source>Written: %1</source>
+        <translation>Skriven: %1</translation>
+    </message>
+    <message>
+        <source>%1 takes no pages; look after the printer, or write the report as PDF</source>
+        <translation>%1 tar inte emot några sidor; se efter skrivaren, eller skriv rapporten som PDF</translation>
+    </message>
+    <message>
+        <source>Printed: %1</source>
+        <translation>Utskrivet: %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ResultPanel</name>
+    <message>
+        <source>Thrust</source>
+        <translation>Matningskraft</translation>
+    </message>
+    <message>
+        <source>Penetration</source>
+        <translation>Inträngning</translation>
+    </message>
+    <message>
+        <source>Rebound</source>
+        <translation>Studs</translation>
+    </message>
+    <message>
+        <source>Stress in the rod</source>
+        <translation>Spänning i stången</translation>
+    </message>
+    <message>
+        <source>Force and times</source>
+        <translation>Kraft och tider</translation>
+    </message>
+    <message>
+        <source>&amp;Copy results</source>
+        <translation>&amp;Kopiera resultaten</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energi</translation>
+    </message>
+    <message>
+        <source>Alerts</source>
+        <translation>Varningar</translation>
+    </message>
+    <message>
+        <source>what to do about the feed</source>
+        <translation>vad man bör göra åt matningen</translation>
+    </message>
+    <message>
+        <source>Events</source>
+        <translation>Händelser</translation>
+    </message>
+    <message>
+        <source>Stress in hammer and string</source>
+        <translation>Spänning i hammare och sträng</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RockPage</name>
+    <message>
+        <source>State of the rock at the time cursor, the larger point on the path</source>
+        <translation>Bergets tillstånd vid tidsmarkören, den större punkten på banan</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassa</translation>
+    </message>
+    <message>
+        <source>Bring the whole path into view (double-click in the plot)</source>
+        <translation>Visa hela banan (dubbelklick i diagrammet)</translation>
+    </message>
+    <message>
+        <source>Impact force against penetration</source>
+        <translation>Stötkraft över inträngning</translation>
+    </message>
+    <message>
+        <source>Nothing to show: the waves of this blow are more than can be kept.</source>
+        <translation>Inget att visa: detta slag har fler vågor än vad som kan sparas.</translation>
+    </message>
+    <message>
+        <source>Nothing to show: %1</source>
+        <translation>Inget att visa: %1</translation>
+    </message>
+    <message>
+        <source>No time chosen: click an event, or place the time cursor in Blow.</source>
+        <translation>Ingen tid vald: klicka på en händelse, eller sätt tidsmarkören på sidan Slag.</translation>
+    </message>
+    <message>
+        <source>t = %1 · U = %2 · F = %3</source>
+        <translation>t = %1 · U = %2 · F = %3</translation>
+    </message>
+    <message>
+        <source>Rock</source>
+        <translation>Berg</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RockPlot</name>
+    <message>
+        <source>no energy left in the rock</source>
+        <translation>ingen energi kvar i berget</translation>
+    </message>
+    <message>
+        <source>energy left in the rock: %1 (%2 of E₀)</source>
+        <translation>energi kvar i berget: %1 (%2 av E₀)</translation>
+    </message>
+    <message>
+        <source>energy left in the rock: %1 (%2 of W)</source>
+        <translation>energi kvar i berget: %1 (%2 av W)</translation>
+    </message>
+    <message>
+        <source>impact force F</source>
+        <translation>stötkraft F</translation>
+    </message>
+    <message>
+        <source>penetration U</source>
+        <translation>inträngning U</translation>
+    </message>
+    <message>
+        <source>enclosed area: %1</source>
+        <translation>innesluten yta: %1</translation>
+    </message>
+    <message>
+        <source>Fm = %1</source>
+        <translation>Fm = %1</translation>
+    </message>
+    <message>
+        <source>Um = %1</source>
+        <translation>Um = %1</translation>
+    </message>
+    <message>
+        <source>Ur = %1</source>
+        <translation>Ur = %1</translation>
+    </message>
+    <message>
+        <source>k = %1</source>
+        <translation>k = %1</translation>
+    </message>
+    <message>
+        <source>k/γ = %1</source>
+        <translation>k/γ = %1</translation>
+    </message>
+    <message>
+        <source>Impact force against penetration. Loading along the slope k = %1 up to the peak, Fm = %2 at the penetration Um = %3; unloading along k/γ = %4; the penetration Ur = %5 stays. The enclosed area: %6.</source>
+        <translation>Stötkraft över inträngning. Belastning längs lutningen k = %1 upp till toppen, Fm = %2 vid inträngningen Um = %3; avlastning längs k/γ = %4; inträngningen Ur = %5 blir kvar. Den inneslutna ytan: %6.</translation>
+    </message>
+    <message>
+        <source> Behind its corners it loads along %1.</source>
+        <translation> Bakom sina hörn belastas det längs %1.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RodPage</name>
+    <message>
+        <source>The dotted line: where in the rod one looks, 0 is the struck end, 1 the bit.
+A click in the plot moves it, and the time cursor to when the stress there is largest.</source>
+        <translation>Den prickade linjen: var i stången man tittar, 0 är slagänden, 1 borrkronan.
+Ett klick i diagrammet flyttar den, och tidsmarkören till när spänningen där är störst.</translation>
+    </message>
+    <message>
+        <source>Section x/L</source>
+        <translation>Läge x/L</translation>
+    </message>
+    <message>
+        <source>The largest stresses at the section, and when they occur</source>
+        <translation>De största spänningarna i tvärsnittet, och när de uppträder</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassa</translation>
+    </message>
+    <message>
+        <source>Bring the whole rod into view (double-click in the plot)</source>
+        <translation>Visa hela stången (dubbelklick i diagrammet)</translation>
+    </message>
+    <message>
+        <source>Largest stresses along the rod</source>
+        <translation>Största spänningar längs stången</translation>
+    </message>
+    <message>
+        <source>Nothing to show: so many waves that they are not kept.</source>
+        <translation>Inget att visa: så många vågor att de inte sparas.</translation>
+    </message>
+    <message>
+        <source>Nothing to show: %1</source>
+        <translation>Inget att visa: %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 vid %2</translation>
+    </message>
+    <message>
+        <source>At %1 in the blow: %2 and %3
+in section %4%5 of the string</source>
+        <translation>Vid %1 i slaget: %2 och %3
+i sektion %4%5 av strängen</translation>
+    </message>
+    <message>
+        <source>At %1 in the blow: %2 and %3
+of the waves left: %4 and %5</source>
+        <translation>Vid %1 i slaget: %2 och %3
+av de kvarvarande vågorna: %4 och %5</translation>
+    </message>
+    <message>
+        <source>Rod</source>
+        <translation>Stång</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RodPlot</name>
+    <message>
+        <source>largest compression in the blow</source>
+        <translation>största tryck i slaget</translation>
+    </message>
+    <message>
+        <source>largest tension in the blow</source>
+        <translation>största drag i slaget</translation>
+    </message>
+    <message>
+        <source>compression of the waves left</source>
+        <translation>tryck i de kvarvarande vågorna</translation>
+    </message>
+    <message>
+        <source>tension of the waves left</source>
+        <translation>drag i de kvarvarande vågorna</translation>
+    </message>
+    <message>
+        <source>position x from the shank, hammer below 0</source>
+        <translation>läge x från nacken, hammaren under 0</translation>
+    </message>
+    <message>
+        <source>position x from the struck end</source>
+        <translation>läge x från slagänden</translation>
+    </message>
+    <message>
+        <source>stress (tension positive)</source>
+        <translation>spänning (drag positivt)</translation>
+    </message>
+    <message>
+        <source>stress, as force in the rod (tension positive)</source>
+        <translation>spänning, som kraft i stången (drag positivt)</translation>
+    </message>
+    <message>
+        <source>force N (tension positive)</source>
+        <translation>kraft N (drag positivt)</translation>
+    </message>
+    <message>
+        <source>of uniform sections; threads and changes of diameter raise stresses locally</source>
+        <translation>för likformiga sektioner; gängor och diameterändringar höjer spänningarna lokalt</translation>
+    </message>
+    <message>
+        <source>so many waves that between the peaks a curve may be too low by %1</source>
+        <translation>så många vågor att en kurva mellan topparna kan vara %1 för låg</translation>
+    </message>
+    <message>
+        <source>of the uniform rod; couplings and threads raise stresses locally, nothing damps the waves left</source>
+        <translation>för den likformiga stången; skarvhylsor och gängor höjer spänningarna lokalt, inget dämpar de kvarvarande vågorna</translation>
+    </message>
+    <message>
+        <source>%1 up to %2 at %3, %4</source>
+        <translation>%1 upp till %2 vid %3, %4</translation>
+    </message>
+    <message>
+        <source>Largest stresses along the rod, tension positive: %1.</source>
+        <translation>Största spänningar längs stången, drag positivt: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RodProfile</name>
+    <message>
+        <source>Force along the rod at the time cursor, of this blow and of pinned runs</source>
+        <translation>Kraft längs stången vid tidsmarkören, för detta slag och för fästa körningar</translation>
+    </message>
+    <message>
+        <source>Velocity along the rod at the time cursor, of this blow and of pinned runs</source>
+        <translation>Hastighet längs stången vid tidsmarkören, för detta slag och för fästa körningar</translation>
+    </message>
+    <message>
+        <source>this blow</source>
+        <translation>detta slag</translation>
+    </message>
+    <message>
+        <source>x = %1 · t = %2</source>
+        <translation>x = %1 · t = %2</translation>
+    </message>
+    <message>
+        <source>now</source>
+        <translation>nu</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RodStrip</name>
+    <message>
+        <source>The rod at the time cursor, coloured by its stress</source>
+        <translation>Stången vid tidsmarkören, färgad efter sin spänning</translation>
+    </message>
+    <message>
+        <source>The rod at the time cursor, coloured by its velocity</source>
+        <translation>Stången vid tidsmarkören, färgad efter sin hastighet</translation>
+    </message>
+    <message>
+        <source>The rod at the time cursor: hammer, rod, bit and rock. Blue is compressed, orange is in tension.</source>
+        <translation>Stången vid tidsmarkören: hammare, stång, borrkrona och berg. Blått är tryckt, orange är draget.</translation>
+    </message>
+    <message>
+        <source>The rod at the time cursor: hammer, rod, bit and rock. Orange moves towards the rock, blue away from it; as on the colour bar above.</source>
+        <translation>Stången vid tidsmarkören: hammare, stång, borrkrona och berg. Orange rör sig mot berget, blått bort från det; som på färgskalan ovanför.</translation>
+    </message>
+    <message>
+        <source>t = %1 · later than the blow was followed, which is to %2</source>
+        <translation>t = %1 · senare än slaget följdes, vilket är till %2</translation>
+    </message>
+    <message>
+        <source>contact, penetration %1, impact force %2</source>
+        <translation>kontakt, inträngning %1, stötkraft %2</translation>
+    </message>
+    <message>
+        <source>apart, gap %1</source>
+        <translation>isär, spalt %1</translation>
+    </message>
+    <message>
+        <source>bit at the rock, no force</source>
+        <translation>borrkronan mot berget, ingen kraft</translation>
+    </message>
+    <message>
+        <source> · hammer pushes</source>
+        <translation> · hammaren trycker</translation>
+    </message>
+    <message>
+        <source> · hammer apart</source>
+        <translation> · hammaren isär</translation>
+    </message>
+    <message>
+        <source>t = %1 · %2 · stress %3 … %4</source>
+        <translation>t = %1 · %2 · spänning %3 … %4</translation>
+    </message>
+    <message>
+        <source>t = %1 · %2 · velocity %3 … %4</source>
+        <translation>t = %1 · %2 · hastighet %3 … %4</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RunKeeper</name>
+    <message>
+        <source>A run is not what it was.</source>
+        <translation>En körning är inte vad den var.</translation>
+    </message>
+    <message>
+        <source>%1: there is no room for it among the runs on show; remove some and open the file again</source>
+        <translation>%1: det finns ingen plats för den bland de visade körningarna; ta bort några och öppna filen igen</translation>
+    </message>
+    <message>
+        <source>%1: its file would replace another one in %2; remove the run and open the file again</source>
+        <translation>%1: dess fil skulle ersätta en annan i %2; ta bort körningen och öppna filen igen</translation>
+    </message>
+    <message>
+        <source>Not all runs that are kept with this file can be shown.</source>
+        <translation>Inte alla körningar som sparats med denna fil kan visas.</translation>
+    </message>
+    <message>
+        <source>The runs are not kept beside the new file.</source>
+        <translation>Körningarna sparas inte bredvid den nya filen.</translation>
+    </message>
+    <message>
+        <source>The scenario has no file yet: save it first, the runs are kept beside it.</source>
+        <translation>Scenariot har ingen fil ännu: spara det först, körningarna sparas bredvid.</translation>
+    </message>
+    <message>
+        <source>The runs are not kept.</source>
+        <translation>Körningarna är inte sparade.</translation>
+    </message>
+    <message>
+        <source>The runs are not kept any more.</source>
+        <translation>Körningarna sparas inte längre.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::RunPanel</name>
+    <message>
+        <source>Runs</source>
+        <translation>Körningar</translation>
+    </message>
+    <message>
+        <source>F7 pins this result to compare with.</source>
+        <translation>F7 fäster detta resultat att jämföra med.</translation>
+    </message>
+    <message>
+        <source>Ticked runs are drawn over the plots. F2 renames, Del removes, the menu key or a right click has the rest</source>
+        <translation>Förbockade körningar ritas över diagrammen. F2 byter namn, Del tar bort, menytangenten eller ett högerklick har resten</translation>
+    </message>
+    <message>
+        <source>run</source>
+        <translation>körning</translation>
+    </message>
+    <message>
+        <source>Δ</source>
+        <translation>Δ</translation>
+    </message>
+    <message>
+        <source>How far e is off that of the reference</source>
+        <translation>Hur mycket e skiljer sig från referensens</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert to this run</source>
+        <translation>Åter&amp;gå till denna körning</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with this run</source>
+        <translation>&amp;Jämför med denna körning</translation>
+    </message>
+    <message>
+        <source>Compare with the &amp;present result</source>
+        <translation>Jämför med det aktuella &amp;resultatet</translation>
+    </message>
+    <message>
+        <source>Re&amp;name</source>
+        <translation>&amp;Byt namn</translation>
+    </message>
+    <message>
+        <source>&amp;Remove</source>
+        <translation>&amp;Ta bort</translation>
+    </message>
+    <message>
+        <source>● now</source>
+        <translation>● nu</translation>
+    </message>
+    <message>
+        <source>The present result</source>
+        <translation>Det aktuella resultatet</translation>
+    </message>
+    <message>
+        <source>ref.</source>
+        <translation>ref.</translation>
+    </message>
+    <message>
+        <source>Being solved</source>
+        <translation>Löses</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::Runs</name>
+    <message>
+        <source>This is the run %1 already.</source>
+        <translation>Detta är redan körningen %1.</translation>
+    </message>
+    <message>
+        <source>There are %1 runs, which is as many as can be told apart: remove one first.</source>
+        <translation>Det finns %1 körningar, så många som går att skilja åt: ta bort en först.</translation>
+    </message>
+    <message>
+        <source>%1 had e = %2 and has %3 now: the table of its hammer blow has been changed, or another version has solved it.</source>
+        <translation>%1 hade e = %2 och har nu %3: hammarslagets tabell har ändrats, eller en annan version har löst den.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ScanRects</name>
+    <message>
+        <source>blows from contact [%]</source>
+        <translation>slag från kontakt [%]</translation>
+    </message>
+    <message>
+        <source>blows from contact</source>
+        <translation>slag från kontakt</translation>
+    </message>
+    <message>
+        <source>constant force</source>
+        <translation>konstant kraft</translation>
+    </message>
+    <message>
+        <source>dashpot of half the impedance</source>
+        <translation>dämpare på halva impedansen</translation>
+    </message>
+    <message>
+        <source>penetration rate</source>
+        <translation>borrsjunkning</translation>
+    </message>
+    <message>
+        <source>begun bouncing</source>
+        <translation>började studsande</translation>
+    </message>
+    <message>
+        <source>%1 (of an earlier scenario: scan again)</source>
+        <translation>%1 (för ett tidigare scenario: svep igen)</translation>
+    </message>
+    <message>
+        <source>gap at the blow</source>
+        <translation>spalt vid slaget</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ScatterFields</name>
+    <message>
+        <source>gap</source>
+        <translation>spalt</translation>
+    </message>
+    <message>
+        <source>How the gap scatters</source>
+        <translation>Hur spalten sprider</translation>
+    </message>
+    <message>
+        <source>Nobody controls the gap at the rig: all gaps of a period alike, or a normal distribution cut off at no gap</source>
+        <translation>Ingen styr spalten på riggen: alla spalter i en period lika, eller en normalfördelning avskuren vid ingen spalt</translation>
+    </message>
+    <message>
+        <source>all alike</source>
+        <translation>alla lika</translation>
+    </message>
+    <message>
+        <source>mean ± deviation</source>
+        <translation>medel ± avvikelse</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>medel</translation>
+    </message>
+    <message>
+        <source>standard deviation of the gap</source>
+        <translation>spaltens standardavvikelse</translation>
+    </message>
+    <message>
+        <source>%1 of the gap</source>
+        <translation>%1 för spalten</translation>
+    </message>
+    <message>
+        <source>%1, unit</source>
+        <translation>%1, enhet</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ScenarioPanel</name>
+    <message>
+        <source>String</source>
+        <translation>Sträng</translation>
+    </message>
+    <message>
+        <source>Hammer</source>
+        <translation>Hammare</translation>
+    </message>
+    <message>
+        <source>Rod</source>
+        <translation>Stång</translation>
+    </message>
+    <message>
+        <source>Hammer blow</source>
+        <translation>Hammarslag</translation>
+    </message>
+    <message>
+        <source>Bit and rock</source>
+        <translation>Borrkrona och berg</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation>Borrning</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maskin</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Dimensionslösa tal</translation>
+    </message>
+    <message>
+        <source>Title of the scenario</source>
+        <translation>Scenariots titel</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>förval</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>inte angiven</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::SectionBox</name>
+    <message>
+        <source>open</source>
+        <translation>öppen</translation>
+    </message>
+    <message>
+        <source>folded</source>
+        <translation>hopfälld</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::SignalFields</name>
+    <message>
+        <source>place x</source>
+        <translation>läge x</translation>
+    </message>
+    <message>
+        <source>Of the gauge, from the struck end; below 0 in the hammer</source>
+        <translation>Givarens, från slagänden; under 0 i hammaren</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>inte angiven</translation>
+    </message>
+    <message>
+        <source>signal is</source>
+        <translation>signalen är</translation>
+    </message>
+    <message>
+        <source>What the numbers are</source>
+        <translation>Vad talen är</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>kraft</translation>
+    </message>
+    <message>
+        <source>strain</source>
+        <translation>töjning</translation>
+    </message>
+    <message>
+        <source>output of a bridge</source>
+        <translation>utsignal från en brygga</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>enhet</translation>
+    </message>
+    <message>
+        <source>In what the numbers are</source>
+        <translation>Vad talen är angivna i</translation>
+    </message>
+    <message>
+        <source>positive is</source>
+        <translation>positivt är</translation>
+    </message>
+    <message>
+        <source>What a number greater than 0 means. Here tension is positive in a rod, and pressing is in a blow and on the rock.</source>
+        <translation>Vad ett tal större än 0 betyder. Här är drag positivt i en stång, och tryckande i ett slag och på berget.</translation>
+    </message>
+    <message>
+        <source>tension</source>
+        <translation>drag</translation>
+    </message>
+    <message>
+        <source>compression</source>
+        <translation>tryck</translation>
+    </message>
+    <message>
+        <source>zero line</source>
+        <translation>nollinje</translation>
+    </message>
+    <message>
+        <source>What is taken off all samples</source>
+        <translation>Vad som dras från alla sampel</translation>
+    </message>
+    <message>
+        <source>as recorded</source>
+        <translation>som inspelat</translation>
+    </message>
+    <message>
+        <source>mean of the first</source>
+        <translation>medel av de första</translation>
+    </message>
+    <message>
+        <source>a value</source>
+        <translation>ett värde</translation>
+    </message>
+    <message>
+        <source>first</source>
+        <translation>de första</translation>
+    </message>
+    <message>
+        <source>How long nothing happens in the record</source>
+        <translation>Hur länge ingenting händer i inspelningen</translation>
+    </message>
+    <message>
+        <source>zero is at</source>
+        <translation>noll ligger vid</translation>
+    </message>
+    <message>
+        <source>In the unit of the column</source>
+        <translation>I kolumnens enhet</translation>
+    </message>
+    <message>
+        <source>from</source>
+        <translation>från</translation>
+    </message>
+    <message>
+        <source>Samples before this time of the file are left out</source>
+        <translation>Sampel före denna tid i filen utelämnas</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>till</translation>
+    </message>
+    <message>
+        <source>Samples after this time of the file are left out</source>
+        <translation>Sampel efter denna tid i filen utelämnas</translation>
+    </message>
+    <message>
+        <source>beginning</source>
+        <translation>början</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>slut</translation>
+    </message>
+    <message>
+        <source>Peak</source>
+        <translation>Topp</translation>
+    </message>
+    <message>
+        <source>From and to where the signal is 2 % of its peak, around it</source>
+        <translation>Från och till dit där signalen är 2 % av sin topp, kring den</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Vy</translation>
+    </message>
+    <message>
+        <source>From and to the ends of what the plot shows: zoom there first</source>
+        <translation>Från och till ändarna av det som diagrammet visar: zooma dit först</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Allt</translation>
+    </message>
+    <message>
+        <source>All of the record</source>
+        <translation>Hela inspelningen</translation>
+    </message>
+    <message>
+        <source>take from</source>
+        <translation>ta från</translation>
+    </message>
+    <message>
+        <source>clip what is negative</source>
+        <translation>klipp bort negativt</translation>
+    </message>
+    <message>
+        <source>Forces below zero become zero: a hammer only pushes, and noise does not</source>
+        <translation>Krafter under noll blir noll: en hammare bara trycker, och det gör inte brus</translation>
+    </message>
+    <message>
+        <source>scale</source>
+        <translation>skala</translation>
+    </message>
+    <message>
+        <source>Times what all forces are multiplied by</source>
+        <translation>Vad alla krafter multipliceras med</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>som det är</translation>
+    </message>
+    <message>
+        <source>by a factor</source>
+        <translation>med en faktor</translation>
+    </message>
+    <message>
+        <source>to an impulse</source>
+        <translation>till en impuls</translation>
+    </message>
+    <message>
+        <source>factor</source>
+        <translation>faktor</translation>
+    </message>
+    <message>
+        <source>All forces are multiplied by it</source>
+        <translation>Alla krafter multipliceras med den</translation>
+    </message>
+    <message>
+        <source>impulse</source>
+        <translation>impuls</translation>
+    </message>
+    <message>
+        <source>That the signal is to have</source>
+        <translation>Som signalen ska ha</translation>
+    </message>
+    <message>
+        <source>points at most</source>
+        <translation>punkter högst</translation>
+    </message>
+    <message>
+        <source>That are kept of the samples; how far the rest is from the lines between them is said below</source>
+        <translation>Som behålls av samplen; hur långt resten ligger från linjerna mellan dem står nedan</translation>
+    </message>
+    <message>
+        <source>choose</source>
+        <translation>välj</translation>
+    </message>
+    <message>
+        <source>The unit in the header is not known, or there is none: choose what the signal is, and its unit.</source>
+        <translation>Enheten i huvudet är inte känd, eller det finns ingen: välj vad signalen är, och dess enhet.</translation>
+    </message>
+    <message>
+        <source>place x: not given: a wave passes every section at another time; type how far the gauge is from the struck end</source>
+        <translation>läge x: inte angivet: en våg passerar varje tvärsnitt vid en annan tid; skriv hur långt givaren sitter från slagänden</translation>
+    </message>
+    <message>
+        <source>place x: must not be less than 0, the struck end</source>
+        <translation>läge x: får inte vara mindre än 0, slagänden</translation>
+    </message>
+    <message>
+        <source>place x: must be at least %1, the rear of the hammer</source>
+        <translation>läge x: måste vara minst %1, hammarens bakände</translation>
+    </message>
+    <message>
+        <source>place x: must be at most %1, the length of the string</source>
+        <translation>läge x: får vara högst %1, strängens längd</translation>
+    </message>
+    <message>
+        <source>place x: must be at most %1, the length of the rod</source>
+        <translation>läge x: får vara högst %1, stångens längd</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::SolveStatus</name>
+    <message>
+        <source>%1 was not written: %2</source>
+        <translation>%1 skrevs inte: %2</translation>
+    </message>
+    <message>
+        <source>solving was cancelled.</source>
+        <translation>lösningen avbröts.</translation>
+    </message>
+    <message>
+        <source>stopped · what is shown is not of the present input</source>
+        <translation>stoppad · det som visas hör inte till aktuella indata</translation>
+    </message>
+    <message>
+        <source>solving … %1 waits for the result</source>
+        <translation>löser … %1 väntar på resultatet</translation>
+    </message>
+    <message>
+        <source>solving …</source>
+        <translation>löser …</translation>
+    </message>
+    <message>
+        <source>Solve</source>
+        <translation>Lös</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Solve the present input</source>
+        <translation>Lös aktuella indata</translation>
+    </message>
+    <message>
+        <source>Stop solving; the old result stays, marked as such</source>
+        <translation>Sluta lösa; det gamla resultatet är kvar, märkt som sådant</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StaleVeil</name>
+    <message>
+        <source>not of the present input</source>
+        <translation>inte för aktuella indata</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringCellEditor</name>
+    <message>
+        <source>not given</source>
+        <translation>inte angiven</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringDrawing</name>
+    <message>
+        <source>Drawing of hammer and string</source>
+        <translation>Ritning av hammare och sträng</translation>
+    </message>
+    <message>
+        <source>impedance Z %1 kN s/m</source>
+        <translation>impedans Z %1 kN s/m</translation>
+    </message>
+    <message>
+        <source>largest tension %1</source>
+        <translation>största drag %1</translation>
+    </message>
+    <message>
+        <source>largest compression %1</source>
+        <translation>största tryck %1</translation>
+    </message>
+    <message>
+        <source>after the blow, tension %1</source>
+        <translation>efter slaget, drag %1</translation>
+    </message>
+    <message>
+        <source>after the blow, compression %1</source>
+        <translation>efter slaget, tryck %1</translation>
+    </message>
+    <message>
+        <source>hammer</source>
+        <translation>hammare</translation>
+    </message>
+    <message>
+        <source>rock</source>
+        <translation>berg</translation>
+    </message>
+    <message>
+        <source>string</source>
+        <translation>sträng</translation>
+    </message>
+    <message>
+        <source>Lengths to scale, diameters × %1</source>
+        <translation>Längder i skala, diametrar × %1</translation>
+    </message>
+    <message>
+        <source>; upper half tension, lower half compression</source>
+        <translation>; övre halvan drag, nedre halvan tryck</translation>
+    </message>
+    <message>
+        <source>compression %1</source>
+        <translation>tryck %1</translation>
+    </message>
+    <message>
+        <source>tension %1</source>
+        <translation>drag %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringEdits</name>
+    <message>
+        <source>section</source>
+        <translation>sektion</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Lägg till</translation>
+    </message>
+    <message>
+        <source>Put a section behind the selected one: like it, a preset, or one of the example strings; adapters go to the shank, bits to the rock</source>
+        <translation>Sätt en sektion bakom den valda: lik den, ett förval, eller ur en av exempelsträngarna; nackadaptrar hamnar först, borrkronor vid berget</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Dubblera</translation>
+    </message>
+    <message>
+        <source>Put the selected section there once more, with its name</source>
+        <translation>Sätt den valda sektionen dit en gång till, med sitt namn</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Ta bort</translation>
+    </message>
+    <message>
+        <source>Take the selected sections away</source>
+        <translation>Ta bort de valda sektionerna</translation>
+    </message>
+    <message>
+        <source>Towards the hammer</source>
+        <translation>Mot hammaren</translation>
+    </message>
+    <message>
+        <source>Move the selected section one step towards the rear, into or out of a repeat</source>
+        <translation>Flytta den valda sektionen ett steg bakåt, in i eller ut ur en upprepning</translation>
+    </message>
+    <message>
+        <source>Towards the bit</source>
+        <translation>Mot borrkronan</translation>
+    </message>
+    <message>
+        <source>Move the selected section one step towards the bit, into or out of a repeat</source>
+        <translation>Flytta den valda sektionen ett steg mot borrkronan, in i eller ut ur en upprepning</translation>
+    </message>
+    <message>
+        <source>Repeat…</source>
+        <translation>Upprepa…</translation>
+    </message>
+    <message>
+        <source>Let the selected sections follow one another several times; in a repeat, type how often</source>
+        <translation>Låt de valda sektionerna följa på varandra flera gånger; skriv hur ofta i en upprepning</translation>
+    </message>
+    <message>
+        <source>Like the selected one</source>
+        <translation>Lik den valda</translation>
+    </message>
+    <message>
+        <source>Presets</source>
+        <translation>Förval</translation>
+    </message>
+    <message>
+        <source>Rods</source>
+        <translation>Stänger</translation>
+    </message>
+    <message>
+        <source>Hammer, in place of this one</source>
+        <translation>Hammare, i stället för denna</translation>
+    </message>
+    <message>
+        <source>Adapters</source>
+        <translation>Nackadaptrar</translation>
+    </message>
+    <message>
+        <source>Couplings</source>
+        <translation>Skarvhylsor</translation>
+    </message>
+    <message>
+        <source>Bits</source>
+        <translation>Borrkronor</translation>
+    </message>
+    <message>
+        <source>From the example strings</source>
+        <translation>Ur exempelsträngarna</translation>
+    </message>
+    <message>
+        <source>%1 sections</source>
+        <translation>%1 sektioner</translation>
+    </message>
+    <message>
+        <source>a section</source>
+        <translation>en sektion</translation>
+    </message>
+    <message>
+        <source>add %1</source>
+        <translation>lägg till %1</translation>
+    </message>
+    <message>
+        <source>take the hammer %1</source>
+        <translation>ta hammaren %1</translation>
+    </message>
+    <message>
+        <source>duplicate %1</source>
+        <translation>dubblera %1</translation>
+    </message>
+    <message>
+        <source>A hammer has at least one section.</source>
+        <translation>En hammare har minst en sektion.</translation>
+    </message>
+    <message>
+        <source>A string has at least one section.</source>
+        <translation>En sträng har minst en sektion.</translation>
+    </message>
+    <message>
+        <source>remove %1</source>
+        <translation>ta bort %1</translation>
+    </message>
+    <message>
+        <source>remove %1 sections</source>
+        <translation>ta bort %1 sektioner</translation>
+    </message>
+    <message>
+        <source>move %1 towards the hammer</source>
+        <translation>flytta %1 mot hammaren</translation>
+    </message>
+    <message>
+        <source>move %1 towards the bit</source>
+        <translation>flytta %1 mot borrkronan</translation>
+    </message>
+    <message>
+        <source>Sections of the hammer stay in the hammer, those of the string behind it.</source>
+        <translation>Hammarens sektioner stannar i hammaren, strängens bakom den.</translation>
+    </message>
+    <message>
+        <source>move %1</source>
+        <translation>flytta %1</translation>
+    </message>
+    <message>
+        <source>repeat %1</source>
+        <translation>upprepa %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringModel</name>
+    <message>
+        <source>mass
+behind</source>
+        <translation>massa
+bakom</translation>
+    </message>
+    <message>
+        <source>attenu-
+ation</source>
+        <translation>av-
+klingning</translation>
+    </message>
+    <message>
+        <source>%1 at %2 from its rear end, %3</source>
+        <translation>%1 vid %2 från dess bakände, %3</translation>
+    </message>
+    <message>
+        <source>These sections come %1 times, one after another. Type another number; 1 takes the repeat away.</source>
+        <translation>Dessa sektioner kommer %1 gånger efter varandra. Skriv ett annat tal; 1 tar bort upprepningen.</translation>
+    </message>
+    <message>
+        <source>Name of the section; parameters go by it, too</source>
+        <translation>Sektionens namn; även parametrar går efter det</translation>
+    </message>
+    <message>
+        <source>Share of the energy of the hammer that the joint behind %1 throws back of what comes from the hammer</source>
+        <translation>Den andel av hammarens energi som skarven bakom %1 kastar tillbaka av det som kommer från hammaren</translation>
+    </message>
+    <message>
+        <source>
+of the waves that the blow leaves: %1</source>
+        <translation>
+av de vågor som slaget lämnar: %1</translation>
+    </message>
+    <message>
+        <source>The hammer loses nothing inside</source>
+        <translation>Hammaren förlorar inget inuti</translation>
+    </message>
+    <message>
+        <source>The section is given by its cross-section, not by diameters</source>
+        <translation>Sektionen är given av sin tvärsnittsarea, inte av diametrar</translation>
+    </message>
+    <message>
+        <source>H%1</source>
+        <translation>H%1</translation>
+    </message>
+    <message>
+        <source>Largest compression of the section while the blow lasts</source>
+        <translation>Största tryck i sektionen medan slaget varar</translation>
+    </message>
+    <message>
+        <source>Largest tension of the section while the blow lasts</source>
+        <translation>Största drag i sektionen medan slaget varar</translation>
+    </message>
+    <message>
+        <source>Share of the energy of the hammer that the joint behind the section throws back of what comes from the hammer; of a repeat, by the joint that throws back most</source>
+        <translation>Den andel av hammarens energi som skarven bakom sektionen kastar tillbaka av det som kommer från hammaren; i en upprepning av den skarv som kastar tillbaka mest</translation>
+    </message>
+    <message>
+        <source>repeat</source>
+        <translation>gånger</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>namn</translation>
+    </message>
+    <message>
+        <source>compres-
+sion</source>
+        <translation>tryck-
+spänning</translation>
+    </message>
+    <message>
+        <source>tension</source>
+        <translation>drag</translation>
+    </message>
+    <message>
+        <source>joint
+reflects</source>
+        <translation>skarv-
+reflex</translation>
+    </message>
+    <message>
+        <source>The name %1</source>
+        <translation>Namnet %1</translation>
+    </message>
+    <message>
+        <source>call %1 “%2”</source>
+        <translation>kalla %1 ”%2”</translation>
+    </message>
+    <message>
+        <source>A repeat is a whole number from 1 to %1</source>
+        <translation>En upprepning är ett heltal från 1 till %1</translation>
+    </message>
+    <message>
+        <source>take the repeat of %1 away</source>
+        <translation>ta bort upprepningen av %1</translation>
+    </message>
+    <message>
+        <source>repeat %1 %2 times</source>
+        <translation>upprepa %1 %2 gånger</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringPage</name>
+    <message>
+        <source>Of uniform sections: threads and shoulders raise stresses locally</source>
+        <translation>För likformiga sektioner: gängor och ansatser höjer spänningarna lokalt</translation>
+    </message>
+    <message>
+        <source>Sections of hammer and string</source>
+        <translation>Hammarens och strängens sektioner</translation>
+    </message>
+    <message>
+        <source>All columns</source>
+        <translation>Alla kolumner</translation>
+    </message>
+    <message>
+        <source>Also cross-section, Young&apos;s modulus, density and strengths where no section has them of its own</source>
+        <translation>Även tvärsnittsarea, E-modul, densitet och hållfastheter där ingen sektion har egna</translation>
+    </message>
+    <message>
+        <source>Not solved: %1</source>
+        <translation>Inte löst: %1</translation>
+    </message>
+    <message>
+        <source>in %1, %2</source>
+        <translation>i %1, %2</translation>
+    </message>
+    <message>
+        <source>Largest tension %1; largest compression %2.</source>
+        <translation>Största drag %1; största tryck %2.</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>plats</translation>
+    </message>
+    <message>
+        <source>&amp;Table of the sections…</source>
+        <translation>&amp;Tabell över sektionerna…</translation>
+    </message>
+    <message>
+        <source>Every section with its sizes and largest stresses, as CSV</source>
+        <translation>Varje sektion med sina mått och största spänningar, som CSV</translation>
+    </message>
+    <message>
+        <source>String</source>
+        <translation>Sträng</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringRod</name>
+    <message>
+        <source>hammer section %1</source>
+        <translation>hammarsektion %1</translation>
+    </message>
+    <message>
+        <source>section %1</source>
+        <translation>sektion %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringSection</name>
+    <message>
+        <source>Closed forms and groups are of uniform rods, and not here</source>
+        <translation>Slutna former och dimensionslösa tal gäller likformiga stänger, och finns inte här</translation>
+    </message>
+    <message>
+        <source>Sections…</source>
+        <translation>Sektioner…</translation>
+    </message>
+    <message>
+        <source>The page String: a drawing, and all sections in a table to edit</source>
+        <translation>Sidan Sträng: en ritning, och alla sektioner i en tabell att redigera</translation>
+    </message>
+    <message>
+        <source>may strike again</source>
+        <translation>får slå igen</translation>
+    </message>
+    <message>
+        <source>Hammer: may strike again</source>
+        <translation>Hammare: får slå igen</translation>
+    </message>
+    <message>
+        <source>The hammer stays where the string may meet it again; without it, it is withdrawn once they have parted</source>
+        <translation>Hammaren stannar där strängen kan möta den igen; annars dras den tillbaka när de har skilts åt</translation>
+    </message>
+    <message>
+        <source>let the hammer strike again</source>
+        <translation>låt hammaren slå igen</translation>
+    </message>
+    <message>
+        <source>withdraw the hammer</source>
+        <translation>dra tillbaka hammaren</translation>
+    </message>
+    <message>
+        <source>%1 of %2, %3</source>
+        <translation>%1 på %2, %3</translation>
+    </message>
+    <message>
+        <source>1 section</source>
+        <translation>1 sektion</translation>
+    </message>
+    <message>
+        <source>%1 sections</source>
+        <translation>%1 sektioner</translation>
+    </message>
+    <message>
+        <source>; hammer %1, %2</source>
+        <translation>; hammare %1, %2</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StringSketch</name>
+    <message>
+        <source>position x from the shank, hammer below 0</source>
+        <translation>läge x från nacken, hammaren under 0</translation>
+    </message>
+    <message>
+        <source>diameter</source>
+        <translation>diameter</translation>
+    </message>
+    <message>
+        <source>h%1</source>
+        <translation>h%1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StudyMenu</name>
+    <message>
+        <source>&amp;Study</source>
+        <translation>&amp;Studie</translation>
+    </message>
+    <message>
+        <source>&amp;Copy as command line</source>
+        <translation>&amp;Kopiera som kommandorad</translation>
+    </message>
+    <message>
+        <source>C&amp;ancel</source>
+        <translation>&amp;Avbryt</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StudyPage</name>
+    <message>
+        <source>Copy as command line</source>
+        <translation>Kopiera som kommandorad</translation>
+    </message>
+    <message>
+        <source>The command that writes the same numbers as CSV, for a terminal</source>
+        <translation>Kommandot som skriver samma tal som CSV, för en terminal</translation>
+    </message>
+    <message>
+        <source>&amp;Data of this study…</source>
+        <translation>&amp;Data i denna studie…</translation>
+    </message>
+    <message>
+        <source>The numbers of the study, as CSV</source>
+        <translation>Studiens tal, som CSV</translation>
+    </message>
+    <message>
+        <source>The study was stopped before its end.</source>
+        <translation>Studien stoppades före slutet.</translation>
+    </message>
+    <message>
+        <source>The study is not finished yet.</source>
+        <translation>Studien är inte färdig än.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::StudyStatus</name>
+    <message>
+        <source>%1 s left</source>
+        <translation>%1 s kvar</translation>
+    </message>
+    <message>
+        <source>%1 min left</source>
+        <translation>%1 min kvar</translation>
+    </message>
+    <message>
+        <source>%1/s</source>
+        <translation>%1/s</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Avbryt</translation>
+    </message>
+    <message>
+        <source>Progress of the study</source>
+        <translation>Studiens framsteg</translation>
+    </message>
+    <message>
+        <source>Stop the study; the points it has found stay</source>
+        <translation>Stoppa studien; punkter som den har funnit är kvar</translation>
+    </message>
+    <message>
+        <source>Cancel the study</source>
+        <translation>Avbryt studien</translation>
+    </message>
+    <message>
+        <source>%1 stopped</source>
+        <translation>%1 stoppad</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>stoppad</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::TabStrip</name>
+    <message>
+        <source>Pages</source>
+        <translation>Sidor</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::TableFields</name>
+    <message>
+        <source>column %1</source>
+        <translation>kolumn %1</translation>
+    </message>
+    <message>
+        <source>separator</source>
+        <translation>skiljetecken</translation>
+    </message>
+    <message>
+        <source>What stands between the cells</source>
+        <translation>Vad som står mellan cellerna</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>tabb</translation>
+    </message>
+    <message>
+        <source>semicolon ;</source>
+        <translation>semikolon ;</translation>
+    </message>
+    <message>
+        <source>comma ,</source>
+        <translation>komma ,</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>blanksteg</translation>
+    </message>
+    <message>
+        <source>decimal sign</source>
+        <translation>decimaltecken</translation>
+    </message>
+    <message>
+        <source>What stands before the decimals of a number</source>
+        <translation>Vad som står före ett tals decimaler</translation>
+    </message>
+    <message>
+        <source>point 1.5</source>
+        <translation>punkt 1.5</translation>
+    </message>
+    <message>
+        <source>comma 1,5</source>
+        <translation>komma 1,5</translation>
+    </message>
+    <message>
+        <source>samples from line</source>
+        <translation>sampel från rad</translation>
+    </message>
+    <message>
+        <source>The first line of the file that is a sample</source>
+        <translation>Filens första rad som är ett sampel</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tid</translation>
+    </message>
+    <message>
+        <source>The column of times, or none</source>
+        <translation>Kolumnen med tider, eller ingen</translation>
+    </message>
+    <message>
+        <source>unit of time</source>
+        <translation>tidens enhet</translation>
+    </message>
+    <message>
+        <source>In what the times are</source>
+        <translation>Vad tiderna är angivna i</translation>
+    </message>
+    <message>
+        <source>sampling rate</source>
+        <translation>samplingsfrekvens</translation>
+    </message>
+    <message>
+        <source>Samples in a second</source>
+        <translation>Sampel per sekund</translation>
+    </message>
+    <message>
+        <source>signal</source>
+        <translation>signal</translation>
+    </message>
+    <message>
+        <source>The column of the signal</source>
+        <translation>Kolumnen med signalen</translation>
+    </message>
+    <message>
+        <source>mean with</source>
+        <translation>medel med</translation>
+    </message>
+    <message>
+        <source>A second gauge on the other side of the bar: the mean is free of bending</source>
+        <translation>En andra givare på stångens andra sida: medelvärdet är fritt från böjning</translation>
+    </message>
+    <message>
+        <source>rows without number</source>
+        <translation>rader utan tal</translation>
+    </message>
+    <message>
+        <source>Empty cells, NaN, words: whether they stop the import or are left out</source>
+        <translation>Tomma celler, NaN, ord: om de stoppar importen eller utelämnas</translation>
+    </message>
+    <message>
+        <source>refuse</source>
+        <translation>vägra</translation>
+    </message>
+    <message>
+        <source>skip and count</source>
+        <translation>hoppa över, räkna</translation>
+    </message>
+    <message>
+        <source>no other gauge</source>
+        <translation>ingen annan givare</translation>
+    </message>
+    <message>
+        <source>evenly spaced</source>
+        <translation>jämnt fördelat</translation>
+    </message>
+    <message>
+        <source>choose</source>
+        <translation>välj</translation>
+    </message>
+    <message>
+        <source>The file is empty, or no text.</source>
+        <translation>Filen är tom, eller ingen text.</translation>
+    </message>
+    <message>
+        <source>No line of numbers is found in the first %1 lines with this separator and decimal sign: choose others, or the line where the samples begin; a longer header is to be cut off the file.</source>
+        <translation>Ingen rad med tal hittas i de första %1 raderna med detta skiljetecken och decimaltecken: välj andra, eller raden där samplen börjar; ett längre huvud får klippas bort ur filen.</translation>
+    </message>
+    <message>
+        <source>Time and signal are the same column: choose another one, or a sampling rate.</source>
+        <translation>Tid och signal är samma kolumn: välj en annan, eller en samplingsfrekvens.</translation>
+    </message>
+    <message>
+        <source>The second gauge is a column that is used already: choose another one.</source>
+        <translation>Den andra givaren är en kolumn som redan används: välj en annan.</translation>
+    </message>
+    <message>
+        <source>unit of time: the table does not say it: choose one.</source>
+        <translation>tidens enhet: tabellen anger den inte: välj en.</translation>
+    </message>
+    <message>
+        <source>unit of time: %1 is not known: choose one.</source>
+        <translation>tidens enhet: %1 är inte känd: välj en.</translation>
+    </message>
+    <message>
+        <source>sampling rate: %1</source>
+        <translation>samplingsfrekvens: %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::TableNotice</name>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>&amp;Läs om</translation>
+    </message>
+    <message>
+        <source>Read the hammer blow from the file again; Undo brings the present one back</source>
+        <translation>Läs hammarslaget från filen igen; Ångra tar tillbaka det aktuella</translation>
+    </message>
+    <message>
+        <source>&amp;Keep mine</source>
+        <translation>&amp;Behåll mitt</translation>
+    </message>
+    <message>
+        <source>Go on with the points that were read before</source>
+        <translation>Fortsätt med de punkter som lästes tidigare</translation>
+    </message>
+    <message>
+        <source>%1, the hammer blow of this scenario, has been changed by another program.</source>
+        <translation>%1, hammarslaget i detta scenario, har ändrats av ett annat program.</translation>
+    </message>
+    <message>
+        <source>%1, the hammer blow of this scenario, has been deleted or moved. Its points are still here, but the scenario cannot be opened without the file.</source>
+        <translation>%1, hammarslaget i detta scenario, har tagits bort eller flyttats. Dess punkter finns kvar här, men scenariot kan inte öppnas utan filen.</translation>
+    </message>
+    <message>
+        <source>The hammer blow cannot be read again.</source>
+        <translation>Hammarslaget kan inte läsas igen.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ThrustPage</name>
+    <message>
+        <source>over</source>
+        <translation>över</translation>
+    </message>
+    <message>
+        <source>Needs of the thrust</source>
+        <translation>Behov av matningskraft</translation>
+    </message>
+    <message>
+        <source>Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: without a blow frequency and forces no feed can be judged. File ▸ New begins a scenario that has them.</source>
+        <translation>Matningskraft gäller scenarier i fysikaliska enheter, och detta är givet av sina dimensionslösa tal: utan slagfrekvens och krafter kan ingen matning bedömas. Arkiv ▸ Ny börjar ett scenario som har dem.</translation>
+    </message>
+    <message>
+        <source>Thrust</source>
+        <translation>Matningskraft</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ThrustPlot</name>
+    <message>
+        <source>effective force, with weight along the hole</source>
+        <translation>verksam kraft, med vikten längs hålet</translation>
+    </message>
+    <message>
+        <source>installed thrust</source>
+        <translation>installerad matningskraft</translation>
+    </message>
+    <message>
+        <source>thrust</source>
+        <translation>matningskraft</translation>
+    </message>
+    <message>
+        <source>Needs of the thrust over %1, for %2, each from full penetration to the bit back before the next blow; behind them what the feed does by the rebound of this blow.</source>
+        <translation>Behov av matningskraft över %1, för %2, vart och ett från full inträngning till borrkronan tillbaka före nästa slag; bakom dem vad matningen gör vid detta slags studs.</translation>
+    </message>
+    <message>
+        <source>; </source>
+        <translation>; </translation>
+    </message>
+    <message>
+        <source>each need from full penetration to the bit back before the next blow undamped</source>
+        <translation>varje behov: full inträngning till kronan odämpat tillbaka före nästa slag</translation>
+    </message>
+    <message>
+        <source>effective</source>
+        <translation>verksam</translation>
+    </message>
+    <message>
+        <source>installed</source>
+        <translation>installerad</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ThrustTable</name>
+    <message>
+        <source>95 % of gaps</source>
+        <translation>95 % av spalterna</translation>
+    </message>
+    <message>
+        <source>worst gap</source>
+        <translation>sämsta spalt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>not steady</source>
+        <translation>inte stabil</translation>
+    </message>
+    <message>
+        <source>Needs of the thrust</source>
+        <translation>Behov av matningskraft</translation>
+    </message>
+    <message>
+        <source>need</source>
+        <translation>behov</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>marginal</translation>
+    </message>
+    <message>
+        <source>enough up to</source>
+        <translation>tillräckligt upp till</translation>
+    </message>
+    <message>
+        <source>gap at the blow</source>
+        <translation>spalt vid slaget</translation>
+    </message>
+    <message>
+        <source>feed</source>
+        <translation>matning</translation>
+    </message>
+    <message>
+        <source>From the thrust for full penetration to that which brings a bit that was at rest back before the next blow even if nothing damps</source>
+        <translation>Från matningskraften för full inträngning till den som även helt utan dämpning hinner föra tillbaka en vilande borrkrona före nästa slag</translation>
+    </message>
+    <message>
+        <source>Effective force over what full penetration needs, less 1</source>
+        <translation>Verksam kraft genom vad full inträngning behöver, minus 1</translation>
+    </message>
+    <message>
+        <source>Blow frequency at which the effective force is just what full penetration needs</source>
+        <translation>Slagfrekvens vid vilken den verksamma kraften är just vad full inträngning behöver</translation>
+    </message>
+    <message>
+        <source>How far the bit is off the rock when the hammer strikes, if nothing damps the rebound; with a damper `drillwave drill` follows it</source>
+        <translation>Hur långt borrkronan är från berget när hammaren slår, om inget dämpar studsen; med en dämpare följer `drillwave drill` det</translation>
+    </message>
+    <message>
+        <source>What the effective force does between blows with this e</source>
+        <translation>Vad den verksamma kraften gör mellan slag med detta e</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::UnitsChoice</name>
+    <message>
+        <source>dimensionless</source>
+        <translation>dimensionslös</translation>
+    </message>
+    <message>
+        <source>US</source>
+        <translation>US</translation>
+    </message>
+    <message>
+        <source>SI</source>
+        <translation>SI</translation>
+    </message>
+    <message>
+        <source>&amp;Units</source>
+        <translation>&amp;Enheter</translation>
+    </message>
+    <message>
+        <source>&amp;SI</source>
+        <translation>&amp;SI</translation>
+    </message>
+    <message>
+        <source>&amp;US customary</source>
+        <translation>&amp;US-enheter</translation>
+    </message>
+    <message>
+        <source>&amp;Dimensionless</source>
+        <translation>&amp;Dimensionslös</translation>
+    </message>
+    <message>
+        <source>Units of fields, results and plots</source>
+        <translation>Enheter för fält, resultat och diagram</translation>
+    </message>
+    <message>
+        <source>as in the system chosen</source>
+        <translation>som i det valda systemet</translation>
+    </message>
+    <message>
+        <source>This scenario is dimensionless: it has no physical values.</source>
+        <translation>Detta scenario är dimensionslöst: det har inga fysikaliska värden.</translation>
+    </message>
+    <message>
+        <source>Units: %1</source>
+        <translation>Enheter: %1</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::ViewMenu</name>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Visa</translation>
+    </message>
+    <message>
+        <source>&amp;Fit plots</source>
+        <translation>&amp;Anpassa diagrammen</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::WavePicturePage</name>
+    <message>
+        <source>Fronts</source>
+        <translation>Fronter</translation>
+    </message>
+    <message>
+        <source>The dashed line: where in the rod the waves of the page Blow are observed; 0 is the struck end, 1 the bit.</source>
+        <translation>Den streckade linjen: var i stången vågorna på sidan Slag betraktas; 0 är slagänden, 1 borrkronan.</translation>
+    </message>
+    <message>
+        <source>Waves in the rod over position and time</source>
+        <translation>Vågor i stången över läge och tid</translation>
+    </message>
+    <message>
+        <source>Force N</source>
+        <translation>Kraft N</translation>
+    </message>
+    <message>
+        <source>Particle velocity v</source>
+        <translation>Partikelhastighet v</translation>
+    </message>
+    <message>
+        <source>What the colours show</source>
+        <translation>Vad färgerna visar</translation>
+    </message>
+    <message>
+        <source>Normal force (tension positive) or particle velocity (towards the rock positive)</source>
+        <translation>Normalkraft (drag positivt) eller partikelhastighet (mot berget positivt)</translation>
+    </message>
+    <message>
+        <source>Lines where the hammer force begins (solid), jumps or ends (dashed), running with the wave speed</source>
+        <translation>Linjer där hammarkraften börjar (heldragna), hoppar eller slutar (streckade), som löper med våghastigheten</translation>
+    </message>
+    <message>
+        <source>Section x/L</source>
+        <translation>Läge x/L</translation>
+    </message>
+    <message>
+        <source>Value at the pointer</source>
+        <translation>Värde vid pekaren</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Anpassa</translation>
+    </message>
+    <message>
+        <source>Bring the whole blow into view (double-click in the picture)</source>
+        <translation>Visa hela slaget (dubbelklick i bilden)</translation>
+    </message>
+    <message>
+        <source>Nothing to show: %1</source>
+        <translation>Inget att visa: %1</translation>
+    </message>
+    <message>
+        <source>Nothing to show: so many waves that they are not kept.</source>
+        <translation>Inget att visa: så många vågor att de inte sparas.</translation>
+    </message>
+    <message>
+        <source>Wave picture</source>
+        <translation>Vågbild</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::WavePicturePlot</name>
+    <message>
+        <source>force N (tension positive)</source>
+        <translation>kraft N (drag positivt)</translation>
+    </message>
+    <message>
+        <source>particle velocity v (towards the rock positive)</source>
+        <translation>partikelhastighet v (mot berget positivt)</translation>
+    </message>
+    <message>
+        <source>position x from the shank, hammer below 0</source>
+        <translation>läge x från nacken, hammaren under 0</translation>
+    </message>
+    <message>
+        <source>position x from the struck end</source>
+        <translation>läge x från slagänden</translation>
+    </message>
+    <message>
+        <source>time t</source>
+        <translation>tid t</translation>
+    </message>
+    <message>
+        <source>x = %1 · t = %2 · %3 = %4</source>
+        <translation>x = %1 · t = %2 · %3 = %4</translation>
+    </message>
+    <message>
+        <source>%1 into %2 · t = %3</source>
+        <translation>%1 in i %2 · t = %3</translation>
+    </message>
+    <message>
+        <source> · later than the blow was followed</source>
+        <translation> · senare än slaget följdes</translation>
+    </message>
+    <message>
+        <source> · N = %1 · σ = %2 · v = %3</source>
+        <translation> · N = %1 · σ = %2 · v = %3</translation>
+    </message>
+    <message>
+        <source>in view %1 = %2 … %3</source>
+        <translation>i vyn %1 = %2 … %3</translation>
+    </message>
+    <message>
+        <source> · colours end at ±%1</source>
+        <translation> · färgerna slutar vid ±%1</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>från %1 till %2</translation>
+    </message>
+    <message>
+        <source>Picture of %1 over position and time from %2 to %3, up to %4. %5: %6%7.</source>
+        <translation>Bild: %1 över läge och tid från %2 till %3, upp till %4. %5: %6%7.</translation>
+    </message>
+    <message>
+        <source>1 contact of bit and rock</source>
+        <translation>1 kontakt mellan borrkrona och berg</translation>
+    </message>
+    <message>
+        <source>%1 contacts of bit and rock</source>
+        <translation>%1 kontakter mellan borrkrona och berg</translation>
+    </message>
+    <message>
+        <source> and so on</source>
+        <translation> och så vidare</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::WindowLayout</name>
+    <message>
+        <source>&amp;Reset layout</source>
+        <translation>Åte&amp;rställ layouten</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The texts of the core that the window shows in its language: what the catalogues have for coreText().
+#pragma once
+
+#include <set>
+#include <string>
+#include <string_view>
+
+#include "core/blow/outputs.h"
+#include "core/model/law_parameter.h"
+#include "core/model/parameter.h"
+#include "core/model/section_field.h"
+#include "core/report/accuracy_columns.h"
+#include "core/report/feed_words.h"
+
+namespace drillwave::test {
+
+/// Labels, meanings and names, as the tables have them; each once, none of them empty.
+inline std::set<std::string> coreTexts() {
+    std::set<std::string> texts;
+    const auto add = [&](std::string_view text) { texts.emplace(text); };
+    const auto addName = [&](std::string_view name) {
+        std::string words(name);
+        std::ranges::replace(words, '_', ' ');
+        add(words);
+    };
+    const auto addParameter = [&](const Parameter& parameter) {
+        // These have labels with a number in them, which ui/text/core_text.cpp composes.
+        if (cornerOf(parameter) == 0) add(parameter.label);
+        add(parameter.rules.shortLabel);
+        add(parameter.meaning);
+    };
+    for (const Parameter& parameter : parameters()) {
+        addParameter(parameter);
+        if (const KeptParameter byRatio = inScales(parameter)) addParameter(*byRatio);
+    }
+    for (const char* field : {"force", "slope"}) addParameter(*findParameter(cornerKey(1, field)));
+    addParameter(*findParameter("string.repeat"));
+    for (const SectionField& field : sectionFields()) {
+        add(field.label);
+        add(field.meaning);
+    }
+    for (const Output& output : outputs()) {
+        add(output.label());
+        add(output.note);
+        add(output.meaning);
+        if (output.label().empty()) addName(output.name);
+    }
+    for (const Feed feed : allValues<Feed>) add(feedWord(feed));
+    for (const PulseShape shape : allValues<PulseShape>) addName(name(shape));
+    for (const auto& column : accuracyColumns) add(column.title);
+    for (const auto& column : stringAccuracyColumns) add(column.title);
+    texts.erase(std::string());
+    return texts;
+}
+
+}  // namespace drillwave::test

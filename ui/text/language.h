@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The language of the window: which one it is, and its texts. Files are in English.
+#pragma once
+
+#include <QStringList>
+#include <QTranslator>
+
+#include "core/text/languages.h"
+
+namespace drillwave {
+
+/// What the user has chosen; nullptr for that of the system.
+const Language* chosenLanguage();
+/// For the windows that are opened from now on.
+void chooseLanguage(const Language* language);
+
+/// The first of the wanted ("de-AT", "sv", "C") that there is, in the order in which a user prefers them
+/// (QLocale::uiLanguages()); English where none is.
+const Language& firstLanguage(const QStringList& wanted);
+/// What is chosen, else what the system prefers.
+const Language& languageToSpeak();
+
+/// While one lives, its thread has the texts of the program in English whatever the window speaks: for files.
+class EnglishTexts {
+  public:
+    EnglishTexts();
+    ~EnglishTexts();
+    EnglishTexts(const EnglishTexts&) = delete;
+    EnglishTexts& operator=(const EnglishTexts&) = delete;
+
+    static bool areWanted();
+};
+
+/// The texts of a language, as lrelease makes them of resources/languages.
+class Catalogue : public QTranslator {
+    Q_OBJECT
+
+  public:
+    /// Empty for English, which needs none.
+    explicit Catalogue(const Language& language, QObject* parent = nullptr);
+
+    /// Nothing while EnglishTexts are wanted.
+    QString translate(const char* context, const char* source, const char* disambiguation = nullptr,
+                      int count = -1) const override;
+};
+
+/// From now on the application has its texts in that language, and Qt its own where they are installed.
+void speak(const Language& language);
+
+}  // namespace drillwave

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/language_menu.h"
+
+#include <QActionGroup>
+
+#include "ui/questions/questions.h"
+#include "ui/text/language.h"
+#include "ui/text/shown_text.h"
+
+namespace drillwave {
+
+LanguageMenu::LanguageMenu(Questions& questions, QWidget* window)
+    : QMenu(tr("&Language"), window),
+      m_questions(questions),
+      m_window(window),
+      m_group(new QActionGroup(this)) {
+    setObjectName(QStringLiteral("language"));
+    add(tr("&System"), nullptr);
+    addSeparator();
+    for (const Language& language : languages) add(fromView(language.name), &language);
+}
+
+void LanguageMenu::add(const QString& text, const Language* language) {
+    QAction* action = m_group->addAction(text);
+    action->setCheckable(true);
+    action->setChecked(language == chosenLanguage());
+    connect(action, &QAction::triggered, this, [this, language] { choose(language); });
+    addAction(action);
+}
+
+void LanguageMenu::choose(const Language* language) {
+    if (language == chosenLanguage()) return;
+    chooseLanguage(language);
+    const QString name = fromView(languageToSpeak().name);
+    m_questions.tell(m_window, Questions::Tone::information,
+                     tr("The window speaks %1 when it is opened the next time.").arg(name),
+                     tr("Close it and start Drillwave again. Numbers stay as the system writes them; files, "
+                        "reports and the manual are in English."));
+}
+
+}  // namespace drillwave
