@@ -2371,6 +2371,38 @@ The file is kept as %2 and will not be offered again.</source>
         <translation>%1
 Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translation>
     </message>
+    <message>
+        <source>%1 everywhere</source>
+        <translation>%1 überall</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>nothing gives %1</source>
+        <translation>nichts ergibt %1</translation>
+    </message>
+    <message>
+        <source>nothing in this range gives %1: the nearest is %2 at %3</source>
+        <translation>nichts in diesem Bereich ergibt %1: am nächsten kommt %2 bei %3</translation>
+    </message>
+    <message>
+        <source>nothing that is known gives %1: the nearest is %2 at %3</source>
+        <translation>nichts Bekanntes ergibt %1: am nächsten kommt %2 bei %3</translation>
+    </message>
+    <message>
+        <source>%1 at %2 places</source>
+        <translation>%1 an %2 Stellen</translation>
+    </message>
+    <message>
+        <source>%1 at %2, nowhere else in this range</source>
+        <translation>%1 bei %2, sonst nirgends in diesem Bereich</translation>
+    </message>
+    <message>
+        <source>%1 at %2, perhaps elsewhere too</source>
+        <translation>%1 bei %2, vielleicht auch anderswo</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -3007,6 +3039,10 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     <message>
         <source>COR–stiffness</source>
         <translation>e–Steifigkeit</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>Ziel</translation>
     </message>
 </context>
 <context>
@@ -4060,6 +4096,21 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
     </message>
 </context>
 <context>
+    <name>drillwave::GoalField</name>
+    <message>
+        <source>Goal: what the result is to be</source>
+        <translation>Ziel: was das Ergebnis sein soll</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>What the result is to be: the values of the parameter that give it are marked, and a click takes one</source>
+        <translation>Was das Ergebnis sein soll: die Werte des Parameters, die es ergeben, werden markiert, und ein Klick übernimmt einen</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::HelpMenu</name>
     <message>
         <source>&amp;Help</source>
@@ -4860,6 +4911,10 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>The value lies beyond the range of the slider.</source>
         <translation>Der Wert liegt außerhalb des Bereichs des Schiebers.</translation>
+    </message>
+    <message>
+        <source>Find the value that gives…</source>
+        <translation>Den Wert suchen, der … ergibt</translation>
     </message>
 </context>
 <context>
@@ -6824,6 +6879,10 @@ wurf</translation>
     <message>
         <source>String</source>
         <translation>Strang</translation>
+    </message>
+    <message>
+        <source>Find the value that gives…</source>
+        <translation>Den Wert suchen, der … ergibt</translation>
     </message>
 </context>
 <context>

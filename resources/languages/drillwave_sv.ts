@@ -2371,6 +2371,38 @@ The file is kept as %2 and will not be offered again.</source>
         <translation>%1
 Filen sparas som %2 och erbjuds inte igen.</translation>
     </message>
+    <message>
+        <source>%1 everywhere</source>
+        <translation>%1 överallt</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>nothing gives %1</source>
+        <translation>inget ger %1</translation>
+    </message>
+    <message>
+        <source>nothing in this range gives %1: the nearest is %2 at %3</source>
+        <translation>inget i det här området ger %1: närmast kommer %2 vid %3</translation>
+    </message>
+    <message>
+        <source>nothing that is known gives %1: the nearest is %2 at %3</source>
+        <translation>inget känt ger %1: närmast kommer %2 vid %3</translation>
+    </message>
+    <message>
+        <source>%1 at %2 places</source>
+        <translation>%1 på %2 ställen</translation>
+    </message>
+    <message>
+        <source>%1 at %2, nowhere else in this range</source>
+        <translation>%1 vid %2, ingen annanstans i det här området</translation>
+    </message>
+    <message>
+        <source>%1 at %2, perhaps elsewhere too</source>
+        <translation>%1 vid %2, kanske även annanstans</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -3007,6 +3039,10 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     <message>
         <source>COR–stiffness</source>
         <translation>e–styvhet</translation>
+    </message>
+    <message>
+        <source>goal</source>
+        <translation>mål</translation>
     </message>
 </context>
 <context>
@@ -4060,6 +4096,21 @@ Att spara skriver över det som det programmet har skrivit.</translation>
     </message>
 </context>
 <context>
+    <name>drillwave::GoalField</name>
+    <message>
+        <source>Goal: what the result is to be</source>
+        <translation>Mål: vad resultatet ska bli</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>inget</translation>
+    </message>
+    <message>
+        <source>What the result is to be: the values of the parameter that give it are marked, and a click takes one</source>
+        <translation>Vad resultatet ska bli: de värden på parametern som ger det markeras, och ett klick tar ett av dem</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::HelpMenu</name>
     <message>
         <source>&amp;Help</source>
@@ -4860,6 +4911,10 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>The value lies beyond the range of the slider.</source>
         <translation>Värdet ligger utanför skjutreglagets område.</translation>
+    </message>
+    <message>
+        <source>Find the value that gives…</source>
+        <translation>Sök värdet som ger …</translation>
     </message>
 </context>
 <context>
@@ -6824,6 +6879,10 @@ reflex</translation>
     <message>
         <source>String</source>
         <translation>Sträng</translation>
+    </message>
+    <message>
+        <source>Find the value that gives…</source>
+        <translation>Sök värdet som ger …</translation>
     </message>
 </context>
 <context>
