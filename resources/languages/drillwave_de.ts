@@ -2075,7 +2075,7 @@ Punkte höchstens: Von so vielen Abtastwerten bleiben nur einige, und es wird ge
     </message>
     <message>
         <source>mean</source>
-        <translation>Mittel</translation>
+        <translation>i. M.</translation>
     </message>
     <message>
         <source>slope</source>
@@ -4914,7 +4914,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Find the value that gives…</source>
-        <translation>Den Wert suchen, der … ergibt</translation>
+        <translation>Wert suchen, der ergibt…</translation>
     </message>
 </context>
 <context>
@@ -6882,7 +6882,7 @@ wurf</translation>
     </message>
     <message>
         <source>Find the value that gives…</source>
-        <translation>Den Wert suchen, der … ergibt</translation>
+        <translation>Wert suchen, der ergibt…</translation>
     </message>
 </context>
 <context>

@@ -2075,7 +2075,7 @@ Högst antal punkter: av så många sampel behålls bara några, och det anges h
     </message>
     <message>
         <source>mean</source>
-        <translation>medel</translation>
+        <translation>mv</translation>
     </message>
     <message>
         <source>slope</source>
@@ -4914,7 +4914,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>Find the value that gives…</source>
-        <translation>Sök värdet som ger …</translation>
+        <translation>Sök värdet som ger…</translation>
     </message>
 </context>
 <context>
@@ -6882,7 +6882,7 @@ reflex</translation>
     </message>
     <message>
         <source>Find the value that gives…</source>
-        <translation>Sök värdet som ger …</translation>
+        <translation>Sök värdet som ger…</translation>
     </message>
 </context>
 <context>
