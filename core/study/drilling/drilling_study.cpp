@@ -5,13 +5,10 @@
 #include <chrono>
 #include <cmath>
 #include <future>
-#include <limits>
 #include <mutex>
 #include <utility>
 
-#include "core/blow/blow.h"
-#include "core/model/drill_string.h"
-#include "core/model/section_pieces.h"
+#include "core/study/drilling/blow_alone.h"
 #include "core/study/drilling/drilling_alerts.h"
 #include "core/text/enum_names.h"
 #include "core/wave/drilling/drilling_grid.h"
@@ -77,22 +74,10 @@ class Study {
     }
 
   private:
-    /// e of the blow at zero gap, and the pieces of its sections.
     void solveBlowAlone() {
-        Problem problem;
-        m_result.cor = std::numeric_limits<double>::quiet_NaN();
-        if (m_wants.cor || !hasUniformSections(m_result.scenario.drillString)) {
-            Scenario touching = m_result.scenario;
-            touching.bitRock.gap = 0;
-            const Blow blow = solveBlow(touching, {}, Detail::ledger, m_stop);
-            problem = blow.problem;
-            problem.gap = m_result.scenario.bitRock.gap / m_result.scales.penetration;
-            if (m_wants.cor && blow.isSolved() && blow.summary.transferred > 0)
-                m_result.cor = blow.summary.impulse / blow.summary.transferred - 1;
-        } else {
-            problem = problemOf(m_result.scenario);
-        }
-        m_problem = drillingProblemOf(m_result.scenario, std::move(problem));
+        BlowAlone alone = blowAlone(m_result.scenario, m_wants.cor, m_stop);
+        m_result.cor = alone.cor;
+        m_problem = drillingProblemOf(m_result.scenario, std::move(alone.problem));
         m_problem.start = m_result.settings.start;
         m_result.hasLoss = std::ranges::any_of(m_problem.waveLosses, [](double loss) { return loss > 0; });
     }

@@ -4,22 +4,15 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
-#include <utility>
 
 #include "core/contact/contact_law.h"
 #include "core/model/blow_traits.h"
 #include "core/model/form_conversion.h"
-#include "core/model/section_pieces.h"
+#include "core/study/drilling/blow_alone.h"
 #include "core/wave/drilling/drilling_march.h"
 
 namespace drillwave {
 namespace {
-
-Problem problemAlone(const Scenario& scenario, const std::stop_token& stop) {
-    if (hasUniformSections(scenario.drillString)) return problemOf(scenario);
-    return solveBlow(scenario, {}, Detail::cor, stop)
-        .problem;  // whose cones have as many pieces as they take
-}
 
 /// The rod as the only section of a chain.
 Scenario withSections(Scenario scenario) {
@@ -120,7 +113,7 @@ Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, lon
     blow.groups = groupsOf(blow.scenario);
     blow.scales = scalesOf(blow.scenario);
     blow.marched = MarchedStart{.number = number};
-    DrillingProblem problem = drillingProblemOf(scenario, problemAlone(scenario, stop));
+    DrillingProblem problem = drillingProblemOf(scenario, blowAlone(scenario, true, stop).problem);
     problem.start = settings.start;
     blow.problem = problem.blow;
 
