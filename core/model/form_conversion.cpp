@@ -143,21 +143,27 @@ std::string whyNoString(const Scenario& scenario) {
     return {};
 }
 
-Conversion stringOf(const Scenario& scenario) {
-    assert(whyNoString(scenario).empty());
-    Conversion converted;
-    Scenario& string = converted.scenario;
-    string.title = titleAs(scenario.title, asString);
+Scenario oneSectionOf(const Scenario& scenario) {
+    Scenario string;
+    string.title = scenario.title;
     string.form = ScenarioForm::string;
+    string.pulse = scenario.pulse;
     string.bitRock = scenario.bitRock;
     string.drill = scenario.drill;
     string.drillString.material = {scenario.rod.youngsModulus, scenario.rod.density};
-    if (isOfHammer(scenario.pulse.shape))
-        string.drillString.hammer = hammerOf(scenario, converted.lost);
-    else
-        string.pulse = scenario.pulse;
     string.drillString.parts.resize(1);
     string.drillString.parts.front().sections = {sectionOf(scenario.rod, string.drillString.material)};
+    return string;
+}
+
+Conversion stringOf(const Scenario& scenario) {
+    assert(whyNoString(scenario).empty());
+    Conversion converted{oneSectionOf(scenario), {}};
+    Scenario& string = converted.scenario;
+    string.title = titleAs(scenario.title, asString);
+    if (!isOfHammer(scenario.pulse.shape)) return converted;
+    string.pulse = Pulse();
+    string.drillString.hammer = hammerOf(scenario, converted.lost);
     return converted;
 }
 

@@ -21,6 +21,10 @@ Section sectionOf(const Rod& rod, const Material& material);
 /// Why a scenario cannot be a string: it has no units, or no hammer. Empty where it can.
 std::string whyNoString(const Scenario& scenario);
 
+/// The rod as the only section of a string under the same force, whatever its shape. Requires a uniform rod
+/// with units.
+Scenario oneSectionOf(const Scenario& scenario);
+
 /// The rod as a string of one section under the same force. A piston and a rectangular blow become a hammer
 /// that is followed: the piston itself; one of the rod's impedance Z and the length c t0/2, to whole
 /// millimetres, of the same impulse. It is withdrawn once it has separated, as the uniform rod has it: then

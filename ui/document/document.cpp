@@ -33,11 +33,6 @@ QString lines(const ScenarioError& error) {
     return all.join(QLatin1Char('\n'));
 }
 
-// "stiffness β", as in "Undo change stiffness β to 0.6".
-QString editName(const Parameter& parameter) {
-    return parameterTitle(parameter);
-}
-
 QString keyOf(const Parameter& parameter) {
     return fromView(parameter.key);
 }
@@ -138,7 +133,7 @@ QString Document::assign(const std::vector<ParameterValue>& values, int gesture)
     if (const QString problem = change(changed, values); !problem.isEmpty()) return problem;
     QStringList steps, keys;
     for (const auto& [parameter, si] : values) {
-        steps << tr("%1 to %2").arg(editName(*parameter), shownValue(*parameter, si));
+        steps << tr("%1 to %2").arg(parameterTitle(*parameter), shownValue(*parameter, si));
         keys << keyOf(*parameter);
     }
     push(std::move(changed), tr("change %1").arg(steps.join(QStringLiteral(", "))),
@@ -174,7 +169,7 @@ void Document::clear(const Parameter& parameter, int gesture) {
         if (!last || !last->isOf(keyOf(parameter), gesture)) return;
         changed = last->before();
     }
-    push(std::move(changed), tr("clear %1").arg(editName(parameter)), keyOf(parameter), gesture);
+    push(std::move(changed), tr("clear %1").arg(parameterTitle(parameter)), keyOf(parameter), gesture);
 }
 
 bool Document::canHaveShape(PulseShape shape) const {

@@ -14,16 +14,6 @@
 namespace drillwave {
 namespace {
 
-/// The rod as the only section of a chain.
-Scenario withSections(Scenario scenario) {
-    if (hasSections(scenario)) return scenario;
-    const Material material{scenario.rod.youngsModulus, scenario.rod.density};
-    scenario.drillString = {};
-    scenario.drillString.material = material;
-    scenario.drillString.parts.push_back({.sections = {sectionOf(scenario.rod, material)}});
-    return scenario;
-}
-
 /// What of a curve is from a time on at which one of its pieces begins.
 PiecewisePolynomial since(const PiecewisePolynomial& curve, double start, double rounding) {
     PiecewisePolynomial rest;
@@ -109,7 +99,7 @@ Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, lon
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
     Blow blow;
-    blow.scenario = withSections(scenario);
+    blow.scenario = hasSections(scenario) ? scenario : oneSectionOf(scenario);
     blow.groups = groupsOf(blow.scenario);
     blow.scales = scalesOf(blow.scenario);
     blow.marched = MarchedStart{.number = number};

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "core/numeric/normal_quantile.h"
+#include "core/wave/network/string_census.h"
 
 namespace drillwave {
 
@@ -280,17 +281,17 @@ void DrillingMarch::addWaves(std::size_t part, const RearNode::Forces& rear) {
 
 MarchedWaves DrillingMarch::takeBlowWithWaves(const std::stop_token& stop) {
     Problem inCells = m_problem.blow;
-    std::vector<double> rearTimes(m_lines.size());
-    for (std::size_t j = 0; j < m_lines.size(); ++j)
-        inCells.sections[j].transitTime =
-            static_cast<double>(m_grid.cells.roundTrips[j]) * m_grid.cells.cell / 2;
-    for (std::size_t j = m_hammer; j > 0; --j)
-        rearTimes[j - 1] = (j < m_hammer ? rearTimes[j] : 0) - inCells.sections[j - 1].transitTime;
-    for (std::size_t j = m_hammer + 1; j < m_lines.size(); ++j)
-        rearTimes[j] = rearTimes[j - 1] + inCells.sections[j - 1].transitTime;
+    std::vector<double> transitTimes;
+    for (std::size_t j = 0; j < m_lines.size(); ++j) {
+        UniformSection& section = inCells.sections[j];
+        section.transitTime = static_cast<double>(m_grid.cells.roundTrips[j]) * m_grid.cells.cell / 2;
+        transitTimes.push_back(section.transitTime);
+    }
+    StringClocks clocks;
+    clocks.begin(m_hammer, transitTimes);
 
     MarchedWaves kept;
-    kept.waves = std::make_shared<StringWaves>(inCells, rearTimes);
+    kept.waves = std::make_shared<StringWaves>(inCells, clocks.delays);
     kept.transitTime = m_stringTransit;
     m_kept = &kept;
     m_bit.setEvents(&kept.events);
@@ -313,7 +314,7 @@ MarchedWaves DrillingMarch::takeBlowWithWaves(const std::stop_token& stop) {
     for (ImpactEvent& event : kept.events) event.time += m_stringTransit;
     if (kept.waves) {
         const double end = static_cast<double>(m_cells - m_keptCell) * m_grid.cells.cell;
-        kept.waves->finish(m_hammer > 0 ? end + rearTimes[0] : end);
+        kept.waves->finish(end + clocks.earliest());
     }
     return kept;
 }

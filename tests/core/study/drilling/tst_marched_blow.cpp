@@ -25,6 +25,18 @@ Scenario exampleOf(const char* name) {
     return scenario;
 }
 
+/// Of a row of wavesLeadOnFromBlowToBlow_data().
+Scenario fetchedScenario() {
+    QFETCH(QString, name);
+    QFETCH(double, thrust);
+    QFETCH(double, damping);
+    Scenario scenario = exampleOf(qPrintable(name));
+    scenario.drill.thrust = thrust;
+    scenario.drill.machineMass = 200;
+    if (damping > 0) scenario.drill.damperDamping = damping;
+    return scenario;
+}
+
 DrillingSettings settingsOf(long blows) {
     DrillingSettings settings;
     settings.blows = blows;
@@ -95,13 +107,7 @@ void TestMarchedBlow::wavesLeadOnFromBlowToBlow_data() {
 
 /// What is on its way when a blow has been followed to the next one is what that one begins with.
 void TestMarchedBlow::wavesLeadOnFromBlowToBlow() {
-    QFETCH(QString, name);
-    QFETCH(double, thrust);
-    QFETCH(double, damping);
-    Scenario scenario = exampleOf(qPrintable(name));
-    scenario.drill.thrust = thrust;
-    scenario.drill.machineMass = 200;
-    if (damping > 0) scenario.drill.damperDamping = damping;
+    const Scenario scenario = fetchedScenario();
     const DrillingSettings settings = settingsOf(12);
     const DrillingResult march = marchOf(scenario, settings);
     const Blow ninth = marchedBlow(scenario, settings, 9), tenth = marchedBlow(scenario, settings, 10);
@@ -130,13 +136,7 @@ void TestMarchedBlow::itBeginsWhereTheMarchHasIt_data() {
 
 /// Momentum by the waves along the rod, gap, the sums of the cycle.
 void TestMarchedBlow::itBeginsWhereTheMarchHasIt() {
-    QFETCH(QString, name);
-    QFETCH(double, thrust);
-    QFETCH(double, damping);
-    Scenario scenario = exampleOf(qPrintable(name));
-    scenario.drill.thrust = thrust;
-    scenario.drill.machineMass = 200;
-    if (damping > 0) scenario.drill.damperDamping = damping;
+    const Scenario scenario = fetchedScenario();
     const DrillingSettings settings = settingsOf(12);
     const DrillingResult march = marchOf(scenario, settings);
     const Blow blow = marchedBlow(scenario, settings, 10);
