@@ -13,7 +13,7 @@
 #include "core/model/section_choice.h"
 #include "core/report/curve_csv.h"
 #include "core/yaml/examples.h"
-#include "tests/support/window.h"
+#include "tests/support/curve_page_fixture.h"
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/study/axis_fields.h"
@@ -24,20 +24,9 @@
 #include "ui/text/unit_choice.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
-
-SolvedBlowPtr solved(const Document& document, UnitSystem units) {
-    MethodSolver solver;
-    SolveRequest request;
-    request.scenario = document.scenario();
-    request.units = units;
-    return solveBlow(request, solver);
-}
-
-SolvedBlowPtr solved(const Document& document) {
-    return solved(document, naturalUnits(document.scenario()));
-}
 
 QStringList namesOf(const QVector<PresetBand>& bands) {
     QStringList names;
@@ -47,12 +36,11 @@ QStringList namesOf(const QVector<PresetBand>& bands) {
 
 }  // namespace
 
-class TestCurvePage : public QObject {
+class TestCurvePage : public QObject, private CurvePageFixture {
     Q_OBJECT
 
   private slots:
-    void initTestCase();
-    void init();
+    void init() { start(); }
     void theNumbersAreThoseOfTheStudy();
     void theFileIsThatOfTheCommand_data();
     void theFileIsThatOfTheCommand();
@@ -93,51 +81,13 @@ class TestCurvePage : public QObject {
     void varyBy(const char* key);
     /// Errors first, where they are not wanted apart.
     QByteArray outputOf(const QString& command, QByteArray* errors = nullptr);
-    void open(const char* text);
-    void openElastic();
     void showPage();
-    void finish();
-    QString words() const { return m_page->findChild<QLabel*>("words")->text(); }
     const QCPGraph* graphOf(double family) const;
     const CurvePageStudy& study() const { return *m_page->study().value(); }
-
-    QTemporaryDir m_settings;
-    std::unique_ptr<Document> m_document;
-    std::unique_ptr<CurvePage> m_page;
 };
 
-void TestCurvePage::initTestCase() {
-    test::keepSettingsIn(m_settings.path());
-    qputenv("XDG_CONFIG_HOME", m_settings.path().toUtf8());
-    QLocale::setDefault(QLocale::c());
-}
-
-void TestCurvePage::init() {
-    m_page.reset();
-    m_document = std::make_unique<Document>();
-    m_document->start();
-    m_page = std::make_unique<CurvePage>(*m_document);
-    m_page->resize(900, 700);
-}
-
-void TestCurvePage::open(const char* text) {
-    QCOMPARE(m_document->startFrom(text, QStringLiteral("test")), QString());
-}
-
-void TestCurvePage::openElastic() {
-    open(
-        "drillwave: 1\ndimensionless: {beta: 0.5, gamma: 1, tau: 10, delta: 0}\n"
-        "pulse: {shape: rectangular}\n");
-}
-
-void TestCurvePage::finish() {
-    QTRY_COMPARE_WITH_TIMEOUT(m_page->activity()->state(), StudyState::finished, 60000);
-}
-
 void TestCurvePage::showPage() {
-    m_page->setResult(solved(*m_document));
-    m_page->show();
-    finish();
+    showIn(naturalUnits(m_document->scenario()));
 }
 
 void TestCurvePage::theNumbersAreThoseOfTheStudy() {

@@ -9,7 +9,7 @@
 #include <QTest>
 
 #include "core/yaml/examples.h"
-#include "tests/support/window.h"
+#include "tests/support/curve_page_fixture.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/curve/curve_plot.h"
@@ -22,16 +22,9 @@
 #include "ui/plot/plot_widget.h"
 
 using namespace drillwave;
+using namespace drillwave::test;
 
 namespace {
-
-SolvedBlowPtr solved(const Document& document, UnitSystem units) {
-    MethodSolver solver;
-    SolveRequest request;
-    request.scenario = document.scenario();
-    request.units = units;
-    return solveBlow(request, solver);
-}
 
 QVector<CurveMark> goalMarks(const CurvePage& page) {
     QVector<CurveMark> found;
@@ -42,12 +35,11 @@ QVector<CurveMark> goalMarks(const CurvePage& page) {
 
 }  // namespace
 
-class TestGoalPage : public QObject {
+class TestGoalPage : public QObject, private CurvePageFixture {
     Q_OBJECT
 
   private slots:
-    void initTestCase();
-    void init();
+    void init() { start(); }
     void everyPlaceOfTheGoalIsMarked();
     void aClickTakesTheValueInOneStep();
     void whatNothingGivesIsToldWithTheNearest();
@@ -62,49 +54,14 @@ class TestGoalPage : public QObject {
     void aCellOfTheStringLeadsHere();
 
   private:
-    void openElastic();
     void showPage(UnitSystem units = UnitSystem::si);
-    void finish();
     void type(const QString& goal);
     const GoalAnswer& answer() const;
-    QString words() const { return m_page->findChild<QLabel*>("words")->text(); }
     const CurveQuestion& asked() const { return m_page->study().value()->question.curve; }
-
-    QTemporaryDir m_settings;
-    std::unique_ptr<Document> m_document;
-    std::unique_ptr<CurvePage> m_page;
 };
 
-void TestGoalPage::initTestCase() {
-    test::keepSettingsIn(m_settings.path());
-    qputenv("XDG_CONFIG_HOME", m_settings.path().toUtf8());
-    QLocale::setDefault(QLocale::c());
-}
-
-void TestGoalPage::init() {
-    m_page.reset();
-    m_document = std::make_unique<Document>();
-    m_document->start();
-    m_page = std::make_unique<CurvePage>(*m_document);
-    m_page->resize(900, 700);
-}
-
-void TestGoalPage::openElastic() {
-    const char* text =
-        "drillwave: 1\ndimensionless: {beta: 0.5, gamma: 1, tau: 10, delta: 0}\n"
-        "pulse: {shape: rectangular}\n";
-    QCOMPARE(m_document->startFrom(text, QStringLiteral("test")), QString());
-}
-
 void TestGoalPage::showPage(UnitSystem units) {
-    m_page->setResult(
-        solved(*m_document, hasUnits(m_document->scenario()) ? units : UnitSystem::dimensionless));
-    m_page->show();
-    finish();
-}
-
-void TestGoalPage::finish() {
-    QTRY_COMPARE_WITH_TIMEOUT(m_page->activity()->state(), StudyState::finished, 60000);
+    showIn(hasUnits(m_document->scenario()) ? units : UnitSystem::dimensionless);
 }
 
 void TestGoalPage::type(const QString& goal) {

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The page Curve on its own, with its document and settings of its own.
+#pragma once
+
+#include <QLabel>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/support/window.h"
+#include "ui/pages/curve/curve_page.h"
+
+namespace drillwave::test {
+
+/// The blow of a document, with nothing that a page would ask for.
+inline SolvedBlowPtr solved(const Document& document, UnitSystem units) {
+    MethodSolver solver;
+    SolveRequest request;
+    request.scenario = document.scenario();
+    request.units = units;
+    return solveBlow(request, solver);
+}
+
+inline SolvedBlowPtr solved(const Document& document) {
+    return solved(document, naturalUnits(document.scenario()));
+}
+
+class CurvePageFixture {
+  protected:
+    CurvePageFixture() {
+        keepSettingsIn(m_settings.path());
+        qputenv("XDG_CONFIG_HOME", m_settings.path().toUtf8());
+        QLocale::setDefault(QLocale::c());
+    }
+    /// A page of the default scenario, not on show.
+    void start() {
+        m_page.reset();
+        m_document = std::make_unique<Document>();
+        m_document->start();
+        m_page = std::make_unique<CurvePage>(*m_document);
+        m_page->resize(900, 700);
+    }
+    void open(const char* text) { QCOMPARE(m_document->startFrom(text, QStringLiteral("test")), QString()); }
+    void openElastic() {
+        open(
+            "drillwave: 1\ndimensionless: {beta: 0.5, gamma: 1, tau: 10, delta: 0}\n"
+            "pulse: {shape: rectangular}\n");
+    }
+    /// Shown with its curve, results in these units.
+    void showIn(UnitSystem units) {
+        m_page->setResult(solved(*m_document, units));
+        m_page->show();
+        finish();
+    }
+    void finish() { QTRY_COMPARE_WITH_TIMEOUT(m_page->activity()->state(), StudyState::finished, 60000); }
+    QString words() const { return m_page->findChild<QLabel*>("words")->text(); }
+
+    QTemporaryDir m_settings;
+    std::unique_ptr<Document> m_document;
+    std::unique_ptr<CurvePage> m_page;
+};
+
+}  // namespace drillwave::test
