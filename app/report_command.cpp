@@ -11,6 +11,7 @@
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "core/archive/report_file.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 
@@ -86,16 +87,29 @@ void write(const ReportPlace& place, std::vector<NamedFile> files, Overwrite ove
     writeFolder(place.path, folder, overwrite, &interruption);
 }
 
+/// What stands below the title. Throws CommandError (usage).
+ReportHead headOf(const Arguments& arguments) {
+    const auto text = [&](const char* option) {
+        std::string words = arguments.value(option).value_or("");
+        if (const std::string problem = lineProblem(words); !problem.empty())
+            throw CommandError(ExitCode::usage, "--" + std::string(option) + ": " + problem);
+        return words;
+    };
+    return {text("project"), text("author"), text("customer"), text("date")};
+}
+
 ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const ReportPlace place = placeOf(arguments);
+    const ReportHead head = headOf(arguments);
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
     check(place, path, document, overwrite);
 
     const Interruption interruption;
     remarkOnValues(document.scenario, path);
-    const BlowReport report = study(document, workLimitsOf(arguments), interruption);
+    BlowReport report = study(document, workLimitsOf(arguments), interruption);
+    report.head = head;
     if (!report.blow.isSolved())
         throw CommandError(ExitCode::unsolvedOrFailed,
                            path + ": could not be solved: " + report.blow.impact.reason +
@@ -122,7 +136,11 @@ const Command& reportCommand() {
             "units, and those of `run --json`; the source of a value is the comment behind it in the file. "
             "Of a\n"
             "drill string also its sections, drawn to scale, with their largest stresses.",
-        .options = scenarioOptions({workLimitSpec(),
+        .options = scenarioOptions({{"project", "TEXT", "below the title: what the report is for"},
+                                    {"author", "TEXT", "who wrote it"},
+                                    {"customer", "TEXT", "whom it is for"},
+                                    {"date", "TEXT", "of when it is, as it is to be read; none unless given"},
+                                    workLimitSpec(),
                                     {"o", "DIR|FILE.html|FILE.pdf", "where to write; - prints the HTML"},
                                     {"force", "", "overwrite existing files"}}),
         .leastOperands = 1,

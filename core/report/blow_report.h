@@ -34,9 +34,19 @@ struct ReportSection {
     bool operator==(const ReportSection&) const = default;
 };
 
-/// What a report tells. It does not depend on when, where and how fast it was made.
+/// Whose report it is, as it stands below its title; what is empty is left out.
+struct ReportHead {
+    std::string project, author, customer;
+    std::string date;  ///< as it is to be read
+
+    bool isEmpty() const { return project.empty() && author.empty() && customer.empty() && date.empty(); }
+    bool operator==(const ReportHead&) const = default;
+};
+
+/// What a report tells. But for its head it does not depend on when, where and how fast it was made.
 struct BlowReport {
     Blow blow;                        ///< solved exactly with histories, stresses and margin of the thrust
+    ReportHead head = {};             ///< as asked for
     std::string scenarioText;         ///< gives its scenario again
     std::vector<ReportInput> inputs;  ///< in the order of a file
     std::vector<ReportSection> sections;  ///< of hammer and string, likewise; none of a uniform rod

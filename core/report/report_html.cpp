@@ -39,8 +39,11 @@ constexpr std::string_view screenStyle =
 constexpr std::string_view paperStyle =
     "h1{font-size:15pt;margin-top:0;margin-bottom:3px}h2{font-size:10pt;margin-top:10px;margin-bottom:3px}"
     "p{margin-top:0;margin-bottom:4px}td,th{padding-right:12px;"
-    "text-align:left}tr.whole "
-    "td{white-space:nowrap}p.caption{font-size:7.5pt;margin-bottom:8px}pre{font-size:6.5pt;white-space:pre-"
+    "text-align:left}table.ruled{border-collapse:collapse;margin-bottom:3px}"
+    "table.ruled td{border-bottom:0.5px solid #bbbbbb}table.ruled th{border-bottom:1px solid "
+    "#555555}tr.whole "
+    "td{white-space:nowrap}p.decision{font-weight:600;margin-top:4px;margin-bottom:4px}p."
+    "caption{font-size:7.5pt;margin-bottom:8px}pre{font-size:6.5pt;white-space:pre-"
     "wrap}";
 
 constexpr std::string_view recordBegin = "<script type=\"application/json\" id=\"drillwave-record\">\n";
@@ -78,9 +81,9 @@ class Page {
         : m_report(report), m_medium(medium), m_style(style), m_paperLines(paperLines) {}
 
     std::string body(const std::vector<ReportPicture>& pictures) const {
-        return htmlElement("h1", bounded(reportTitle(m_report), mostTitleColumns)) + "\n" + decision() +
-               paragraph(about()) + feed() + alerts() + inputs() + sections(pictures) + scales() + results() +
-               energies() + stresses() + thrust() + gap() + scenario() + plots(pictures);
+        return htmlElement("h1", bounded(reportTitle(m_report), mostTitleColumns)) + "\n" + head() +
+               decision() + lead(pictures) + feed() + alerts() + results() + energies() + stresses() +
+               thrust() + gap() + inputs() + sections() + scales() + plots(pictures) + scenario() + solver();
     }
 
   private:
@@ -93,6 +96,41 @@ class Page {
     /// A text that may be of any length.
     std::string bounded(std::string_view text, std::size_t mostColumns = mostCellColumns) const {
         return isScreen() ? std::string(text) : cellOnPaper(text, mostColumns);
+    }
+
+    /// Whose report it is: names over what they are.
+    std::string head() const {
+        const ReportHead& head = m_report.head;
+        std::string names, values;
+        const auto add = [&](const char* key, const char* name, const std::string& value) {
+            if (value.empty()) return;
+            const std::string shown = bounded(value, mostTitleColumns);
+            if (isScreen())
+                names += row(key, htmlElement("th", name) + htmlElement("td", shown));
+            else
+                names += htmlElement("th", name), values += htmlElement("td", shown);
+        };
+        add("project", "Project", head.project);
+        add("author", "Author", head.author);
+        add("customer", "Customer", head.customer);
+        add("date", "Date", head.date);
+        if (head.isEmpty()) return {};
+        if (isScreen()) return tableOf("head", names);
+        return tableOf("head", "<tr>" + names + "</tr>\n<tr>" + values + "</tr>\n");
+    }
+
+    /// The picture that stands for all: what the decision is about, hammer and string, or the rock.
+    static std::string_view leadName(const std::vector<ReportPicture>& pictures) {
+        for (const std::string_view name :
+             {stringPicture, std::string_view("thrust"), std::string_view("rock")})
+            if (std::ranges::find(pictures, name, &ReportPicture::name) != pictures.end()) return name;
+        return {};
+    }
+
+    std::string lead(const std::vector<ReportPicture>& pictures) const {
+        const auto found = std::ranges::find(pictures, leadName(pictures), &ReportPicture::name);
+        if (found == pictures.end()) return {};
+        return isScreen() ? figure(*found) : printed(*found);
     }
 
     std::string about() const {
@@ -108,8 +146,7 @@ class Page {
     /// By the study of the thrust, or else by the blow alone.
     std::string decision() const {
         const std::string words = feedDecisionText(blow().decision(), m_style);
-        return isScreen() ? "<p class=\"decision\">" + escapedHtml(words) + "</p>\n"
-                          : "<p><b>" + escapedHtml(words) + "</b></p>\n";
+        return "<p class=\"decision\">" + escapedHtml(words) + "</p>\n";
     }
 
     /// What stands behind the decision at the top.
@@ -145,10 +182,11 @@ class Page {
         return "<td data-value=\"" + formatNumber(*number) + "\">" + escapedHtml(printedUnit(text)) + "</td>";
     }
 
-    /// Paper has no room between lines.
+    /// With a rule below each line, of which paper has less room for.
     std::string tableOf(const std::string& id, const std::string& rows) const {
-        return (isScreen() ? "<table id=\"" + id + "-table\">\n" : "<table cellspacing=\"0\">\n") + rows +
-               "</table>\n";
+        return (isScreen() ? "<table id=\"" + id + "-table\">\n"
+                           : "<table class=\"ruled\" cellspacing=\"0\" border=\"0\">\n") +
+               rows + "</table>\n";
     }
 
     std::string table(const std::string& id, const std::vector<std::string>& titles,
@@ -182,8 +220,8 @@ class Page {
         return heading("Inputs") + table("inputs", {"key", "what", "value", "source"}, rows);
     }
 
-    /// Hammer and string as the file has them, and drawn.
-    std::string sections(const std::vector<ReportPicture>& pictures) const {
+    /// Hammer and string as the file has them.
+    std::string sections() const {
         if (m_report.sections.empty()) return {};
         std::vector<std::string> titles{"place", "section", "times"};
         std::vector<const SectionField*> fields;
@@ -205,11 +243,8 @@ class Page {
             }
             rows += row(section.key, cells + htmlElement("td", bounded(section.source)));
         }
-        std::string html =
-            heading("Hammer and string") + table("sections", titles, rows) + rest(m_report.sections.size());
-        for (const ReportPicture& picture : pictures)
-            if (picture.name == stringPicture) html += isScreen() ? figure(picture) : printed(picture);
-        return html;
+        return heading("Hammer and string") + table("sections", titles, rows) +
+               rest(m_report.sections.size());
     }
 
     static const ReportInput* valueOf(const ReportSection& section, const SectionField& field) {
@@ -257,12 +292,18 @@ class Page {
         if (hasUnits(blow().scenario)) titles.push_back(m_style.unitsTitle());
         titles.emplace_back("where and when");
         return heading("Results") + table("results", titles, numbers(resultRows(blow(), m_style), false)) +
-               paragraph(std::string(hasSections(blow().scenario)
-                                         ? "E₀ and p₀ are energy and momentum of the hammer. "
-                                           "The error of the efficiency"
-                                         : "W is the work of the hammer. The bound on e") +
+               paragraph(hasSections(blow().scenario) ? "E₀ and p₀ are energy and momentum of the hammer."
+                                                      : "W is the work of the hammer.");
+    }
+
+    /// What the numbers are worth, which is no result.
+    std::string solver() const {
+        const bool ofString = hasSections(blow().scenario);
+        return heading("How well it is solved") + paragraph(about()) +
+               table("solver", {"error", "size"}, numbers(solverRows(blow(), m_style), false)) +
+               paragraph(std::string(ofString ? "The error of the efficiency" : "The bound on e") +
                          " and the errors of the balances are numerical; what is known of rock and " +
-                         (hasSections(blow().scenario) ? "string" : "rod") + " is far coarser.");
+                         (ofString ? "string" : "rod") + " is far coarser.");
     }
 
     std::string energies() const {
@@ -320,11 +361,12 @@ class Page {
         return html;
     }
 
+    /// But for the one that stands at the top.
     std::string plots(const std::vector<ReportPicture>& pictures) const {
-        std::string html = heading("Plots");
+        std::string html;
         for (const ReportPicture& picture : pictures)
-            if (picture.name != stringPicture) html += isScreen() ? figure(picture) : printed(picture);
-        return html;
+            if (picture.name != leadName(pictures)) html += isScreen() ? figure(picture) : printed(picture);
+        return html.empty() ? html : heading("Plots") + html;
     }
 
     static std::string image(const ReportPicture& picture) {

@@ -18,7 +18,7 @@ struct ReportPicture {
     std::string source;   ///< of <img>: a data: URI, or a name that the printer of the page knows
 };
 
-/// The name of the one that stands with the sections of a string, not with the other plots.
+/// The name of the one that shows the sections of a string.
 inline constexpr std::string_view stringPicture = "string";
 
 /// What the page is for.
@@ -30,9 +30,10 @@ enum class ReportMedium {
 /// Lines of the scenario on paper, where there is room for so many.
 inline constexpr std::size_t mostPaperLines = 60;
 
-/// Title, what is to be done about the feed, its verdict, alerts, inputs with sources, results with errors,
-/// studies, scenario, plots; no time and no place. Numbers are in the style of the reader. On the screen each
-/// number stands in full in `data-value` of its cell. The blow must be solved.
+/// Title with the head of the report, what is to be done about the feed, the first of the pictures, verdict,
+/// alerts, results, studies, inputs with sources, the other pictures, scenario, and last how well it is
+/// solved; no time and no place but those of the head. Numbers are in the style of the reader. On the screen
+/// each number stands in full in `data-value` of its cell. The blow must be solved.
 std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture>& pictures,
                        ReportMedium medium, const ReadingStyle& style = plainStyle(),
                        std::size_t paperLines = mostPaperLines);

@@ -69,6 +69,24 @@ ReportCell placeCell(const Output& output, const Blow& blow, const ReadingStyle&
     return {stringPlaceText(largestStress(stresses, *output.load), blow, style), {}};
 }
 
+/// Of the outputs that are wanted and that the scenario has.
+template <class IsWanted>
+std::vector<ReportRow> rowsOf(const Blow& blow, const ReadingStyle& style, const IsWanted& isWanted) {
+    std::vector<ReportRow> rows;
+    for (const Output& output : outputs()) {
+        if (!isWanted(output) || !output.problem(blow.scenario).empty()) continue;
+        const std::optional<double> value = output.value({blow.summary, blow.scenario, blow.thrustMargin()});
+        if (!value) continue;
+        ReportRow row{std::string(output.name), std::string(output.title), {}};
+        row.cells.push_back(output.isOnlySi() ? ReportCell()
+                                              : ReportCell{multipleText(output, *value, blow, style), value});
+        if (isDimensional(blow)) row.cells.push_back(siCell(output, *value, blow, style));
+        row.cells.push_back(placeCell(output, blow, style));
+        rows.push_back(std::move(row));
+    }
+    return rows;
+}
+
 template <class Add>
 void addStringScales(const Blow& blow, const Add& add) {
     const DrillString& drill = blow.scenario.drillString;
@@ -155,19 +173,11 @@ std::string placeText(const RodForce& found, const Blow& blow, const ReadingStyl
 }
 
 std::vector<ReportRow> resultRows(const Blow& blow, const ReadingStyle& style) {
-    std::vector<ReportRow> rows;
-    for (const Output& output : outputs()) {
-        if (!output.problem(blow.scenario).empty()) continue;
-        const std::optional<double> value = output.value({blow.summary, blow.scenario, blow.thrustMargin()});
-        if (!value) continue;
-        ReportRow row{std::string(output.name), std::string(output.title), {}};
-        row.cells.push_back(output.isOnlySi() ? ReportCell()
-                                              : ReportCell{multipleText(output, *value, blow, style), value});
-        if (isDimensional(blow)) row.cells.push_back(siCell(output, *value, blow, style));
-        row.cells.push_back(placeCell(output, blow, style));
-        rows.push_back(std::move(row));
-    }
-    return rows;
+    return rowsOf(blow, style, [](const Output& output) { return output.measure != Measure::error; });
+}
+
+std::vector<ReportRow> solverRows(const Blow& blow, const ReadingStyle& style) {
+    return rowsOf(blow, style, [](const Output& output) { return output.measure == Measure::error; });
 }
 
 std::vector<ReportRow> scaleRows(const Blow& blow, const ReadingStyle& style) {

@@ -40,9 +40,12 @@ std::string siText(const Output& output, double value, const Blow& blow,
 /// Where in the rod and when a largest force is: "1.2 m from the hammer, at 300 us"; empty for one of size 0.
 std::string placeText(const RodForce& found, const Blow& blow, const ReadingStyle& style = plainStyle());
 
-/// Every output that the scenario has: as a multiple of what it is measured in; in its unit, where the
-/// scenario has units; where and when, for the largest stresses. Of a blow that was solved.
+/// Every output that the scenario has, but for solverRows(): as a multiple of what it is measured in; in its
+/// unit, where the scenario has units; where and when, for the largest stresses. Of a blow that was solved.
 std::vector<ReportRow> resultRows(const Blow& blow, const ReadingStyle& style = plainStyle());
+
+/// Those of the rows that say how well the blow is solved: errors and what is left of balances.
+std::vector<ReportRow> solverRows(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 /// The four groups and, where the scenario has units, the scales and what follows for the rod.
 std::vector<ReportRow> scaleRows(const Blow& blow, const ReadingStyle& style = plainStyle());

@@ -68,18 +68,26 @@ void appendPrintable(std::string& printed, std::string_view utf8) {
 
 }  // namespace
 
-std::string nameProblem(std::string_view text) {
+std::string lineProblem(std::string_view text) {
     if (!isUtf8(text)) return "must be UTF-8";
-    bool hasLetter = false;
     for (std::size_t at = 0; at < text.size();) {
         const auto [code, length] = characterAt(text, at);
         if (code == '\n' || code == '\r') return "must be one line";
         if (isOf(controls, code)) return "must have no control characters";
         if (isOf(turning, code)) return "must have no characters that turn the direction of reading";
-        hasLetter |= isLetter(code);
         at += length;
     }
-    return hasLetter ? "" : "must have a letter";
+    return {};
+}
+
+std::string nameProblem(std::string_view text) {
+    if (std::string problem = lineProblem(text); !problem.empty()) return problem;
+    for (std::size_t at = 0; at < text.size();) {
+        const auto [code, length] = characterAt(text, at);
+        if (isLetter(code)) return {};
+        at += length;
+    }
+    return "must have a letter";
 }
 
 std::string printable(std::string_view text) {

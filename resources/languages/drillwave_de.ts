@@ -5621,6 +5621,49 @@ Auf und Ab verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translation>
     </message>
 </context>
 <context>
+    <name>drillwave::ReportPreview</name>
+    <message>
+        <source>date of the day</source>
+        <translation>Datum des Tages</translation>
+    </message>
+    <message>
+        <source>&amp;Update</source>
+        <translation>&amp;Aktualisieren</translation>
+    </message>
+    <message>
+        <source>Preview of the report</source>
+        <translation>Vorschau des Berichts</translation>
+    </message>
+    <message>
+        <source>project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>author</source>
+        <translation>Verfasser</translation>
+    </message>
+    <message>
+        <source>customer</source>
+        <translation>Auftraggeber</translation>
+    </message>
+    <message>
+        <source>The scenario has changed since: show the pages of what it is now</source>
+        <translation>Das Szenario hat sich seitdem geändert: die Seiten des jetzigen zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Write as HTML or PDF…</source>
+        <translation>Als HTML oder PDF &amp;schreiben …</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>&amp;Drucken …</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;chließen</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::ReportWriter</name>
     <message>
         <source>&amp;Report…</source>
@@ -5673,6 +5716,18 @@ Auf und Ab verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translation>
     <message>
         <source>Printed: %1</source>
         <translation>Gedruckt: %1</translation>
+    </message>
+    <message>
+        <source>Pre&amp;view of the report…</source>
+        <translation>&amp;Vorschau des Berichts …</translation>
+    </message>
+    <message>
+        <source>The pages of the report in a window, with project, author, customer and date for their head</source>
+        <translation>Die Seiten des Berichts in einem Fenster, mit Projekt, Verfasser, Auftraggeber und Datum für ihren Kopf</translation>
+    </message>
+    <message>
+        <source>There is no preview of the report.</source>
+        <translation>Es gibt keine Vorschau des Berichts.</translation>
     </message>
 </context>
 <context>

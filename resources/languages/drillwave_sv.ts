@@ -5621,6 +5621,49 @@ Upp och Ner flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     </message>
 </context>
 <context>
+    <name>drillwave::ReportPreview</name>
+    <message>
+        <source>date of the day</source>
+        <translation>dagens datum</translation>
+    </message>
+    <message>
+        <source>&amp;Update</source>
+        <translation>&amp;Uppdatera</translation>
+    </message>
+    <message>
+        <source>Preview of the report</source>
+        <translation>Förhandsvisning av rapporten</translation>
+    </message>
+    <message>
+        <source>project</source>
+        <translation>projekt</translation>
+    </message>
+    <message>
+        <source>author</source>
+        <translation>författare</translation>
+    </message>
+    <message>
+        <source>customer</source>
+        <translation>kund</translation>
+    </message>
+    <message>
+        <source>The scenario has changed since: show the pages of what it is now</source>
+        <translation>Scenariot har ändrats sedan dess: visa sidorna för det som det är nu</translation>
+    </message>
+    <message>
+        <source>&amp;Write as HTML or PDF…</source>
+        <translation>&amp;Skriv som HTML eller PDF…</translation>
+    </message>
+    <message>
+        <source>&amp;Print…</source>
+        <translation>Skriv &amp;ut…</translation>
+    </message>
+    <message>
+        <source>&amp;Close</source>
+        <translation>S&amp;täng</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::ReportWriter</name>
     <message>
         <source>&amp;Report…</source>
@@ -5673,6 +5716,18 @@ Upp och Ner flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     <message>
         <source>Printed: %1</source>
         <translation>Utskrivet: %1</translation>
+    </message>
+    <message>
+        <source>Pre&amp;view of the report…</source>
+        <translation>&amp;Förhandsvisa rapporten…</translation>
+    </message>
+    <message>
+        <source>The pages of the report in a window, with project, author, customer and date for their head</source>
+        <translation>Rapportens sidor i ett fönster, med projekt, författare, kund och datum för sidhuvudet</translation>
+    </message>
+    <message>
+        <source>There is no preview of the report.</source>
+        <translation>Det finns ingen förhandsvisning av rapporten.</translation>
     </message>
 </context>
 <context>

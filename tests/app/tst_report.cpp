@@ -34,6 +34,8 @@ class TestReport : public QObject {
     void theSameReportIsTheSameBytes();
     void standardOutputGetsThePage();
     void settingsAndPresetsAreReportedAsTheyAreSolved();
+    void theHeadSaysWhoseItIs();
+    void whatIsToBeDoneStandsFirstAndTheSolverLast();
     void badPlacesAreRefused_data();
     void badPlacesAreRefused();
     void existingFilesAreOverwrittenOnlyOnRequest();
@@ -132,6 +134,40 @@ void TestReport::settingsAndPresetsAreReportedAsTheyAreSolved() {
     QVERIFY(page.contains("<td data-value=\"3e+08\">300 MN/m</td><td>not stated</td>"));
 }
 
+void TestReport::theHeadSaysWhoseItIs() {
+    const QByteArray page = output({"report", "t38_medium_rock", "--project", "North <adit>", "--author",
+                                    "A. Bohrer", "--date", "2 May", "-o", "-"});
+    const qsizetype title = page.indexOf("<h1>"), decision = page.indexOf("class=\"decision\"");
+    const QByteArray head = page.mid(title, decision - title);
+    QVERIFY2(head.contains("<tr data-key=\"project\"><th>Project</th><td>North &lt;adit&gt;</td></tr>"),
+             head);
+    QVERIFY(head.contains("A. Bohrer") && head.contains("2 May"));
+    QVERIFY(!head.contains("Customer"));  // not given
+    QVERIFY(!output({"report", "t38_medium_rock", "-o", "-"}).contains("head-table"));
+}
+
+void TestReport::whatIsToBeDoneStandsFirstAndTheSolverLast() {
+    for (const char* name : {"t38_medium_rock", "t38_string", "paper_fig4b"}) {
+        const QByteArray page = output({"report", name, "-o", "-"});
+        const char* order[] = {"class=\"decision\"",
+                               "<img ",
+                               "<h2>Verdict on the feed",
+                               "<h2>Results",
+                               "<h2>Inputs",
+                               "<h2>Plots",
+                               "<h2>Scenario",
+                               "<h2>How well it is solved",
+                               "error of the momentum balance"};
+        qsizetype before = 0;
+        for (const char* part : order) {
+            const qsizetype at = page.indexOf(part);
+            QVERIFY2(at > before, part);
+            before = at;
+        }
+        QCOMPARE(page.count("<h2>"), page.left(page.indexOf("<h2>How well")).count("<h2>") + 1);
+    }
+}
+
 void TestReport::badPlacesAreRefused_data() {
     QTest::addColumn<QStringList>("words");
     QTest::addColumn<int>("exitCode");
@@ -143,6 +179,8 @@ void TestReport::badPlacesAreRefused_data() {
     QTest::newRow("no folder above") << QStringList{"-o", "none/there/a.html"} << 4 << "none/there/a.html";
     QTest::newRow("a file is no folder") << QStringList{"-o", "file"} << 4 << "file";
     QTest::newRow("a folder is no file") << QStringList{"-o", "folder.pdf"} << 4 << "is a folder";
+    QTest::newRow("a head of two lines")
+        << QStringList{"-o", "a.html", "--project", "a\nb"} << 2 << "--project: must be one line";
     QTest::newRow("the input") << QStringList{"-o", "input.html", "--force"} << 2 << "is read as input";
 }
 

@@ -8,6 +8,7 @@
 #include <QTextBlock>
 #include <QTextCursor>
 #include <QTextDocument>
+#include <QTextLayout>
 #include <cmath>
 
 #include "core/model/version.h"
@@ -26,8 +27,10 @@ void keepHeadings(QTextDocument& document) {
     constexpr double foot = 1.0 / 8;  // of a page: a table of a few lines
     const QAbstractTextDocumentLayout& layout = *document.documentLayout();
     const QSizeF size = document.pageSize();
+    // Of its first line: a picture goes to the next page without its block.
     const auto pages = [&](const QTextBlock& block) {
-        return layout.blockBoundingRect(block).top() / size.height();
+        const double line = block.layout()->lineCount() > 0 ? block.layout()->lineAt(0).y() : 0;
+        return (layout.blockBoundingRect(block).top() + line) / size.height();
     };
     for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
         if (block.blockFormat().headingLevel() == 0 || !block.next().isValid()) continue;

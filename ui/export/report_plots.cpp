@@ -14,7 +14,7 @@ ReportPlot placed(const char* name, const char* caption, PaperPlot paper, Millim
     return {{name, caption, name}, std::move(paper)};
 }
 
-// Curves are there where the waves were kept. Of a rod, on paper, the first one fills the page of the words,
+// Curves are there where the waves were kept. Of a rod, on paper, the first one fills the page of the tables,
 // the next two a page, the others the last one.
 void addCurves(std::vector<ReportPlot>& plots, const Blow& blow, const PaperReader& reader,
                const std::stop_token& stop) {
@@ -63,7 +63,7 @@ std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader&
                                gapPaperPlot(*report.gap, reader), {180, 72}));
     if (report.thrust && report.thrust->along)
         plots.push_back(placed("thrust", "Needs of the thrust and the installed one over the blow frequency.",
-                               thrustPaperPlot(*report.thrust, reader), {180, 68}));
+                               thrustPaperPlot(*report.thrust, reader), {180, 58}));
     return plots;
 }
 

@@ -10,6 +10,7 @@
 #include "ui/document/whole_file.h"
 #include "ui/export/export_place.h"
 #include "ui/export/report_export.h"
+#include "ui/export/report_preview.h"
 #include "ui/text/language.h"
 
 namespace drillwave {
@@ -33,11 +34,19 @@ ReportWriter::ReportWriter(Document& document, Questions& questions, QWidget* wi
       m_action(newAction(QStringLiteral("report"), tr("&Report…"), QKeySequence(Qt::CTRL | Qt::Key_R),
                          tr("A page to hand over, as HTML or PDF: inputs with their sources, results, "
                             "verdict, plots and the scenario"))),
+      m_previewAction(newAction(QStringLiteral("previewReport"), tr("Pre&view of the report…"),
+                                QKeySequence(),
+                                tr("The pages of the report in a window, with project, author, customer and "
+                                   "date for their head"))),
       m_printAction(newAction(QStringLiteral("printReport"), tr("&Print the report…"),
                               QKeySequence(Qt::CTRL | Qt::Key_P),
                               tr("The report on paper: two to four pages of A4"))) {
     connect(m_action, &QAction::triggered, this, &ReportWriter::write);
+    connect(m_previewAction, &QAction::triggered, this, &ReportWriter::preview);
     connect(m_printAction, &QAction::triggered, this, &ReportWriter::print);
+    connect(&m_document, &Document::scenarioChanged, this, [this] {
+        if (m_preview) m_preview->setOutOfDate(true);
+    });
     connect(&m_job, &StudyActivity::changed, this, &ReportWriter::follow);
 }
 
@@ -66,6 +75,24 @@ void ReportWriter::write() {
     begin([this, path](const BlowReport& report) { writeTo(path, report); });
 }
 
+void ReportWriter::preview() {
+    m_failure = tr("There is no preview of the report.");
+    begin([this](const BlowReport& report) { show(report); });
+}
+
+void ReportWriter::show(const BlowReport& report) {
+    const WaitCursor wait;
+    if (!m_preview) {
+        m_preview = new ReportPreview(m_window);
+        connect(m_preview, &ReportPreview::updateRequested, this, &ReportWriter::preview);
+        connect(m_preview, &ReportPreview::writeRequested, this, &ReportWriter::write);
+        connect(m_preview, &ReportPreview::printRequested, this, &ReportWriter::print);
+    }
+    m_preview->present(std::make_shared<const BlowReport>(report), PaperReader::of(m_document.units()));
+    m_preview->show();
+    m_preview->raise();
+}
+
 void ReportWriter::print() {
     const std::shared_ptr<QPrinter> printer = m_questions.printer(m_window, m_document.displayName());
     if (!printer) return;
@@ -86,7 +113,8 @@ void ReportWriter::follow() {
     const Use use = std::exchange(m_use, nullptr);
     if (m_job.state() == StudyState::failed) fail(m_job.problem());
     if (m_job.state() == StudyState::finished) {
-        const BlowReport& report = *m_job.value();
+        BlowReport report = *m_job.value();
+        report.head = rememberedHead();
         if (report.blow.isSolved())
             use(report);
         else

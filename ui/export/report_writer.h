@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The commands Report… and Print…: what `drillwave report` writes, in the numbers and units of the window,
-// made beside its work.
+// The commands Report…, Preview and Print…: what `drillwave report` writes, in the numbers and units of the
+// window, made beside its work.
 #pragma once
 
 #include <QAction>
@@ -13,6 +13,8 @@
 
 namespace drillwave {
 
+class ReportPreview;
+
 class ReportWriter : public QObject {
     Q_OBJECT
 
@@ -22,12 +24,15 @@ class ReportWriter : public QObject {
 
     /// For menus and tool bars.
     QAction* action() const { return m_action; }
+    QAction* previewAction() const { return m_previewAction; }
     QAction* printAction() const { return m_printAction; }
     /// The studies on their way to the report, which can be stopped.
     StudyActivity& activity() { return m_job; }
     /// Asks where to, and reports on the document's scenario as it is now. An earlier report that is still on
     /// its way is given up.
     void write();
+    /// Shows its pages in a window, with fields for project, author and customer.
+    void preview();
     /// The same on paper, once the printer is chosen.
     void print();
 
@@ -45,6 +50,7 @@ class ReportWriter : public QObject {
                        const QString& toolTip);
     void begin(Use use);
     void follow();
+    void show(const BlowReport& report);
     void writeTo(const QString& path, const BlowReport& report);
     void printOn(QPrinter& printer, const BlowReport& report);
     void fail(const QString& problem);
@@ -54,7 +60,9 @@ class ReportWriter : public QObject {
     Questions& m_questions;
     QWidget* m_window;
     QAction* m_action;
+    QAction* m_previewAction;
     QAction* m_printAction;
+    ReportPreview* m_preview = nullptr;
     Use m_use;          // of the report on its way; empty without
     QString m_failure;  // what to say where there is none
     StudyJob<BlowReport> m_job;

@@ -224,7 +224,8 @@ void MainWindow::addMenus() {
          [this](const QString& what, auto then) { m_solveStatus->whenCurrent(what, std::move(then)); }},
         this);
     m_fileMenu = new FileMenu(m_document, *m_questions, m_watch, m_exportMenu, this);
-    m_fileMenu->insertActions(m_exportMenu->menuAction(), {m_report->action(), m_report->printAction()});
+    m_fileMenu->insertActions(m_exportMenu->menuAction(),
+                              {m_report->action(), m_report->previewAction(), m_report->printAction()});
     m_fileMenu->insertAction(m_exportMenu->menuAction(), m_runs->keepAction());
     menuBar()->addMenu(m_fileMenu);
     QMenu* edit = menuBar()->addMenu(tr("&Edit"));

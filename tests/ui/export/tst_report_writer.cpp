@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The window's report is that of the command line, in the numbers and units of the window.
 #include <QDir>
+#include <QLineEdit>
 #include <QMenuBar>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -16,8 +18,10 @@
 #include "tests/support/program.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
+#include "ui/export/report_preview.h"
 #include "ui/export/report_writer.h"
 #include "ui/job/study_status.h"
+#include "ui/text/settings.h"
 #include "ui/text/unit_choice.h"
 #include "ui/window/file_menu.h"
 #include "ui/window/units_choice.h"
@@ -40,6 +44,7 @@ class TestReportWriter : public QObject {
     void aReportOpensAgain();
     void menuAndToolBarOfferIt();
     void ctrlPPrintsThePagesOfThePdf();
+    void thePreviewHasThePagesAndKeepsTheHead();
     void noPaperIsTold();
     void noPrinterIsNothingToTell();
     void anotherEndingIsRefused();
@@ -221,6 +226,32 @@ void TestReportWriter::ctrlPPrintsThePagesOfThePdf() {
     writeTo(path("written.pdf"));
     QCOMPARE(pages("printed.pdf"), pages("written.pdf"));
     QVERIFY(pages("printed.pdf") >= 2);
+}
+
+void TestReportWriter::thePreviewHasThePagesAndKeepsTheHead() {
+    QVERIFY(part<FileMenu>(window()).actions().contains(writer().previewAction()));
+    QSignalSpy ended(&writer(), &ReportWriter::ended);
+    writer().previewAction()->trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, 60000);
+    auto* preview = window().findChild<ReportPreview*>();
+    QVERIFY(preview && preview->isVisible());
+    QTRY_VERIFY(preview->pageCount() >= 2 && preview->pageCount() <= 4);
+    auto* customer = preview->findChild<QLineEdit*>(QStringLiteral("report/customer"));
+    QVERIFY(customer);
+    QTest::keyClicks(customer, QStringLiteral("Gruva AB"));
+    writeTo(path("headed.html"));
+    QVERIFY(read(path("headed.html")).contains("<th>Customer</th><td>Gruva AB</td>"));
+    QCOMPARE(rememberedHead().customer, std::string("Gruva AB"));
+    QVERIFY(rememberedHead().date.empty());
+    // What it shows is of the scenario before an edit, until it is asked for again.
+    auto* update = preview->findChild<QPushButton*>();
+    QVERIFY(!update->isEnabled());
+    window().document().assign(*findParameter("rod.length"), 4.5, 1);
+    QVERIFY(update->isEnabled());
+    update->click();
+    QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 3, 60000);
+    QVERIFY(!update->isEnabled());
+    Settings().remove(QStringLiteral("report/customer"));
 }
 
 void TestReportWriter::noPaperIsTold() {

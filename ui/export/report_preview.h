@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pages of a report as they will be, with the fields of its head.
+#pragma once
+
+#include <QPrinter>
+#include <QTimer>
+#include <QWidget>
+#include <memory>
+
+#include "core/report/blow_report.h"
+#include "ui/export/paper_plots.h"
+
+class QCheckBox;
+class QLineEdit;
+class QPrintPreviewWidget;
+class QPushButton;
+
+namespace drillwave {
+
+/// What stands in the head of the window's reports: author and customer are kept over the end of the program,
+/// the date is that of the day where it is wanted.
+ReportHead rememberedHead();
+
+/// A window of its own, which stays open beside the work.
+class ReportPreview : public QWidget {
+    Q_OBJECT
+
+  public:
+    explicit ReportPreview(QWidget* parent);
+
+    /// Shows a report with the head that is in the fields.
+    void present(std::shared_ptr<const BlowReport> report, const PaperReader& reader);
+    /// What is shown is of an earlier scenario.
+    void setOutOfDate(bool outOfDate);
+    int pageCount() const;
+
+  signals:
+    /// The user wants the pages of the scenario as it is now; a file; paper.
+    void updateRequested();
+    void writeRequested();
+    void printRequested();
+
+  private:
+    QLineEdit* addField(const QString& name, const QString& key);
+    void remember();
+    void draw(QPrinter* printer) const;
+
+    std::shared_ptr<const BlowReport> m_report;
+    PaperReader m_reader;
+    QPrinter m_printer{QPrinter::HighResolution};  // of nothing but sizes
+    QWidget* m_fields;
+    QCheckBox* m_dated;
+    QPushButton* m_update;
+    QPrintPreviewWidget* m_pages;
+    QTimer m_edited;
+};
+
+}  // namespace drillwave
