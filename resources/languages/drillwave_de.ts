@@ -3618,6 +3618,22 @@ Gezeigt wird der Wert davor.</translation>
         <source>The export has failed.</source>
         <translation>Der Export ist fehlgeschlagen.</translation>
     </message>
+    <message>
+        <source>&amp;Numbers as a table</source>
+        <translation>&amp;Zahlen als Tabelle</translation>
+    </message>
+    <message>
+        <source>What this page draws, number by number, in a window of its own: to be read and copied</source>
+        <translation>Was diese Seite zeichnet, Zahl für Zahl, in einem eigenen Fenster: zum Lesen und Kopieren</translation>
+    </message>
+    <message>
+        <source>The table</source>
+        <translation>Die Tabelle</translation>
+    </message>
+    <message>
+        <source>Numbers: %1</source>
+        <translation>Zahlen: %1</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::FamilyFields</name>
@@ -4854,6 +4870,17 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>Dismiss this note</source>
         <translation>Diesen Hinweis schließen</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::NumbersWindow</name>
+    <message>
+        <source>%1 rows, %2 columns</source>
+        <translation>%1 Zeilen, %2 Spalten</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
     </message>
 </context>
 <context>

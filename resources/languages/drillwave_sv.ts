@@ -3618,6 +3618,22 @@ Det som visas gäller värdet dessförinnan.</translation>
         <source>The export has failed.</source>
         <translation>Exporten misslyckades.</translation>
     </message>
+    <message>
+        <source>&amp;Numbers as a table</source>
+        <translation>&amp;Siffrorna som tabell</translation>
+    </message>
+    <message>
+        <source>What this page draws, number by number, in a window of its own: to be read and copied</source>
+        <translation>Det som sidan ritar, siffra för siffra, i ett eget fönster: för att läsas och kopieras</translation>
+    </message>
+    <message>
+        <source>The table</source>
+        <translation>Tabellen</translation>
+    </message>
+    <message>
+        <source>Numbers: %1</source>
+        <translation>Siffror: %1</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::FamilyFields</name>
@@ -4854,6 +4870,17 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>Dismiss this note</source>
         <translation>Stäng denna upplysning</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::NumbersWindow</name>
+    <message>
+        <source>%1 rows, %2 columns</source>
+        <translation>%1 rader, %2 kolumner</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopiera</translation>
     </message>
 </context>
 <context>

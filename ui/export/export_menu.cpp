@@ -12,6 +12,7 @@
 #include "core/study/thrust/thrust_margins.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/export_place.h"
+#include "ui/export/numbers_window.h"
 #include "ui/export/plot_export.h"
 #include "ui/plot/plot_rendering.h"
 #include "ui/text/language.h"
@@ -22,6 +23,11 @@ namespace {
 
 QString csvFilter() {
     return ExportMenu::tr("CSV (*.csv);;All files (*)");
+}
+
+/// Of a line of the menu, as it stands elsewhere: "&Data of this plot…".
+QString plainTitle(QString title) {
+    return title.remove(u'&').remove(u'…').trimmed();
 }
 
 }  // namespace
@@ -38,7 +44,12 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
     m_histories->setToolTip(tr("Forces, impulse, momentum, penetration and velocity over time, as CSV"));
     add(tr("&Events…"), {}, tr("Contacts, reversals and separations with their times, as CSV"),
         [this] { saveEvents(); });
-    m_afterNumbers = addSeparator();
+    m_numbers =
+        add(tr("&Numbers as a table"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T),
+            tr("What this page draws, number by number, in a window of its own: to be read and copied"),
+            [this] { showNumbers(); });
+    m_numbers->setObjectName(QStringLiteral("numbersAsTable"));
+    addSeparator();
     m_afterPictures = add(tr("&Copy picture"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
                           tr("As it is zoomed, to paste into a report"), [this] { copyPicture(); });
     m_afterPictures->setObjectName(QStringLiteral("copyPicture"));
@@ -67,9 +78,11 @@ void ExportMenu::setExports(const QList<PageExport>& exports) {
         m_actions.append(add(
             offered.title, first ? QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_P) : QKeySequence(),
             offered.toolTip, [this, offered] { save(offered); },
-            offered.picture ? m_afterPictures : m_afterNumbers));
+            offered.picture ? m_afterPictures : m_numbers));
     }
     m_afterPictures->setEnabled(hasPicture);
+    m_numbers->setEnabled(
+        std::ranges::any_of(m_exports, [](const PageExport& each) { return !each.picture; }));
 }
 
 void ExportMenu::save(const PageExport& wanted) {
@@ -81,6 +94,22 @@ void ExportMenu::save(const PageExport& wanted) {
         return wanted.content == PageExport::Content::rows ? runHeader(run) + rows : rows;
     };
     saveFile(tr("Save the data of the plot"), wanted.fileStem + QStringLiteral(".csv"), contents);
+}
+
+void ExportMenu::showNumbers() {
+    QString why;
+    for (const PageExport& offered : m_exports)
+        if (!offered.picture && offered.obstacle && why.isEmpty()) why = offered.obstacle();
+    if (!why.isEmpty()) return fail(why);
+    m_sources.whenSolved(tr("The table"), [this] {
+        if (isUnsolved()) return;
+        QList<std::pair<QString, QByteArray>> tables;
+        for (const PageExport& offered : m_exports)
+            if (!offered.picture) tables.append({plainTitle(offered.title), offered.csv()});
+        auto* numbers = new NumbersWindow(tr("Numbers: %1").arg(m_document.displayName()), tables, m_window);
+        numbers->setAttribute(Qt::WA_DeleteOnClose);
+        numbers->show();
+    });
 }
 
 bool ExportMenu::eventFilter(QObject* watched, QEvent* event) {

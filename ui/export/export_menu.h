@@ -33,6 +33,8 @@ class ExportMenu : public QMenu {
     void setExports(const QList<PageExport>& exports);
     /// One of them, the numbers behind the scenario.
     void save(const PageExport& wanted);
+    /// The numbers of the page in a window of their own, as they are now.
+    void showNumbers();
     /// The curves and the events of the blow, in the units that are shown.
     void saveHistories();
     void saveEvents();
@@ -75,7 +77,7 @@ class ExportMenu : public QMenu {
     QList<PageExport> m_exports;
     QList<QAction*> m_actions;  // of m_exports
     QAction* m_histories = nullptr;
-    QAction* m_afterNumbers = nullptr;
+    QAction* m_numbers = nullptr;
     QAction* m_afterPictures = nullptr;
 };
 

@@ -11,8 +11,11 @@
 #include <QJsonObject>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScopeGuard>
 #include <QSettings>
 #include <QSignalSpy>
+#include <QTabWidget>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -23,6 +26,7 @@
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/export/export_menu.h"
+#include "ui/export/numbers_window.h"
 #include "ui/export/plot_export.h"
 #include "ui/job/solve_status.h"
 #include "ui/pages/blow/blow_page.h"
@@ -66,6 +70,7 @@ class TestExportMenu : public QObject {
     void theDataOfThePlotBeginWithTheScenario();
     void thePlotsOwnMenuExportsToo();
     void theMenuOffersWhatThePageDoes();
+    void theNumbersAreThoseOfTheFile();
     void theDialogRefusesPicturesThatAreTooLarge();
     void choicesOfPicturesAreRemembered();
 
@@ -274,6 +279,7 @@ void TestExportMenu::theMenuOffersWhatThePageDoes() {
     const QStringList usual{QStringLiteral("Histories…"),
                             QStringLiteral("Events…"),
                             QStringLiteral("Data of this plot…"),
+                            QStringLiteral("Numbers as a table"),
                             QStringLiteral("-"),
                             QStringLiteral("Picture of this plot…"),
                             QStringLiteral("Copy picture"),
@@ -288,8 +294,8 @@ void TestExportMenu::theMenuOffersWhatThePageDoes() {
     PageExport other = table;
     other.title = QStringLiteral("Gaps…");
     menu.setExports({table, other});
-    QCOMPARE(lines().mid(2, 3),
-             (QStringList{QStringLiteral("Needs…"), QStringLiteral("Gaps…"), QStringLiteral("-")}));
+    QCOMPARE(lines().mid(2, 4), (QStringList{QStringLiteral("Needs…"), QStringLiteral("Gaps…"),
+                                             QStringLiteral("Numbers as a table"), QStringLiteral("-")}));
     QVERIFY(!copy->isEnabled());
     m_answers.exportTo = path("t.csv");
     menu.actions().at(3)->trigger();
@@ -297,6 +303,52 @@ void TestExportMenu::theMenuOffersWhatThePageDoes() {
     menu.setExports({numbers(), picture()});
     QCOMPARE(lines(), usual);
     QVERIFY(copy->isEnabled());
+}
+
+void TestExportMenu::theNumbersAreThoseOfTheFile() {
+    ExportMenu& menu = part<ExportMenu>(window());
+    QLocale::setDefault(QLocale(QLocale::German));
+    const auto again = qScopeGuard([] { QLocale::setDefault(QLocale::c()); });
+    menu.findChild<QAction*>(QStringLiteral("numbersAsTable"))->trigger();
+    settle();
+    auto* shown = window().findChild<NumbersWindow*>();
+    QVERIFY(shown && shown->isVisible());
+    const auto* view = shown->findChild<QTableView*>();
+    const QList<QByteArray> lines = numbers().csv().trimmed().split('\n');
+    const QAbstractItemModel& model = *view->model();
+    QCOMPARE(model.rowCount(), lines.size() - 1);
+    QStringList heads, cells;
+    const int last = model.rowCount() - 1;
+    for (int column = 0; column < model.columnCount(); ++column) {
+        heads << model.headerData(column, Qt::Horizontal).toString();
+        cells << model.index(last, column).data().toString();
+    }
+    QCOMPARE(heads.join(u',').toUtf8(), lines.front());
+    QCOMPARE(cells.join(u';').replace(u',', u'.').toUtf8(), QByteArray(lines.back()).replace(',', ';'));
+    QVERIFY(cells.join(u' ').contains(u','));  // in the numbers of the reader
+    // What is chosen is copied for other programs, under the heads of its columns.
+    view->selectionModel()->select(QItemSelection(model.index(0, 0), model.index(1, 1)),
+                                   QItemSelectionModel::Select);
+    view->actions().front()->trigger();
+    const QStringList copied = QGuiApplication::clipboard()->text().split(u'\n');
+    QCOMPARE(copied.size(), 3);
+    QCOMPARE(copied.front(), heads.mid(0, 2).join(u'\t'));
+    QCOMPARE(copied.back(),
+             model.index(1, 0).data().toString() + u'\t' + model.index(1, 1).data().toString());
+    delete shown;
+    // Several tables stand side by side, a page of pictures has none.
+    PageExport table;
+    table.csv = [] { return QByteArray("# of the blow\nname,b\n\"1,5\",2\n"); };
+    table.title = QStringLiteral("&Needs…");
+    menu.setExports({table, table});
+    menu.showNumbers();
+    auto* tabs = window().findChild<NumbersWindow*>()->findChild<QTabWidget*>();
+    QCOMPARE(tabs->count(), 2);
+    QCOMPARE(tabs->tabText(0), QStringLiteral("Needs"));
+    const QAbstractItemModel& quoted = *qobject_cast<QTableView*>(tabs->widget(1))->model();
+    QCOMPARE(quoted.index(0, 0).data().toString(), QStringLiteral("1,5"));
+    menu.setExports({picture()});
+    QVERIFY(!menu.findChild<QAction*>(QStringLiteral("numbersAsTable"))->isEnabled());
 }
 
 void TestExportMenu::theDialogRefusesPicturesThatAreTooLarge() {
