@@ -5,8 +5,10 @@
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QToolButton>
+#include <utility>
 
 #include "core/contact/bit_rock_law.h"
+#include "core/model/law_parameter.h"
 #include "core/model/scales.h"
 #include "ui/form/choice_box.h"
 #include "ui/form/parameter_row.h"
@@ -63,6 +65,7 @@ void LawSection::present(const Scenario& scenario) {
         m_law->setCurrentIndex(static_cast<int>(rock.law));
     }
     const bool hasCorners = rock.law == RockLaw::corners;
+    if (std::exchange(m_form, scenario.form) != scenario.form) setCornerCount(0);  // other units
     setCornerCount(hasCorners ? rock.corners.size() : 0);
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         m_rows[i].force->setValue(rock.corners[i].force);
@@ -108,7 +111,10 @@ void LawSection::setCornerCount(std::size_t count) {
         line->addWidget(new QLabel(tr("from"), box));
         QuantityField* force = addField(corner, "force", tr("force"), box);
         line->addWidget(force);
-        if (QToolButton* unit = force->unitButton()) line->addWidget(unit);
+        if (QToolButton* unit = force->unitButton())
+            line->addWidget(unit);
+        else
+            line->addWidget(new QLabel(QStringLiteral("F₀"), box));
         line->addWidget(new QLabel(tr("slope"), box));
         QuantityField* slope = addField(corner, "slope", tr("slope, of k"), box);
         line->addWidget(slope);
@@ -128,7 +134,7 @@ void LawSection::setCornerCount(std::size_t count) {
 QuantityField* LawSection::addField(std::size_t corner, const char* part, const QString& words,
                                     QWidget* row) {
     const std::string key = "bit_rock.corner." + std::to_string(corner + 1) + "." + part;
-    const KeptParameter parameter = findParameter(key);
+    const KeptParameter parameter = inFormOf(m_document.scenario(), *findParameter(key));
     auto* field = new QuantityField(parameter, m_document.units(), row);
     field->setObjectName(QString::fromStdString(key));
     field->setAccessibleName(tr("Corner %1: %2").arg(corner + 1).arg(words));

@@ -46,6 +46,7 @@ class LawSection : public QObject {
     QVBoxLayout* m_lines;
     QToolButton* m_add;
     std::vector<Row> m_rows;
+    ScenarioForm m_form = ScenarioForm::dimensional;  // whose units the rows have
     int m_gesture;
 };
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "core/model/blow_traits.h"
+#include "core/model/law_parameter.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -96,8 +97,12 @@ void ScenarioPanel::addSection(const QString& section, const QString& title) {
         m_string = new StringSection(m_document, grid, box->content());
         connect(m_string, &StringSection::sectionsRequested, this, &ScenarioPanel::sectionsRequested);
     }
-    for (const Parameter& parameter : parameters())
-        if (formSection(parameter) == section) addRow(parameter, title, grid, box->content());
+    for (const Parameter& parameter : parameters()) {
+        if (formSection(parameter) != section) continue;
+        addRow(parameter, title, grid, box->content());
+        // What is measured in scales where a scenario has no units; one of the two rows is shown.
+        if (const KeptParameter inScale = inScales(parameter)) addRow(*inScale, title, grid, box->content());
+    }
     if (section == machineSection) m_indexing = new IndexingBox(m_document, grid, box->content());
     if (section == QLatin1String("bit_rock")) m_law = new LawSection(m_document, grid, box->content());
     if (section == QLatin1String("hammer")) m_string->addRestrike(grid, box->content());

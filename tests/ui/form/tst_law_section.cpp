@@ -3,6 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
 
 #include "core/wave/exact/exact_solver.h"
 #include "core/yaml/examples.h"
@@ -25,6 +26,7 @@ class TestLawSection : public QObject {
     void anotherLawIsTheSameRockAtFirst_data();
     void anotherLawIsTheSameRockAtFirst();
     void cornersAreEditedAddedAndRemoved();
+    void groupsMeasureTheLawInTheirScales();
     void aForceOutOfOrderIsRefusedAtItsField();
     void cornersOfAFileAreShown();
 
@@ -32,7 +34,10 @@ class TestLawSection : public QObject {
     void open(const char* example);
     ChoiceBox& law() const { return *m_panel->findChild<ChoiceBox*>(QStringLiteral("bit_rock.law")); }
     QuantityField* field(const char* key) const {
-        return m_panel->findChild<QuantityField*>(QLatin1String(key));
+        const auto fields = m_panel->findChildren<QuantityField*>(QLatin1String(key));
+        const auto shown = std::ranges::find_if(
+            fields, [this](const QuantityField* each) { return each->isVisibleTo(m_panel.get()); });
+        return shown != fields.end() ? *shown : fields.value(0);
     }
     void choose(RockLaw wanted) const {
         law().setCurrentIndex(static_cast<int>(wanted));
@@ -117,6 +122,26 @@ void TestLawSection::cornersAreEditedAddedAndRemoved() {
     QCOMPARE(m_document->scenario().bitRock.corners, (std::vector<RockCorner>{{135e3, 0.35}}));
     away(1);
     QCOMPARE(m_document->scenario().bitRock.law, RockLaw::bilinear);
+}
+
+void TestLawSection::groupsMeasureTheLawInTheirScales() {
+    open("paper_fig4b");
+    choose(RockLaw::corners);
+    const double force = m_document->scenario().bitRock.corners.front().force;
+    QCOMPARE(field("bit_rock.corner.1.force")->value(), std::optional(force));
+    QVERIFY2(field("bit_rock.corner.1.force")->text().startsWith(QLocale().toString(force)),
+             qPrintable(field("bit_rock.corner.1.force")->text()));
+    type("bit_rock.corner.1.force", 0.25);
+    QCOMPARE(m_document->scenario().bitRock.corners.front().force, 0.25);  // F0
+    choose(RockLaw::power);
+    type("bit_rock.reference_penetration", 0.75);
+    QCOMPARE(m_document->scenario().bitRock.referencePenetration, 0.75);  // d0
+    // With units again, the same fields have them.
+    QVERIFY(
+        m_document->startFrom(findExample("rock_that_yields")->text, QStringLiteral("example")).isEmpty());
+    QCOMPARE(field("bit_rock.corner.1.force")->value(), std::optional(90e3));
+    type("bit_rock.corner.1.force", 80);
+    QCOMPARE(m_document->scenario().bitRock.corners.front().force, 80e3);
 }
 
 void TestLawSection::aForceOutOfOrderIsRefusedAtItsField() {
