@@ -9,6 +9,7 @@
 
 #include "core/blow/blow.h"
 #include "core/report/gap_report.h"
+#include "core/report/report_numbers.h"
 #include "core/report/thrust_report.h"
 
 namespace drillwave {
@@ -43,10 +44,18 @@ struct ReportHead {
     bool operator==(const ReportHead&) const = default;
 };
 
-/// What a report tells. But for its head it does not depend on when, where and how fast it was made.
+/// The blow of the report beside others, quantity by quantity.
+struct ReportComparison {
+    std::vector<std::string> titles;  ///< of the cells of a row: that of the report's own blow is the first
+    std::vector<ReportRow> rows;
+};
+
+/// What a report tells. But for its head and other blows it does not depend on when, where and how fast it
+/// was made.
 struct BlowReport {
     Blow blow;                        ///< solved exactly with histories, stresses and margin of the thrust
     ReportHead head = {};             ///< as asked for
+    ReportComparison others = {};     ///< likewise; empty without others
     std::string scenarioText;         ///< gives its scenario again
     std::vector<ReportInput> inputs;  ///< in the order of a file
     std::vector<ReportSection> sections;  ///< of hammer and string, likewise; none of a uniform rod

@@ -82,8 +82,9 @@ class Page {
 
     std::string body(const std::vector<ReportPicture>& pictures) const {
         return htmlElement("h1", bounded(reportTitle(m_report), mostTitleColumns)) + "\n" + head() +
-               decision() + lead(pictures) + feed() + alerts() + results() + energies() + stresses() +
-               thrust() + gap() + inputs() + sections() + scales() + plots(pictures) + scenario() + solver();
+               decision() + lead(pictures) + feed() + alerts() + results() + others() + energies() +
+               stresses() + thrust() + gap() + inputs() + sections() + scales() + plots(pictures) +
+               scenario() + solver();
     }
 
   private:
@@ -294,6 +295,20 @@ class Page {
         return heading("Results") + table("results", titles, numbers(resultRows(blow(), m_style), false)) +
                paragraph(hasSections(blow().scenario) ? "E₀ and p₀ are energy and momentum of the hammer."
                                                       : "W is the work of the hammer.");
+    }
+
+    std::string others() const {
+        const ReportComparison& others = m_report.others;
+        if (others.rows.empty()) return {};
+        std::vector<std::string> titles{"quantity"};
+        for (const std::string& title : others.titles) titles.push_back(bounded(title));
+        std::string rows;
+        for (const ReportRow& each : others.rows) {
+            std::string cells = htmlElement("td", each.label);
+            for (const ReportCell& value : each.cells) cells += cell(value.text, value.number);
+            rows += row(each.key, cells);
+        }
+        return heading("Beside other runs") + table("runs", titles, rows);
     }
 
     /// What the numbers are worth, which is no result.

@@ -9,6 +9,7 @@
 #include "core/archive/report_file.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/export_place.h"
+#include "ui/export/report_comparison.h"
 #include "ui/export/report_export.h"
 #include "ui/export/report_preview.h"
 #include "ui/text/language.h"
@@ -63,6 +64,11 @@ QString ReportWriter::suggestion() const {
     return exportSuggestion(m_document, QStringLiteral("_report.html"));
 }
 
+void ReportWriter::setRuns(RunListPtr runs) {
+    m_runs = std::move(runs);
+    if (m_preview) m_preview->setOutOfDate(true);
+}
+
 void ReportWriter::write() {
     const QString path = m_questions.fileToExport(m_window, tr("Write the report"), suggestion(),
                                                   tr("Web page (*.html);;PDF (*.pdf)"));
@@ -115,6 +121,8 @@ void ReportWriter::follow() {
     if (m_job.state() == StudyState::finished) {
         BlowReport report = *m_job.value();
         report.head = rememberedHead();
+        if (m_runs && report.blow.isSolved())
+            report.others = comparisonWith(*m_runs, report.blow, m_document.units());
         if (report.blow.isSolved())
             use(report);
         else

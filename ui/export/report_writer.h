@@ -10,6 +10,7 @@
 #include "ui/document/document.h"
 #include "ui/job/study_job.h"
 #include "ui/questions/questions.h"
+#include "ui/runs/run.h"
 
 namespace drillwave {
 
@@ -21,6 +22,9 @@ class ReportWriter : public QObject {
   public:
     /// Document and questions must outlive the writer, whose parent `window` is.
     ReportWriter(Document& document, Questions& questions, QWidget* window);
+
+    /// The runs that stand beside the blow in reports from now on.
+    void setRuns(RunListPtr runs);
 
     /// For menus and tool bars.
     QAction* action() const { return m_action; }
@@ -63,6 +67,7 @@ class ReportWriter : public QObject {
     QAction* m_previewAction;
     QAction* m_printAction;
     ReportPreview* m_preview = nullptr;
+    RunListPtr m_runs;  // nullptr without
     Use m_use;          // of the report on its way; empty without
     QString m_failure;  // what to say where there is none
     StudyJob<BlowReport> m_job;

@@ -14,16 +14,19 @@
 
 #include "core/report/blow_report.h"
 #include "core/report/report_html.h"
+#include "core/text/decimal_text.h"
 #include "tests/support/files.h"
 #include "tests/support/program.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/export/report_preview.h"
 #include "ui/export/report_writer.h"
+#include "ui/job/solve_status.h"
 #include "ui/job/study_status.h"
 #include "ui/text/settings.h"
 #include "ui/text/unit_choice.h"
 #include "ui/window/file_menu.h"
+#include "ui/window/pinned_runs.h"
 #include "ui/window/units_choice.h"
 
 using namespace drillwave;
@@ -45,6 +48,7 @@ class TestReportWriter : public QObject {
     void menuAndToolBarOfferIt();
     void ctrlPPrintsThePagesOfThePdf();
     void thePreviewHasThePagesAndKeepsTheHead();
+    void pinnedRunsStandBesideTheBlow();
     void noPaperIsTold();
     void noPrinterIsNothingToTell();
     void anotherEndingIsRefused();
@@ -252,6 +256,21 @@ void TestReportWriter::thePreviewHasThePagesAndKeepsTheHead() {
     QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 3, 60000);
     QVERIFY(!update->isEnabled());
     Settings().remove(QStringLiteral("report/customer"));
+}
+
+void TestReportWriter::pinnedRunsStandBesideTheBlow() {
+    writeTo(path("alone.html"));
+    QVERIFY(!read(path("alone.html")).contains("Beside other runs"));
+    QTRY_VERIFY_WITH_TIMEOUT(part<SolveStatus>(window()).isCurrent(), 60000);
+    const double before = window().shown()->summary.cor;
+    part<PinnedRuns>(window()).pinAction()->trigger();
+    window().document().assign(*findParameter("rod.length"), 4.5, 1);
+    writeTo(path("beside.html"));
+    const QByteArray page = read(path("beside.html"));
+    const QByteArray table = page.mid(page.indexOf("id=\"runs-table\""));
+    QVERIFY2(table.contains("<th>this report</th><th>A  "), page.mid(page.indexOf("runs-table"), 200));
+    QVERIFY(table.contains("<td data-value=\"4.5\">4.5</td><td data-value=\"3.66\">3.66</td>"));
+    QVERIFY(table.contains("<td data-value=\"" + QByteArray::fromStdString(formatNumber(before)) + "\">"));
 }
 
 void TestReportWriter::noPaperIsTold() {

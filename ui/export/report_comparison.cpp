@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export/report_comparison.h"
+
+#include "ui/export/paper_plots.h"
+#include "ui/pages/compare/compare_table.h"
+#include "ui/text/language.h"
+#include "ui/text/number_text.h"
+#include "ui/text/unit_choice.h"
+
+namespace drillwave {
+namespace {
+
+constexpr int digits = 5;
+
+ReportCell cellOf(const CompareRow& row, std::size_t column, const QLocale& locale) {
+    if (!row.hasNumbers()) return {row.words.value(static_cast<qsizetype>(column)).toStdString(), {}};
+    const std::optional<double>& number = row.numbers[column];
+    return {number ? numberText(*number, digits, locale).toStdString() : std::string(), number};
+}
+
+}  // namespace
+
+ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const UnitChoice& units) {
+    const EnglishTexts english;
+    const PaperReader reader = PaperReader::of(units);
+    SolvedBlow own;
+    static_cast<Blow&>(own) = blow;
+    std::vector<CompareColumn> columns{{QStringLiteral("this report"), &blow.scenario, &own}};
+    for (const Run& run : runs)
+        if (run.isSolved()) columns.push_back({run.title(), &run.contents.scenario, run.blow.get()});
+    if (columns.size() == 1) return {};
+    const UnitSystem system = reader.unitsFor(blow.scenario).system;
+    const CompareTable table = compareTable(columns, 0, system, reader.chosen, units);
+    ReportComparison comparison;
+    for (const QString& title : table.titles) comparison.titles.push_back(title.toStdString());
+    for (const CompareRow& row : table.rows) {
+        if (row.kind == CompareRow::Kind::heading) continue;
+        const QString label =
+            row.unit.isEmpty() ? row.name : QStringLiteral("%1 [%2]").arg(row.name, row.unit);
+        comparison.rows.push_back({label.toStdString(), label.toStdString(), {}});
+        for (std::size_t column = 0; column < columns.size(); ++column)
+            comparison.rows.back().cells.push_back(cellOf(row, column, reader.locale));
+    }
+    return comparison;
+}
+
+}  // namespace drillwave

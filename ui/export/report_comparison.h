@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The pinned runs as a report has them beside its own blow.
+#pragma once
+
+#include "core/report/blow_report.h"
+#include "ui/runs/run.h"
+
+namespace drillwave {
+
+class UnitChoice;
+
+/// What differs and the results of a solved blow, then of the runs that are solved, in the units of the
+/// window, as on the page Compare; empty without such runs.
+ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const UnitChoice& units);
+
+}  // namespace drillwave
