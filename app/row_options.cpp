@@ -158,14 +158,15 @@ std::string commandText(std::string_view command, const Arguments& arguments) {
 
 RowRecord recordOf(std::string_view command, const Arguments& arguments, const RowOptions& options,
                    std::span<const OutputColumn> columns, const ScenarioDocument& base, std::uint64_t rows) {
-    RowRecord record{.command = commandText(command, arguments),
-                     .method = options.method,
-                     .rows = rows,
-                     .shard = options.shard,
-                     .axes = {},
-                     .cases = {},
-                     .outputs = {},
-                     .scenario = completeScenarioText(base)};
+    RowRecord record{
+        .command = commandText(command, arguments),
+        .method = isFollowedByEvents(base.scenario) ? std::optional(options.method) : std::nullopt,
+        .rows = rows,
+        .shard = options.shard,
+        .axes = {},
+        .cases = {},
+        .outputs = {},
+        .scenario = completeScenarioText(base)};
     for (const OutputColumn& column : columns) record.outputs.push_back(column.header());
     return record;
 }

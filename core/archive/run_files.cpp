@@ -6,6 +6,7 @@
 
 #include "core/archive/picture_formats.h"
 #include "core/disk/file_bytes.h"
+#include "core/model/blow_traits.h"
 #include "core/report/blow_csv.h"
 #include "core/report/blow_json.h"
 #include "core/report/result_remarks.h"
@@ -28,6 +29,12 @@ std::vector<std::string> filesOfEarlierRun(const std::string& folder) {
     return holdsRun(folder) ? runFilesThere(folder) : std::vector<std::string>();
 }
 
+/// "method lattice, 500 segments": how the blow was solved, as remarksOf() reads it again.
+std::string methodRemark(const Blow& blow) {
+    return isFollowedByEvents(blow.scenario) ? describe(blow.method)
+                                             : "method " + std::string(methodOfStrings);
+}
+
 }  // namespace
 
 OutputUnits customaryUnits(const Scenario& scenario) {
@@ -35,13 +42,13 @@ OutputUnits customaryUnits(const Scenario& scenario) {
 }
 
 std::string runHeader(const SolvedRun& run) {
-    return scenarioHeader(run.scenarioText, describe(run.blow.method));
+    return scenarioHeader(run.scenarioText, methodRemark(run.blow));
 }
 
 std::string historiesFile(const SolvedRun& run) {
     const Blow& blow = run.blow;
     const StringPlace place = middleOfLongest(blow.scenario.drillString);
-    return scenarioHeader(run.scenarioText, describe(blow.method),
+    return scenarioHeader(run.scenarioText, methodRemark(blow),
                           historyColumns(blow.scenario, place, run.units)) +
            historiesCsv(blow, place, run.units);
 }
@@ -51,7 +58,7 @@ std::string eventsFile(const SolvedRun& run) {
 }
 
 std::string scenarioFile(const SolvedRun& run) {
-    return remarksText(".", describe(run.blow.method)) + run.scenarioText;
+    return remarksText(".", methodRemark(run.blow)) + run.scenarioText;
 }
 
 std::vector<std::string> runFileNames(const std::vector<std::string>& formats) {

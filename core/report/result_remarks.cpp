@@ -25,6 +25,7 @@ void readMethod(std::string_view line, ResultRemarks& remarks) {
     while (words.ends_with('\r') || words.ends_with('.')) words.remove_suffix(1);
     const std::size_t comma = std::min(words.find(", "), words.size());
     const std::string_view method = words.substr(0, comma);
+    if (method == methodOfStrings) return;  // there is no choice
     remarks.problem = methodProblem(method);
     if (!remarks.problem.empty()) {
         remarks.problem = "was solved by method " + shortened(method) + " (" + remarks.problem + ")";

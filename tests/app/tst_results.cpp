@@ -40,6 +40,7 @@ class TestResults : public QObject {
     void aNewerProgramIsToldOf();
     void byteOrderMarksAreRead();
     void rowsHaveTheirRecordBesideThem();
+    void filesOfAStringNameTheMethodThatItHas();
     void theCommandOfARecordGivesTheSameRows();
     void aRecordDoesNotDependOnThreads();
     void recordsFollowTheRulesOfOverwriting();
@@ -191,6 +192,24 @@ void TestResults::rowsHaveTheirRecordBesideThem() {
     // Standard output and devices have none.
     QCOMPARE(run({"sweep", example("paper_fig4b"), "--vary", "beta=1,2", "-o", "/dev/null"}).exitCode, 0);
     QVERIFY(!QFile::exists("/dev/null.yaml"));
+}
+
+void TestResults::filesOfAStringNameTheMethodThatItHas() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("out"), rows = folder.filePath("rows.csv");
+    QCOMPARE(run({"run", example("r32_string"), "-o", out}).exitCode, 0);
+    const QJsonObject before = withoutTime(json({"run", example("r32_string")}));
+    for (const char* file : {"/scenario.yaml", "/histories.csv", "/events.csv"}) {
+        const QByteArray text = read(out + file);
+        QVERIFY2(text.contains("# Solved by method polynomial_cells.\n"), file);
+        QCOMPARE(withoutTime(json({"run", out + file})), before);
+    }
+    QCOMPARE(run({"sweep", example("r32_string"), "--vary", "bit_rock.gamma=0.1,0.2", "--outputs",
+                  "efficiency", "-o", rows})
+                 .exitCode,
+             0);
+    QVERIFY(!read(rows + ".yaml").contains("method"));  // there is no choice
+    QCOMPARE(withoutTime(json({"run", rows + ".yaml"})), before);
 }
 
 void TestResults::theCommandOfARecordGivesTheSameRows() {
