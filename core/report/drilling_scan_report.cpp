@@ -61,10 +61,25 @@ std::string placesOf(const HeldValues& values, const SweepAxis& axis, const Read
     const auto first = std::ranges::find_if(values, holds);
     if (std::all_of(first, values.end(), holds))
         return "from " + valueText(axis, first->first, style) + " on";
-    const auto end = std::ranges::find_if_not(values, holds);
-    if (std::none_of(end, values.end(), holds))
-        return "up to " + valueText(axis, std::prev(end)->first, style);
-    return "at " + std::to_string(count) + " of " + std::to_string(values.size()) + " values";
+    // A bit that bounces may drill at full rate in windows of the parameter.
+    constexpr std::size_t mostWindows = 4;
+    std::vector<std::string> windows;
+    for (auto begin = first; begin != values.end();) {
+        const auto end = std::find_if_not(begin, values.end(), holds);
+        const std::string from = valueText(axis, begin->first, style);
+        const std::string to = valueText(axis, std::prev(end)->first, style);
+        windows.push_back(begin == values.begin() ? "up to " + to
+                          : end == values.end()   ? "from " + from + " on"
+                          : from == to            ? "at " + from
+                                                  : "from " + from + " to " + to);
+        begin = std::find_if(end, values.end(), holds);
+    }
+    if (windows.size() > mostWindows)
+        return "at " + std::to_string(count) + " of " + std::to_string(values.size()) + " values";
+    std::string text = windows.front();
+    for (std::size_t i = 1; i < windows.size(); ++i)
+        text += (i + 1 == windows.size() ? " and " : ", ") + windows[i];
+    return text;
 }
 
 const char* nameOf(DrillingStart start) {

@@ -134,7 +134,8 @@ class DecisionText {
 };
 
 constexpr std::string_view outsideTheModel =
-    " Whether it is too much (friction, buckling, stalling of the rotation) is outside the model.";
+    " Waves that the blow before has left are not in this; `drill` follows them. Whether it is too much "
+    "(friction, buckling, stalling of the rotation) is outside the model.";
 
 /// Where the bit is in the motion that nothing damps, behind what is told without numbers.
 std::string motionText(Feed feed, const GapAtBlow& found, const ReadingStyle& style) {

@@ -3,7 +3,9 @@
 #include <QtTest>
 
 #include <cmath>
+#include <set>
 
+#include "core/report/drilling_scan_report.h"
 #include "core/study/scan/drilling_scan.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
@@ -34,6 +36,7 @@ class TestDrillingScan : public QObject {
   private slots:
     void whatIsTheSameIsNotMarchedTwice();
     void theFullRateOfAThrustIsThatOfEach();
+    void theSentenceNamesTheWindows();
 };
 
 /// From 5 kN on the bit rests or repeats, from wherever it begins; at 3.2 kN it does neither.
@@ -58,6 +61,28 @@ void TestDrillingScan::theFullRateOfAThrustIsThatOfEach() {
         QCOMPARE(*point.result.fullRateShare, *result.fullRateShare);
         QCOMPARE(point.result.verdict, result.verdict);
     }
+}
+
+void TestDrillingScan::theSentenceNamesTheWindows() {
+    // What holds is made up: where it does in a real scan hangs on the last digits of a motion.
+    DrillingScan scan = scanOver("drill.thrust=3kN,4kN,5kN,6kN,7kN", exampleWithDashpot());
+    const auto sentenceOf = [&](const std::set<double>& full) {
+        for (DrillingScanPoint& point : scan.points) {
+            point.result.verdict =
+                full.contains(point.value / 1000) ? DrillingVerdict::fullRate : DrillingVerdict::rateLost;
+            if (!point.result.statistics) point.result.statistics.emplace();
+        }
+        const std::string all = scanSentence(scan);
+        return all.substr(0, all.find(';'));
+    };
+    const std::string begin = "It drills at full rate ";
+    QCOMPARE(sentenceOf({}), begin + "at none of the values");
+    QCOMPARE(sentenceOf({3, 4, 5, 6, 7}), begin + "at all values");
+    QCOMPARE(sentenceOf({5, 6, 7}), begin + "from 5 kN on");
+    QCOMPARE(sentenceOf({3, 4}), begin + "up to 4 kN");
+    QCOMPARE(sentenceOf({4}), begin + "at 4 kN");
+    QCOMPARE(sentenceOf({3, 5, 6}), begin + "up to 3 kN and from 5 kN to 6 kN");
+    QCOMPARE(sentenceOf({3, 5, 7}), begin + "up to 3 kN, at 5 kN and from 7 kN on");
 }
 
 QTEST_GUILESS_MAIN(TestDrillingScan)
