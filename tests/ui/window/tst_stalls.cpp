@@ -39,11 +39,12 @@ void TestStalls::draggingNeverStallsThePage() {
         pages.setCurrentIndex(page);
         QTRY_VERIFY_WITH_TIMEOUT(!part<SolveJob>(*window).isBusy(), 60000);
         QTest::qWait(100);  // what is painted for the first time
-        // What the program does wrong it does every time; what a machine that is busy with much else takes
-        // for itself, not so often.
-        constexpr int drags = 6;
-        double longest = 0;
-        for (int drag = 0; drag < drags && (drag == 0 || longest >= 50); ++drag) {
+        // What the program does wrong it does every time. Where others have the processors, and with them the
+        // caches, for as long as this thread, the clock says nothing of the program.
+        constexpr int drags = 6, enough = 2;
+        bool isSmooth = false;
+        int stalled = 0;
+        for (int drag = 0; drag < drags && !isSmooth && stalled < enough; ++drag) {
             GapWatch gaps;
             QTimer timer;
             int step = 0;
@@ -58,9 +59,10 @@ void TestStalls::draggingNeverStallsThePage() {
             slider->setSliderDown(false);
             qInfo("%s: longest gap %.1f ms, %.1f ms of it without waiting for a processor",
                   qPrintable(pages.page(page).title()), gaps.longestWall.count(), gaps.longestOwn.count());
-            longest = gaps.longestOwn.count();
+            isSmooth = gaps.longestOwn.count() < 50;
+            if (!isSmooth && gaps.longestWall < 2 * gaps.longestOwn) ++stalled;
         }
-        QVERIFY2(longest < 50, qPrintable(pages.page(page).title()));
+        QVERIFY2(stalled < enough, qPrintable(pages.page(page).title()));
     }
 }
 
