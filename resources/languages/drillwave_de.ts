@@ -3316,7 +3316,7 @@ Gezeigt wird der Wert davor.</translation>
     </message>
     <message>
         <source>bracket</source>
-        <translation>einklammern</translation>
+        <translation>mit Grenzfällen</translation>
     </message>
     <message>
         <source>Also under a constant force, and with a dashpot of half the impedance where there is a machine mass: no maker publishes its damper</source>
@@ -3357,6 +3357,18 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>Blow %1 of %2 under the feed, with the waves and the motion that it began with: gap %3, penetration %4. What Result says is of a single blow that begins at rest.</source>
         <translation>Schlag %1 von %2 unter dem Vorschub, mit den Wellen und der Bewegung, mit denen er begann: Spalt %3, Eindringung %4. Was das Ergebnis sagt, ist von einem einzelnen Schlag, der in Ruhe beginnt.</translation>
+    </message>
+    <message>
+        <source>Data of the &amp;scan…</source>
+        <translation>Daten des &amp;Durchlaufs …</translation>
+    </message>
+    <message>
+        <source>The statistics at every value of the scan, as CSV</source>
+        <translation>Die Statistik bei jedem Wert des Durchlaufs, als CSV</translation>
+    </message>
+    <message>
+        <source>There is no scan of this scenario yet.</source>
+        <translation>Von diesem Szenario gibt es noch keinen Durchlauf.</translation>
     </message>
 </context>
 <context>

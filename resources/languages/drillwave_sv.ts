@@ -3358,6 +3358,18 @@ Det som visas gäller värdet dessförinnan.</translation>
         <source>Blow %1 of %2 under the feed, with the waves and the motion that it began with: gap %3, penetration %4. What Result says is of a single blow that begins at rest.</source>
         <translation>Slag %1 av %2 under matningen, med de vågor och den rörelse som det började med: spalt %3, inträngning %4. Det som resultatet säger gäller ett enstaka slag som börjar i vila.</translation>
     </message>
+    <message>
+        <source>Data of the &amp;scan…</source>
+        <translation>Data för s&amp;vepet…</translation>
+    </message>
+    <message>
+        <source>The statistics at every value of the scan, as CSV</source>
+        <translation>Statistiken vid varje värde i svepet, som CSV</translation>
+    </message>
+    <message>
+        <source>There is no scan of this scenario yet.</source>
+        <translation>Det finns inget svep av detta scenario än.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::DrillingPlot</name>

@@ -97,15 +97,19 @@ void ExportMenu::save(const PageExport& wanted) {
 }
 
 void ExportMenu::showNumbers() {
-    QString why;
-    for (const PageExport& offered : m_exports)
-        if (!offered.picture && offered.obstacle && why.isEmpty()) why = offered.obstacle();
-    if (!why.isEmpty()) return fail(why);
     m_sources.whenSolved(tr("The table"), [this] {
         if (isUnsolved()) return;
         QList<std::pair<QString, QByteArray>> tables;
-        for (const PageExport& offered : m_exports)
-            if (!offered.picture) tables.append({plainTitle(offered.title), offered.csv()});
+        QString why;
+        for (const PageExport& offered : m_exports) {
+            if (offered.picture) continue;
+            const QString obstacle = offered.obstacle ? offered.obstacle() : QString();
+            if (obstacle.isEmpty())
+                tables.append({plainTitle(offered.title), offered.csv()});
+            else if (why.isEmpty())
+                why = obstacle;
+        }
+        if (tables.isEmpty()) return fail(why);
         auto* numbers = new NumbersWindow(tr("Numbers: %1").arg(m_document.displayName()), tables, m_window);
         numbers->setAttribute(Qt::WA_DeleteOnClose);
         numbers->show();

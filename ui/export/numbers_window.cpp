@@ -63,7 +63,7 @@ QTableView* NumbersWindow::makeView(const QString& title, const QByteArray& csv)
     view->setAccessibleDescription(
         tr("%1 rows, %2 columns").arg(numbers->rowCount()).arg(numbers->columnCount()));
     view->setTabKeyNavigation(false);  // out of the table
-    constexpr int air = 6;  // above and below a line, together
+    constexpr int air = 6;             // above and below a line, together
     view->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + air);
     view->horizontalHeader()->setResizeContentsPrecision(100);
     view->resizeColumnsToContents();

@@ -266,8 +266,7 @@ void MainWindow::wire() {
     connect(m_report, &ReportWriter::begun, this,
             [this] { m_studyStatus->follow(&m_report->activity(), tr("Report")); });
     connect(m_report, &ReportWriter::ended, this, &MainWindow::followPage);
-    connect(&m_runs->runs(), &Runs::changed, m_report,
-            [this] { m_report->setRuns(m_runs->runs().list()); });
+    connect(&m_runs->runs(), &Runs::changed, m_report, [this] { m_report->setRuns(m_runs->runs().list()); });
     connect(m_pages, &PageTabs::exportRequested, m_exportMenu, &ExportMenu::save);
     connect(m_runs->pinAction(), &QAction::triggered, this,
             [this] { m_solveStatus->whenCurrent(tr("the run"), [this] { m_runs->pin(); }); });

@@ -347,6 +347,16 @@ void TestExportMenu::theNumbersAreThoseOfTheFile() {
     QCOMPARE(tabs->tabText(0), QStringLiteral("Needs"));
     const QAbstractItemModel& quoted = *qobject_cast<QTableView*>(tabs->widget(1))->model();
     QCOMPARE(quoted.index(0, 0).data().toString(), QStringLiteral("1,5"));
+    // What there is not yet is left out, where there is another.
+    PageExport missing = table;
+    missing.obstacle = [] { return QStringLiteral("There is no scan yet."); };
+    delete window().findChild<NumbersWindow*>();
+    menu.setExports({missing, table});
+    menu.showNumbers();
+    QCOMPARE(window().findChild<NumbersWindow*>()->findChild<QTabWidget*>(), nullptr);
+    menu.setExports({missing});
+    menu.showNumbers();
+    QVERIFY(m_answers.told.last().contains(QStringLiteral("no scan yet")));
     menu.setExports({picture()});
     QVERIFY(!menu.findChild<QAction*>(QStringLiteral("numbersAsTable"))->isEnabled());
 }

@@ -218,8 +218,9 @@ QString DrillingPage::wordsOf(const DrillingAnswer& answer) const {
                             QString::fromStdString(regimeWords(result, style)));
     sentences << numbers + QLatin1Char('.');
     for (const Alert& alert : result.alerts)
-        if (alert.level == AlertLevel::warning)
-            sentences << QStringLiteral("⚠ ") + QString::fromStdString(alertText(alert, style));
+        if (alert.level == AlertLevel::warning || alert.code == AlertCode::noWaveLoss)
+            sentences << (alert.level == AlertLevel::warning ? QStringLiteral("⚠ ") : QString()) +
+                             QString::fromStdString(alertText(alert, style));
     if (const DrillingScanAnswer* scan = m_scan.value(); scan && m_scan.job().isCurrent()) {
         for (const std::string& refusal : scan->refusals)
             sentences << tr("No scan: %1").arg(QString::fromStdString(refusal));
@@ -295,15 +296,44 @@ QString DrillingPage::obstacle() const {
 QByteArray DrillingPage::csv() const {
     const DrillingAnswer* answer = m_march.value();
     if (!answer || !answer->result) return {};
-    const DrillingSettings& settings = answer->question.settings;
+    const std::string scenario = scenarioWith(answer->question.settings);
+    if (scenario.empty()) return {};
+    return QByteArray::fromStdString(drillingCsv({*answer->result, scenario}, OutputUnits::si));
+}
+
+// Empty where it is none.
+std::string DrillingPage::scenarioWith(const DrillingSettings& settings) const {
     ScenarioDocument contents;
     const QString problem =
         document().contentsWith({{findParameter("drill.blows"), double(settings.blows)},
                                  {findParameter("drill.settle"), double(settings.settle)}},
                                 contents);
-    if (!problem.isEmpty()) return {};
-    return QByteArray::fromStdString(
-        drillingCsv({*answer->result, completeScenarioText(contents)}, OutputUnits::si));
+    return problem.isEmpty() ? completeScenarioText(contents) : std::string();
+}
+
+QList<PageExport> DrillingPage::exports() const {
+    QList<PageExport> all = StudyPage::exports();
+    PageExport scan;
+    scan.title = tr("Data of the &scan…");
+    scan.toolTip = tr("The statistics at every value of the scan, as CSV");
+    scan.fileStem = QStringLiteral("_scan");
+    scan.csv = [this] { return scanCsv(); };
+    scan.content = PageExport::Content::wholeFile;
+    scan.obstacle = [this] { return isScanNew() ? QString() : tr("There is no scan of this scenario yet."); };
+    all.insert(1, scan);
+    return all;
+}
+
+bool DrillingPage::isScanNew() const {
+    const DrillingScanAnswer* scan = m_scan.value();
+    const bool isFinished = m_scan.job().state() == StudyState::finished && m_scan.job().isCurrent();
+    return scan && scan->scan && isFinished && m_plot->picture().scan && !m_plot->picture().isScanOld;
+}
+
+QByteArray DrillingPage::scanCsv() const {
+    if (!isScanNew()) return {};
+    const DrillingScan& scan = *m_scan.value()->scan;
+    return QByteArray::fromStdString(drillingScanCsv({scan, scenarioWith(scan.settings)}, OutputUnits::si));
 }
 
 QStringList DrillingPage::commandWords() const {
@@ -316,9 +346,7 @@ QStringList DrillingPage::commandWords() const {
 // The march, and below it the scan where there is one.
 QString DrillingPage::command() const {
     QString text = StudyPage::command();
-    const DrillingScanAnswer* scan = m_scan.value();
-    const bool isFinished = m_scan.job().state() == StudyState::finished;
-    if (text.isEmpty() || !scan || !scan->scan || !isFinished || m_plot->picture().isScanOld) return text;
+    if (text.isEmpty() || !isScanNew()) return text;
     const QStringList words = commandWords();
     const QString axis = QString::fromStdString(scanAxisText(m_scan.question()->range));
     return text + QLatin1Char('\n') +

@@ -29,6 +29,8 @@ class DrillingPage : public StudyPage {
     QString title() const override { return tr("Drilling"); }
     bool shows(const Scenario& scenario) const override { return hasUnits(scenario); }
     QString elsewhere() const override;
+    /// The march, and the scan where there is one.
+    QList<PageExport> exports() const override;
     QString command() const override;
     /// How many marches and scans were started.
     int marches() const { return m_march.started(); }
@@ -62,6 +64,10 @@ class DrillingPage : public StudyPage {
     void refuse(const std::vector<std::string>& problems);
     void draw(const DrillingAnswer& answer);
     void addScan(DrillingPicture& picture) const;
+    /// Whether a scan is shown that is of the present scenario and complete.
+    bool isScanNew() const;
+    QByteArray scanCsv() const;
+    std::string scenarioWith(const DrillingSettings& settings) const;
     void showScanState();
     QString wordsOf(const DrillingAnswer& answer) const;
     void click(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers);

@@ -111,13 +111,13 @@ void ScanRects::showMarks(const ScanPicture& picture) {
         mark.line->point1->setCoords(each.at, 0);
         mark.line->point2->setCoords(each.at, 1);
         mark.words->position->setTypeY(QCPItemPosition::ptAbsolute);
-        mark.words->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
+        mark.words->setPositionAlignment(Qt::AlignLeft | Qt::AlignBottom);
         mark.words->setText(each.words);
         m_marks.append(mark);
     }
 }
 
-// Each in the first row in which it runs into no words of those before it.
+// At the foot, where rates are none, each in the first row in which it runs into no words of those before it.
 void ScanRects::placeMarks() {
     constexpr int margin = 3;
     QVector<double> ends;  // of each row
@@ -129,7 +129,7 @@ void ScanRects::placeMarks() {
         if (free == ends.end()) ends.append(0);
         ends[row] = from + 2 * margin + metrics.horizontalAdvance(mark.words->text());
         mark.words->position->setPixelPosition(
-            {from + margin, m_rates->top() + margin + double(row * metrics.height())});
+            {from + margin, m_rates->bottom() - margin - double(row * metrics.height())});
     }
 }
 
@@ -162,7 +162,9 @@ void ScanRects::setStyle(const PlotStyle& style) {
         mark.line->setPen(QPen(style.frame, 1, Qt::DashLine));
         mark.words->setFont(style.font);
         mark.words->setColor(style.text);
-        mark.words->setBrush(style.background);
+        QColor veil = style.background;
+        veil.setAlphaF(0.6F);  // what is behind the words shows through
+        mark.words->setBrush(veil);
     }
 }
 

@@ -163,12 +163,13 @@ void TestDrillingPage::aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust() {
     QVERIFY(scan.rate()->dataCount() > 20);
     QVERIFY(scan.gapDots()->dataCount() >= scan.rate()->dataCount() * 40);
     QCOMPARE(scan.marks().size(), 3);
-    // lines that are near to each other have their words below each other
+    // lines that are near to each other have their words above each other, at the foot
     m_page->plot()->resize(900, 500);
     scan.rates()->axis(QCPAxis::atBottom)->setRange(0, 2000);
     m_page->plot()->replot();
     const double first = scan.markTop(0);
-    QVERIFY(scan.markTop(1) > first && scan.markTop(2) > scan.markTop(1));
+    QVERIFY(scan.markTop(1) < first && scan.markTop(2) < scan.markTop(1));
+    QVERIFY(first > scan.rates()->height() / 2.0);
     scan.rates()->axis(QCPAxis::atBottom)->setRange(2, 6);
     m_page->plot()->replot();
     for (int mark = 0; mark < 3; ++mark) QCOMPARE(scan.markTop(mark), first);
@@ -190,9 +191,22 @@ void TestDrillingPage::aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust() {
                 ->text()
                 .contains("every blow begins on the rock"));
     QVERIFY(shell(m_page->command()).out.contains("drill.thrust [kN],start,"));
+    // The rows of that command can be had from the page, too.
+    const PageExport exported = m_page->exports().at(1);
+    QCOMPARE(exported.obstacle(), QString());
+    // Only the command looks for the Lyapunov exponents.
+    const auto rows = [](const QString& csv) {
+        const qsizetype begin = csv.indexOf(QStringLiteral("drill.thrust [kN],start,"));
+        QStringList begins;
+        for (const QString& row : csv.mid(begin).split(u'\n', Qt::SkipEmptyParts))
+            begins << row.section(u',', 0, 4);
+        return begins;
+    };
+    QCOMPARE(rows(QString::fromUtf8(exported.csv())), rows(shell(m_page->command()).out));
     set("drill.wave_loss", 0.2);
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     QVERIFY(m_page->drillingPlot().picture().isScanOld);
+    QVERIFY(!exported.obstacle().isEmpty());
     QVERIFY(!m_page->command().contains(QStringLiteral("--scan")));
     QCOMPARE(m_page->scans(), 1);
 }
