@@ -103,7 +103,8 @@ struct LawParameters {
                             SliderScale::logarithmic,
                             Scope::powerByRatio,
                             [](const Scenario& s) { return Value(s.bitRock.referencePenetration); },
-                            [](Scenario& s, double v) { s.bitRock.referencePenetration = v; }});
+                            [](Scenario& s, double v) { s.bitRock.referencePenetration = v; },
+                            {.shortLabel = "penetration"}});
     }
 };
 
