@@ -141,6 +141,7 @@ void StringEdits::addPresets() {
     };
     m_addMenu->addSection(tr("Presets"));
     QMenu* rods = newMenu(tr("Rods"));
+    static_assert(sectionPresetKinds.size() == 4, "a menu for each kind");
     const std::array<QMenu*, sectionPresetKinds.size()> menus{newMenu(tr("Hammer, in place of this one")),
                                                               newMenu(tr("Adapters")),
                                                               newMenu(tr("Couplings")), newMenu(tr("Bits"))};
