@@ -119,7 +119,8 @@ constexpr auto outputTable = std::to_array<Output>({
      Measure::speed, Detail::summary, penetrationRate, "penetration rate", OutputOf::anyBlow,
      OutputGroup::penetration,
      "Penetration that stays times the blow frequency: an upper limit, which indexing, flushing and a bit "
-     "off the rock do not reach",
+     "off the rock do not reach, of blows that begin with a rod at rest; waves that are left may add to it "
+     "(Drilling)",
      std::nullopt, std::nullopt,
      [](const Scenario& s) { return frequencyProblem(s, "the penetration rate"); }},
     {"peak_compression", "largest compression in the rod while the blow lasts", Measure::stress,

@@ -839,8 +839,8 @@ Trotzdem löschen?</translation>
         <translation>Eindringung, die nach dem Schlag bleibt</translation>
     </message>
     <message>
-        <source>Penetration that stays times the blow frequency: an upper limit, which indexing, flushing and a bit off the rock do not reach</source>
-        <translation>Bleibende Eindringung mal Schlagfrequenz: eine obere Grenze, die Umsetzen, Spülung und eine abgehobene Bohrkrone nicht erreichen lassen</translation>
+        <source>Penetration that stays times the blow frequency: an upper limit, which indexing, flushing and a bit off the rock do not reach, of blows that begin with a rod at rest; waves that are left may add to it (Drilling)</source>
+        <translation>Bleibende Eindringung mal Schlagfrequenz: eine obere Grenze, die Umsetzen, Spülung und eine abgehobene Bohrkrone nicht erreichen lassen, von Schlägen, die mit einer Stange in Ruhe beginnen; verbliebene Wellen können dazu beitragen (Bohren)</translation>
     </message>
     <message>
         <source>Share of its energy that runs to and fro in the hammer</source>

@@ -839,8 +839,8 @@ Ta bort ändå?</translation>
         <translation>Inträngning som blir kvar efter slaget</translation>
     </message>
     <message>
-        <source>Penetration that stays times the blow frequency: an upper limit, which indexing, flushing and a bit off the rock do not reach</source>
-        <translation>Kvarstående inträngning gånger slagfrekvensen: en övre gräns, som indexering, spolning och en lyft borrkrona gör att man inte når</translation>
+        <source>Penetration that stays times the blow frequency: an upper limit, which indexing, flushing and a bit off the rock do not reach, of blows that begin with a rod at rest; waves that are left may add to it (Drilling)</source>
+        <translation>Kvarstående inträngning gånger slagfrekvensen: en övre gräns, som indexering, spolning och en lyft borrkrona gör att man inte når, för slag som börjar med en stång i vila; kvarvarande vågor kan lägga till (Borrning)</translation>
     </message>
     <message>
         <source>Share of its energy that runs to and fro in the hammer</source>
