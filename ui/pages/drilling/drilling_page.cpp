@@ -137,6 +137,12 @@ void DrillingPage::present() {
     draw(*answer);
 }
 
+// All pages are as tall as the tallest one: a scan that is out of sight lets the others be.
+void DrillingPage::hideEvent(QHideEvent* event) {
+    StudyPage::hideEvent(event);
+    if (!event->spontaneous()) setLeastLines(plotLinesOfMarch);
+}
+
 void DrillingPage::refuse(const std::vector<std::string>& problems) {
     m_table->clearNumbers();
     QStringList lines;

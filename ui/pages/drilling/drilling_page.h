@@ -52,6 +52,7 @@ class DrillingPage : public StudyPage {
   protected:
     void ask() override;
     void present() override;
+    void hideEvent(QHideEvent* event) override;
     QString obstacle() const override;
     QByteArray csv() const override;
     QStringList commandWords() const override;

@@ -163,6 +163,12 @@ void TestDrillingPage::aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust() {
     QVERIFY(scan.rate()->dataCount() > 20);
     QVERIFY(scan.gapDots()->dataCount() >= scan.rate()->dataCount() * 40);
     QCOMPARE(scan.marks().size(), 3);
+    // It takes room of its own, but not of other pages.
+    const int tall = m_page->plot()->minimumHeight();
+    m_page->hide();
+    QVERIFY(m_page->plot()->minimumHeight() < tall);
+    m_page->show();
+    QTRY_COMPARE(m_page->plot()->minimumHeight(), tall);
     // lines that are near to each other have their words above each other, at the foot
     m_page->plot()->resize(900, 500);
     scan.rates()->axis(QCPAxis::atBottom)->setRange(0, 2000);
