@@ -2,6 +2,7 @@
 #include "ui/export/numbers_table.h"
 
 #include <sstream>
+#include <utility>
 
 #include "core/text/csv.h"
 #include "ui/text/typed_text.h"
@@ -33,6 +34,12 @@ QStringList NumbersTable::cells(qsizetype begin) const {
     return texts;
 }
 
+const QStringList& NumbersTable::row(int index) const {
+    if (std::exchange(m_lastRow, index) != index)
+        m_lastCells = cells(m_rows[static_cast<std::size_t>(index)]);
+    return m_lastCells;
+}
+
 int NumbersTable::rowCount(const QModelIndex& parent) const {
     return parent.isValid() ? 0 : static_cast<int>(m_rows.size());
 }
@@ -43,7 +50,7 @@ int NumbersTable::columnCount(const QModelIndex& parent) const {
 
 QVariant NumbersTable::data(const QModelIndex& index, int role) const {
     if (!index.isValid() || (role != Qt::DisplayRole && role != Qt::TextAlignmentRole)) return {};
-    const QString text = cells(m_rows[static_cast<std::size_t>(index.row())]).value(index.column());
+    const QString text = row(index.row()).value(index.column());
     bool isNumber = false;
     text.toDouble(&isNumber);
     if (role == Qt::TextAlignmentRole) {

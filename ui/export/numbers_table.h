@@ -24,11 +24,14 @@ class NumbersTable : public QAbstractTableModel {
 
   private:
     QStringList cells(qsizetype begin) const;
+    const QStringList& row(int index) const;
 
     QByteArray m_csv;
     QLocale m_locale;
     QStringList m_header;
     std::vector<qsizetype> m_rows;  // where they begin
+    mutable int m_lastRow = -1;     // whose cells m_lastCells are: all of a row are asked for one by one
+    mutable QStringList m_lastCells;
 };
 
 }  // namespace drillwave
