@@ -58,13 +58,10 @@ std::string placesOf(const HeldValues& values, const SweepAxis& axis, const Read
     const auto count = std::ranges::count_if(values, holds);
     if (count == 0) return "at none of the values";
     if (count == std::ssize(values)) return "at all values";
-    const auto first = std::ranges::find_if(values, holds);
-    if (std::all_of(first, values.end(), holds))
-        return "from " + valueText(axis, first->first, style) + " on";
     // A bit that bounces may drill at full rate in windows of the parameter.
     constexpr std::size_t mostWindows = 4;
     std::vector<std::string> windows;
-    for (auto begin = first; begin != values.end();) {
+    for (auto begin = std::ranges::find_if(values, holds); begin != values.end();) {
         const auto end = std::find_if_not(begin, values.end(), holds);
         const std::string from = valueText(axis, begin->first, style);
         const std::string to = valueText(axis, std::prev(end)->first, style);
