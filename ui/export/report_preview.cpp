@@ -100,11 +100,12 @@ void ReportPreview::remember() {
     for (const QLineEdit* field : m_fields->findChildren<QLineEdit*>())
         settings.setValue(field->objectName(), field->text().trimmed());
     settings.setValue(datedKey, m_dated->isChecked());
+    if (m_report) m_report->head = rememberedHead();
     m_edited.start();
 }
 
-void ReportPreview::present(std::shared_ptr<const BlowReport> report, const PaperReader& reader) {
-    m_report = std::move(report);
+void ReportPreview::present(const BlowReport& report, const PaperReader& reader) {
+    m_report = report;
     m_reader = reader;
     setOutOfDate(false);
     m_pages->updatePreview();
@@ -120,10 +121,8 @@ int ReportPreview::pageCount() const {
 
 void ReportPreview::draw(QPrinter* printer) const {
     if (!m_report) return;
-    BlowReport headed = *m_report;
-    headed.head = rememberedHead();
     const EnglishTexts english;  // as on paper
-    printReport(headed, m_reader, *printer);
+    printReport(*m_report, m_reader, *printer);
 }
 
 }  // namespace drillwave

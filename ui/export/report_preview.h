@@ -5,7 +5,7 @@
 #include <QPrinter>
 #include <QTimer>
 #include <QWidget>
-#include <memory>
+#include <optional>
 
 #include "core/report/blow_report.h"
 #include "ui/export/paper_plots.h"
@@ -28,8 +28,8 @@ class ReportPreview : public QWidget {
   public:
     explicit ReportPreview(QWidget* parent);
 
-    /// Shows a report with the head that is in the fields.
-    void present(std::shared_ptr<const BlowReport> report, const PaperReader& reader);
+    /// Shows a report, with another head once the fields are edited.
+    void present(const BlowReport& report, const PaperReader& reader);
     /// What is shown is of an earlier scenario.
     void setOutOfDate(bool outOfDate);
     int pageCount() const;
@@ -45,7 +45,7 @@ class ReportPreview : public QWidget {
     void remember();
     void draw(QPrinter* printer) const;
 
-    std::shared_ptr<const BlowReport> m_report;
+    std::optional<BlowReport> m_report;
     PaperReader m_reader;
     QPrinter m_printer{QPrinter::HighResolution};  // of nothing but sizes
     QWidget* m_fields;

@@ -94,7 +94,7 @@ void ReportWriter::show(const BlowReport& report) {
         connect(m_preview, &ReportPreview::writeRequested, this, &ReportWriter::write);
         connect(m_preview, &ReportPreview::printRequested, this, &ReportWriter::print);
     }
-    m_preview->present(std::make_shared<const BlowReport>(report), PaperReader::of(m_document.units()));
+    m_preview->present(report, PaperReader::of(m_document.units()));
     m_preview->show();
     m_preview->raise();
 }
@@ -120,14 +120,14 @@ void ReportWriter::follow() {
     if (m_job.state() == StudyState::failed) fail(m_job.problem());
     if (m_job.state() == StudyState::finished) {
         BlowReport report = *m_job.value();
-        report.head = rememberedHead();
-        if (m_runs && report.blow.isSolved())
-            report.others = comparisonWith(*m_runs, report.blow, m_document.units());
-        if (report.blow.isSolved())
+        if (report.blow.isSolved()) {
+            report.head = rememberedHead();
+            if (m_runs) report.others = comparisonWith(*m_runs, report.blow, m_document.units());
             use(report);
-        else
+        } else {
             fail(tr("The blow could not be solved: %1")
                      .arg(QString::fromStdString(report.blow.impact.reason)));
+        }
     }
     emit ended();
 }
