@@ -35,6 +35,7 @@ class TestPlotWidget : public QObject {
     void theNearestPointIsReadUnderThePointer();
     void hoveringOverAMillionPointsIsQuick();
     void theKeyboardOpensTheMenu();
+    void replotsArePaintedTogetherWithTheWindow();
 
   private:
     std::unique_ptr<PlotScene> m;
@@ -228,6 +229,27 @@ void TestPlotWidget::theKeyboardOpensTheMenu() {
     QContextMenuEvent key(QContextMenuEvent::Keyboard, {}, {});
     QCoreApplication::sendEvent(&m->plot, &key);
     QVERIFY(m->plot.findChild<QMenu*>(QStringLiteral("plotMenu")));
+}
+
+void TestPlotWidget::replotsArePaintedTogetherWithTheWindow() {
+    class PaintCount : public QObject {
+      public:
+        int paints = 0;
+
+      protected:
+        bool eventFilter(QObject* /*plot*/, QEvent* event) override {
+            paints += event->type() == QEvent::Paint;
+            return false;
+        }
+    };
+    QTest::qWait(50);  // what is still to be painted of before
+    PaintCount count;
+    m->plot.installEventFilter(&count);
+    for (int i = 0; i < 3; ++i) m->plot.replot();
+    QCOMPARE(count.paints, 0);
+    QTRY_COMPARE(count.paints, 1);
+    QTest::qWait(50);
+    QCOMPARE(count.paints, 1);
 }
 
 QTEST_MAIN(TestPlotWidget)
