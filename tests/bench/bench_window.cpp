@@ -14,6 +14,7 @@
 
 #include "core/yaml/examples.h"
 #include "tests/bench/bench_program.h"
+#include "tests/support/slider_drag.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/quantity_field.h"
 #include "ui/form/scenario_panel.h"
@@ -74,7 +75,7 @@ void settle(MainWindow& window) {
 
 void printTimes(const QString& name, std::vector<double> times) {
     std::ranges::sort(times);
-    std::printf("%-30s %8.1f %8.1f %8.1f\n", qPrintable(name), times[times.size() / 2], times.front(),
+    std::printf("%-36s %8.1f %8.1f %8.1f\n", qPrintable(name), times[times.size() / 2], times.front(),
                 times.back());
 }
 
@@ -198,17 +199,31 @@ void measureDragOnDrilling(MainWindow& window, const QString& what, int repeats)
     });
 }
 
+// The longest time that the window let wait while a slider was dragged.
+void measureTurns(MainWindow& window, const QString& name, int drags) {
+    std::vector<double> times;
+    for (int i = 0; i < drags; ++i) {
+        const std::optional<GapWatch> gaps = test::dragStiffness(window, 20);
+        if (!gaps) qFatal("the window does not follow the slider");
+        times.push_back(gaps->longestWall.count());
+        settle(window);
+    }
+    if (drags > 0) printTimes(name + QStringLiteral(", longest turn"), std::move(times));
+}
+
 void measurePages(MainWindow& window, const QString& what, int repeats) {
     auto* pages = window.findChild<PageTabs*>();
     for (int page = 0; page < pages->count(); ++page) {
         pages->setCurrentIndex(page);
         settle(window);
-        measurePage(window, pages->page(page).title() + what, repeats);
+        const QString name = pages->page(page).title() + what;
+        measurePage(window, name, repeats);
+        measureTurns(window, name, repeats / 5);
     }
 }
 
 void measure(MainWindow& window, int repeats) {
-    std::printf("%-30s %8s %8s %8s  ms from keystroke to pixels\n", "page", "median", "minimum", "maximum");
+    std::printf("%-36s %8s %8s %8s  ms from keystroke to pixels\n", "page", "median", "minimum", "maximum");
     measurePages(window, QString(), repeats);
     for (const PulseShape shape : {PulseShape::rectangular, PulseShape::halfSine})
         measureDragOnMap(window, shape, repeats);
