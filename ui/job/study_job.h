@@ -74,7 +74,7 @@ class StudyJob : public StudyActivity {
     Mail m_mail;
     bool m_announced = false;  // take() is on its way through the event loop
 
-    Worker m_worker;  // goes first: its thread runs the studies
+    Worker m_worker{Worker::Urgency::background};  // goes first: its thread runs the studies
 };
 
 template <class Value>

@@ -1,12 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/job/worker.h"
 
+#ifdef Q_OS_LINUX
+#include <sys/resource.h>
+#endif
+
 #include <utility>
 
 namespace drillwave {
+namespace {
+
+// Of the calling thread alone: Linux keeps it for each, and 0 means who calls.
+void yieldToTheWindow() {
+#ifdef Q_OS_LINUX
+    constexpr int steps = 5;
+    setpriority(PRIO_PROCESS, 0, getpriority(PRIO_PROCESS, 0) + steps);
+#endif
+}
+
+}  // namespace
 
 // The standard library's locks and not Qt's: the thread sanitizer sees what they protect.
-Worker::Worker(QObject* parent) : QObject(parent), m_thread([this] { work(); }) {
+Worker::Worker(Urgency urgency, QObject* parent)
+    : QObject(parent), m_thread([this, urgency] { work(urgency); }) {
     m_patience.setSingleShot(true);
     m_patience.setInterval(patience);
     connect(&m_patience, &QTimer::timeout, this, [this] {
@@ -68,7 +84,8 @@ void Worker::finish() {
 
 // On the worker's thread. A task that has come stays where it is while it is done: nobody replaces it before
 // finish().
-void Worker::work() {
+void Worker::work(Urgency urgency) {
+    if (urgency == Urgency::background) yieldToTheWindow();
     std::unique_lock hold(m_lock);
     while (true) {
         m_changed.wait(hold, [this] { return m_task || m_ending; });

@@ -25,7 +25,11 @@ class Worker : public QObject {
     /// Done on the worker's thread, throws nothing. It may ignore `stop`, or end early on it.
     using Task = std::function<Delivery(const std::stop_token& stop)>;
 
-    explicit Worker(QObject* parent = nullptr);
+    /// Work in the background leaves the processors to the window's thread whenever that has something to
+    /// do: on Linux the thread and all that its tasks start are nicer by 5.
+    enum class Urgency { answer, background };
+
+    explicit Worker(Urgency urgency = Urgency::answer, QObject* parent = nullptr);
     /// Stops the task in flight and waits for its end.
     ~Worker() override;
 
@@ -43,7 +47,7 @@ class Worker : public QObject {
 
     void start(Task task);
     void finish();
-    void work();
+    void work(Urgency urgency);
 
     // Seen by the window's thread only.
     Task m_waiting;

@@ -11,6 +11,10 @@
 
 #include "ui/job/study_job.h"
 
+#ifdef Q_OS_LINUX
+#include <sys/resource.h>
+#endif
+
 using namespace drillwave;
 
 namespace {
@@ -54,6 +58,7 @@ class TestStudyJob : public QObject {
     void manyValuesAtOnceAreOneChange();
     void progressComesFromAnyThreadOfAStudy();
     void aJobEndsInTheMiddleOfAStudy();
+    void aStudyAndItsThreadsYieldToTheWindow();
 };
 
 void TestStudyJob::coarseValuesComeBeforeFineOnes() {
@@ -291,6 +296,27 @@ void TestStudyJob::aJobEndsInTheMiddleOfAStudy() {
         begun.acquire();
     }
     QVERIFY(ended);
+}
+
+void TestStudyJob::aStudyAndItsThreadsYieldToTheWindow() {
+#ifdef Q_OS_LINUX
+    const auto niceness = [] { return getpriority(PRIO_PROCESS, 0); };
+    const int ofWindow = niceness();
+    if (ofWindow > 14) QSKIP("there is no nicer thread than these");
+    int ofStudy = ofWindow, ofItsThread = ofWindow;
+    CurveJob job;
+    job.submit([&](const StudyFeed<Curve>&) {
+        ofStudy = niceness();
+        std::jthread([&] { ofItsThread = niceness(); }).join();
+        return fine(1);
+    });
+    QTRY_COMPARE(job.state(), StudyState::finished);
+    QVERIFY(ofStudy > ofWindow);
+    QCOMPARE(ofItsThread, ofStudy);
+    QCOMPARE(niceness(), ofWindow);
+#else
+    QSKIP("Linux keeps a niceness for each thread");
+#endif
 }
 
 QTEST_GUILESS_MAIN(TestStudyJob)
