@@ -125,7 +125,7 @@ void TestFolders::aSignalLeavesAllOrNothing() {
     QCOMPARE(all.size(), 16);
     const qint64 whole = timer.nsecsElapsed();
 
-    constexpr int moments = 24;
+    constexpr int moments = 12;
     int interrupted = 0;
     for (int i = 1; i < moments; ++i) {
         const QString folder = place.filePath(QString("%1/out").arg(i));
