@@ -28,7 +28,8 @@ PlotWidget::PlotWidget(QWidget* parent)
       m_keys(new PlotKeys(*this)) {
     // Antialiased lines of two pixels are drawn an order of magnitude faster this way.
     setPlottingHint(QCP::phFastPolylines, true);
-    // A plot that repaints itself at once paints all of the window that waits for it along, once for each plot.
+    // A plot that repaints itself at once paints all of the window that waits for it along, once for each
+    // plot.
     setPlottingHint(QCP::phImmediateRefresh, false);
     setFocusPolicy(Qt::StrongFocus);
     connect(this, &QCustomPlot::beforeReplot, this, &PlotWidget::prepareReplot);
