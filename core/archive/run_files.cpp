@@ -5,8 +5,8 @@
 #include <iterator>
 
 #include "core/archive/picture_formats.h"
+#include "core/blow/solver_words.h"
 #include "core/disk/file_bytes.h"
-#include "core/model/blow_traits.h"
 #include "core/report/blow_csv.h"
 #include "core/report/blow_json.h"
 #include "core/report/result_remarks.h"
@@ -29,12 +29,6 @@ std::vector<std::string> filesOfEarlierRun(const std::string& folder) {
     return holdsRun(folder) ? runFilesThere(folder) : std::vector<std::string>();
 }
 
-/// "method lattice, 500 segments": how the blow was solved, as remarksOf() reads it again.
-std::string methodRemark(const Blow& blow) {
-    return isFollowedByEvents(blow.scenario) ? describe(blow.method)
-                                             : "method " + std::string(methodOfStrings);
-}
-
 }  // namespace
 
 OutputUnits customaryUnits(const Scenario& scenario) {
@@ -42,13 +36,13 @@ OutputUnits customaryUnits(const Scenario& scenario) {
 }
 
 std::string runHeader(const SolvedRun& run) {
-    return scenarioHeader(run.scenarioText, methodRemark(run.blow));
+    return scenarioHeader(run.scenarioText, solverWords(run.blow).remark);
 }
 
 std::string historiesFile(const SolvedRun& run) {
     const Blow& blow = run.blow;
     const StringPlace place = middleOfLongest(blow.scenario.drillString);
-    return scenarioHeader(run.scenarioText, methodRemark(blow),
+    return scenarioHeader(run.scenarioText, solverWords(blow).remark,
                           historyColumns(blow.scenario, place, run.units)) +
            historiesCsv(blow, place, run.units);
 }
@@ -58,7 +52,7 @@ std::string eventsFile(const SolvedRun& run) {
 }
 
 std::string scenarioFile(const SolvedRun& run) {
-    return remarksText(".", methodRemark(run.blow)) + run.scenarioText;
+    return remarksText(".", solverWords(run.blow).remark) + run.scenarioText;
 }
 
 std::vector<std::string> runFileNames(const std::vector<std::string>& formats) {

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 
+#include "core/blow/solver_words.h"
 #include "core/model/blow_traits.h"
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
 #include "core/report/blow_csv.h"
 #include "core/report/json_value.h"
-#include "core/report/report_text.h"
 
 namespace drillwave {
 

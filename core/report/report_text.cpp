@@ -43,16 +43,6 @@ std::string lawLine(const Scenario& scenario) {
     return text + "\n";
 }
 
-SolverWords solverWords(const Blow& blow) {
-    if (!isFollowedByEvents(blow.scenario))
-        return {std::string(methodOfStrings), "polynomial cells", "polynomial cells", "cells"};
-    const MethodChoice& choice = blow.method;
-    const std::string key(name(choice.method));
-    if (choice.method != Method::lattice) return {key, key, describe(choice), "pieces"};
-    return {key, key + " of " + std::to_string(choice.lattice.segments) + " segments", describe(choice),
-            "steps"};
-}
-
 std::string headingOf(const Scenario& scenario) {
     return titleLine(scenario) + groupsLine(scenario) + lawLine(scenario);
 }

@@ -6,7 +6,6 @@
 #include <string_view>
 #include <vector>
 
-#include "core/blow/blow.h"
 #include "core/model/scenario.h"
 #include "core/text/handy_text.h"
 
@@ -17,15 +16,6 @@ std::string titleLine(const Scenario& scenario);
 std::string groupsLine(const Scenario& scenario);
 /// The law of bit and rock in a line where it is not bilinear; nothing where it is.
 std::string lawLine(const Scenario& scenario);
-
-/// How a blow was solved.
-struct SolverWords {
-    std::string key;          ///< in JSON: "polynomial_cells"
-    std::string name;         ///< "lattice of 1000 segments"
-    std::string asked;        ///< how it is asked for: "method lattice, 1000 segments"
-    std::string_view pieces;  ///< what Impact::pieces counts
-};
-SolverWords solverWords(const Blow& blow);
 
 /// All of them, as reports begin.
 std::string headingOf(const Scenario& scenario);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/blow/solver_words.h"
+
+#include "core/blow/method.h"
+#include "core/model/blow_traits.h"
+
+namespace drillwave {
+
+SolverWords solverWords(const Blow& blow) {
+    if (!isFollowedByEvents(blow.scenario)) {
+        const std::string key(methodOfStrings);
+        return {key, "polynomial cells", "polynomial cells", "method " + key, "cells"};
+    }
+    const MethodChoice& choice = blow.method;
+    const std::string key(name(choice.method)), asked = describe(choice);
+    if (choice.method != Method::lattice) return {key, key, asked, asked, "pieces"};
+    return {key, key + " of " + std::to_string(choice.lattice.segments) + " segments", asked, asked, "steps"};
+}
+
+}  // namespace drillwave

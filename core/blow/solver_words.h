@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a blow was solved, for reports, records and remarks.
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "core/blow/blow.h"
+
+namespace drillwave {
+
+struct SolverWords {
+    std::string key;          ///< in JSON: "polynomial_cells"
+    std::string name;         ///< "lattice of 1000 segments"
+    std::string asked;        ///< in prose: "method lattice, 1000 segments", "polynomial cells"
+    std::string remark;       ///< in files, as remarksOf() reads it again: "method polynomial_cells"
+    std::string_view pieces;  ///< what Impact::pieces counts
+};
+SolverWords solverWords(const Blow& blow);
+
+}  // namespace drillwave
