@@ -5,7 +5,6 @@
 #include <cassert>
 #include <chrono>
 
-#include "core/blow/chain_solution.h"
 #include "core/blow/outputs.h"
 #include "core/blow/result_alerts.h"
 #include "core/blow/wave_numbers.h"
@@ -51,14 +50,13 @@ void conclude(Blow& blow, Detail detail) {
 void solveStringBlow(Blow& blow, Detail detail, NetworkAccuracy accuracy, const std::stop_token& stop,
                      MethodSolver& solver) {
     NetworkSettings settings;
-    settings.mostCells = solver.mostCells();
     settings.accuracy = accuracy;
     settings.wants.events = true;
     settings.wants.forces = settings.wants.reflections = true;
     settings.wants.histories = detail == Detail::histories;
     using Clock = std::chrono::steady_clock;
     const auto start = Clock::now();
-    ChainSolution solution = solveChain(blow.scenario, settings, solver.strings(), stop);
+    ChainSolution solution = solver.solveString(blow.scenario, settings, stop);
     blow.problem = std::move(solution.problem);
     blow.impact = std::move(solution.impact);
     blow.runTime = std::chrono::duration<double>(Clock::now() - start).count();

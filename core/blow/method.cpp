@@ -69,4 +69,10 @@ Impact MethodSolver::solve(const Problem& problem, Detail detail, const MethodCh
     return {};
 }
 
+ChainSolution MethodSolver::solveString(const Scenario& scenario, NetworkSettings settings,
+                                        const std::stop_token& stop) {
+    settings.mostCells = m_mostCells;
+    return solveChain(scenario, settings, m_strings, stop);
+}
+
 }  // namespace drillwave

@@ -8,10 +8,10 @@
 #include <string>
 #include <string_view>
 
+#include "core/blow/chain_solution.h"
 #include "core/wave/exact/exact_solver.h"
 #include "core/wave/impact.h"
 #include "core/wave/lattice/lattice_solver.h"
-#include "core/wave/network/network_solver.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {
@@ -74,8 +74,9 @@ class MethodSolver {
     /// The exact solver from now on: as ExactSolver::leaveOutLedger().
     void leaveOutLedger() { m_exact.leaveOutLedger(); }
 
-    /// For drill strings, which have one method.
-    NetworkSolver& strings() { return m_strings; }
+    /// Of drill strings, which have one method. The cells that are permitted are those of the limits.
+    ChainSolution solveString(const Scenario& scenario, NetworkSettings settings,
+                              const std::stop_token& stop = {});
     long mostCells() const { return m_mostCells; }
 
   private:

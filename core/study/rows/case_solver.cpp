@@ -7,7 +7,6 @@
 #include <limits>
 #include <utility>
 
-#include "core/blow/chain_solution.h"
 #include "core/blow/drill_problems.h"
 #include "core/blow/string_blow.h"
 #include "core/blow/wave_numbers.h"
@@ -70,10 +69,9 @@ std::string CaseSolver::fillFrom(const ImpactSummary& summary, const Scenario& s
 /// By one run: `efficiency_error` says how good it is.
 std::string CaseSolver::solveDrillString(const Scenario& scenario, std::span<double> outputs,
                                          const std::stop_token& stop) {
-    NetworkSettings settings{
-        .accuracy = NetworkAccuracy::quick, .wants = {}, .mostCells = m_solver.mostCells()};
+    NetworkSettings settings{.accuracy = NetworkAccuracy::quick, .wants = {}};
     settings.wants.forces = m_detail == Detail::histories;
-    ChainSolution solution = solveChain(scenario, settings, m_solver.strings(), stop);
+    ChainSolution solution = m_solver.solveString(scenario, settings, stop);
     m_problem = std::move(solution.problem);
     m_impact = std::move(solution.impact);
     m_scatter = balanceError(m_impact);

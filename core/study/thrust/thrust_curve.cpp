@@ -10,7 +10,6 @@
 #include "core/model/validation.h"
 #include "core/numeric/ordered_work.h"
 #include "core/study/thrust/thrust_study.h"
-#include "core/wave/exact/exact_solver.h"
 
 namespace drillwave {
 
@@ -49,17 +48,15 @@ bool isOneBlow(const Scenario& base, const Parameter& parameter, std::span<const
     return first && first == blowAt(values.back());
 }
 
-/// For rods and for strings, with what they keep from point to point and what a blow may take.
+/// With what they keep from point to point.
 struct PointSolvers {
     GapReboundFinder& finder;
-    NetworkSolver& strings;
-    WorkLimits limits = {};
+    MethodSolver& solver;
 };
 
 ThrustPoint stringPoint(const Scenario& scenario, ThrustPoint point, const PointSolvers& solvers,
                         const std::stop_token& stop) {
-    const ThrustStudy study =
-        studyStringThrust(scenario, NetworkAccuracy::quick, solvers.strings, solvers.limits.cells, stop);
+    const ThrustStudy study = studyStringThrust(scenario, NetworkAccuracy::quick, solvers.solver, stop);
     point.reason = study.stopped ? "stopped" : study.reason;
     if (!point.reason.empty()) return point;
     point.needs = study.needs;
@@ -74,7 +71,7 @@ ThrustPoint solvedPoint(const Scenario& scenario, double value, const PointSolve
     ThrustPoint point{.value = value, .needs = {}, .verdict = {}, .reason = {}};
     if (!gapHasPeriod(scenario)) return stringPoint(scenario, std::move(point), solvers, stop);
     const Problem problem = problemOf(scenario);
-    const Impact impact = ExactSolver(solvers.limits.pieces).solve(problem, Detail::cor, stop);
+    const Impact impact = solvers.solver.solve(problem, Detail::cor, {}, stop);
     if (impact.outcome != Outcome::rebounded) {
         point.reason = impact.reason;
         return point;
@@ -118,9 +115,9 @@ ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::s
         return true;
     };
     const auto makeWorker = [&] {
-        return [&, finder = GapReboundFinder(), strings = NetworkSolver()](
+        return [&, finder = GapReboundFinder(), solver = MethodSolver(limits)](
                    Chunk& chunk, const std::stop_token& ending) mutable {
-            chunk.point = pointAt(base, parameter, chunk.value, {finder, strings, limits}, ending);
+            chunk.point = pointAt(base, parameter, chunk.value, {finder, solver}, ending);
         };
     };
     const auto deliver = [&](Chunk& chunk) {
@@ -137,9 +134,9 @@ ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::s
                         const ThrustCurveProgress& progress) {
     assert(parameter.applies(base));
     ThrustCurve curve;
-    NetworkSolver strings;
+    MethodSolver solver;
     for (const double value : values) {
-        ThrustPoint point = pointAt(base, parameter, value, {finder, strings}, stop);
+        ThrustPoint point = pointAt(base, parameter, value, {finder, solver}, stop);
         curve.stopped = stop.stop_requested();
         if (curve.stopped) return curve;
         curve.points.push_back(std::move(point));
@@ -150,8 +147,8 @@ ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::s
 
 ThrustPoint thrustPoint(const Scenario& scenario, double value, GapReboundFinder& finder,
                         const std::stop_token& stop) {
-    NetworkSolver strings;
-    return solvedPoint(scenario, value, {finder, strings}, stop);
+    MethodSolver solver;
+    return solvedPoint(scenario, value, {finder, solver}, stop);
 }
 
 }  // namespace drillwave

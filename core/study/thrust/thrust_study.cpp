@@ -4,11 +4,9 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/blow/chain_solution.h"
 #include "core/blow/impact_summary.h"
 #include "core/blow/thrust.h"
 #include "core/model/blow_traits.h"
-#include "core/wave/exact/exact_solver.h"
 
 namespace drillwave {
 
@@ -38,11 +36,11 @@ std::optional<double> ThrustStudy::margin() const {
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const GapProgress& progress,
                         long mostPieces, const WorkLimits& limits) {
     assert(thrustProblem(scenario).empty());
-    if (NetworkSolver strings; !gapHasPeriod(scenario))
-        return studyStringThrust(scenario, NetworkAccuracy::sure, strings, limits.cells, stop);
+    MethodSolver solver(limits);
+    if (!gapHasPeriod(scenario)) return studyStringThrust(scenario, NetworkAccuracy::sure, solver, stop);
     const Problem problem = problemOf(scenario);
     ThrustStudy study;
-    const Impact impact = ExactSolver(limits.pieces).solve(problem, Detail::cor, stop);
+    const Impact impact = solver.solve(problem, Detail::cor, {}, stop);
     if (impact.outcome != Outcome::rebounded) {
         study.stopped = stop.stop_requested();
         study.reason = impact.reason;
@@ -70,11 +68,10 @@ ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const Ga
     return study;
 }
 
-ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy, NetworkSolver& solver,
-                              long mostCells, const std::stop_token& stop) {
+ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy, MethodSolver& solver,
+                              const std::stop_token& stop) {
     ThrustStudy study;
-    const auto [problem, impact] =
-        solveChain(scenario, {.accuracy = accuracy, .wants = {}, .mostCells = mostCells}, solver, stop);
+    const auto [problem, impact] = solver.solveString(scenario, {.accuracy = accuracy, .wants = {}}, stop);
     study.stopped = stop.stop_requested();
     study.reason = impact.reason;
     study.hindrance = impact.hindrance;

@@ -34,7 +34,7 @@ ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop = {}, con
                         long mostPieces = anyNumberOfPieces, const WorkLimits& limits = {});
 
 /// The same of a drill string by one run of its solver: one blow, and no gaps.
-ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy, NetworkSolver& solver,
-                              long mostCells, const std::stop_token& stop);
+ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy, MethodSolver& solver,
+                              const std::stop_token& stop);
 
 }  // namespace drillwave

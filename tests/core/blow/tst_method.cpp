@@ -68,7 +68,7 @@ class TestMethod : public QObject {
             }
         QVERIFY(rodRefusal(rod).empty() && networkRefusal(struckRod).empty());
         const Problem arriving = problemOf(Scene{PulseShape::rigidBody, {0.5, 1, 10, 0}});
-        const Impact refused = solver.strings().solve(arriving, {});
+        const Impact refused = NetworkSolver().solve(arriving, {});
         QVERIFY(refused.outcome == Outcome::notSolved && refused.reason == networkRefusal(arriving));
         QVERIFY(!refused.reason.empty() && rodRefusal(arriving).empty());
     }
