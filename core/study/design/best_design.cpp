@@ -9,8 +9,11 @@ namespace drillwave {
 
 namespace {
 
-/// Designs that are as equal as this in all aims are the same to the Pareto set.
+/// Values that differ by less are equal but for rounding.
 constexpr double equalTo = 1e-12;
+bool exceeds(double a, double b) {
+    return a > b + equalTo * std::max(std::abs(a), std::abs(b));
+}
 
 const SampledValue& at(const DesignSamples& design, const StatisticPlace& place) {
     return design.statistics[place.output][place.statistic];
@@ -33,9 +36,8 @@ bool dominates(const DesignSamples& one, const DesignSamples& other, std::span<c
     bool better = false;
     for (const AimOrder& aim : aims) {
         const double a = aimed(one, aim), b = aimed(other, aim);
-        const double equal = equalTo * std::max(std::abs(a), std::abs(b));
-        if (a < b - equal) return false;
-        better |= a > b + equal;
+        if (exceeds(b, a)) return false;
+        better |= exceeds(a, b);
     }
     return better;
 }
@@ -47,8 +49,8 @@ bool meetsNominally(const DesignSamples& design, std::span<const LimitOrder> lim
 
 bool areTied(const DesignSamples& one, const DesignSamples& best, const AimOrder& aim) {
     const SampledValue &a = at(one, aim.place), &b = at(best, aim.place);
-    const double difference = std::abs(a.value - b.value);
-    return difference == 0 || (aim.place.hasError && difference < errorOfDifference(a, b));
+    const bool areEqual = !exceeds(a.value, b.value) && !exceeds(b.value, a.value);
+    return areEqual || (aim.place.hasError && std::abs(a.value - b.value) < errorOfDifference(a, b));
 }
 
 }  // namespace
@@ -75,11 +77,12 @@ BestDesigns bestOf(std::span<const DesignSamples> designs, std::span<const AimOr
         const double nominal = gain(first.sense, designs[d].nominal[first.place.output]);
         if (!std::isnan(nominal) && meetsNominally(designs[d], limits) &&
             (!best.nominal ||
-             nominal > gain(first.sense, designs[*best.nominal].nominal[first.place.output])))
+             exceeds(nominal, gain(first.sense, designs[*best.nominal].nominal[first.place.output]))))
             best.nominal = d;
         if (!feasibilityOf(designs[d], aims, limits).feasible) continue;
         feasible.push_back(d);
-        if (!best.robust || aimed(designs[d], first) > aimed(designs[*best.robust], first)) best.robust = d;
+        if (!best.robust || exceeds(aimed(designs[d], first), aimed(designs[*best.robust], first)))
+            best.robust = d;
     }
     best.pareto.assign(designs.size(), false);
     for (const std::size_t d : feasible) {
@@ -90,7 +93,8 @@ BestDesigns bestOf(std::span<const DesignSamples> designs, std::span<const AimOr
     if (aims.size() < 2 || best.ties.empty()) return best;
     best.nextBest = best.robust;
     for (const std::size_t tie : best.ties)
-        if (aimed(designs[tie], aims[1]) > aimed(designs[*best.nextBest], aims[1])) best.nextBest = tie;
+        if (exceeds(aimed(designs[tie], aims[1]), aimed(designs[*best.nextBest], aims[1])))
+            best.nextBest = tie;
     return best;
 }
 

@@ -56,7 +56,8 @@ struct BestDesigns {
     std::vector<bool> pareto;  ///< of each design: feasible, and none is better in one aim and worse in none
 };
 
-/// At least one aim. The first of equals is best. Statistics without an error tie only where they are equal.
+/// At least one aim. The first of those that are equal but for rounding is best. Statistics without an error
+/// tie only where they are so.
 BestDesigns bestOf(std::span<const DesignSamples> designs, std::span<const AimOrder> aims,
                    std::span<const LimitOrder> limits);
 

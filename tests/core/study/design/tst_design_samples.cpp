@@ -90,6 +90,7 @@ class TestDesignSamples : public QObject {
     void worstIsFoundOnAKink();
     void worstIsFoundInTheNarrowOfTwoDips();
     void tiesAreWithinTheErrorOfTheDifference();
+    void roundingMakesNoDesignBetter();
     void paretoSetsHaveWhatNoneDominates();
 };
 
@@ -289,6 +290,16 @@ void TestDesignSamples::tiesAreWithinTheErrorOfTheDifference() {
     const std::vector cheaper{design(1, 3, 0.5), design(1.1, 5, 0)};
     const BestDesigns tied = bestOf(cheaper, twoAims, {});
     QVERIFY(tied.robust == std::size_t{1} && tied.nextBest == std::size_t{0});
+}
+
+// An aim that is the same for all choices but for its last digits.
+void TestDesignSamples::roundingMakesNoDesignBetter() {
+    const std::vector designs{design(1, 4), design(1 + 1e-15, 3), design(1 - 1e-15, 5)};
+    const BestDesigns best = bestOf(designs, twoAims, {});
+    QVERIFY(best.robust == std::size_t{0} && best.nominal == std::size_t{0});
+    QVERIFY((best.ties == std::vector<std::size_t>{1, 2}));
+    QVERIFY(best.nextBest == std::size_t{1});
+    QVERIFY((best.pareto == std::vector{false, true, false}));
 }
 
 void TestDesignSamples::paretoSetsHaveWhatNoneDominates() {
