@@ -61,6 +61,26 @@ ColourScale::ColourScale(Kind kind, double below, double middle, double above)
     }
 }
 
+const ColourScale& ColourScale::onLight() {
+    static const ColourScale scale(Kind::sides, 0.42, 0.975, 0.42);
+    return scale;
+}
+
+const ColourScale& ColourScale::onDark() {
+    static const ColourScale scale(Kind::sides, 0.86, 0.22, 0.86);
+    return scale;
+}
+
+const ColourScale& ColourScale::aboutLevel() {
+    static const ColourScale scale(Kind::sides, 0.3, 0.66, 0.95);
+    return scale;
+}
+
+const ColourScale& ColourScale::ramp() {
+    static const ColourScale scale(Kind::ramp, 0.28, 0.605, 0.93);
+    return scale;
+}
+
 QRgb ColourScale::colour(double share) const {
     if (std::isnan(share)) return 0;
     const double place = coloursPerSide * (1 + std::clamp(share, -1.0, 1.0));

@@ -10,21 +10,21 @@ class QCPColorGradient;
 namespace drillwave {
 
 /// A scale of shares −1 … 1, made in the OKLab space: lightness changes evenly, so that equal steps look
-/// equal; blue and orange differ also to the colour blind.
+/// equal; blue and orange differ also to the colour blind. Each is made once, when it is first asked for.
 class ColourScale {
   public:
     /// For values of either sign, on a light or a dark background: blue below, orange above, alike in
     /// lightness on both sides. Zero is as light (or dark) as the background of a plot, so that an
     /// undisturbed rod looks empty.
-    static ColourScale onLight() { return ColourScale(Kind::sides, 0.42, 0.975, 0.42); }
-    static ColourScale onDark() { return ColourScale(Kind::sides, 0.86, 0.22, 0.86); }
+    static const ColourScale& onLight();
+    static const ColourScale& onDark();
     /// For values on either side of a level: dark blue below, light orange above, hardly any colour at the
     /// level. Lightness grows all the way, so that it can be read in grey, too.
-    static ColourScale aboutLevel() { return ColourScale(Kind::sides, 0.3, 0.66, 0.95); }
+    static const ColourScale& aboutLevel();
     /// From dark blue over green to light yellow, likewise.
-    static ColourScale ramp() { return ColourScale(Kind::ramp, 0.28, 0.605, 0.93); }
+    static const ColourScale& ramp();
     /// The one that fits the background.
-    static ColourScale forBackground(const QColor& background) {
+    static const ColourScale& forBackground(const QColor& background) {
         return background.lightness() < 128 ? onDark() : onLight();
     }
 

@@ -35,10 +35,7 @@ double tickStep(double whole) {
 }  // namespace
 
 StringDrawing::StringDrawing(const StringModel& model, const UnitChoice& units, QWidget* parent)
-    : QWidget(parent),
-      m_model(model),
-      m_units(units),
-      m_colours(ColourScale::forBackground(palette().color(QPalette::Base))) {
+    : QWidget(parent), m_model(model), m_units(units) {
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
@@ -138,10 +135,14 @@ QString StringDrawing::textOf(std::size_t section) const {
     return lines.join(QStringLiteral("<br>"));
 }
 
+const ColourScale& StringDrawing::colours() const {
+    return ColourScale::forBackground(palette().color(QPalette::Base));
+}
+
 // Tension is positive.
 QColor StringDrawing::colour(double stress) const {
     const double largest = m_model.results() ? m_model.results()->largest : 0;
-    return largest > 0 ? QColor::fromRgb(m_colours.colour(stress / largest))
+    return largest > 0 ? QColor::fromRgb(colours().colour(stress / largest))
                        : palette().color(QPalette::Base);
 }
 
@@ -282,7 +283,7 @@ void StringDrawing::drawLegend(QPainter& painter) const {
     painter.drawText(QRectF(scale.right() + 6, y, width(), line), Qt::AlignVCenter, right);
     for (int x = 0; x < int(bar); ++x)
         painter.fillRect(QRectF(scale.left() + x, scale.top(), 1.5, scale.height()),
-                         QColor::fromRgb(m_colours.colour(2 * (x + 0.5) / bar - 1)));
+                         QColor::fromRgb(colours().colour(2 * (x + 0.5) / bar - 1)));
     painter.setPen(QPen(palette().color(QPalette::Text), 0.8));
     painter.setBrush(Qt::NoBrush);
     painter.drawRect(scale);
@@ -334,13 +335,6 @@ void StringDrawing::focusInEvent(QFocusEvent* event) {
 
 void StringDrawing::focusOutEvent(QFocusEvent* event) {
     QWidget::focusOutEvent(event);
-    update();
-}
-
-void StringDrawing::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() != QEvent::PaletteChange) return;
-    m_colours = ColourScale::forBackground(palette().color(QPalette::Base));
     update();
 }
 

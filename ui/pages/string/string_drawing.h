@@ -44,13 +44,13 @@ class StringDrawing : public QWidget {
     bool event(QEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
   private:
     double totalLength() const;
     double largestDiameter() const;
     QRectF area() const;
     double wordsHeight() const;
+    const ColourScale& colours() const;
     QColor colour(double stress) const;
     void drawSection(QPainter& painter, std::size_t section) const;
     void drawMarks(QPainter& painter) const;
@@ -60,7 +60,6 @@ class StringDrawing : public QWidget {
 
     const StringModel& m_model;
     const UnitChoice& m_units;
-    ColourScale m_colours;
     int m_row = -1;
 };
 
