@@ -87,10 +87,8 @@ double MapColours::share(double value) const {
     return (value - *level) / std::max(largest - *level, side);
 }
 
-// Made once: a millisecond of colour spaces.
 const ColourScale& MapColours::scale() const {
-    static const ColourScale aboutLevel = ColourScale::aboutLevel(), ramp = ColourScale::ramp();
-    return level ? aboutLevel : ramp;
+    return level ? ColourScale::aboutLevel() : ColourScale::ramp();
 }
 
 QCPColorGradient MapColours::gradient() const {
