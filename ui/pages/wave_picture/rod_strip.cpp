@@ -24,7 +24,10 @@ constexpr int enoughForOneLine = 640, enoughOfString = 780;
 RodStrip::RodStrip(QWidget* parent) : QWidget(parent) {
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     nameColours();
-    m_colours = ColourScale::forBackground(palette().color(QPalette::Base));
+}
+
+const ColourScale& RodStrip::colours() const {
+    return ColourScale::forBackground(palette().color(QPalette::Base));
 }
 
 QSize RodStrip::sizeHint() const {
@@ -164,7 +167,7 @@ QImage RodStrip::colouredLine() const {
     const double scale =
         1 / (picture().string && isStress() ? picture().string->largestStress : picture().limit);
     std::transform(m_values.begin(), m_values.end(), reinterpret_cast<QRgb*>(line.scanLine(0)),
-                   [&](float value) { return m_colours.colour(value * scale); });
+                   [&, &shades = colours()](float value) { return shades.colour(value * scale); });
     return line;
 }
 
@@ -212,7 +215,7 @@ void RodStrip::paintHammer(QPainter& painter, const QRect& rod) const {
     const int away = force > 0 || m_time < 0 ? 0 : 6;
     const QRect hammer(rod.left() - 1 - away - hammerWidth, rod.top() - 3, hammerWidth, rod.height() + 6);
     painter.setPen(palette().color(QPalette::Text));
-    painter.setBrush(force > 0 ? QBrush(QColor::fromRgb(m_colours.colour(-force)))
+    painter.setBrush(force > 0 ? QBrush(QColor::fromRgb(colours().colour(-force)))
                                : QBrush(palette().color(QPalette::Mid)));
     painter.drawRect(hammer);
 }
@@ -231,14 +234,6 @@ void RodStrip::paintRock(QPainter& painter, const QRect& rod) const {
     painter.fillRect(rock, QBrush(line, Qt::BDiagPattern));
     painter.setPen(QPen(line, bit.touching ? 3 : 1));
     painter.drawLine(rock.topLeft(), rock.bottomLeft());
-}
-
-void RodStrip::changeEvent(QEvent* event) {
-    QWidget::changeEvent(event);
-    if (event->type() == QEvent::PaletteChange) {
-        m_colours = ColourScale::forBackground(palette().color(QPalette::Base));
-        update();
-    }
 }
 
 }  // namespace drillwave

@@ -37,10 +37,10 @@ class RodStrip : public QWidget {
   protected:
     void paintEvent(QPaintEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
-    void changeEvent(QEvent* event) override;
 
   private:
     const WavePicture& picture() const { return *m_blow->page<WavePicture>(); }
+    const ColourScale& colours() const;
     void nameColours();
     void compute();
     QRect rodRect() const;
@@ -56,7 +56,6 @@ class RodStrip : public QWidget {
     SolvedBlowPtr m_blow;
     double m_time = 0;
     int m_left = 64, m_right = -1;
-    ColourScale m_colours = ColourScale::onLight();
     std::vector<float>
         m_values;  // of the field of the picture, in a string of the stress, at the pixels of the rod
 };
