@@ -136,6 +136,20 @@ class TestBilinearLaw : public QObject {
             QVERIFY(isClose(law.penetration(F), fresh.penetration(F), 8));
     }
 
+    /// Forces that differ in newtons need not as multiples of a scale: the second of two such corners counts.
+    void cornersAtOneForceAreOne() {
+        const ContactLaw<> one({.beta = 0.5, .gamma = 0.1, .corners = {{1, 0.25}, {2, 2}}});
+        const ContactLaw<> two({.beta = 0.5, .gamma = 0.1, .corners = {{1, 0.5}, {1, 0.25}, {2, 2}}});
+        for (const double force : {0.5, 1.0, 1.5, 2.5}) {
+            QCOMPARE(two.penetration(force), one.penetration(force));
+            ContactLaw<> once = one, twice = two;
+            once.rememberAcross(force);
+            twice.rememberAcross(force);
+            QCOMPARE(twice.kept(), once.kept());
+            QCOMPARE(twice.force(6), once.force(6));
+        }
+    }
+
     /// γ → 1: forces, penetrations and work differ from those of elastic rock by no more than 1 − γ.
     void nearlyElasticRockIsNearlyElastic() {
         ContactLaw<> elastic(0.5, 1);
