@@ -55,6 +55,8 @@ std::string conditionText(Scope scope) {
             return {};
         case Scope::withUnits:
             return "scenarios in physical units";
+        case Scope::withoutUnits:
+            return "dimensionless scenarios";
         case Scope::manyBlows:
             return "scenarios in physical units, for many blows: one alone does not depend on it";
         case Scope::string:
@@ -75,14 +77,6 @@ std::string conditionText(Scope scope) {
             return "hammer forces of the shape `piston`, in physical units";
         case Scope::pistonByRatio:
             return "hammer forces of the shape `piston`, dimensionless";
-        case Scope::corners:
-        case Scope::cornersInSi:
-        case Scope::cornersByRatio:
-            return "rock with `law: corners`";
-        case Scope::power:
-        case Scope::powerInSi:
-        case Scope::powerByRatio:
-            return "rock with `law: power`";
     }
     return {};
 }
@@ -106,7 +100,9 @@ ParameterFacts factsOf(const Parameter& parameter) {
     ParameterFacts facts = commonFacts(parameter);
     if (parameter.rules.wholeNumber) facts.range = "a whole number " + facts.range;
     facts.presence = presenceText(parameter.rules.presence, parameter.rules.rival);
-    facts.condition = conditionText(parameter.scope);
+    const std::optional<RockLaw> law = parameter.rules.law;
+    facts.condition =
+        law ? "rock with `law: " + std::string(name(*law)) + "`" : conditionText(parameter.scope);
     return facts;
 }
 

@@ -36,19 +36,8 @@ void addImplausibleValues(const Scenario& scenario, std::vector<Alert>& alerts) 
     for (const Parameter& parameter : parameters())
         if (parameter.scope != Scope::manyBlows && isGiven(parameter, scenario))
             addImplausibleValue(parameter, scenario, alerts);
-}
-
-/// What of the loading curve is no row of the table of parameters.
-void addImplausibleCurve(const Scenario& scenario, std::vector<Alert>& alerts) {
-    const BitRock& rock = scenario.bitRock;
-    if (rock.law == RockLaw::corners)
-        for (std::size_t place = 1; place <= rock.corners.size(); ++place)
-            for (const std::string_view field : {"force", "slope"})
-                addImplausibleValue(*inFormOf(scenario, *findParameter(cornerKey(place, field))), scenario,
-                                    alerts);
-    if (rock.law == RockLaw::power && !hasUnits(scenario))
-        addImplausibleValue(*inFormOf(scenario, *findParameter("bit_rock.reference_penetration")), scenario,
-                            alerts);
+    for (const KeptParameter& parameter : loadingNumbers(scenario))
+        addImplausibleValue(*parameter, scenario, alerts);
 }
 
 void addImplausibleSection(SectionAddress::Chain chain, std::uint64_t place, const Section& section,
@@ -175,7 +164,6 @@ const AlertArgument& Alert::argument(std::string_view name) const {
 std::vector<Alert> alertsFor(const Scenario& scenario) {
     std::vector<Alert> alerts;
     addImplausibleValues(scenario, alerts);
-    addImplausibleCurve(scenario, alerts);
     if (hasSections(scenario)) addImplausibleSections(scenario.drillString, alerts);
     if (isForced(scenario)) {
         addLongPulse(scenario, alerts);

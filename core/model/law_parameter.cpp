@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/model/parameter.h"
+#include "core/model/scales.h"
 
 namespace drillwave {
 namespace {
@@ -55,10 +56,10 @@ struct LawParameters {
                         anyPositive,
                         {5e3, 5e5},
                         SliderScale::logarithmic,
-                        Scope::cornersInSi,
+                        Scope::withUnits,
                         cornerValue<place, force>,
                         assignCorner<place, force>,
-                        {.shortLabel = "force"}});
+                        {.shortLabel = "force", .law = RockLaw::corners}});
         inScales.push_back({forceKey,
                             forceLabel,
                             "",
@@ -68,10 +69,10 @@ struct LawParameters {
                             anyPositive,
                             {0.05, 2},
                             SliderScale::logarithmic,
-                            Scope::cornersByRatio,
+                            Scope::withoutUnits,
                             cornerValue<place, force>,
                             assignCorner<place, force>,
-                            {.shortLabel = "force"}});
+                            {.shortLabel = "force", .law = RockLaw::corners}});
         inSi.push_back({keep(cornerKey(place, "slope")),
                         keep("slope behind corner " + number),
                         "",
@@ -81,10 +82,10 @@ struct LawParameters {
                         anyPositive,
                         {0.05, 5},
                         SliderScale::logarithmic,
-                        Scope::corners,
+                        Scope::all,
                         cornerValue<place, slope>,
                         assignCorner<place, slope>,
-                        {.shortLabel = "slope"}});
+                        {.shortLabel = "slope", .law = RockLaw::corners}});
     }
 
     LawParameters() {
@@ -101,10 +102,10 @@ struct LawParameters {
                             anyPositive,
                             {0.05, 5},
                             SliderScale::logarithmic,
-                            Scope::powerByRatio,
+                            Scope::withoutUnits,
                             [](const Scenario& s) { return Value(s.bitRock.referencePenetration); },
                             [](Scenario& s, double v) { s.bitRock.referencePenetration = v; },
-                            {.shortLabel = "penetration"}});
+                            {.shortLabel = "penetration", .law = RockLaw::power}});
     }
 };
 
@@ -132,6 +133,37 @@ KeptParameter inScales(const Parameter& parameter) {
 KeptParameter inFormOf(const Scenario& scenario, const Parameter& parameter) {
     KeptParameter other = hasUnits(scenario) ? KeptParameter() : inScales(parameter);
     return other ? other : KeptParameter(parameter);
+}
+
+std::vector<KeptParameter> loadingNumbers(const Scenario& scenario) {
+    std::vector<KeptParameter> numbers;
+    for (std::size_t place = 1; place <= scenario.bitRock.corners.size(); ++place)
+        for (const std::string_view field : {"force", "slope"})
+            numbers.push_back(inFormOf(scenario, *findParameter(cornerKey(place, field))));
+    for (const Parameter& parameter : lawParameters().inScales)
+        if (cornerOf(parameter) == 0 && parameter.applies(scenario)) numbers.push_back(parameter);
+    return numbers;
+}
+
+BitRock withLaw(BitRock rock, RockLaw law) {
+    Scenario changed;
+    changed.bitRock = std::move(rock);
+    changed.bitRock.law = law;
+    if (law != RockLaw::corners) changed.bitRock.corners.clear();
+    const Scenario usual;
+    for (const Parameter& parameter : parameters())
+        if (parameter.rules.law && *parameter.rules.law != law)
+            parameter.assign(changed, *parameter.value(usual));
+    return changed.bitRock;
+}
+
+BitRock proposedRock(const Scenario& scenario, RockLaw law) {
+    constexpr double scaleShare = 0.5;
+    BitRock rock = withLaw(scenario.bitRock, law);
+    if (law == RockLaw::corners && rock.corners.empty())
+        rock.corners.push_back({scaleShare * (hasUnits(scenario) ? scalesOf(scenario).force : 1), 1});
+    if (law == RockLaw::power && !hasUnits(scenario)) rock.referencePenetration = scaleShare;
+    return rock;
 }
 
 std::size_t cornerOf(const Parameter& parameter) {

@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/model/kept_parameter.h"
 #include "core/model/scenario.h"
@@ -25,6 +26,17 @@ KeptParameter inScales(const Parameter& parameter);
 
 /// What the key is about in that scenario.
 KeptParameter inFormOf(const Scenario& scenario, const Parameter& parameter);
+
+/// All of them that the scenario has: force and slope of every corner, then what is measured in scales of the
+/// blow. Requires no more than mostRockCorners.
+std::vector<KeptParameter> loadingNumbers(const Scenario& scenario);
+
+/// The rock with another law: what only the one before has is dropped.
+BitRock withLaw(BitRock rock, RockLaw law);
+
+/// The same rock, at first, with another law that the scenario may have: a corner without a change of slope,
+/// a power of one.
+BitRock proposedRock(const Scenario& scenario, RockLaw law);
 
 /// Which corner a parameter is about, from 1; 0 for none.
 std::size_t cornerOf(const Parameter& parameter);

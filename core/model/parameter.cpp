@@ -23,6 +23,7 @@ std::string Range::text() const {
 }
 
 bool Parameter::applies(const Scenario& scenario) const {
+    if (rules.law && scenario.bitRock.law != *rules.law) return false;
     const PulseShape shape = scenario.pulse.shape;
     switch (scope) {
         case Scope::all:
@@ -30,6 +31,8 @@ bool Parameter::applies(const Scenario& scenario) const {
         case Scope::withUnits:
         case Scope::manyBlows:
             return hasUnits(scenario);
+        case Scope::withoutUnits:
+            return !hasUnits(scenario);
         case Scope::string:
             return isString(scenario);
         case Scope::hammer:
@@ -51,18 +54,6 @@ bool Parameter::applies(const Scenario& scenario) const {
             return hasUnits(scenario) && isForced(scenario) && shape == PulseShape::piston;
         case Scope::pistonByRatio:
             return !hasUnits(scenario) && shape == PulseShape::piston;
-        case Scope::corners:
-            return scenario.bitRock.law == RockLaw::corners;
-        case Scope::cornersInSi:
-            return hasUnits(scenario) && scenario.bitRock.law == RockLaw::corners;
-        case Scope::cornersByRatio:
-            return !hasUnits(scenario) && scenario.bitRock.law == RockLaw::corners;
-        case Scope::power:
-            return scenario.bitRock.law == RockLaw::power;
-        case Scope::powerInSi:
-            return hasUnits(scenario) && scenario.bitRock.law == RockLaw::power;
-        case Scope::powerByRatio:
-            return !hasUnits(scenario) && scenario.bitRock.law == RockLaw::power;
     }
     return false;
 }

@@ -62,24 +62,19 @@ class ParameterFunction {
 /// In which scenarios a parameter has a meaning.
 enum class Scope {
     all,
-    withUnits,       ///< in physical quantities
-    manyBlows,       ///< likewise; one blow alone does not depend on it
-    string,          ///< string of sections
-    hammer,          ///< that, struck by a hammer that is followed
-    section,         ///< that, with such sections in it (section_parameter.h)
-    uniformRod,      ///< in either form
-    dimensional,     ///< a uniform rod in physical quantities
-    withoutArea,     ///< dimensional, the rod given by its diameters
-    givenPulse,      ///< with units, of a force whose duration and impulse follow from no piston or table
-    trapezoid,       ///< of a force of that shape
-    pistonInSi,      ///< with units, of a force of that shape
-    pistonByRatio,   ///< dimensionless, with that shape
-    corners,         ///< of a rock whose law has corners
-    cornersInSi,     ///< likewise, with units
-    cornersByRatio,  ///< likewise, dimensionless
-    power,           ///< of a rock with a power law
-    powerInSi,       ///< likewise, with units
-    powerByRatio,    ///< likewise, dimensionless
+    withUnits,      ///< in physical quantities
+    withoutUnits,   ///< dimensionless
+    manyBlows,      ///< with units; one blow alone does not depend on it
+    string,         ///< string of sections
+    hammer,         ///< that, struck by a hammer that is followed
+    section,        ///< that, with such sections in it (section_parameter.h)
+    uniformRod,     ///< in either form
+    dimensional,    ///< a uniform rod in physical quantities
+    withoutArea,    ///< dimensional, the rod given by its diameters
+    givenPulse,     ///< with units, of a force whose duration and impulse follow from no piston or table
+    trapezoid,      ///< of a force of that shape
+    pistonInSi,     ///< with units, of a force of that shape
+    pistonByRatio,  ///< dimensionless, with that shape
 };
 
 /// Whether a scenario file may leave a parameter out.
@@ -99,7 +94,8 @@ struct ParameterRules {
     std::string_view shortLabel = {};  ///< label in its own section of a form, where that is another one
     /// Back to "not given"; nullptr where there is always a value.
     ParameterFunction<void, Scenario> clear = nullptr;
-    bool wholeNumber = false;  ///< has no values between
+    bool wholeNumber = false;         ///< has no values between
+    std::optional<RockLaw> law = {};  ///< only a rock with that law has it
 };
 
 /// A number of a scenario: how it is called, which values it may have, how to read and set it.

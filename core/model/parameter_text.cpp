@@ -73,25 +73,14 @@ std::string whyNotInString(const Parameter& parameter) {
            std::string(parameter.section() == "rod" ? "; set its sections, as `string.1.length`" : "");
 }
 
-/// Of the loading curve of the rock; empty for other parameters.
+/// Of a parameter that only one law of the rock has.
 std::string whyNotOfLaw(const Parameter& parameter, const Scenario& scenario) {
-    const auto of = [&](RockLaw law, std::string_view set) {
-        if (scenario.bitRock.law != law) return std::string(set);
-        return hasUnits(scenario) ? "needs a unit, as this scenario is in physical quantities"
-                                  : std::string("has no unit in a dimensionless scenario");
-    };
-    switch (parameter.scope) {
-        case Scope::corners:
-        case Scope::cornersInSi:
-        case Scope::cornersByRatio:
-            return of(RockLaw::corners, "only a law with corners has it; set `bit_rock.law=corners` too");
-        case Scope::power:
-        case Scope::powerInSi:
-        case Scope::powerByRatio:
-            return of(RockLaw::power, "only a power law has it; set `bit_rock.law=power` too");
-        default:
-            return {};
-    }
+    const RockLaw law = *parameter.rules.law;
+    if (scenario.bitRock.law != law)
+        return "only " + std::string(phrase(law)) + " has it; set `" + std::string(rockLawKey) + "=" +
+               std::string(name(law)) + "` too";
+    return hasUnits(scenario) ? "needs a unit, as this scenario is in physical quantities"
+                              : "has no unit in a dimensionless scenario";
 }
 
 }  // namespace
@@ -118,7 +107,7 @@ std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenari
     if (parameter.scope == Scope::string) return std::string(notOfUniformRod);
     if (parameter.scope == Scope::hammer)
         return std::string(isString(scenario) ? notOfForce : notOfUniformRod);
-    if (const std::string reason = whyNotOfLaw(parameter, scenario); !reason.empty()) return reason;
+    if (parameter.rules.law) return whyNotOfLaw(parameter, scenario);
     const bool ofPulse = parameter.section() == "pulse";
     if (!isForced(scenario) && ofPulse) return std::string(notOfHammer);
     if (isString(scenario) && !ofPulse) return whyNotInString(parameter);

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/model/law_parameter.h"
+
 namespace drillwave {
 namespace {
 

@@ -21,6 +21,10 @@ constexpr EnumNames<RockIndexing> indexingNames{
 constexpr EnumNames<RockLaw> lawNames{
     {{RockLaw::bilinear, "bilinear"}, {RockLaw::corners, "corners"}, {RockLaw::power, "power"}}};
 
+constexpr EnumNames<RockLaw> lawPhrases{{{RockLaw::bilinear, "a law of one line"},
+                                         {RockLaw::corners, "a law with corners"},
+                                         {RockLaw::power, "a power law"}}};
+
 }  // namespace
 
 std::string_view name(PulseShape shape) {
@@ -39,23 +43,16 @@ std::string_view name(RockLaw law) {
     return lawNames[law];
 }
 
+std::string_view phrase(RockLaw law) {
+    return lawPhrases[law];
+}
+
 std::optional<RockLaw> findRockLaw(std::string_view name) {
     return lawNames.find(name);
 }
 
 std::span<const std::string_view> rockLawNames() {
     return lawNames.all();
-}
-
-BitRock withLaw(BitRock rock, RockLaw law) {
-    rock.law = law;
-    if (law != RockLaw::corners) rock.corners.clear();
-    const BitRock usual;
-    if (law != RockLaw::power) {
-        rock.exponent = usual.exponent;
-        rock.referencePenetration = usual.referencePenetration;
-    }
-    return rock;
 }
 
 std::string_view name(RockIndexing indexing) {

@@ -80,6 +80,8 @@ enum class RockLaw {
 
 /// "bilinear" and so on, as in scenario files.
 std::string_view name(RockLaw law);
+/// "a power law" and so on, for messages.
+std::string_view phrase(RockLaw law);
 std::optional<RockLaw> findRockLaw(std::string_view name);
 /// All names, in the order of RockLaw.
 std::span<const std::string_view> rockLawNames();
@@ -105,9 +107,6 @@ struct BitRock {
     double referencePenetration = 1e-3;  ///< U1 of `power` [m], in a dimensionless scenario [d0]
     bool operator==(const BitRock&) const = default;
 };
-
-/// The rock with another law: what only the one before has is dropped.
-BitRock withLaw(BitRock rock, RockLaw law);
 
 /// What the buttons of the bit hit at the next blow.
 enum class RockIndexing {

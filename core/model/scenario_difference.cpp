@@ -2,8 +2,9 @@
 #include "core/model/scenario_difference.h"
 
 #include <algorithm>
+#include <functional>
 #include <set>
-#include <string_view>
+#include <string>
 
 #include "core/model/law_parameter.h"
 #include "core/model/section_parameter.h"
@@ -26,17 +27,11 @@ std::vector<KeptParameter> differingParameters(std::span<const Scenario* const> 
             differing.push_back(kept);
     };
     for (const Parameter& parameter : parameters()) look(parameter);
-    std::size_t corners = 0;
-    for (const Scenario* scenario : scenarios) corners = std::max(corners, scenario->bitRock.corners.size());
-    for (std::size_t place = 1; place <= corners; ++place)
-        for (const std::string_view field : {"force", "slope"})
-            look(inFormOf(*scenarios.front(), *findParameter(cornerKey(place, field))));
-    std::vector<KeptParameter> ofSections;
-    std::set<std::string_view> keys;
-    for (const Scenario* scenario : scenarios)
-        for (const KeptParameter& parameter : sectionParameters(*scenario))
-            if (keys.insert(parameter->key).second) ofSections.push_back(parameter);
-    for (const KeptParameter& parameter : ofSections) look(parameter);
+    std::set<std::string, std::less<>> keys;  // of parameters that live no longer than their list
+    for (const auto& numbersOf : {loadingNumbers, sectionParameters})
+        for (const Scenario* scenario : scenarios)
+            for (const KeptParameter& parameter : numbersOf(*scenario))
+                if (keys.emplace(parameter->key).second) look(parameter);
     return differing;
 }
 

@@ -117,11 +117,12 @@ class CornerCheck {
 
 void checkLaw(const Scenario& scenario, std::vector<InputProblem>& problems) {
     if (scenario.bitRock.law == RockLaw::corners) CornerCheck(scenario, problems).check();
-    if (scenario.bitRock.law != RockLaw::power || hasUnits(scenario)) return;
-    const KeptParameter reference = inFormOf(scenario, *findParameter("bit_rock.reference_penetration"));
-    const std::string reason = rangeProblem(*reference, scenario.bitRock.referencePenetration);
-    if (!reason.empty())
-        report(problems, reference->key, formatNumber(scenario.bitRock.referencePenetration), reason);
+    for (const KeptParameter& parameter : loadingNumbers(scenario)) {
+        if (cornerOf(*parameter) > 0) continue;
+        const double value = *parameter->value(scenario);
+        const std::string reason = rangeProblem(*parameter, value);
+        if (!reason.empty()) report(problems, parameter->key, formatNumber(value), reason);
+    }
 }
 
 void checkBore(const Scenario& scenario, std::vector<InputProblem>& problems) {

@@ -4,6 +4,8 @@
 #include <algorithm>
 
 #include "core/model/blow_traits.h"
+#include "core/model/law_parameter.h"
+#include "core/model/parameter.h"
 #include "core/model/scales.h"
 #include "core/text/handy_text.h"
 
@@ -25,22 +27,23 @@ std::string groupsLine(const Scenario& scenario) {
 
 std::string lawLine(const Scenario& scenario) {
     const BitRock& rock = scenario.bitRock;
-    const bool inUnits = hasUnits(scenario);
-    const auto quantity = [&](double value, Quantity of, const char* scale) {
-        return inUnits ? inHandyUnit(value, of) : rounded(value) + scale;
+    const auto quantity = [&](double value, Quantity of) {
+        if (hasUnits(scenario) && of != Quantity::ratio) return inHandyUnit(value, of);
+        const char* scale = of == Quantity::force ? " F0" : of == Quantity::length ? " d0" : "";
+        return rounded(value) + scale;
     };
-    if (rock.law == RockLaw::power)
-        return "  rock law power  exponent " + rounded(rock.exponent) + ", stiffness at " +
-               quantity(rock.referencePenetration, Quantity::length, " d0") + "\n";
-    if (rock.law != RockLaw::corners) return {};
+    std::string numbers;
+    for (const Parameter& row : parameters())
+        if (row.rules.law == rock.law)
+            numbers += (numbers.empty() ? " " : ", ") + std::string(row.label) + " " +
+                       quantity(*inFormOf(scenario, row)->value(scenario), row.quantity);
     constexpr std::size_t enough = 4;
-    std::string text = "  rock law corners  slope";
     for (std::size_t i = 0; i < std::min(enough, rock.corners.size()); ++i)
-        text += (i == 0 ? " " : ", ") + rounded(rock.corners[i].slope) + " k from " +
-                quantity(rock.corners[i].force, Quantity::force, " F0");
+        numbers += (i == 0 ? " slope " : ", ") + rounded(rock.corners[i].slope) + " k from " +
+                   quantity(rock.corners[i].force, Quantity::force);
     if (rock.corners.size() > enough)
-        text += ", and " + std::to_string(rock.corners.size() - enough) + " more";
-    return text + "\n";
+        numbers += ", and " + std::to_string(rock.corners.size() - enough) + " more";
+    return numbers.empty() ? numbers : "  rock law " + std::string(name(rock.law)) + " " + numbers + "\n";
 }
 
 std::string headingOf(const Scenario& scenario) {

@@ -131,10 +131,9 @@ void readLawBesideGroups(SectionReader& reader, const YamlEntries& file) {
             reader.readNumber(*parameter, entry);
     }
     if (!isLawRead) return;
-    if (reader.scenario().bitRock.law == RockLaw::power)
-        for (const std::string_view key : {"exponent", "reference_penetration"})
-            reader.require(*entries,
-                           *inFormOf(reader.scenario(), *findParameter(joinedKey("bit_rock", key))));
+    for (const Parameter& parameter : parameters())
+        if (parameter.rules.law == reader.scenario().bitRock.law)
+            reader.require(*entries, *inFormOf(reader.scenario(), parameter));
     readCorners(reader, *entries);
 }
 

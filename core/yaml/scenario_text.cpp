@@ -2,6 +2,7 @@
 #include "core/yaml/scenario_text.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "core/model/blow_traits.h"
 #include "core/model/law_parameter.h"
@@ -103,12 +104,12 @@ void addDrillString(std::vector<SavedValue>& values, const Scenario& scenario) {
     }
 }
 
-SavedValue savedNumber(std::string_view path, std::string_view key, const Parameter& parameter,
-                       double number) {
-    return {.section = std::string(path),
-            .key = key,
+/// A number of an item of a list.
+SavedValue savedCorner(const std::string& path, const Parameter& parameter, const Scenario& scenario) {
+    return {.section = path,
+            .key = parameter.key.substr(parameter.key.rfind('.') + 1),
             .unit = SavedUnit{parameter.quantity, &parameter.displayUnit()},
-            .number = number,
+            .number = parameter.value(scenario).value_or(std::numeric_limits<double>::quiet_NaN()),
             .text = {}};
 }
 
@@ -119,20 +120,11 @@ void addLaw(std::vector<SavedValue>& values, const Scenario& scenario) {
     law.isDefault = rock.law == RockLaw::bilinear;
     law.isUnusual = true;
     values.push_back(law);
-    if (rock.law == RockLaw::power && !hasUnits(scenario)) {
-        const KeptParameter reference = inFormOf(scenario, *findParameter("bit_rock.reference_penetration"));
+    for (const KeptParameter& parameter : loadingNumbers(scenario)) {
+        const std::size_t corner = cornerOf(*parameter);
         values.push_back(
-            savedNumber("bit_rock", "reference_penetration", *reference, rock.referencePenetration));
-        values.back().parameter = &*reference;
-    }
-    for (std::size_t i = 0; i < rock.corners.size(); ++i) {
-        const std::string path = cornersPath + "." + std::to_string(i);
-        const auto add = [&](std::string_view field, double number) {
-            values.push_back(savedNumber(
-                path, field, *inFormOf(scenario, *findParameter(cornerKey(i + 1, field))), number));
-        };
-        add("force", rock.corners[i].force);
-        add("slope", rock.corners[i].slope);
+            corner == 0 ? savedParameter(*parameter, scenario)
+                        : savedCorner(cornersPath + "." + std::to_string(corner - 1), *parameter, scenario));
     }
 }
 

@@ -9,7 +9,6 @@
 
 #include "core/contact/bit_rock_law.h"
 #include "core/model/law_parameter.h"
-#include "core/model/scales.h"
 #include "ui/form/choice_box.h"
 #include "ui/form/parameter_row.h"
 #include "ui/form/quantity_field.h"
@@ -17,15 +16,8 @@
 namespace drillwave {
 namespace {
 
-/// Where a first corner is proposed, of the scale of forces; on the line of the slope that there is it
-/// changes nothing yet.
-constexpr double firstCorner = 0.5;
-/// A next one, of the force of the one before.
+/// Where a next corner is proposed, of the force of the one before.
 constexpr double nextCorner = 1.5;
-
-double cornerForce(const Scenario& scenario) {
-    return firstCorner * (hasUnits(scenario) ? scalesOf(scenario).force : 1);
-}
 
 }  // namespace
 
@@ -75,18 +67,9 @@ void LawSection::present(const Scenario& scenario) {
     m_add->setEnabled(rock.corners.size() < mostLawCorners);
 }
 
-// Another law means the same rock at first: a corner without a change of slope, a power of one.
 void LawSection::choose(RockLaw law) {
     const Scenario& scenario = m_document.scenario();
-    if (law == scenario.bitRock.law) return;
-    BitRock rock = scenario.bitRock;
-    rock.law = law;
-    rock.corners.clear();
-    rock.exponent = BitRock().exponent;
-    rock.referencePenetration = hasUnits(scenario) ? BitRock().referencePenetration : firstCorner;
-    if (law == RockLaw::corners) rock.corners.push_back({cornerForce(scenario), 1});
-    if (law != RockLaw::power) rock.referencePenetration = BitRock().referencePenetration;
-    change(rock, tr("change the law of the rock"));
+    if (law != scenario.bitRock.law) change(proposedRock(scenario, law), tr("change the law of the rock"));
 }
 
 void LawSection::change(const BitRock& rock, const QString& step) {

@@ -27,6 +27,8 @@ class TestScenarioDifference : public QObject {
     void anOptionalValueDiffersFromNone();
     void oneOfManyIsEnough();
     void groupsDifferWhereTheyAreGiven();
+    void lawsDifferInEveryNumber_data();
+    void lawsDifferInEveryNumber();
 };
 
 void TestScenarioDifference::theSameScenarioDiffersInNothing() {
@@ -63,6 +65,28 @@ void TestScenarioDifference::groupsDifferWhereTheyAreGiven() {
     const Scenario a = test::dimensionless(PulseShape::rectangular, {.beta = 0.5});
     const Scenario b = test::dimensionless(PulseShape::rectangular, {.beta = 0.6});
     QCOMPARE(keys({&a, &b}), QStringList("beta"));
+}
+
+void TestScenarioDifference::lawsDifferInEveryNumber_data() {
+    QTest::addColumn<ScenarioForm>("form");
+    QTest::newRow("with units") << ScenarioForm::dimensional;
+    QTest::newRow("dimensionless") << ScenarioForm::dimensionless;
+}
+
+void TestScenarioDifference::lawsDifferInEveryNumber() {
+    QFETCH(ScenarioForm, form);
+    Scenario a;
+    a.form = form;
+    a.bitRock.law = RockLaw::power;
+    Scenario b = a;
+    b.bitRock.exponent = 1.5;
+    b.bitRock.referencePenetration *= 2;
+    QCOMPARE(keys({&a, &b}), QStringList({"bit_rock.exponent", "bit_rock.reference_penetration"}));
+    a.bitRock.law = b.bitRock.law = RockLaw::corners;
+    a.bitRock.corners = {{1, 0.5}};
+    b.bitRock.corners = {{2, 0.5}, {3, 0.2}};
+    QCOMPARE(keys({&a, &b}),
+             QStringList({"bit_rock.corner.1.force", "bit_rock.corner.2.force", "bit_rock.corner.2.slope"}));
 }
 
 QTEST_GUILESS_MAIN(TestScenarioDifference)
