@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/text/units.h"
+
 namespace drillwave {
 namespace {
 
@@ -26,6 +28,11 @@ Frustum frustumOf(const Section& section) {
 
 double ringArea(double outer, double inner) {
     return std::numbers::pi / 4 * (outer - inner) * (outer + inner);
+}
+
+std::string millimetres(double si) {
+    static const Unit& unit = *findUnit(Quantity::length, "mm");
+    return formatQuantity(si, Quantity::length, unit);
 }
 
 }  // namespace
@@ -62,6 +69,32 @@ double meanArea(const Section& section, double from, double to) {
     // the mean square of what is linear
     const double meanSquare = (first * first + first * last + last * last) / 3;
     return std::numbers::pi / 4 * (meanSquare - cone.bore * cone.bore);
+}
+
+std::string_view endKey(const Section& section) {
+    return section.area ? "end_area" : "end_diameter";
+}
+
+std::vector<ShapeProblem> shapeProblems(const Section& section) {
+    std::vector<ShapeProblem> problems;
+    if (section.area) return problems;
+    if (section.bore >= section.diameter && section.diameter > 0)
+        problems.push_back({"bore", "must be less than the diameter of " + millimetres(section.diameter)});
+    if (section.endDiameter && *section.endDiameter <= section.bore)
+        problems.push_back({endKey(section), "must be larger than the bore of " + millimetres(section.bore)});
+    return problems;
+}
+
+std::string sizeText(const Section& section) {
+    std::string text = millimetres(section.length) + " × ";
+    if (section.area) {
+        const Unit& unit = *findUnit(Quantity::area, "mm^2");
+        text += formatQuantity(*section.area, Quantity::area, unit);
+        return section.endArea ? text + " … " + formatQuantity(*section.endArea, Quantity::area, unit) : text;
+    }
+    text += millimetres(section.diameter);
+    if (section.endDiameter) text += " … " + millimetres(*section.endDiameter);
+    return section.bore > 0 ? text + " / " + millimetres(section.bore) : text;
 }
 
 std::vector<Section> uniformPieces(const Section& section, int count) {

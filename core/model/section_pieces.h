@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The kinds of sections, each as the uniform pieces that stand for it.
+// The kinds of sections: their shape in numbers and words, and the uniform pieces that stand for it.
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/model/drill_string.h"
@@ -24,6 +26,20 @@ double largestDiameter(const Section& section);
 
 /// The mean of areaAt() between two shares [m²]: a uniform piece of that area has the mass of what is there.
 double meanArea(const Section& section, double from = 0, double to = 1);
+
+/// Key of the size of its far end: "end_diameter".
+std::string_view endKey(const Section& section);
+
+/// What is wrong with sizes that are each in their range. `field`: key of one of them; empty for nothing.
+struct ShapeProblem {
+    std::string_view field;
+    std::string reason;  ///< "must be less than the diameter of 39 mm"
+};
+/// Every one.
+std::vector<ShapeProblem> shapeProblems(const Section& section);
+
+/// "3660 mm × 39 mm … 45 mm / 14 mm": length, sizes from the rear end to the far one, and bore.
+std::string sizeText(const Section& section);
 
 /// `count` uniform pieces, one behind the other, of equal lengths and of the mass of what they stand for, the
 /// lumped mass and the joint behind the last one: count > 0; one of a uniform section is the section. Waves

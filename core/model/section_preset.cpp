@@ -3,31 +3,11 @@
 
 #include <cassert>
 
+#include "core/model/section_pieces.h"
 #include "core/text/enum_names.h"
 #include "core/text/units.h"
 
 namespace drillwave {
-namespace {
-
-std::string millimetres(double si) {
-    static const Unit& unit = *findUnit(Quantity::length, "mm");
-    return formatQuantity(si, Quantity::length, unit);
-}
-
-std::string sizeText(const Section& section) {
-    std::string text = millimetres(section.length) + " × ";
-    if (section.area) {
-        const Unit& unit = *findUnit(Quantity::area, "mm^2");
-        text += formatQuantity(*section.area, Quantity::area, unit);
-        return section.endArea ? text + " … " + formatQuantity(*section.endArea, Quantity::area, unit) : text;
-    }
-    text += millimetres(section.diameter);
-    if (section.endDiameter) text += " … " + millimetres(*section.endDiameter);
-    return section.bore > 0 ? text + " / " + millimetres(section.bore) : text;
-}
-
-}  // namespace
-
 std::string_view name(SectionPresetKind kind) {
     static constexpr EnumNames<SectionPresetKind> names{{{SectionPresetKind::piston, "piston"},
                                                          {SectionPresetKind::adapter, "adapter"},

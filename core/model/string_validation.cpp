@@ -80,14 +80,10 @@ class SectionCheck {
             const std::string reason = value ? rangeProblem(field, *value) : std::string();
             if (!reason.empty()) report(key + "." + std::string(field.key), text(field, *value), reason);
         }
-        const SectionField& bore = *findSectionField("bore");
-        if (!section.area && section.bore >= section.diameter && section.diameter > 0)
-            report(key + ".bore", text(bore, section.bore),
-                   "must be less than the diameter of " + text(bore, section.diameter));
-        const SectionField& end = *findSectionField("end_diameter");
-        if (!section.area && section.endDiameter && *section.endDiameter <= section.bore)
-            report(key + ".end_diameter", text(end, *section.endDiameter),
-                   "must be larger than the bore of " + text(bore, section.bore));
+        for (const ShapeProblem& problem : shapeProblems(section)) {
+            const SectionField& field = *findSectionField(problem.field);
+            report(key + "." + std::string(field.key), text(field, *field.value(section)), problem.reason);
+        }
         const std::string reason = sectionNameProblem(section.name);
         if (!reason.empty()) report(key + ".name", section.name, reason);
     }
@@ -115,7 +111,7 @@ class SectionCheck {
         const Section& struck = *expandedSections(m_string).front();
         const double hole = struck.area ? 0 : struck.bore;
         if (isUniform(last) || outerDiameterAt(last, 1) > hole) return;
-        const SectionField& end = *findSectionField(last.area ? "end_area" : "end_diameter");
+        const SectionField& end = *findSectionField(endKey(last));
         const SectionField& bore = *findSectionField("bore");
         report(sectionKey(Chain::hammer, m_string.hammer.sections.size()) + "." + std::string(end.key),
                formatQuantity(*end.value(last), end.quantity, end.displayUnit()),

@@ -221,11 +221,13 @@ std::string drillStringText(const Scenario& scenario) {
 }
 
 Section withoutUnusedValues(Section section) {
-    if (section.area) {
-        section.diameter = section.bore = 0;
-        section.endDiameter.reset();
-    } else {
-        section.endArea.reset();
+    if (section.area) section.diameter = 0;
+    for (const SectionField& field : sectionFields()) {
+        if (field.applies(section)) continue;
+        if (field.clear)
+            field.clear(section);
+        else
+            field.assign(section, 0);
     }
     return section;
 }

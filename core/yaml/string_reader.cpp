@@ -75,15 +75,15 @@ class SectionOfFile {
         if (!m_reader.isThere(entries, m_path, "length"))
             m_reader.reportMissing(m_path, "length", "is missing: write for example `length: 3660 mm`");
         m_reader.requireOneOf(entries, m_path, "diameter", "area");
-        const auto goesWith = [&](std::string_view field, std::string_view start, std::string_view other,
-                                  std::string_view reason) {
-            const auto found = entries.find(field);
-            if (found != entries.end() && entries.contains(other) && !entries.contains(start))
-                m_reader.problems().reportKey(found->second.key->offset, key(field), reason);
-        };
-        goesWith("bore", "diameter", "area", "goes with a diameter, not with an area");
-        goesWith("end_diameter", "diameter", "area", "goes with a diameter, not with an area");
-        goesWith("end_area", "area", "diameter", "goes with an area, not with a diameter");
+        for (const SectionField& field : sectionFields()) {
+            const auto found = entries.find(field.key);
+            if (found == entries.end() || field.with == SectionField::With::both) continue;
+            const bool ofArea = field.with == SectionField::With::area;
+            if (entries.contains("diameter") == ofArea && entries.contains("area") != ofArea)
+                m_reader.problems().reportKey(found->second.key->offset, key(field.key),
+                                              ofArea ? "goes with an area, not with a diameter"
+                                                     : "goes with a diameter, not with an area");
+        }
     }
 
     SectionReader& m_reader;

@@ -19,38 +19,34 @@ namespace {
 
 const QString none = QStringLiteral("–");
 
-/// The number of a section that a column shows; empty for other columns.
+/// The number of a section that each column shows; empty for other columns.
+const std::vector<std::string_view>& fieldKeys() {
+    static const std::vector<std::string_view> keys = [] {
+        std::vector<std::string_view> all(StringModel::occasional);
+        all[StringModel::length] = "length";
+        all[StringModel::diameter] = "diameter";
+        all[StringModel::bore] = "bore";
+        all[StringModel::loss] = "loss";
+        all[StringModel::massAfter] = "mass_after";
+        all[StringModel::attenuation] = "attenuation";
+        for (const SectionField& field : sectionFields())
+            if (std::ranges::find(all, field.key) == all.end()) all.push_back(field.key);
+        return all;
+    }();
+    return keys;
+}
+
+int columns() {
+    return static_cast<int>(fieldKeys().size());
+}
+
 std::string_view fieldKey(int column) {
-    switch (column) {
-        case StringModel::length:
-            return "length";
-        case StringModel::diameter:
-            return "diameter";
-        case StringModel::bore:
-            return "bore";
-        case StringModel::loss:
-            return "loss";
-        case StringModel::massAfter:
-            return "mass_after";
-        case StringModel::attenuation:
-            return "attenuation";
-        case StringModel::area:
-            return "area";
-        case StringModel::endDiameter:
-            return "end_diameter";
-        case StringModel::endArea:
-            return "end_area";
-        case StringModel::youngsModulus:
-            return "youngs_modulus";
-        case StringModel::density:
-            return "density";
-        case StringModel::yieldStrength:
-            return "yield_strength";
-        case StringModel::fatigueStrength:
-            return "fatigue_strength";
-        default:
-            return {};
-    }
+    return column >= 0 && column < columns() ? fieldKeys()[static_cast<std::size_t>(column)]
+                                             : std::string_view();
+}
+
+bool isResult(int column) {
+    return column >= StringModel::compression && column <= StringModel::reflected;
 }
 
 /// The solver takes no losses inside the hammer.
@@ -72,6 +68,10 @@ QString withUnit(const QString& words, const QString& unit) {
 
 }  // namespace
 
+int StringModel::columnOf(std::string_view field) {
+    return static_cast<int>(std::ranges::find(fieldKeys(), field) - fieldKeys().begin());
+}
+
 KeptParameter StringModel::ofColumn(std::string_view field) {
     return findParameter(sectionKey(SectionAddress::Chain::string, 1, field));
 }
@@ -80,8 +80,8 @@ StringModel::StringModel(Document& document, QObject* parent)
     : QAbstractTableModel(parent), m_document(document) {
     connect(&document, &Document::scenarioChanged, this, &StringModel::follow);
     connect(&document.units(), &UnitChoice::changed, this, [this] {
-        emit headerDataChanged(Qt::Horizontal, 0, columns - 1);
-        if (!m_rows.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+        emit headerDataChanged(Qt::Horizontal, 0, columns() - 1);
+        if (!m_rows.empty()) emit dataChanged(index(0, 0), index(rowCount() - 1, columns() - 1));
     });
     follow();
 }
@@ -100,7 +100,7 @@ void StringModel::follow() {
     if (!same)
         endResetModel();
     else if (!m_rows.empty())
-        emit dataChanged(index(0, 0), index(rowCount() - 1, columns - 1));
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columns() - 1));
 }
 
 void StringModel::present(const SolvedBlowPtr& blow) {
@@ -137,7 +137,7 @@ int StringModel::rowCount(const QModelIndex& parent) const {
 }
 
 int StringModel::columnCount(const QModelIndex& parent) const {
-    return parent.isValid() ? 0 : columns;
+    return parent.isValid() ? 0 : columns();
 }
 
 Qt::ItemFlags StringModel::flags(const QModelIndex& index) const {
@@ -178,7 +178,7 @@ QVariant StringModel::shown(const QModelIndex& index) const {
     const StringRow& row = m_rows[static_cast<std::size_t>(index.row())];
     if (index.column() == repeat) return repeatCell(row);
     if (index.column() == sectionName) return row.name();
-    if (index.column() >= compression) return resultCell(index.row(), index.column());
+    if (isResult(index.column())) return resultCell(index.row(), index.column());
     const KeptParameter parameter = parameterAt(index);
     return parameter ? numberCell(row, *parameter) : none;
 }
@@ -236,7 +236,7 @@ QString StringModel::toolTip(const QModelIndex& index) const {
                          .arg(row.repeat->times)
                    : QString();
     if (column == sectionName) return tr("Name of the section; parameters go by it, too");
-    if (column >= compression) {
+    if (isResult(column)) {
         if (!m_results) return {};
         const RowResult& result = m_results->rows[static_cast<std::size_t>(index.row())];
         if (column == reflected)

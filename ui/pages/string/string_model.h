@@ -26,18 +26,14 @@ class StringModel : public QAbstractTableModel {
         loss,
         massAfter,
         attenuation,
-        area,  // from here on what few sections have
-        endDiameter,
-        endArea,
-        youngsModulus,
-        density,
-        yieldStrength,
-        fatigueStrength,
         compression,
         tension,
         reflected,
-        columns
+        occasional,  // from here on the other numbers of a section, which few have
     };
+
+    /// The column of that number of a section, "area".
+    static int columnOf(std::string_view field);
 
     /// For whose units numbers of that key are shown, "bore", of whichever section.
     static KeptParameter ofColumn(std::string_view field);
@@ -46,7 +42,7 @@ class StringModel : public QAbstractTableModel {
     explicit StringModel(Document& document, QObject* parent = nullptr);
 
     /// Whether it is a column of numbers that few sections have, and whether one of these has it.
-    static bool isOccasional(int column) { return column >= area && column <= fatigueStrength; }
+    static bool isOccasional(int column) { return column >= occasional; }
     bool isUsed(int column) const;
 
     /// What the last columns show; nullptr before the first.

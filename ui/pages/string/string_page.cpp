@@ -134,7 +134,7 @@ QWidget* StringPage::makeBar() {
 }
 
 void StringPage::showColumns() {
-    for (int column = 0; column < StringModel::columns; ++column)
+    for (int column = 0; column < m_model->columnCount(); ++column)
         if (StringModel::isOccasional(column))
             m_table->setColumnHidden(column, !m_allColumns->isChecked() && !m_model->isUsed(column));
 }

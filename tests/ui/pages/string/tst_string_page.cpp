@@ -381,17 +381,18 @@ void TestStringPage::unitsOfAllKindsAreTaken() {
 
 void TestStringPage::columnsThatFewSectionsHaveAreShownWhereTheyAreUsed() {
     const QTableView& table = *page().table();
-    constexpr int few[] = {StringModel::area,           StringModel::endDiameter, StringModel::endArea,
-                           StringModel::youngsModulus,  StringModel::density,     StringModel::yieldStrength,
-                           StringModel::fatigueStrength};
+    std::vector<int> few;
+    for (const char* field : {"area", "end_diameter", "end_area", "youngs_modulus", "density",
+                              "yield_strength", "fatigue_strength"})
+        few.push_back(StringModel::columnOf(field));
     for (const int column : few) QVERIFY(table.isColumnHidden(column));
     auto& all = *page().findChild<QToolButton*>(QStringLiteral("allColumns"));
     QTest::mouseClick(&all, Qt::LeftButton);
     for (const int column : few) QVERIFY(!table.isColumnHidden(column));
-    typeIntoCell(4, StringModel::yieldStrength, QStringLiteral("300 MPa"));
-    typeIntoCell(4, StringModel::youngsModulus, QStringLiteral("205"));
-    typeIntoCell(3, StringModel::area, QStringLiteral("2300 mm^2"));
-    typeIntoCell(2, StringModel::endDiameter, QStringLiteral("52 mm"));
+    typeIntoCell(4, StringModel::columnOf("yield_strength"), QStringLiteral("300 MPa"));
+    typeIntoCell(4, StringModel::columnOf("youngs_modulus"), QStringLiteral("205"));
+    typeIntoCell(3, StringModel::columnOf("area"), QStringLiteral("2300 mm^2"));
+    typeIntoCell(2, StringModel::columnOf("end_diameter"), QStringLiteral("52 mm"));
     const DrillString& drill = document().scenario().drillString;
     const Section& rod = drill.parts[1].sections[1];
     QCOMPARE(rod.yieldStrength, std::optional(300e6));
@@ -404,10 +405,10 @@ void TestStringPage::columnsThatFewSectionsHaveAreShownWhereTheyAreUsed() {
     QVERIFY(std::ranges::any_of(window().shown()->alerts, isTold));
     // What is used stays, and goes with the last number, whose emptied cell takes it away.
     QTest::mouseClick(&all, Qt::LeftButton);
-    QVERIFY(!table.isColumnHidden(StringModel::yieldStrength));
-    QVERIFY(!table.isColumnHidden(StringModel::area));
-    QVERIFY(table.isColumnHidden(StringModel::density));
-    const QModelIndex cell = model().index(4, StringModel::yieldStrength);
+    QVERIFY(!table.isColumnHidden(StringModel::columnOf("yield_strength")));
+    QVERIFY(!table.isColumnHidden(StringModel::columnOf("area")));
+    QVERIFY(table.isColumnHidden(StringModel::columnOf("density")));
+    const QModelIndex cell = model().index(4, StringModel::columnOf("yield_strength"));
     page().table()->setCurrentIndex(cell);
     page().table()->edit(cell);
     QWidget* editor = page().table()->indexWidget(cell);
@@ -417,11 +418,11 @@ void TestStringPage::columnsThatFewSectionsHaveAreShownWhereTheyAreUsed() {
     QTest::keyClick(editor, Qt::Key_Return);
     QCoreApplication::processEvents();
     QVERIFY(!document().scenario().drillString.parts[1].sections[1].yieldStrength);
-    QVERIFY(table.isColumnHidden(StringModel::yieldStrength));
+    QVERIFY(table.isColumnHidden(StringModel::columnOf("yield_strength")));
     // A diameter takes the place of a cross-section.
     typeIntoCell(3, StringModel::diameter, QStringLiteral("56 mm"));
     QVERIFY(!document().scenario().drillString.parts[1].sections[0].area);
-    QVERIFY(table.isColumnHidden(StringModel::area));
+    QVERIFY(table.isColumnHidden(StringModel::columnOf("area")));
 }
 
 void TestStringPage::numbersFollowTheLocale() {
