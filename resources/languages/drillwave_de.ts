@@ -3130,6 +3130,14 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <source>%1 samples so far, %2 to come.</source>
         <translation>Bisher %1 Stichproben, %2 folgen.</translation>
     </message>
+    <message>
+        <source>Where all is as in the file, the robust best has %1&#xa0;% less.</source>
+        <translation>Wo alles wie in der Datei ist, hat die robuste beste %1 % weniger.</translation>
+    </message>
+    <message>
+        <source>Where all is as in the file, the robust best has %1&#xa0;% more.</source>
+        <translation>Wo alles wie in der Datei ist, hat die robuste beste %1 % mehr.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::DesignPage</name>

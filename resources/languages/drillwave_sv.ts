@@ -3130,6 +3130,14 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <source>%1 samples so far, %2 to come.</source>
         <translation>Hittills %1 stickprov, %2 återstår.</translation>
     </message>
+    <message>
+        <source>Where all is as in the file, the robust best has %1&#xa0;% less.</source>
+        <translation>Där allt är som i filen har den robust bästa %1 % mindre.</translation>
+    </message>
+    <message>
+        <source>Where all is as in the file, the robust best has %1&#xa0;% more.</source>
+        <translation>Där allt är som i filen har den robust bästa %1 % mer.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::DesignPage</name>

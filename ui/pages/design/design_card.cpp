@@ -25,6 +25,11 @@ QString valueText(const DesignReport& report, const DesignAim& aim, std::size_t 
     return text;
 }
 
+/// By how much of the second the first is off it.
+QString percentBetween(double value, double of, const DesignUnits& units) {
+    return numberText(100 * std::abs(value / of - 1), 2, units.locale());
+}
+
 QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
     const DesignReport& report = answer.report;
     const BestDesigns& best = report.findings.best;
@@ -52,15 +57,20 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
     if (!best.nominal || *best.nominal == *best.robust) return text;
     const double robust = aimedValue(report, first, *best.robust).value;
     const double other = aimedValue(report, first, *best.nominal).value;
-    const double change = 100 * std::abs(other / robust - 1);
-    const QString percent = numberText(change, 2, units.locale());
     const QString where = statisticWords(first.statistic, first.sense);
-    text +=
-        QStringLiteral("<p>") + (first.sense == Sense::largest
-                                     ? DesignCard::tr("The nominal best, %1, would lose %2 % of it %3.")
-                                     : DesignCard::tr("The nominal best, %1, would have %2 % more of it %3."))
-                                    .arg(units.designName(*best.nominal), percent, where);
-    return text;
+    text += QStringLiteral("<p>") +
+            (first.sense == Sense::largest
+                 ? DesignCard::tr("The nominal best, %1, would lose %2 % of it %3.")
+                 : DesignCard::tr("The nominal best, %1, would have %2 % more of it %3."))
+                .arg(units.designName(*best.nominal), percentBetween(other, robust, units), where);
+    const std::size_t output = report.study.placeOf(*first.output, {}).output;
+    const auto asInFile = [&](std::size_t design) { return report.findings.designs[design].nominal[output]; };
+    if (!std::isfinite(asInFile(*best.robust))) return text;  // that one blow could not be solved
+    const QString costs = percentBetween(asInFile(*best.robust), asInFile(*best.nominal), units);
+    return text + QLatin1Char(' ') +
+           (first.sense == Sense::largest
+                ? DesignCard::tr("Where all is as in the file, the robust best has %1 % less.").arg(costs)
+                : DesignCard::tr("Where all is as in the file, the robust best has %1 % more.").arg(costs));
 }
 
 QString measureSentence(const DesignReport& report, const DesignUnits& units) {

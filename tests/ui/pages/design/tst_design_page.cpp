@@ -45,6 +45,7 @@ class TestDesignPage : public QObject {
     void aClickLoadsADesignWithItsEnergyInOneStep();
     void aClickWithShiftPinsADesign();
     void theWorstCaseIsLoaded();
+    void theCardSaysWhatIsGivenAwayInTheRockOfTheFile();
     void aRangeUpsideDownIsMarkedAndAsksNothing();
     void whatCannotBeSolvedIsSaid();
     void theDesignsFillTheirPlot();
@@ -210,6 +211,18 @@ void TestDesignPage::theWorstCaseIsLoaded() {
     QCOMPARE(m_document->scenario().bitRock.stiffness, worst.at[0]);
     QCOMPARE(m_document->scenario().bitRock.gamma, worst.at[1]);
     QCOMPARE(m_document->scenario().bitRock.gap, worst.at[2]);
+}
+
+void TestDesignPage::theCardSaysWhatIsGivenAwayInTheRockOfTheFile() {
+    showPage();
+    const auto& findings = m_page->answer()->report.findings;
+    QVERIFY(findings.best.nominal && *findings.best.nominal != *findings.best.robust);
+    const double robust = findings.designs[*findings.best.robust].nominal[0];
+    const double nominal = findings.designs[*findings.best.nominal].nominal[0];
+    QVERIFY(robust < nominal);
+    const QString text = QStringLiteral("the robust best has %1 % less.")  // plain text has no fixed blanks
+                             .arg(QLocale().toString(100 * (1 - robust / nominal), 'g', 2));
+    QVERIFY2(m_page->card().toPlainText().contains(text), qPrintable(m_page->card().toPlainText()));
 }
 
 void TestDesignPage::aRangeUpsideDownIsMarkedAndAsksNothing() {
