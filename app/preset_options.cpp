@@ -9,18 +9,13 @@
 #include "core/model/blow_traits.h"
 #include "core/text/decimal_text.h"
 #include "core/text/enum_names.h"
+#include "core/text/lower_case.h"
 #include "core/text/nearest_name.h"
 #include "core/yaml/preset_file.h"
 
 namespace drillwave {
 
 namespace {
-
-std::string lowerCase(std::string text) {
-    for (char& c : text)
-        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-    return text;
-}
 
 [[noreturn]] void refuse(const std::string& option, const std::string& wanted, const std::string& reason) {
     throw CommandError(ExitCode::usage, option + " " + shortened(wanted) + ": " + reason);

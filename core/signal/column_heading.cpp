@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/signal/column_heading.h"
 
-#include <algorithm>
-#include <cctype>
 #include <optional>
 #include <utility>
 
 #include "core/signal/signal_unit.h"
 #include "core/text/decimal_text.h"
+#include "core/text/lower_case.h"
 #include "core/text/units.h"
 
 namespace drillwave {
@@ -59,8 +58,7 @@ TableColumn columnOf(std::string_view heading) {
 }
 
 bool isTimeName(std::string_view name) {
-    std::string lower(name);
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string lower = lowerCase(std::string(name));
     return lower == "t" || lower.starts_with("time") || lower.starts_with("zeit") ||
            lower.starts_with("x_value");
 }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/signal/sample_guess.h"
 
-#include <algorithm>
-#include <cctype>
-
+#include "core/text/lower_case.h"
 #include "core/text/units.h"
 
 namespace drillwave {
@@ -11,11 +9,6 @@ namespace {
 
 /// Without a time column nothing tells the rate: a common one.
 constexpr double usualInterval = 1e-6;
-
-std::string lowerCase(std::string text) {
-    std::ranges::transform(text, text.begin(), [](unsigned char c) { return std::tolower(c); });
-    return text;
-}
 
 /// Of a table without a header: a record of milliseconds would be one of seconds.
 bool saysNothing(const TableColumn& column) {

@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cctype>
 
 #include "core/text/decimal_text.h"
+#include "core/text/lower_case.h"
 #include "core/text/units.h"
 
 namespace drillwave {
@@ -68,8 +68,7 @@ bool isMissing(std::string_view cell) {
     constexpr std::string_view words[] = {"",    "nan",  "-nan", "+nan", "inf", "-inf", "+inf",
                                           "n/a", "#n/a", "na",   "-",    "--",  "---",  "null"};
     if (cell.size() > 4) return false;
-    std::string lower(cell);
-    std::ranges::transform(lower, lower.begin(), [](unsigned char c) { return std::tolower(c); });
+    const std::string lower = lowerCase(std::string(cell));
     return std::ranges::find(words, std::string_view(lower)) != std::end(words);
 }
 
