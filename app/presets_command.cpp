@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave presets [FILE.yaml]
+#include <algorithm>
 #include <optional>
+#include <sstream>
+#include <vector>
 
 #include "app/command.h"
 #include "app/output_file.h"
 #include "app/preset_options.h"
+#include "core/text/lower_case.h"
 
 namespace drillwave {
 
@@ -17,11 +21,20 @@ std::string indented(const std::string& lines) {
     return text + "\n";
 }
 
-/// A list under its heading.
+/// Lists, each under its heading, of what has every word looked for in its kind, name or description,
+/// capitals or not.
 class Listing {
   public:
+    explicit Listing(const std::string& search) {
+        std::istringstream words(lowerCase(search));
+        for (std::string word; words >> word;) m_words.push_back(word);
+    }
+
     void add(std::string_view kind, std::string_view use, const std::string& name,
              const std::string& description) {
+        const std::string all = lowerCase(std::string(kind) + "\n" + name + "\n" + description);
+        const auto isThere = [&](const std::string& word) { return all.find(word) != std::string::npos; };
+        if (!std::ranges::all_of(m_words, isThere)) return;
         if (kind != m_kind)
             m_text += (m_text.empty() ? "" : "\n") + std::string(kind) + "s, for " + std::string(use) + "\n";
         m_kind = kind;
@@ -30,6 +43,7 @@ class Listing {
     const std::string& text() const { return m_text; }
 
   private:
+    std::vector<std::string> m_words;
     std::string m_text;
     std::string_view m_kind;
 };
@@ -38,13 +52,16 @@ ExitCode runPresets(const Arguments& arguments, const Drawing*) {
     std::optional<std::string> path;
     if (!arguments.operands().empty()) path = arguments.operands().front();
     const PresetFile file = presetsOf(path);
-    Listing listing;
+    const std::string search = arguments.value("search").value_or("");
+    Listing listing(search);
     for (const Preset& preset : file.presets)
         listing.add(name(preset.kind), "--" + std::string(name(preset.kind)), preset.name,
                     description(preset));
     for (const SectionPreset& preset : file.sectionPresets)
         listing.add(name(preset.kind), "drill strings (length × diameter / bore)", preset.name,
                     description(preset));
+    if (listing.text().empty() && !search.empty())
+        throw CommandError(ExitCode::unsolvedOrFailed, "no preset has all of \"" + search + "\"");
     printText(listing.text());
     return ExitCode::done;
 }
@@ -63,7 +80,8 @@ const Command& presetsCommand() {
             "Pistons,\n"
             "adapters, couplings and bits are pieces of drill strings, to be put in on the page String of "
             "the window.",
-        .options = {},
+        .options = {{"search", "WORDS",
+                     "only those with all of these words in kind, name, numbers or source: \"T38 bit\""}},
         .leastOperands = 0,
         .mostOperands = 1,
         .draws = [](const Arguments&) { return false; },

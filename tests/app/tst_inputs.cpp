@@ -38,6 +38,7 @@ class TestInputs : public QObject {
     void aLongTableFromAPipeTakesNoMemory();
     void examplesGoByTheirName();
     void presetsAreListedWithTheirSources();
+    void presetsAreFoundByWords();
     void presetsAreTakenByName();
     void presetsOfOnesOwnAreTaken();
     void anEmptyNameIsNoFileOfPresets();
@@ -176,6 +177,18 @@ void TestInputs::presetsAreListedWithTheirSources() {
          {"T38, round 38 mm", "medium drifter, piston", "very hard rock", "assumed", "--rock"})
         QVERIFY2(list.out.contains(part), part);
     for (const QByteArray& line : list.out.split('\n')) QVERIFY2(line.size() < 200, line);
+}
+
+void TestInputs::presetsAreFoundByWords() {
+    const Finished found = run({"presets", "--search", "t38 COUPLING"});
+    QCOMPARE(found.exitCode, 0);
+    QVERIFY2(found.out.contains("T38, 190 mm, worn") && !found.out.contains("T51"), found.out);
+    QVERIFY2(!found.out.contains("rods, for"), found.out);
+    QVERIFY(run({"presets", "--search", "fatigue 39"}).out.contains("T38, round 39 mm"));
+    const Finished none = run({"presets", "--search", "T38 T51"});
+    QCOMPARE(none.exitCode, 6);
+    QVERIFY2(none.error.contains("no preset has all of \"T38 T51\"") && none.out.isEmpty(), none.error);
+    QCOMPARE(run({"presets", "--search", ""}).out, run({"presets"}).out);
 }
 
 void TestInputs::presetsAreTakenByName() {
