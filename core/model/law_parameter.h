@@ -31,13 +31,6 @@ KeptParameter inFormOf(const Scenario& scenario, const Parameter& parameter);
 /// blow. Requires no more than mostRockCorners.
 std::vector<KeptParameter> loadingNumbers(const Scenario& scenario);
 
-/// The rock with another law: what only the one before has is dropped.
-BitRock withLaw(BitRock rock, RockLaw law);
-
-/// The same rock, at first, with another law that the scenario may have: a corner without a change of slope,
-/// a power of one.
-BitRock proposedRock(const Scenario& scenario, RockLaw law);
-
 /// Which corner a parameter is about, from 1; 0 for none.
 std::size_t cornerOf(const Parameter& parameter);
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
-#include "core/model/law_parameter.h"
+#include "core/model/law_change.h"
 
 namespace drillwave {
 namespace {

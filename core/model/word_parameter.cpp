@@ -5,7 +5,7 @@
 #include <array>
 #include <utility>
 
-#include "core/model/law_parameter.h"
+#include "core/model/law_change.h"
 #include "core/model/parameter_text.h"
 
 namespace drillwave {

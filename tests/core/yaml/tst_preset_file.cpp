@@ -7,7 +7,7 @@
 #include <set>
 
 #include "core/model/alerts.h"
-#include "core/model/law_parameter.h"
+#include "core/model/law_change.h"
 #include "core/report/alert_words.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/preset_file.h"
