@@ -156,7 +156,9 @@ void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
     paragraphs << (answer.isRefined()
                        ? tr("%1 samples of each design; errors are of 95 %.").arg(samples)
                        : tr("%1 samples so far, %2 to come.").arg(samples, QString::number(answer.wanted)));
-    setHtml(QStringLiteral("<p>") + paragraphs.join(QStringLiteral("</p><p>")) + QStringLiteral("</p>"));
+    QString html =
+        QStringLiteral("<p>") + paragraphs.join(QStringLiteral("</p><p>")) + QStringLiteral("</p>");
+    setHtml(html.replace(QLatin1String(" %"), QStringLiteral("\u00a0%")));  // "5 %" stays in one line
 }
 
 QUrl DesignCard::linkToDesign(std::uint64_t design) {
