@@ -138,6 +138,10 @@ ReportInput inputOf(const Scenario& scenario, const SavedValue& saved, const Sce
             input.label = "law of bit and rock";
             return input;
         }
+        if (key == rockIndexingKey) {
+            input.label = "rock at the next blow";
+            return input;
+        }
         const bool isFile = saved.key != "shape";
         input.label = isFile ? "table of the blow" : "shape of the blow";
         if (isFile) input.source = "its points are in the scenario";
@@ -145,6 +149,7 @@ ReportInput inputOf(const Scenario& scenario, const SavedValue& saved, const Sce
     }
     input.key = saved.parameter->key;
     input.si = saved.number;
+    input.quantity = saved.parameter->quantity;
     input.label = saved.parameter->label;
     if (const std::string symbol = printedSymbol(saved.parameter->symbol); !symbol.empty())
         input.label += " " + symbol;
@@ -155,8 +160,12 @@ ReportInput inputOf(const Scenario& scenario, const SavedValue& saved, const Sce
 ReportInput cornerInput(const Scenario& scenario, const Parameter& parameter) {
     const KeptParameter corner = inFormOf(scenario, parameter);
     const double si = corner->value(scenario).value_or(std::nan(""));
-    return {std::string(corner->key), std::string(corner->label),
-            formatQuantity(si, corner->quantity, corner->displayUnit()), si, "in the scenario"};
+    return {std::string(corner->key),
+            std::string(corner->label),
+            formatQuantity(si, corner->quantity, corner->displayUnit()),
+            si,
+            "in the scenario",
+            corner->quantity};
 }
 
 /// A section of a list, or the number of its repeats.

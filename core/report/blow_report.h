@@ -16,11 +16,12 @@ namespace drillwave {
 
 /// One value that the scenario gives.
 struct ReportInput {
-    std::string key;           ///< "rod.length"
-    std::string label;         ///< "length L"
-    std::string value;         ///< as the file has it: "3.66 m"
-    std::optional<double> si;  ///< of a number
-    std::string source;        ///< where the value is from, never empty: "assumed typical"
+    std::string key;                        ///< "rod.length"
+    std::string label;                      ///< "length L"
+    std::string value;                      ///< as the file has it: "3.66 m"
+    std::optional<double> si;               ///< of a number
+    std::string source;                     ///< where the value is from, never empty: "assumed typical"
+    std::optional<Quantity> quantity = {};  ///< likewise, as the form of the scenario has it
     bool operator==(const ReportInput&) const = default;
 };
 

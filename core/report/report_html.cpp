@@ -208,16 +208,12 @@ class Page {
         const bool isRead = input.si && quantity && !m_style.keepsUnitsOfFile();
         return bounded(isRead ? m_style.quantity(*input.si, *quantity, digits) : input.value);
     }
-    static std::optional<Quantity> quantityOf(const ReportInput& input) {
-        const KeptParameter parameter = findParameter(input.key);
-        return parameter ? std::optional(parameter->quantity) : std::nullopt;
-    }
 
     std::string inputs() const {
         std::string rows;
         for (const ReportInput& input : m_report.inputs)
             rows += row(input.key, htmlElement("td", input.key) + htmlElement("td", input.label) +
-                                       cell(given(input, quantityOf(input)), input.si) +
+                                       cell(given(input, input.quantity), input.si) +
                                        htmlElement("td", bounded(input.source)));
         return heading("Inputs") + table("inputs", {"key", "what", "value", "source"}, rows);
     }

@@ -75,6 +75,8 @@ class TestReportFile : public QObject {
     void aPresetThatIsFollowedIsTheSource();
     void whatTheFileLeavesOutIsAssumedByTheProgram();
     void everyExampleHasASourceForEveryInput();
+    void numbersHaveTheQuantityOfTheForm();
+    void wordsAreCalledWhatTheyAre();
     void sectionsStandOnceWithTheirSources();
     void aStringIsReportedWithItsSections();
     void theNumbersAreThoseOfTheJson_data();
@@ -140,6 +142,31 @@ void TestReportFile::everyExampleHasASourceForEveryInput() {
             QVERIFY2(!input.source.empty() && !input.label.empty() && !input.value.empty(),
                      input.key.c_str());
     }
+}
+
+// Of the loading curve of a dimensionless rock forces are in F0 and penetrations in d0.
+void TestReportFile::numbersHaveTheQuantityOfTheForm() {
+    const std::string drive = "pulse: {shape: rectangular}\n";
+    const std::string groups =
+        "drillwave: 1\ndimensionless: {beta: 0.5, gamma: 0.1, tau: 10, delta: 0}\n" + drive;
+    const std::string power = groups + "bit_rock: {law: power, exponent: 1.5, reference_penetration: 0.5}\n";
+    const ReportInput reference = inputOf(inputsOfText(power), "bit_rock.reference_penetration");
+    QCOMPARE(reference.value, std::string("0.5"));
+    QCOMPARE(reference.quantity, std::optional(Quantity::ratio));
+    const std::string corners = groups + "bit_rock: {law: corners, corners: [{force: 0.5, slope: 0.3}]}\n";
+    QCOMPARE(inputOf(inputsOfText(corners), "bit_rock.corner.1.force").quantity,
+             std::optional(Quantity::ratio));
+    const std::string inSi = bareText();
+    QCOMPARE(inputOf(inputsOfText(inSi), "rod.bore").quantity, std::optional(Quantity::length));
+}
+
+void TestReportFile::wordsAreCalledWhatTheyAre() {
+    Scenario scenario = parseScenario(bareText(), "here").scenario;
+    scenario.drill.indexing = RockIndexing::same;
+    const ReportInput indexing = inputOf(inputsOf(scenario, scenarioText(scenario)), "drill.indexing");
+    QCOMPARE(indexing.value, std::string("same"));
+    QCOMPARE(indexing.label, std::string("rock at the next blow"));
+    QCOMPARE(indexing.source, std::string("not stated"));
 }
 
 void TestReportFile::sectionsStandOnceWithTheirSources() {
