@@ -63,7 +63,8 @@ UnitChoice::UnitChoice()
 
 const Unit& UnitChoice::fieldUnit(const Parameter& parameter) const {
     const auto own = m_ofFields.find(parameter.key);
-    if (own != m_ofFields.end()) return *own->second;
+    // in a dimensionless scenario the same key may be a ratio
+    if (own != m_ofFields.end() && findUnit(parameter.quantity, own->second->name)) return *own->second;
     if (const std::optional<UnitKind> kind = kindOf(parameter)) {
         const auto chosen = m_chosen.find(*kind);
         if (chosen != m_chosen.end()) return *chosen->second;

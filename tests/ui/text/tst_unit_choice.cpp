@@ -4,6 +4,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/model/law_parameter.h"
+#include "core/model/parameter.h"
 #include "tests/support/window.h"
 #include "ui/text/settings.h"
 #include "ui/text/unit_choice.h"
@@ -49,6 +51,14 @@ class TestUnitChoice : public QObject {
         QCOMPARE(next.physicalSystem(), UnitSystem::us);
         QCOMPARE(next.unitFor(UnitKind::force, 1e5).name, std::string_view("N"));
         QCOMPARE(next.fieldUnit(rodLength()).name, std::string_view("cm"));
+    }
+
+    void aUnitOfAFieldIsNoUnitOfTheRatioOfThatKey() {
+        UnitChoice units;
+        const KeptParameter penetration = findParameter("bit_rock.reference_penetration");
+        units.chooseForField(*penetration, *findUnit(Quantity::length, "cm"));
+        QCOMPARE(units.fieldUnit(*penetration).name, std::string_view("cm"));
+        QCOMPARE(units.fieldUnit(*inScales(*penetration)).name, std::string_view());
     }
 
     void aTextIsInTheUnitInWhichItIsBestRead() {
