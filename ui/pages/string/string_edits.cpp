@@ -10,6 +10,7 @@
 #include <array>
 
 #include "core/model/form_conversion.h"
+#include "core/model/section_pieces.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 #include "ui/text/field_text.h"
@@ -38,8 +39,9 @@ std::optional<StringEnd> endOf(std::string_view name) {
 QString describe(const Section& section, const UnitChoice& units) {
     const Unit& unit = units.fieldUnit(*StringModel::ofColumn("diameter"));
     const auto sizeText = [&](double si) { return fieldText(si, Quantity::length, unit, QLocale()); };
-    QString size = sizeText(section.length) + QStringLiteral(" × ") + sizeText(section.diameter);
-    if (section.bore > 0) size += QLatin1Char('/') + sizeText(section.bore);
+    QString size = sizeText(section.length) + QStringLiteral(" × ") + sizeText(outerDiameterAt(section, 0));
+    if (!isUniform(section)) size += QStringLiteral("…") + sizeText(outerDiameterAt(section, 1));
+    if (!section.area && section.bore > 0) size += QLatin1Char('/') + sizeText(section.bore);
     const QString name =
         section.name.empty() ? StringEdits::tr("section") : QString::fromStdString(section.name);
     return QStringLiteral("%1, %2 %3").arg(name, size, shownUnitName(unit.name));

@@ -85,7 +85,7 @@ void StringPage::fillTable() {
     QHeaderView* header = m_table->horizontalHeader();
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setMinimumSectionSize(36);
-    // What the page is opened for stands behind the sizes, not behind what few sections have.
+    // What the page is opened for stands behind the sizes.
     for (const int column : {StringModel::reflected, StringModel::tension, StringModel::compression})
         header->moveSection(header->visualIndex(column), header->visualIndex(StringModel::bore) + 1);
     m_table->setWordWrap(false);
