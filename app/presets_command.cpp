@@ -32,7 +32,7 @@ class Listing {
 
     void add(std::string_view kind, std::string_view use, const std::string& name,
              const std::string& description) {
-        const std::string all = lowerCase(std::string(kind) + "\n" + name + "\n" + description);
+        const std::string all = lowerCase(std::string(kind) + "s\n" + name + "\n" + description);
         const auto isThere = [&](const std::string& word) { return all.find(word) != std::string::npos; };
         if (!std::ranges::all_of(m_words, isThere)) return;
         if (kind != m_kind)

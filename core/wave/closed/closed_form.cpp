@@ -172,7 +172,7 @@ std::string closedFormRefusal(const Problem& problem) {
     if (problem.force().shape != PulseShape::rectangular)
         add("pulse.shape = " + std::string(name(problem.force().shape)));
     if (problem.law.gamma != 1) add("gamma = " + formatNumber(problem.law.gamma));
-    if (!problem.law.isBilinear()) add("a law with corners");
+    if (!problem.law.isBilinear()) add("a loading curve of more than one line");
     if (std::abs(problem.gap - std::round(problem.gap)) > rounding * std::max(1.0, problem.gap))
         add("delta = " + formatNumber(problem.gap));
     if (problem.transitTime() < 0.5) add("tau = " + formatNumber(problem.transitTime()));
