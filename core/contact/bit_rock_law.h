@@ -9,7 +9,7 @@ namespace drillwave {
 
 /// A corner of the loading curve: from this force on it has another slope.
 struct LawCorner {
-    double force = 0;  ///< F_j [F0]; > 0, and more than that of the corner before
+    double force = 0;  ///< F_j [F0]; > 0, and no less than that of the corner before
     double slope = 1;  ///< s_j, as a multiple of the slope of the first line; 0 < s_j ≤ 1/γ
     bool operator==(const LawCorner&) const = default;
 };

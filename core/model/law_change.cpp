@@ -3,30 +3,36 @@
 
 #include <utility>
 
+#include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
 #include "core/model/scales.h"
 
 namespace drillwave {
 
 BitRock withLaw(BitRock rock, RockLaw law) {
+    if (law != RockLaw::corners) rock.corners.clear();
     Scenario changed;
     changed.bitRock = std::move(rock);
+    for (const Parameter& parameter : parameters()) {
+        if (!parameter.rules.law || *parameter.rules.law == law) continue;
+        Scenario usual;
+        usual.bitRock.law = changed.bitRock.law = *parameter.rules.law;  // so that the number has a meaning
+        parameter.assign(changed, *parameter.value(usual));
+    }
     changed.bitRock.law = law;
-    if (law != RockLaw::corners) changed.bitRock.corners.clear();
-    const Scenario usual;
-    for (const Parameter& parameter : parameters())
-        if (parameter.rules.law && *parameter.rules.law != law)
-            parameter.assign(changed, *parameter.value(usual));
     return changed.bitRock;
 }
 
 BitRock proposedRock(const Scenario& scenario, RockLaw law) {
     constexpr double scaleShare = 0.5;
-    BitRock rock = withLaw(scenario.bitRock, law);
-    if (law == RockLaw::corners && rock.corners.empty())
-        rock.corners.push_back({scaleShare * (hasUnits(scenario) ? scalesOf(scenario).force : 1), 1});
-    if (law == RockLaw::power && !hasUnits(scenario)) rock.referencePenetration = scaleShare;
-    return rock;
+    Scenario proposed = scenario;
+    proposed.bitRock = withLaw(scenario.bitRock, law);
+    if (law == RockLaw::corners && proposed.bitRock.corners.empty())
+        proposed.bitRock.corners.push_back(
+            {scaleShare * (hasUnits(scenario) ? scalesOf(scenario).force : 1), 1});
+    for (const KeptParameter& number : loadingNumbers(proposed))
+        if (cornerOf(*number) == 0) number->assign(proposed, scaleShare);
+    return proposed.bitRock;
 }
 
 }  // namespace drillwave

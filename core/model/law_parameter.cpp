@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <cmath>
 #include <deque>
 #include <limits>
@@ -87,24 +88,27 @@ struct LawParameters {
                         {.shortLabel = "slope", .law = RockLaw::corners}});
     }
 
+    /// A number with a unit, of whichever law, as a dimensionless scenario has it.
+    void addInScales(const Parameter& row) {
+        assert(row.quantity == Quantity::force || row.quantity == Quantity::length);
+        Parameter parameter = row;
+        parameter.meaning =
+            keep(std::string(row.meaning) + (row.quantity == Quantity::force ? ", in F0" : ", in d0"));
+        parameter.quantity = Quantity::ratio;
+        parameter.unit = "";
+        parameter.hard = anyPositive;
+        parameter.plausible = {0.05, 5};
+        parameter.scope = Scope::withoutUnits;
+        inScales.push_back(parameter);
+    }
+
     LawParameters() {
         [this]<std::size_t... i>(std::index_sequence<i...>) {
             (addCorner<i + 1>(), ...);
         }
         (std::make_index_sequence<mostRockCorners>());
-        inScales.push_back({"bit_rock.reference_penetration",
-                            "reference penetration",
-                            "U1",
-                            "Penetration at which a power law has the stiffness, in d0",
-                            Quantity::ratio,
-                            "",
-                            anyPositive,
-                            {0.05, 5},
-                            SliderScale::logarithmic,
-                            Scope::withoutUnits,
-                            [](const Scenario& s) { return Value(s.bitRock.referencePenetration); },
-                            [](Scenario& s, double v) { s.bitRock.referencePenetration = v; },
-                            {.shortLabel = "penetration", .law = RockLaw::power}});
+        for (const Parameter& row : parameters())
+            if (row.rules.law && row.quantity != Quantity::ratio) addInScales(row);
     }
 };
 
@@ -136,7 +140,8 @@ KeptParameter inFormOf(const Scenario& scenario, const Parameter& parameter) {
 
 std::vector<KeptParameter> loadingNumbers(const Scenario& scenario) {
     std::vector<KeptParameter> numbers;
-    for (std::size_t place = 1; place <= scenario.bitRock.corners.size(); ++place)
+    const std::size_t corners = std::min(scenario.bitRock.corners.size(), mostRockCorners);
+    for (std::size_t place = 1; place <= corners; ++place)
         for (const std::string_view field : {"force", "slope"})
             numbers.push_back(inFormOf(scenario, *findParameter(cornerKey(place, field))));
     for (const Parameter& parameter : lawParameters().inScales)

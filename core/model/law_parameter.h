@@ -27,8 +27,8 @@ KeptParameter inScales(const Parameter& parameter);
 /// What the key is about in that scenario.
 KeptParameter inFormOf(const Scenario& scenario, const Parameter& parameter);
 
-/// All of them that the scenario has: force and slope of every corner, then what is measured in scales of the
-/// blow. Requires no more than mostRockCorners.
+/// Those of the scenario: force and slope of every corner that there may be, then what is measured in scales
+/// of the blow. Other numbers of a law are rows of the table of parameters.
 std::vector<KeptParameter> loadingNumbers(const Scenario& scenario);
 
 /// Which corner a parameter is about, from 1; 0 for none.

@@ -95,7 +95,7 @@ struct ParameterRules {
     /// Back to "not given"; nullptr where there is always a value.
     ParameterFunction<void, Scenario> clear = nullptr;
     bool wholeNumber = false;         ///< has no values between
-    std::optional<RockLaw> law = {};  ///< only a rock with that law has it
+    std::optional<RockLaw> law = {};  ///< only a rock with that law has it, and must
 };
 
 /// A number of a scenario: how it is called, which values it may have, how to read and set it.

@@ -211,7 +211,7 @@ constexpr std::array parameterTable{
               Quantity::ratio, "", {0.3, 3}, {0.5, 2}, linear, Scope::all,
               [](const S& s) { return Value(s.bitRock.exponent); }, [](S& s, double v) { s.bitRock.exponent = v; },
               {.law = RockLaw::power}},
-    Parameter{"bit_rock.reference_penetration", "reference penetration", "U1", "Penetration at which a power law has the stiffness: F = k U1 there",
+    Parameter{"bit_rock.reference_penetration", "reference penetration", "U1", "Penetration at which a power law gives F = k U1",
               Quantity::length, "mm", positive, {5e-5, 5e-3}, logarithmic, Scope::withUnits,
               [](const S& s) { return Value(s.bitRock.referencePenetration); }, [](S& s, double v) { s.bitRock.referencePenetration = v; },
               {.shortLabel = "penetration", .law = RockLaw::power}},

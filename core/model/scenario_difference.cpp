@@ -2,9 +2,6 @@
 #include "core/model/scenario_difference.h"
 
 #include <algorithm>
-#include <functional>
-#include <set>
-#include <string>
 
 #include "core/model/law_parameter.h"
 #include "core/model/section_parameter.h"
@@ -27,11 +24,14 @@ std::vector<KeptParameter> differingParameters(std::span<const Scenario* const> 
             differing.push_back(kept);
     };
     for (const Parameter& parameter : parameters()) look(parameter);
-    std::set<std::string, std::less<>> keys;  // of parameters that live no longer than their list
+    const auto isListed = [&](const KeptParameter& parameter) {
+        return std::ranges::any_of(differing,
+                                   [&](const KeptParameter& other) { return other->key == parameter->key; });
+    };
     for (const auto& numbersOf : {loadingNumbers, sectionParameters})
         for (const Scenario* scenario : scenarios)
             for (const KeptParameter& parameter : numbersOf(*scenario))
-                if (keys.emplace(parameter->key).second) look(parameter);
+                if (!isListed(parameter)) look(parameter);
     return differing;
 }
 

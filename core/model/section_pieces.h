@@ -30,10 +30,10 @@ double meanArea(const Section& section, double from = 0, double to = 1);
 /// Key of the size of its far end: "end_diameter".
 std::string_view endKey(const Section& section);
 
-/// What is wrong with sizes that are each in their range. `field`: key of one of them; empty for nothing.
+/// What is wrong with sizes that are each in their range.
 struct ShapeProblem {
-    std::string_view field;
-    std::string reason;  ///< "must be less than the diameter of 39 mm"
+    std::string_view field;  ///< key of one of them
+    std::string reason;      ///< "must be less than the diameter of 39 mm"
 };
 /// Every one.
 std::vector<ShapeProblem> shapeProblems(const Section& section);

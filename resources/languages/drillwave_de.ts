@@ -827,14 +827,6 @@ Trotzdem löschen?</translation>
         <translation>Außendurchmesser des Abschnitts</translation>
     </message>
     <message>
-        <source>Penetration at which a power law has the stiffness, in d0</source>
-        <translation>Eindringung, bei der ein Potenzgesetz die Steifigkeit hat, in d0</translation>
-    </message>
-    <message>
-        <source>Penetration at which a power law has the stiffness: F = k U1 there</source>
-        <translation>Eindringung, bei der ein Potenzgesetz die Steifigkeit hat: dort ist F = k U1</translation>
-    </message>
-    <message>
         <source>Penetration that stays after the blow</source>
         <translation>Eindringung, die nach dem Schlag bleibt</translation>
     </message>
@@ -1593,6 +1585,14 @@ Trotzdem löschen?</translation>
     <message>
         <source>yield strength</source>
         <translation>Streckgrenze</translation>
+    </message>
+    <message>
+        <source>Penetration at which a power law gives F = k U1</source>
+        <translation>Eindringung, bei der ein Potenzgesetz F = k U1 ergibt</translation>
+    </message>
+    <message>
+        <source>Penetration at which a power law gives F = k U1, in d0</source>
+        <translation>Eindringung, bei der ein Potenzgesetz F = k U1 ergibt, in d0</translation>
     </message>
 </context>
 <context>
@@ -3132,11 +3132,11 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>Where all is as in the file, the robust best has %1&#xa0;% less.</source>
-        <translation>Wo alles wie in der Datei ist, hat die robuste beste %1 % weniger.</translation>
+        <translation>Wo alles wie in der Datei ist, hat die robuste beste %1&#xa0;% weniger.</translation>
     </message>
     <message>
         <source>Where all is as in the file, the robust best has %1&#xa0;% more.</source>
-        <translation>Wo alles wie in der Datei ist, hat die robuste beste %1 % mehr.</translation>
+        <translation>Wo alles wie in der Datei ist, hat die robuste beste %1&#xa0;% mehr.</translation>
     </message>
 </context>
 <context>

@@ -827,14 +827,6 @@ Ta bort ändå?</translation>
         <translation>Sektionens ytterdiameter</translation>
     </message>
     <message>
-        <source>Penetration at which a power law has the stiffness, in d0</source>
-        <translation>Inträngning vid vilken en potenslag har styvheten, i d0</translation>
-    </message>
-    <message>
-        <source>Penetration at which a power law has the stiffness: F = k U1 there</source>
-        <translation>Inträngning vid vilken en potenslag har styvheten: där är F = k U1</translation>
-    </message>
-    <message>
         <source>Penetration that stays after the blow</source>
         <translation>Inträngning som blir kvar efter slaget</translation>
     </message>
@@ -1593,6 +1585,14 @@ Ta bort ändå?</translation>
     <message>
         <source>yield strength</source>
         <translation>sträckgräns</translation>
+    </message>
+    <message>
+        <source>Penetration at which a power law gives F = k U1</source>
+        <translation>Inträngning vid vilken en potenslag ger F = k U1</translation>
+    </message>
+    <message>
+        <source>Penetration at which a power law gives F = k U1, in d0</source>
+        <translation>Inträngning vid vilken en potenslag ger F = k U1, i d0</translation>
     </message>
 </context>
 <context>
@@ -3132,11 +3132,11 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>Where all is as in the file, the robust best has %1&#xa0;% less.</source>
-        <translation>Där allt är som i filen har den robust bästa %1 % mindre.</translation>
+        <translation>Där allt är som i filen har den robust bästa %1&#xa0;% mindre.</translation>
     </message>
     <message>
         <source>Where all is as in the file, the robust best has %1&#xa0;% more.</source>
-        <translation>Där allt är som i filen har den robust bästa %1 % mer.</translation>
+        <translation>Där allt är som i filen har den robust bästa %1&#xa0;% mer.</translation>
     </message>
 </context>
 <context>

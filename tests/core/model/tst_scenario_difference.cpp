@@ -29,6 +29,7 @@ class TestScenarioDifference : public QObject {
     void groupsDifferWhereTheyAreGiven();
     void lawsDifferInEveryNumber_data();
     void lawsDifferInEveryNumber();
+    void aNumberOfTwoFormsIsListedOnce();
 };
 
 void TestScenarioDifference::theSameScenarioDiffersInNothing() {
@@ -87,6 +88,16 @@ void TestScenarioDifference::lawsDifferInEveryNumber() {
     b.bitRock.corners = {{2, 0.5}, {3, 0.2}};
     QCOMPARE(keys({&a, &b}),
              QStringList({"bit_rock.corner.1.force", "bit_rock.corner.2.force", "bit_rock.corner.2.slope"}));
+}
+
+void TestScenarioDifference::aNumberOfTwoFormsIsListedOnce() {
+    Scenario a;
+    a.bitRock.law = RockLaw::power;
+    Scenario b = a;
+    b.form = ScenarioForm::dimensionless;
+    const QStringList both = keys({&a, &b});
+    QCOMPARE(both.count(QStringLiteral("bit_rock.reference_penetration")), 1);
+    QCOMPARE(QSet<QString>(both.begin(), both.end()).size(), both.size());
 }
 
 QTEST_GUILESS_MAIN(TestScenarioDifference)

@@ -53,6 +53,7 @@ class TestValidation : public QObject {
     void groupsThatOverflowAreFound();
     void implausibleValuesAreRemarkedOn();
     void numbersOfTheLoadingCurveAreRemarkedOn();
+    void moreCornersThanThereMayBeAreOneProblem();
     void aBlowLongerThanTheRoundTripIsRemarkedOn_data();
     void aBlowLongerThanTheRoundTripIsRemarkedOn();
     void aGapHasNoEffectOnTheReferenceCase();
@@ -215,6 +216,17 @@ void TestValidation::numbersOfTheLoadingCurveAreRemarkedOn() {
     scenario.bitRock = withLaw(scenario.bitRock, RockLaw::corners);
     scenario.bitRock.corners = {{0.5, 1}, {3, 1}};
     QCOMPARE(remarked(scenario), Keys{"bit_rock.corner.2.force"});
+}
+
+void TestValidation::moreCornersThanThereMayBeAreOneProblem() {
+    Scenario scenario;
+    scenario.bitRock.law = RockLaw::corners;
+    for (int i = 1; i <= 65; ++i) scenario.bitRock.corners.push_back({i * 1e3, 0.5});
+    const std::vector<InputProblem> problems = validate(scenario);
+    QCOMPARE(problems.size(), std::size_t(1));
+    QVERIFY2(problems.front().text.find("at most 64") != std::string::npos, problems.front().text.c_str());
+    scenario.bitRock.corners.pop_back();
+    QVERIFY(validate(scenario).empty());
 }
 
 void TestValidation::aBlowLongerThanTheRoundTripIsRemarkedOn_data() {
