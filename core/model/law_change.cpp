@@ -30,8 +30,7 @@ BitRock proposedRock(const Scenario& scenario, RockLaw law) {
     if (law == RockLaw::corners && proposed.bitRock.corners.empty())
         proposed.bitRock.corners.push_back(
             {scaleShare * (hasUnits(scenario) ? scalesOf(scenario).force : 1), 1});
-    for (const KeptParameter& number : loadingNumbers(proposed))
-        if (cornerOf(*number) == 0) number->assign(proposed, scaleShare);
+    for (const KeptParameter& number : numbersInScales(proposed)) number->assign(proposed, scaleShare);
     return proposed.bitRock;
 }
 

@@ -6,6 +6,7 @@
 #include <cassert>
 #include <cmath>
 #include <deque>
+#include <iterator>
 #include <limits>
 #include <utility>
 
@@ -36,7 +37,8 @@ void assignCorner(Scenario& scenario, double value) {
 /// All of them, and the texts that they refer to.
 struct LawParameters {
     std::deque<std::string> texts;
-    std::vector<Parameter> inSi, inScales;
+    std::vector<Parameter> corners, cornersInScales;
+    std::vector<Parameter> numbersInScales;  // others with a unit
 
     std::string_view keep(std::string text) { return texts.emplace_back(std::move(text)); }
 
@@ -47,45 +49,45 @@ struct LawParameters {
         const std::string_view forceKey = keep(cornerKey(place, "force"));
         const std::string_view forceLabel = keep("force of corner " + number);
         constexpr std::string_view forceMeaning = "Force from which on the loading curve has another slope";
-        inSi.push_back({forceKey,
-                        forceLabel,
-                        "",
-                        forceMeaning,
-                        Quantity::force,
-                        "kN",
-                        anyPositive,
-                        {5e3, 5e5},
-                        SliderScale::logarithmic,
-                        Scope::withUnits,
-                        cornerValue<place, force>,
-                        assignCorner<place, force>,
-                        {.shortLabel = "force", .law = RockLaw::corners}});
-        inScales.push_back({forceKey,
-                            forceLabel,
-                            "",
-                            forceMeaning,
-                            Quantity::ratio,
-                            "",
-                            anyPositive,
-                            {0.05, 2},
-                            SliderScale::logarithmic,
-                            Scope::withoutUnits,
-                            cornerValue<place, force>,
-                            assignCorner<place, force>,
-                            {.shortLabel = "force", .law = RockLaw::corners}});
-        inSi.push_back({keep(cornerKey(place, "slope")),
-                        keep("slope behind corner " + number),
-                        "",
-                        "Slope of the loading curve from that corner on, as a multiple of the stiffness",
-                        Quantity::ratio,
-                        "",
-                        anyPositive,
-                        {0.05, 5},
-                        SliderScale::logarithmic,
-                        Scope::all,
-                        cornerValue<place, slope>,
-                        assignCorner<place, slope>,
-                        {.shortLabel = "slope", .law = RockLaw::corners}});
+        corners.push_back({forceKey,
+                           forceLabel,
+                           "",
+                           forceMeaning,
+                           Quantity::force,
+                           "kN",
+                           anyPositive,
+                           {5e3, 5e5},
+                           SliderScale::logarithmic,
+                           Scope::withUnits,
+                           cornerValue<place, force>,
+                           assignCorner<place, force>,
+                           {.shortLabel = "force", .law = RockLaw::corners}});
+        cornersInScales.push_back({forceKey,
+                                   forceLabel,
+                                   "",
+                                   forceMeaning,
+                                   Quantity::ratio,
+                                   "",
+                                   anyPositive,
+                                   {0.05, 2},
+                                   SliderScale::logarithmic,
+                                   Scope::withoutUnits,
+                                   cornerValue<place, force>,
+                                   assignCorner<place, force>,
+                                   {.shortLabel = "force", .law = RockLaw::corners}});
+        corners.push_back({keep(cornerKey(place, "slope")),
+                           keep("slope behind corner " + number),
+                           "",
+                           "Slope of the loading curve from that corner on, as a multiple of the stiffness",
+                           Quantity::ratio,
+                           "",
+                           anyPositive,
+                           {0.05, 5},
+                           SliderScale::logarithmic,
+                           Scope::all,
+                           cornerValue<place, slope>,
+                           assignCorner<place, slope>,
+                           {.shortLabel = "slope", .law = RockLaw::corners}});
     }
 
     /// A number with a unit, of whichever law, as a dimensionless scenario has it.
@@ -99,7 +101,7 @@ struct LawParameters {
         parameter.hard = anyPositive;
         parameter.plausible = {0.05, 5};
         parameter.scope = Scope::withoutUnits;
-        inScales.push_back(parameter);
+        numbersInScales.push_back(parameter);
     }
 
     LawParameters() {
@@ -125,17 +127,25 @@ KeptParameter findIn(const std::vector<Parameter>& parameters, std::string_view 
 }  // namespace
 
 KeptParameter findLawParameter(std::string_view key) {
-    return key.starts_with(cornerPrefix) ? findIn(lawParameters().inSi, key) : KeptParameter();
+    return key.starts_with(cornerPrefix) ? findIn(lawParameters().corners, key) : KeptParameter();
 }
 
 KeptParameter inScales(const Parameter& parameter) {
-    return parameter.section() == "bit_rock" ? findIn(lawParameters().inScales, parameter.key)
-                                             : KeptParameter();
+    if (parameter.section() != "bit_rock") return {};
+    const LawParameters& all = lawParameters();
+    return findIn(cornerOf(parameter) > 0 ? all.cornersInScales : all.numbersInScales, parameter.key);
 }
 
 KeptParameter inFormOf(const Scenario& scenario, const Parameter& parameter) {
     KeptParameter other = hasUnits(scenario) ? KeptParameter() : inScales(parameter);
     return other ? other : KeptParameter(parameter);
+}
+
+std::vector<KeptParameter> numbersInScales(const Scenario& scenario) {
+    std::vector<KeptParameter> numbers;
+    for (const Parameter& parameter : lawParameters().numbersInScales)
+        if (parameter.applies(scenario)) numbers.push_back(parameter);
+    return numbers;
 }
 
 std::vector<KeptParameter> loadingNumbers(const Scenario& scenario) {
@@ -144,8 +154,7 @@ std::vector<KeptParameter> loadingNumbers(const Scenario& scenario) {
     for (std::size_t place = 1; place <= corners; ++place)
         for (const std::string_view field : {"force", "slope"})
             numbers.push_back(inFormOf(scenario, *findParameter(cornerKey(place, field))));
-    for (const Parameter& parameter : lawParameters().inScales)
-        if (cornerOf(parameter) == 0 && parameter.applies(scenario)) numbers.push_back(parameter);
+    std::ranges::copy(numbersInScales(scenario), std::back_inserter(numbers));
     return numbers;
 }
 

@@ -27,8 +27,11 @@ KeptParameter inScales(const Parameter& parameter);
 /// What the key is about in that scenario.
 KeptParameter inFormOf(const Scenario& scenario, const Parameter& parameter);
 
-/// Those of the scenario: force and slope of every corner that there may be, then what is measured in scales
-/// of the blow. Other numbers of a law are rows of the table of parameters.
+/// What the scenario measures in scales of the blow, but for corners: nothing of one with units.
+std::vector<KeptParameter> numbersInScales(const Scenario& scenario);
+
+/// Those of the scenario: force and slope of every corner that there may be, then numbersInScales(). Other
+/// numbers of a law are rows of the table of parameters.
 std::vector<KeptParameter> loadingNumbers(const Scenario& scenario);
 
 /// Which corner a parameter is about, from 1; 0 for none.

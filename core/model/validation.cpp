@@ -117,8 +117,7 @@ class CornerCheck {
 
 void checkLaw(const Scenario& scenario, std::vector<InputProblem>& problems) {
     if (scenario.bitRock.law == RockLaw::corners) CornerCheck(scenario, problems).check();
-    for (const KeptParameter& parameter : loadingNumbers(scenario)) {
-        if (cornerOf(*parameter) > 0) continue;
+    for (const KeptParameter& parameter : numbersInScales(scenario)) {
         const double value = *parameter->value(scenario);
         const std::string reason = rangeProblem(*parameter, value);
         if (!reason.empty()) report(problems, parameter->key, formatNumber(value), reason);
