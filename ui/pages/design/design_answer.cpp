@@ -4,6 +4,7 @@
 #include <QThread>
 #include <algorithm>
 
+#include "core/model/blow_traits.h"
 #include "core/study/design/design_check.h"
 
 namespace drillwave {
@@ -15,8 +16,8 @@ DesignAnswer answerDesign(const DesignStudy& asked, const StudyFeed<DesignAnswer
     for (const DesignProblemLine& line : problemsOf(asked, feed.stop)) answer.problems.push_back(line.text);
     if (!answer.problems.empty() || feed.stop.stop_requested()) return answer;
     std::vector<DesignStudy> stages;
-    const std::uint64_t first = static_cast<std::uint64_t>(customarySamples(asked.base)) / shareAtFirst;
-    for (const std::uint64_t samples : {std::min(first, quickSamples), quickSamples, asked.samples}) {
+    const std::uint64_t first = isFollowedByEvents(asked.base) ? quickSamples : firstSamples;
+    for (const std::uint64_t samples : {first, quickSamples, asked.samples}) {
         if (samples > asked.samples || (!stages.empty() && samples <= stages.back().samples)) continue;
         stages.push_back(asked);
         stages.back().samples = samples;

@@ -12,8 +12,8 @@ namespace drillwave {
 
 /// Samples of an answer which is there while the hand still moves.
 inline constexpr std::uint64_t quickSamples = 256;
-/// Where blows take long, as those of drill strings, fewer come before: this share of the customary ones.
-inline constexpr std::uint64_t shareAtFirst = 16;
+/// Where a blow is marched on cells, which takes a hundred times as long, these come before.
+inline constexpr std::uint64_t firstSamples = 32;
 
 /// What there is so far.
 struct DesignAnswer {
