@@ -82,8 +82,9 @@ CursorBar::CursorBar(QWidget* parent)
     for (QToolButton* button : {m_copy, m_close}) button->setAutoRaise(true);
     connect(m_copy, &QToolButton::clicked, this, &CursorBar::copy);
     connect(m_close, &QToolButton::clicked, this, &CursorBar::closed);
-    connect(m_choice, &QComboBox::activated, this,
-            [this](int index) { emit curveChosen(m_curves.at(index)); });
+    connect(m_choice, &QComboBox::activated, this, [this](int index) {
+        if (QCPGraph* curve = m_curves.value(index)) emit curveChosen(curve);
+    });
     m_grid->setContentsMargins(8, margin, 4, margin);
     m_grid->setHorizontalSpacing(8);
     m_grid->setVerticalSpacing(lineGap);
@@ -165,7 +166,7 @@ void CursorBar::setCurves(const QList<QCPGraph*>& curves, const QCPGraph* chosen
     for (const QCPGraph* curve : curves) names.append(curve->name());
     QStringList present;
     for (int i = 0; i < m_choice->count(); ++i) present.append(m_choice->itemText(i));
-    m_curves = curves;
+    m_curves = {curves.begin(), curves.end()};
     const QSignalBlocker quiet(m_choice);
     if (names != present) {
         m_choice->clear();

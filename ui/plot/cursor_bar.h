@@ -5,6 +5,7 @@
 #include <qcustomplot.h>
 
 #include <QFrame>
+#include <QPointer>
 
 #include "ui/plot/reading_cells.h"
 
@@ -60,7 +61,7 @@ class CursorBar : public QFrame {
     QToolButton* m_copy;
     QToolButton* m_close;
     Form m_form = Form::usual;
-    QList<QCPGraph*> m_curves;
+    QList<QPointer<QCPGraph>> m_curves;  // a plot may be rebuilt before it is drawn, and read, again
     ReadingCells m_cells;
     QString m_text;
 };

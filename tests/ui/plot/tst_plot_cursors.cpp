@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include "tests/support/plot_scene.h"
+#include "ui/plot/cursor_bar.h"
 #include "ui/plot/plot_widget.h"
 
 using namespace drillwave;
@@ -21,6 +22,7 @@ class TestPlotCursors : public QObject {
     void cursorsArePlacedByKeysAndReadTheFirstCurve();
     void cursorsAreDraggedWithoutDrawingTheCurvesAgain();
     void aClickOnACurveHasItRead();
+    void aCurveThatIsGoneIsNotRead();
     void aLongNameOfACurveIsWidenedOrElided();
     void exactIntegralsComeFromTheMeaning();
     void theTableSaysWhatItReads();
@@ -97,6 +99,23 @@ void TestPlotCursors::aClickOnACurveHasItRead() {
     m->plot.replot();
     QCOMPARE(m->plot.reader().graph(), m->parabola);
     QCOMPARE(choice->count(), 2);
+}
+
+// Between two drawings, as where an answer arrives while the list is open.
+void TestPlotCursors::aCurveThatIsGoneIsNotRead() {
+    m->plot.reader().place(PlotCursor::a, 2);
+    auto* bar = m->plot.findChild<CursorBar*>();
+    auto* choice = bar->findChild<QComboBox*>(QStringLiteral("readCurve"));
+    QVERIFY(choice->count() > 1);
+    QSignalSpy chosen(bar, &CursorBar::curveChosen);
+    QTest::keyClick(choice, Qt::Key_Down);
+    QCOMPARE(chosen.size(), 1);
+    for (QCPLegend* legend : m->legends) legend->clearItems();
+    m->plot.clearGraphs();
+    QTest::keyClick(choice, Qt::Key_Up);
+    QCOMPARE(chosen.size(), 1);
+    m->plot.replot();
+    QCOMPARE(choice->count(), 0);
 }
 
 void TestPlotCursors::aLongNameOfACurveIsWidenedOrElided() {
