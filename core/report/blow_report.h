@@ -11,6 +11,7 @@
 #include "core/report/gap_report.h"
 #include "core/report/report_numbers.h"
 #include "core/report/thrust_report.h"
+#include "core/signal/measured_signal.h"
 
 namespace drillwave {
 
@@ -45,25 +46,27 @@ struct ReportHead {
     bool operator==(const ReportHead&) const = default;
 };
 
-/// The blow of the report beside others, quantity by quantity.
+/// The blow of the report beside others, quantity by quantity, or beside what was measured.
 struct ReportComparison {
-    std::vector<std::string> titles;  ///< of the cells of a row: that of the report's own blow is the first
+    std::vector<std::string> titles;  ///< of the cells of a row: where it has one, that of its own blow first
     std::vector<ReportRow> rows;
 };
 
 /// What a report tells. But for its head and other blows it does not depend on when, where and how fast it
 /// was made.
 struct BlowReport {
-    Blow blow;                        ///< solved exactly with histories, stresses and margin of the thrust
-    ReportHead head = {};             ///< as asked for
-    ReportComparison others = {};     ///< likewise; empty without others
-    std::string scenarioText;         ///< gives its scenario again
-    std::vector<ReportInput> inputs;  ///< in the order of a file
-    std::vector<ReportSection> sections;  ///< of hammer and string, likewise; none of a uniform rod
-    std::optional<GapReport> gap;         ///< where e depends on the gap and is known at all gaps
-    std::string gapProblem;               ///< why not, in a sentence, else empty; empty of a string
-    std::optional<ThrustReport> thrust;   ///< with study and curve, where blows have a frequency
-    std::string thrustProblem;            ///< why not, likewise
+    Blow blow;                     ///< solved exactly with histories, stresses and margin of the thrust
+    ReportHead head = {};          ///< as asked for
+    ReportComparison others = {};  ///< likewise; empty without others
+    std::vector<MeasuredSignal> measured = {};  ///< likewise; laid over its curves, of a scenario with units
+    ReportComparison misfits = {};              ///< how far each of them is from what is computed
+    std::string scenarioText;                   ///< gives its scenario again
+    std::vector<ReportInput> inputs;            ///< in the order of a file
+    std::vector<ReportSection> sections;        ///< of hammer and string, likewise; none of a uniform rod
+    std::optional<GapReport> gap;               ///< where e depends on the gap and is known at all gaps
+    std::string gapProblem;                     ///< why not, in a sentence, else empty; empty of a string
+    std::optional<ThrustReport> thrust;         ///< with study and curve, where blows have a frequency
+    std::string thrustProblem;                  ///< why not, likewise
 };
 
 /// Solves a valid scenario and, unless that takes more than mostPiecesInPassing, follows it over the gap and

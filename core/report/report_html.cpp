@@ -83,9 +83,9 @@ class Page {
 
     std::string body(const std::vector<ReportPicture>& pictures) const {
         return htmlElement("h1", bounded(reportTitle(m_report), mostTitleColumns)) + "\n" + head() +
-               decision() + lead(pictures) + feed() + alerts() + results() + others() + energies() +
-               stresses() + thrust() + gap() + inputs() + sections() + scales() + plots(pictures) +
-               scenario() + solver();
+               decision() + lead(pictures) + feed() + alerts() + results() + others() + misfits() +
+               energies() + stresses() + thrust() + gap() + inputs() + sections() + scales() +
+               plots(pictures) + scenario() + solver();
     }
 
   private:
@@ -295,17 +295,29 @@ class Page {
     }
 
     std::string others() const {
-        const ReportComparison& others = m_report.others;
-        if (others.rows.empty()) return {};
-        std::vector<std::string> titles{"quantity"};
-        for (const std::string& title : others.titles) titles.push_back(bounded(title));
+        if (m_report.others.rows.empty()) return {};
+        return heading("Beside other runs") + comparison("runs", "quantity", m_report.others);
+    }
+
+    std::string misfits() const {
+        if (m_report.misfits.rows.empty()) return {};
+        return heading("Beside what was measured") + comparison("measured", "signal", m_report.misfits) +
+               paragraph(
+                   "Over the time that both have: the root of the mean square of their difference, the "
+                   "size of the largest force, measured less computed, and how much later the measured "
+                   "signal comes than where it fits best.");
+    }
+
+    std::string comparison(const char* key, const char* first, const ReportComparison& compared) const {
+        std::vector<std::string> titles{first};
+        for (const std::string& title : compared.titles) titles.push_back(bounded(title));
         std::string rows;
-        for (const ReportRow& each : others.rows) {
-            std::string cells = htmlElement("td", each.label);
+        for (const ReportRow& each : compared.rows) {
+            std::string cells = htmlElement("td", bounded(each.label));
             for (const ReportCell& value : each.cells) cells += cell(value.text, value.number);
             rows += row(each.key, cells);
         }
-        return heading("Beside other runs") + table("runs", titles, rows);
+        return table(key, titles, rows);
     }
 
     /// What the numbers are worth, which is no result.

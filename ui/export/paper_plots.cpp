@@ -3,7 +3,11 @@
 
 #include <qcustomplot.h>
 
+#include <algorithm>
+
 #include "ui/pages/blow/blow_plots.h"
+#include "ui/pages/blow/measured_curves.h"
+#include "ui/pages/blow/measured_force.h"
 #include "ui/pages/gap/gap_plot.h"
 #include "ui/pages/rock/rock_plot.h"
 #include "ui/pages/rod/rod_plot.h"
@@ -42,11 +46,25 @@ std::shared_ptr<QCustomPlot> emptyPaperPlot(const QLocale& locale) {
 }
 
 // In the middle of a rod; in a string in that of its longest section, where histories.csv has its waves too.
-PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader) {
+PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader,
+                        const std::vector<MeasuredSignal>& measured) {
     const DrillString& drill = blow.scenario.drillString;
-    return paperPlot<BlowPlots>(blowCurves(blow, reader.unitsFor(blow.scenario),
-                                           shareOfString(drill, middleOfLongest(drill)), Tail::cut),
-                                {180, 240}, reader.locale);
+    const MeasuredSignal* inside = firstInside(measured);
+    const double share =
+        inside ? shareAt(blow.scenario, inside->place) : shareOfString(drill, middleOfLongest(drill));
+    const ShownUnits units = reader.unitsFor(blow.scenario);
+    PaperPlot paper =
+        paperPlot<BlowPlots>(blowCurves(blow, units, share, Tail::cut), {180, 240}, reader.locale);
+    if (measured.empty()) return paper;
+    auto* plots = paper.plot->findChild<BlowPlots*>();
+    (new MeasuredCurves(plots))->present(measured, blow.scenario, units);
+    plots->fit();
+    return paper;
+}
+
+const MeasuredSignal* firstInside(const std::vector<MeasuredSignal>& measured) {
+    const auto found = std::ranges::find(measured, MeasuredQuantity::normalForce, &MeasuredSignal::quantity);
+    return found == measured.end() ? nullptr : &*found;
 }
 
 PaperPlot rockPaperPlot(const Blow& blow, const PaperReader& reader) {

@@ -9,6 +9,7 @@
 #include "core/blow/blow.h"
 #include "core/report/gap_report.h"
 #include "core/report/thrust_report.h"
+#include "core/signal/measured_signal.h"
 #include "ui/plot/plot_rendering.h"
 #include "ui/plot/plot_style.h"
 #include "ui/text/shown_units.h"
@@ -54,8 +55,12 @@ PaperPlot paperPlot(const Shown& shown, Millimetres size, const QLocale& locale 
 
 // Of a blow that has its histories:
 
-/// Waves, impact force, impulse and momentum over time.
-PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader = {});
+/// Waves, impact force, impulse and momentum over time; signals are laid over them, of a scenario with units.
+/// The waves are those of the section of the first signal that is one of inside.
+PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader = {},
+                        const std::vector<MeasuredSignal>& measured = {});
+/// Which of them that is; nullptr where there is none.
+const MeasuredSignal* firstInside(const std::vector<MeasuredSignal>& measured);
 /// Force over penetration.
 PaperPlot rockPaperPlot(const Blow& blow, const PaperReader& reader = {});
 /// The largest stresses over place.

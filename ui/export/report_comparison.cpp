@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/report_comparison.h"
 
+#include "core/model/blow_traits.h"
 #include "ui/export/paper_plots.h"
+#include "ui/pages/blow/blow_curves.h"
+#include "ui/pages/blow/measured_force.h"
 #include "ui/pages/compare/compare_table.h"
 #include "ui/text/language.h"
 #include "ui/text/number_text.h"
@@ -40,6 +43,38 @@ ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const Uni
         comparison.rows.push_back({label.toStdString(), label.toStdString(), {}});
         for (std::size_t column = 0; column < columns.size(); ++column)
             comparison.rows.back().cells.push_back(cellOf(row, column, reader.locale));
+    }
+    return comparison;
+}
+
+ReportComparison misfitsOf(const std::vector<MeasuredSignal>& measured, const Blow& blow,
+                           const UnitChoice& units) {
+    if (measured.empty()) return {};
+    const PaperReader reader = PaperReader::of(units);
+    const ShownUnits shown = reader.unitsFor(blow.scenario);
+    const Scales scales = scalesOf(blow.scenario);
+    const double end = blowCurves(blow, shown, 0, Tail::cut).timeEnd / shown.time.factor * scales.time;
+    const auto cell = [&](std::optional<double> si, const ShownUnit& unit, double scale) -> ReportCell {
+        if (!si) return {};
+        return {quantityText(*si / scale, unit, reader.locale).toStdString(), *si / scale * unit.factor};
+    };
+    ReportComparison comparison{.titles = {"what", "shift", "rms", "peaks differ by", "lag"}, .rows = {}};
+    for (const MeasuredSignal& signal : measured) {
+        const std::optional<Misfit> misfit = misfitOf(signal, computedForce(blow, signal, end));
+        const bool isInside = signal.quantity == MeasuredQuantity::normalForce;
+        const std::string place =
+            quantityText(signal.place, shownUnit(reader.unitFor(*findParameter("rod.length"))), reader.locale)
+                .toStdString();
+        ReportRow row{signal.name, signal.name, {}};
+        row.cells.push_back({isInside ? "force N at " + place : "impact force", {}});
+        row.cells.push_back(cell(signal.timeShift, shown.time, scales.time));
+        const auto of = [&](double Misfit::*force) {
+            return misfit ? cell((*misfit).*force, shown.force, scales.force) : ReportCell{};
+        };
+        row.cells.push_back(of(&Misfit::rms));
+        row.cells.push_back(of(&Misfit::peakDifference));
+        row.cells.push_back(misfit ? cell(misfit->lag, shown.time, scales.time) : ReportCell{});
+        comparison.rows.push_back(std::move(row));
     }
     return comparison;
 }

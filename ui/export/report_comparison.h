@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The pinned runs as a report has them beside its own blow.
+// The pinned runs, and what was measured, as a report has them beside its own blow.
 #pragma once
 
 #include "core/report/blow_report.h"
@@ -12,5 +12,10 @@ class UnitChoice;
 /// What differs and the results of a solved blow, then of the runs that are solved, in the units of the
 /// window, as on the page Compare; empty without such runs.
 ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const UnitChoice& units);
+
+/// How far signals are from the solved blow, in the units of the window, as below the plots of the page Blow;
+/// empty without signals. The scenario has units, the blow its histories.
+ReportComparison misfitsOf(const std::vector<MeasuredSignal>& measured, const Blow& blow,
+                           const UnitChoice& units);
 
 }  // namespace drillwave

@@ -9,25 +9,32 @@ namespace drillwave {
 namespace {
 
 /// As much of a page of A4 as it can have together with the others.
-ReportPlot placed(const char* name, const char* caption, PaperPlot paper, Millimetres size) {
+ReportPlot placed(const char* name, const std::string& caption, PaperPlot paper, Millimetres size) {
     paper.size = size;
     return {{name, caption, name}, std::move(paper)};
 }
 
+std::string blowCaption(const BlowReport& report) {
+    const bool ofSections = hasSections(report.blow.scenario);
+    const MeasuredSignal* inside = firstInside(report.measured);
+    const std::string where = inside       ? "where \"" + inside->name + "\" was measured"
+                              : ofSections ? "in the middle of the longest section"
+                                           : "at the middle of the rod";
+    return "The force N " + where + " and its waves, the impact force, its impulse and the momentum of the " +
+           (ofSections ? "string" : "rod") + " over time." +
+           (report.measured.empty() ? "" : " What was measured is dashed.");
+}
+
 // Curves are there where the waves were kept. Of a rod, on paper, the first one fills the page of the tables,
 // the next two a page, the others the last one.
-void addCurves(std::vector<ReportPlot>& plots, const Blow& blow, const PaperReader& reader,
+void addCurves(std::vector<ReportPlot>& plots, const BlowReport& report, const PaperReader& reader,
                const std::stop_token& stop) {
+    const Blow& blow = report.blow;
     const bool ofSections = hasSections(blow.scenario);
     plots.push_back(placed("rock", "Force over penetration: the area inside stays in the rock as energy.",
                            rockPaperPlot(blow, reader), {120, 66}));
-    plots.push_back(placed(
-        "blow",
-        ofSections ? "The force N in the middle of the longest section and its waves, the impact "
-                     "force, its impulse and the momentum of the string over time."
-                   : "The force N at the middle of the rod and its waves, the impact force, its impulse "
-                     "and the momentum of the rod over time.",
-        blowPaperPlot(blow, reader), {180, 128}));
+    plots.push_back(
+        placed("blow", blowCaption(report), blowPaperPlot(blow, reader, report.measured), {180, 128}));
     if (!ofSections)
         plots.push_back(
             placed("wave_picture",
@@ -55,7 +62,7 @@ std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader&
                    "Hammer (dark) and string to scale, lengths and diameters each to their own, with the "
                    "places of the sections; the bore is dashed, the rock at the right.",
                    stringPaperPlot(report.blow.scenario, reader), {180, 44}));
-    if (report.blow.impact.hasHistories()) addCurves(plots, report.blow, reader, stop);
+    if (report.blow.impact.hasHistories()) addCurves(plots, report, reader, stop);
     if (report.gap)
         plots.push_back(placed("gap",
                                "Restitution over one period of the gap between bit and rock, and how it is "

@@ -7,6 +7,8 @@
 #include <utility>
 
 #include "core/archive/report_file.h"
+#include "core/model/blow_traits.h"
+#include "ui/document/measured_list.h"
 #include "ui/document/whole_file.h"
 #include "ui/export/export_place.h"
 #include "ui/export/report_comparison.h"
@@ -69,6 +71,13 @@ void ReportWriter::setRuns(RunListPtr runs) {
     if (m_preview) m_preview->setOutOfDate(true);
 }
 
+void ReportWriter::setMeasured(const MeasuredList& measured) {
+    m_measured = &measured;
+    connect(&measured, &MeasuredList::changed, this, [this] {
+        if (m_preview) m_preview->setOutOfDate(true);
+    });
+}
+
 void ReportWriter::write() {
     const QString path = m_questions.fileToExport(m_window, tr("Write the report"), suggestion(),
                                                   tr("Web page (*.html);;PDF (*.pdf)"));
@@ -123,6 +132,7 @@ void ReportWriter::follow() {
         if (report.blow.isSolved()) {
             report.head = rememberedHead();
             if (m_runs) report.others = comparisonWith(*m_runs, report.blow, m_document.units());
+            if (m_measured) addMeasured(report);
             use(report);
         } else {
             fail(tr("The blow could not be solved: %1")
@@ -130,6 +140,12 @@ void ReportWriter::follow() {
         }
     }
     emit ended();
+}
+
+void ReportWriter::addMeasured(BlowReport& report) const {
+    if (!hasUnits(report.blow.scenario) || !report.blow.impact.hasHistories()) return;
+    report.measured = m_measured->signalList();
+    report.misfits = misfitsOf(report.measured, report.blow, m_document.units());
 }
 
 void ReportWriter::writeTo(const QString& path, const BlowReport& report) {

@@ -14,6 +14,7 @@
 
 namespace drillwave {
 
+class MeasuredList;
 class ReportPreview;
 
 class ReportWriter : public QObject {
@@ -25,6 +26,8 @@ class ReportWriter : public QObject {
 
     /// The runs that stand beside the blow in reports from now on.
     void setRuns(RunListPtr runs);
+    /// The signals that are laid over its curves from now on; they must outlive the writer.
+    void setMeasured(const MeasuredList& measured);
 
     /// For menus and tool bars.
     QAction* action() const { return m_action; }
@@ -54,6 +57,7 @@ class ReportWriter : public QObject {
                        const QString& toolTip);
     void begin(Use use);
     void follow();
+    void addMeasured(BlowReport& report) const;
     void show(const BlowReport& report);
     void writeTo(const QString& path, const BlowReport& report);
     void printOn(QPrinter& printer, const BlowReport& report);
@@ -68,6 +72,7 @@ class ReportWriter : public QObject {
     QAction* m_printAction;
     ReportPreview* m_preview = nullptr;
     RunListPtr m_runs;  // nullptr without
+    const MeasuredList* m_measured = nullptr;
     Use m_use;          // of the report on its way; empty without
     QString m_failure;  // what to say where there is none
     StudyJob<BlowReport> m_job;

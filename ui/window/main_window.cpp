@@ -262,6 +262,7 @@ void MainWindow::wire() {
     connect(m_fileMenu, &FileMenu::exampleOpened, m_exampleNote, &ExampleNote::explain);
     connect(new FileDrop(this), &FileDrop::dropped, m_fileMenu, &FileMenu::take);
     connect(m_exportMenu, &ExportMenu::exported, this, &MainWindow::inform);
+    m_report->setMeasured(m_measured);
     connect(m_report, &ReportWriter::written, this, &MainWindow::inform);
     connect(m_report, &ReportWriter::begun, this,
             [this] { m_studyStatus->follow(&m_report->activity(), tr("Report")); });

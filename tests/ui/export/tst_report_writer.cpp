@@ -12,6 +12,7 @@
 #include <QTextDocument>
 #include <QToolBar>
 
+#include "core/model/scales.h"
 #include "core/report/blow_report.h"
 #include "core/report/report_html.h"
 #include "core/text/decimal_text.h"
@@ -19,6 +20,7 @@
 #include "tests/support/program.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
+#include "ui/document/measured_list.h"
 #include "ui/export/report_preview.h"
 #include "ui/export/report_writer.h"
 #include "ui/job/solve_status.h"
@@ -49,6 +51,7 @@ class TestReportWriter : public QObject {
     void ctrlPPrintsThePagesOfThePdf();
     void thePreviewHasThePagesAndKeepsTheHead();
     void pinnedRunsStandBesideTheBlow();
+    void whatWasMeasuredIsLaidOverTheCurves();
     void noPaperIsTold();
     void noPrinterIsNothingToTell();
     void anotherEndingIsRefused();
@@ -271,6 +274,36 @@ void TestReportWriter::pinnedRunsStandBesideTheBlow() {
     QVERIFY2(table.contains("<th>this report</th><th>A  "), page.mid(page.indexOf("runs-table"), 200));
     QVERIFY(table.contains("<td data-value=\"4.5\">4.5</td><td data-value=\"3.66\">3.66</td>"));
     QVERIFY(table.contains("<td data-value=\"" + QByteArray::fromStdString(formatNumber(before)) + "\">"));
+}
+
+void TestReportWriter::whatWasMeasuredIsLaidOverTheCurves() {
+    writeTo(path("computed.html"));
+    const QByteArray computed = read(path("computed.html"));
+    QVERIFY(!computed.contains("Beside what was measured") && computed.contains("at the middle of the rod"));
+    QTRY_VERIFY_WITH_TIMEOUT(part<SolveStatus>(window()).isCurrent(), 60000);
+    // Ten times what is computed at most: the axis that has it says so.
+    const double peak =
+        10 * window().shown()->summary.peakForce * scalesOf(window().document().scenario()).force;
+    part<MeasuredList>(window()).add({.name = "gauge <3>",
+                                      .quantity = MeasuredQuantity::normalForce,
+                                      .place = 1.22,
+                                      .points = {{0, 0}, {1e-4, -peak}, {2e-4, 0}}});
+    writeTo(path("measured.html"));
+    const QByteArray page = read(path("measured.html"));
+    const QByteArray table = page.mid(page.indexOf("id=\"measured-table\""));
+    QVERIFY2(table.contains("<td>gauge &lt;3&gt;</td><td>force N at 1.22\u00a0m</td>"), table.left(600));
+    QVERIFY(page.contains("The force N where &quot;gauge &lt;3&gt;&quot; was measured"));
+    QVERIFY(page.contains("What was measured is dashed."));
+    const auto picture = [](const QByteArray& html) {
+        const auto at = html.indexOf("<img", html.indexOf("id=\"blow\""));
+        return html.mid(at, html.indexOf('>', at) - at);
+    };
+    QVERIFY(picture(page) != picture(computed));
+    // Without units there is nothing to compare it with.
+    QVERIFY(window().document().open(example(QStringLiteral("paper_fig4a"))).isEmpty());
+    part<MeasuredList>(window()).add({.name = "late", .points = {{0, 0}, {1e-4, -peak}}});
+    writeTo(path("groups.html"));
+    QVERIFY(!read(path("groups.html")).contains("measured-table"));
 }
 
 void TestReportWriter::noPaperIsTold() {

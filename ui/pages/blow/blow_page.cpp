@@ -11,11 +11,11 @@
 
 #include "core/blow/blow_waves.h"
 #include "core/model/blow_traits.h"
-#include "core/signal/alignment.h"
 #include "ui/pages/blow/blow_meanings.h"
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_bar.h"
 #include "ui/pages/blow/measured_curves.h"
+#include "ui/pages/blow/measured_force.h"
 #include "ui/pages/place_field.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/number_text.h"
@@ -24,28 +24,6 @@ namespace drillwave {
 namespace {
 
 constexpr int hintChars = 125;  // wide enough for a hint beside the other words
-
-/// x/L of a place that is x [m] from the struck end, in the rod or string, or in its hammer.
-double shareAt(const Scenario& scenario, double x) {
-    return std::clamp(x / chainProperties(scenario).length, hammerRear(scenario.drillString), 1.0);
-}
-
-QString misfitText(const Misfit& misfit, const SolvedBlow& blow) {
-    const Scales scales = scalesOf(blow.request.scenario);
-    const QLocale locale;
-    const auto force = [&](double newtons) {
-        return quantityText(newtons / scales.force, blow.units.force, locale);
-    };
-    QString text =
-        BlowPage::tr("rms %1 · peaks differ by %2").arg(force(misfit.rms), force(misfit.peakDifference));
-    if (misfit.computedPeak > 0)
-        text += QStringLiteral(" (%1 %)").arg(
-            locale.toString(100 * misfit.peakDifference / misfit.computedPeak, 'f', 1));
-    if (misfit.lag)
-        text +=
-            BlowPage::tr(" · lag %1").arg(quantityText(*misfit.lag / scales.time, blow.units.time, locale));
-    return text;
-}
 
 }  // namespace
 
@@ -235,7 +213,9 @@ void BlowPage::follow(MeasuredList& measured, const UnitChoice& units) {
 
 void BlowPage::showMeasured() {
     if (!m_measured || !m_blow) return;
-    m_measuredCurves->present(m_measured->signalList(), *m_blow);
+    static const std::vector<MeasuredSignal> nothing;
+    m_measuredCurves->present(isComparable(*m_blow) ? m_measured->signalList() : nothing,
+                              m_blow->request.scenario, m_blow->units);
     m_measuredBar->setStyle(PlotStyle::forScreen(palette(), font()));
     m_measuredBar->setComparable(isComparable(*m_blow) || !m_blow->fault.isEmpty());
     for (const QCPGraph* graph : m_measuredCurves->graphs())
@@ -248,25 +228,13 @@ void BlowPage::goToPlace(double x) {
         m_observation.setSection(shareAt(m_blow->request.scenario, x));
 }
 
-/// Force [N] over time [s] from 0 to `end`.
-struct BlowPage::ComputedForce {
-    std::function<double(double time)> at;
-    double end;
-};
-
-// With N in its own section, or the impact force, over the time that the plots show.
-std::optional<BlowPage::ComputedForce> BlowPage::computedFor(const MeasuredSignal& signal) const {
+// Over the time that the plots show.
+std::optional<ComputedForce> BlowPage::computedFor(const MeasuredSignal& signal) const {
     if (!m_blow || !isComparable(*m_blow) || !m_blow->impact.hasHistories()) return {};
     const auto* curves = m_blow->page<BlowCurves>();
     if (!curves || !(curves->timeEnd > 0)) return {};
     const Scales scales = scalesOf(m_blow->request.scenario);
-    const double share = shareAt(m_blow->request.scenario, signal.place);
-    const bool isInside = signal.quantity == MeasuredQuantity::normalForce;
-    const auto force = [=, waves = BlowWaves(*m_blow)](double time) {
-        const double t = std::min(time / scales.time, waves.end());
-        return scales.force * (isInside ? waves.value(WaveQuantity::force, share, t) : waves.impactForce(t));
-    };
-    return ComputedForce{force, curves->timeEnd / m_blow->units.time.factor * scales.time};
+    return computedForce(*m_blow, signal, curves->timeEnd / m_blow->units.time.factor * scales.time);
 }
 
 void BlowPage::align(std::size_t index) {
@@ -283,9 +251,9 @@ void BlowPage::showMisfit() {
     if (index >= m_measured->signalList().size()) return;
     const MeasuredSignal& signal = m_measured->signalList()[index];
     const std::optional<ComputedForce> computed = computedFor(signal);
-    const std::optional<Misfit> misfit =
-        computed ? misfitOf(signal.points, signal.timeShift, computed->at, computed->end) : std::nullopt;
-    m_measuredBar->setMisfit(misfit ? misfitText(*misfit, *m_blow) : QString());
+    const std::optional<Misfit> misfit = computed ? misfitOf(signal, *computed) : std::nullopt;
+    m_measuredBar->setMisfit(misfit ? misfitText(*misfit, m_blow->request.scenario, m_blow->units, QLocale())
+                                    : QString());
 }
 
 void BlowPage::setGhost(const SolvedBlowPtr& before) {

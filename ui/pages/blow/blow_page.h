@@ -11,6 +11,7 @@ class QLabel;
 namespace drillwave {
 
 class BlowPlots;
+struct ComputedForce;
 class MeasuredBar;
 class MeasuredCurves;
 class MeasuredList;
@@ -51,7 +52,6 @@ class BlowPage : public PlotPage {
     void carryCursors();
     void goToPlace(double x);
     /// Over the time that the plots show; requires curves that end.
-    struct ComputedForce;
     std::optional<ComputedForce> computedFor(const MeasuredSignal& signal) const;
     void align(std::size_t index);
     void showMisfit();

@@ -79,24 +79,22 @@ void MeasuredCurves::match(const std::vector<MeasuredSignal>& measured) {
     setStyle(m_style);
 }
 
-void MeasuredCurves::present(const std::vector<MeasuredSignal>& measured, const SolvedBlow& blow) {
-    const bool comparable = isComparable(blow);
-    static const std::vector<MeasuredSignal> nothing;
-    const std::vector<MeasuredSignal>& wanted = comparable ? measured : nothing;
-    match(wanted);
-    if (wanted.empty()) return;
-    const Scales scales = scalesOf(blow.request.scenario);
-    const double timeFactor = blow.units.time.factor / scales.time;
-    const double forceFactor = blow.units.force.factor / scales.force;
-    for (std::size_t i = 0; i < wanted.size(); ++i) {
+void MeasuredCurves::present(const std::vector<MeasuredSignal>& measured, const Scenario& scenario,
+                             const ShownUnits& units) {
+    match(measured);
+    if (measured.empty()) return;
+    const Scales scales = scalesOf(scenario);
+    const double timeFactor = units.time.factor / scales.time;
+    const double forceFactor = units.force.factor / scales.force;
+    for (std::size_t i = 0; i < measured.size(); ++i) {
         Shown& shown = m_shown[i];
-        const bool same = shown.signal == wanted[i] && isSame(shown.timeFactor, timeFactor) &&
+        const bool same = shown.signal == measured[i] && isSame(shown.timeFactor, timeFactor) &&
                           isSame(shown.forceFactor, forceFactor);
         if (same) continue;
-        shown = {wanted[i], timeFactor, forceFactor};
+        shown = {measured[i], timeFactor, forceFactor};
         QCPGraph* graph = m_graphs[static_cast<qsizetype>(i)];
         graph->setAdaptiveSampling(true);
-        graph->setData(shownData(wanted[i], timeFactor, forceFactor));
+        graph->setData(shownData(measured[i], timeFactor, forceFactor));
     }
 }
 

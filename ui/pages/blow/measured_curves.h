@@ -20,8 +20,9 @@ class MeasuredCurves : public QObject {
   public:
     explicit MeasuredCurves(BlowPlots* plots);
 
-    /// In the units of the blow; nothing where it has no physical ones to compare with.
-    void present(const std::vector<MeasuredSignal>& measured, const SolvedBlow& blow);
+    /// Over the curves of a blow of a scenario in physical units, in the units of its plots.
+    void present(const std::vector<MeasuredSignal>& measured, const Scenario& scenario,
+                 const ShownUnits& units);
     void setStyle(const PlotStyle& style);
     /// One for each signal, in their order.
     const QVector<QCPGraph*>& graphs() const { return m_graphs; }
