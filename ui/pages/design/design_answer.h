@@ -13,7 +13,7 @@ namespace drillwave {
 /// Samples of an answer which is there while the hand still moves.
 inline constexpr std::uint64_t quickSamples = 256;
 /// Where a blow is marched on cells, which takes a hundred times as long, these come before.
-inline constexpr std::uint64_t firstSamples = 32;
+inline constexpr std::uint64_t firstSamples = 16;
 
 /// What there is so far.
 struct DesignAnswer {
