@@ -45,14 +45,10 @@ std::shared_ptr<QCustomPlot> emptyPaperPlot(const QLocale& locale) {
     return plot;
 }
 
-// In the middle of a rod; in a string in that of its longest section, where histories.csv has its waves too.
 PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader,
                         const std::vector<MeasuredSignal>& measured) {
-    const DrillString& drill = blow.scenario.drillString;
-    const MeasuredSignal* inside = firstInside(measured);
-    const double share =
-        inside ? shareAt(blow.scenario, inside->place) : shareOfString(drill, middleOfLongest(drill));
     const ShownUnits units = reader.unitsFor(blow.scenario);
+    const double share = shareOnPaper(blow.scenario, measured);
     PaperPlot paper =
         paperPlot<BlowPlots>(blowCurves(blow, units, share, Tail::cut), {180, 240}, reader.locale);
     if (measured.empty()) return paper;
@@ -65,6 +61,12 @@ PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader,
 const MeasuredSignal* firstInside(const std::vector<MeasuredSignal>& measured) {
     const auto found = std::ranges::find(measured, MeasuredQuantity::normalForce, &MeasuredSignal::quantity);
     return found == measured.end() ? nullptr : &*found;
+}
+
+// In the middle of a rod; in a string in that of its longest section, where histories.csv has its waves too.
+double shareOnPaper(const Scenario& scenario, const std::vector<MeasuredSignal>& measured) {
+    if (const MeasuredSignal* inside = firstInside(measured)) return shareAt(scenario, inside->place);
+    return shareOfString(scenario.drillString, middleOfLongest(scenario.drillString));
 }
 
 PaperPlot rockPaperPlot(const Blow& blow, const PaperReader& reader) {

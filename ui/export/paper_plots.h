@@ -61,6 +61,8 @@ PaperPlot blowPaperPlot(const Blow& blow, const PaperReader& reader = {},
                         const std::vector<MeasuredSignal>& measured = {});
 /// Which of them that is; nullptr where there is none.
 const MeasuredSignal* firstInside(const std::vector<MeasuredSignal>& measured);
+/// x/L of that section.
+double shareOnPaper(const Scenario& scenario, const std::vector<MeasuredSignal>& measured);
 /// Force over penetration.
 PaperPlot rockPaperPlot(const Blow& blow, const PaperReader& reader = {});
 /// The largest stresses over place.

@@ -53,7 +53,8 @@ ReportComparison misfitsOf(const std::vector<MeasuredSignal>& measured, const Bl
     const PaperReader reader = PaperReader::of(units);
     const ShownUnits shown = reader.unitsFor(blow.scenario);
     const Scales scales = scalesOf(blow.scenario);
-    const double end = blowCurves(blow, shown, 0, Tail::cut).timeEnd / shown.time.factor * scales.time;
+    const double share = shareOnPaper(blow.scenario, measured);
+    const double end = blowCurves(blow, shown, share, Tail::cut).timeEnd / shown.time.factor * scales.time;
     const auto cell = [&](std::optional<double> si, const ShownUnit& unit, double scale) -> ReportCell {
         if (!si) return {};
         return {quantityText(*si / scale, unit, reader.locale).toStdString(), *si / scale * unit.factor};

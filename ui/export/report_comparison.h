@@ -13,8 +13,8 @@ class UnitChoice;
 /// window, as on the page Compare; empty without such runs.
 ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const UnitChoice& units);
 
-/// How far signals are from the solved blow, in the units of the window, as below the plots of the page Blow;
-/// empty without signals. The scenario has units, the blow its histories.
+/// How far signals are from the solved blow, over the time that its plot in the report shows, in the units of
+/// the window; empty without signals. The scenario has units, the blow its histories.
 ReportComparison misfitsOf(const std::vector<MeasuredSignal>& measured, const Blow& blow,
                            const UnitChoice& units);
 
