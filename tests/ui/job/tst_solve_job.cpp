@@ -114,7 +114,7 @@ void TestSolveJob::theLastOfManyRequestsWins() {
     if (milliseconds >= 30) QVERIFY(answers.size() < requests / 2);
     qInfo("event loop: longest gap %.1f ms, %.1f ms of it without waiting for a processor",
           gaps.longestWall.count(), gaps.longestOwn.count());
-    // The window never stalls for 50 ms; the thread sanitizer does, where it first looks up what it leaves out.
+    // The window never stalls for 50 ms; the thread sanitizer does, where it first leaves something out.
 #if !defined(__SANITIZE_THREAD__)
     QVERIFY(gaps.longestOwn.count() < 50);
 #endif
