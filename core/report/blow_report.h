@@ -52,8 +52,8 @@ struct ReportComparison {
     std::vector<ReportRow> rows;
 };
 
-/// What a report tells. But for its head and other blows it does not depend on when, where and how fast it
-/// was made.
+/// What a report tells. But for its head, other blows and what was measured it does not depend on when, where
+/// and how fast it was made.
 struct BlowReport {
     Blow blow;                     ///< solved exactly with histories, stresses and margin of the thrust
     ReportHead head = {};          ///< as asked for

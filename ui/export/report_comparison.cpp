@@ -53,15 +53,14 @@ ReportComparison misfitsOf(const std::vector<MeasuredSignal>& measured, const Bl
     const PaperReader reader = PaperReader::of(units);
     const ShownUnits shown = reader.unitsFor(blow.scenario);
     const Scales scales = scalesOf(blow.scenario);
-    const double share = shareOnPaper(blow.scenario, measured);
-    const double end = blowCurves(blow, shown, share, Tail::cut).timeEnd / shown.time.factor * scales.time;
+    const BlowCurves curves = blowCurves(blow, shown, shareOnPaper(blow.scenario, measured), Tail::cut);
     const auto cell = [&](std::optional<double> si, const ShownUnit& unit, double scale) -> ReportCell {
         if (!si) return {};
         return {quantityText(*si / scale, unit, reader.locale).toStdString(), *si / scale * unit.factor};
     };
     ReportComparison comparison{.titles = {"what", "shift", "rms", "peaks differ by", "lag"}, .rows = {}};
     for (const MeasuredSignal& signal : measured) {
-        const std::optional<Misfit> misfit = misfitOf(signal, computedForce(blow, signal, end));
+        const std::optional<Misfit> misfit = misfitOf(signal, computedForce(blow, signal, curves));
         const bool isInside = signal.quantity == MeasuredQuantity::normalForce;
         const std::string place =
             quantityText(signal.place, shownUnit(reader.unitFor(*findParameter("rod.length"))), reader.locale)

@@ -7,7 +7,6 @@
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
-#include <functional>
 
 #include "core/blow/blow_waves.h"
 #include "core/model/blow_traits.h"
@@ -24,6 +23,23 @@ namespace drillwave {
 namespace {
 
 constexpr int hintChars = 125;  // wide enough for a hint beside the other words
+
+QString misfitText(const Misfit& misfit, const SolvedBlow& blow) {
+    const Scales scales = scalesOf(blow.request.scenario);
+    const QLocale locale;
+    const auto force = [&](double newtons) {
+        return quantityText(newtons / scales.force, blow.units.force, locale);
+    };
+    QString text =
+        BlowPage::tr("rms %1 · peaks differ by %2").arg(force(misfit.rms), force(misfit.peakDifference));
+    if (misfit.computedPeak > 0)
+        text += QStringLiteral(" (%1 %)").arg(
+            locale.toString(100 * misfit.peakDifference / misfit.computedPeak, 'f', 1));
+    if (misfit.lag)
+        text +=
+            BlowPage::tr(" · lag %1").arg(quantityText(*misfit.lag / scales.time, blow.units.time, locale));
+    return text;
+}
 
 }  // namespace
 
@@ -233,8 +249,7 @@ std::optional<ComputedForce> BlowPage::computedFor(const MeasuredSignal& signal)
     if (!m_blow || !isComparable(*m_blow) || !m_blow->impact.hasHistories()) return {};
     const auto* curves = m_blow->page<BlowCurves>();
     if (!curves || !(curves->timeEnd > 0)) return {};
-    const Scales scales = scalesOf(m_blow->request.scenario);
-    return computedForce(*m_blow, signal, curves->timeEnd / m_blow->units.time.factor * scales.time);
+    return computedForce(*m_blow, signal, *curves);
 }
 
 void BlowPage::align(std::size_t index) {
@@ -252,8 +267,7 @@ void BlowPage::showMisfit() {
     const MeasuredSignal& signal = m_measured->signalList()[index];
     const std::optional<ComputedForce> computed = computedFor(signal);
     const std::optional<Misfit> misfit = computed ? misfitOf(signal, *computed) : std::nullopt;
-    m_measuredBar->setMisfit(misfit ? misfitText(*misfit, m_blow->request.scenario, m_blow->units, QLocale())
-                                    : QString());
+    m_measuredBar->setMisfit(misfit ? misfitText(*misfit, *m_blow) : QString());
 }
 
 void BlowPage::setGhost(const SolvedBlowPtr& before) {
