@@ -154,7 +154,6 @@ void DrillingMarch::beginBlow() {
     m_blow.time = static_cast<double>(m_cells) * m_grid.cells.cell;
     m_blow.velocity = m_momentumAtBlow / m_stringMass;
     m_blow.shankOffset = m_problem.machine ? -m_rear.state().stretch : nothing;
-    m_rear.resetSums();
     m_rear.beginBlow(m_problem.feedForce - m_lastImpulse / m_interval);
     if (m_hammer > 0) {
         const double velocity = m_problem.blow.hammer().velocity;
@@ -169,12 +168,17 @@ void DrillingMarch::beginBlow() {
     for (std::size_t j = m_hammer; j < m_lines.size(); ++j) trips += m_grid.cells.roundTrips[j];
     const long twice = 2 * m_nextInterval - trips;
     m_gapCell = twice >= 0 ? twice / 2 : 0;
-    m_gapShare = twice % 2 == 0 ? 0 : 0.5;
+    const double place = twice % 2 == 0 ? 0 : 0.5;
+    const std::vector<double>& places = m_grid.cuts.places();
+    m_gapPart = static_cast<std::size_t>(std::ranges::upper_bound(places, place) - places.begin()) - 1;
+    const double end = m_gapPart + 1 < places.size() ? places[m_gapPart + 1] : 1;
+    m_gapShare = (place - places[m_gapPart]) / (end - places[m_gapPart]);
+    m_rearMoved = 0;
 }
 
 /// What the bit is away from the rock when the next blow comes at the rear end, and what it has felt so far.
-void DrillingMarch::noteGap(const WaveCell& arriving, std::size_t part, double share) {
-    const BitNode::Part there = m_bit.partOfStep(arriving, static_cast<int>(part), share, 0);
+void DrillingMarch::noteGap(const WaveCell& arriving) {
+    const BitNode::Part there = m_bit.partOfStep(arriving, static_cast<int>(m_gapPart), m_gapShare, 0);
     m_next.gap = there.state.isApart() ? std::max(0.0, there.state.distance) : 0;
     m_nextPlace =
         there.state.isApart() ? -there.state.distance : there.state.law.elasticWay(there.state.force);
@@ -185,19 +189,14 @@ bool DrillingMarch::takeBlow(const std::stop_token& stop) {
     beginBlow();
     const double worked = m_bit.state().law.worked(m_bit.state().force);
     const std::size_t parts = m_grid.cuts.count();
-    const std::vector<double>& places = m_grid.cuts.places();
-    std::size_t forced = 0;
-    const WaveCell noForce;
-    for (long cell = 0; cell < m_nextInterval && m_trouble.empty(); ++cell) {
-        if (cell % cellsBetweenStops == 0 && stop.stop_requested()) return false;
-        m_cell = cell;
+    const bool canFly = m_lines.size() == 1 && !m_problem.machine && !m_kept && !m_samples;
+    const auto* const forceEnd = m_force.data() + m_force.size();
+    const WaveCell* force = m_force.data();
+    for (m_cell = 0; m_cell < m_nextInterval && m_trouble.empty(); ++m_cell) {
+        if (m_cell % cellsBetweenStops == 0 && stop.stop_requested()) return false;
         for (std::size_t part = 0; part < parts; ++part) {
-            const WaveCell& force = forced < m_force.size() ? m_force[forced++] : noForce;
-            const double end = part + 1 < parts ? places[part + 1] : 1;
-            std::optional<double> gapShare;
-            if (m_gapCell == cell && m_gapShare >= places[part] && m_gapShare < end)
-                gapShare = (m_gapShare - places[part]) / (end - places[part]);
-            step(part, force, gapShare);
+            const WaveCell* const acting = force < forceEnd ? force++ : nullptr;
+            if (!canFly || acting || m_cell == m_gapCell || !flyStep(part)) step(part, acting);
         }
     }
     if (m_trouble.empty() && !m_bit.trouble().empty()) m_trouble = m_bit.trouble();
@@ -208,53 +207,58 @@ bool DrillingMarch::takeBlow(const std::stop_token& stop) {
     return true;
 }
 
+/// A rod under a constant force and no other, away from the rock: S − b goes down, and comes back at once as
+/// b − S. That is most of the time between blows. False, and nothing done, where it may not be so.
+bool DrillingMarch::flyStep(std::size_t part) {
+    const WaveCell arriving = m_lines[0].arrive(part);
+    const double force = m_rear.meanForce();
+    WaveCell down = -1.0 * arriving;
+    down.c[0] += force;
+    if (!m_bit.flyStep(down, part)) return false;
+    m_lines[0].turn(-force, arriving, part);
+    m_rearMoved += m_grid.cuts.widths()[part] * m_rearMobility * (force - 2 * arriving.mean());
+    return true;
+}
+
 /// All nodes over one part of a cell, from the rear end to the bit.
-void DrillingMarch::step(std::size_t part, const WaveCell& force, std::optional<double> gapShare) {
-    const std::size_t count = m_lines.size(), parts = m_grid.cuts.count();
-    const double width = m_grid.cuts.widths()[part];
+void DrillingMarch::step(std::size_t part, const WaveCell* force) {
+    const std::size_t count = m_lines.size(), parts = m_grid.cuts.count(), hammer = m_hammer;
     // where waves are kept, a hammer that has no more to give moves on
-    const bool hammers = m_rear.hasHammer() || (m_kept && m_hammer > 0);
+    const bool hammers = m_rear.hasHammer() || (m_kept && hammer > 0);
+    LossyLine* const lines = m_lines.data();
+    WaveCell* const arriving = m_arriving.data();
     const auto enter = [&](std::size_t j, const WaveCell& back) {
-        m_lines[j].enter(back, width);
+        lines[j].enter(back, arriving[j], part);
         if (m_kept) m_backs[j] = back;
     };
     const auto leave = [&](std::size_t j, const WaveCell& wave) {
         if (m_kept) m_downs[j] = wave;
     };
-    for (std::size_t j = hammers ? 0 : m_hammer; j < count; ++j) m_arriving[j] = m_lines[j].arrive(part);
-    WaveCell down;
-    if (hammers) {
-        down = -1.0 * m_arriving[0];
-        leave(0, down);
-        for (std::size_t j = 1; j < m_hammer; ++j) {
-            WaveCell back, next;
-            m_joints[j - 1].step(&down, &m_arriving[j], &back, &next, 1, part, parts);
-            enter(j - 1, back);
-            down = next;
-            leave(j, down);
-        }
-    }
-    const RearNode::Forces rear = m_rear.step(down, m_arriving[m_hammer], force, part);
-    if (hammers) enter(m_hammer - 1, rear.face - down);
-    m_rearPlace +=
-        width * m_rearMobility * (rear.face.mean() + rear.damper.mean() - 2 * m_arriving[m_hammer].mean());
-    down = rear.sum() - m_arriving[m_hammer];
-    leave(m_hammer, down);
-    for (std::size_t j = m_hammer + 1; j < count; ++j) {
-        WaveCell back, next;
-        m_joints[j - 1].step(&down, &m_arriving[j], &back, &next, 1, part, parts);
+    for (std::size_t j = hammers ? 0 : hammer; j < count; ++j) arriving[j] = lines[j].arrive(part);
+    WaveCell down, back;
+    const auto join = [&](std::size_t j) {
+        m_joints[j - 1].step(&down, &arriving[j], &back, &down, 1, part, parts);
         enter(j - 1, back);
-        down = next;
         leave(j, down);
+    };
+    if (hammers) {
+        down = -1.0 * arriving[0];
+        leave(0, down);
+        for (std::size_t j = 1; j < hammer; ++j) join(j);
     }
-    if (gapShare) noteGap(down, part, *gapShare);
-    WaveCell back;
+    const RearNode::Forces rear = m_rear.step(down, arriving[hammer], force, part);
+    if (hammers) enter(hammer - 1, rear.face - down);
+    down = rear.sum() - arriving[hammer];
+    m_rearMoved += m_grid.cuts.widths()[part] * m_rearMobility * (down.mean() - arriving[hammer].mean());
+    leave(hammer, down);
+    for (std::size_t j = hammer + 1; j < count; ++j) join(j);
+    if (m_cell == m_gapCell && part == m_gapPart) noteGap(down);
     CellJump none;
     m_bit.step(down, back, static_cast<int>(part), m_kept ? keptClock(part) : 0, CutAt::nothing, none);
     enter(count - 1, back);
     if (m_kept) addWaves(part, rear);
     if (m_samples)
-        addSamples(part, m_rearMobility * (rear.sum() - 2.0 * m_arriving[m_hammer]), rear.damper.end(), down);
+        addSamples(part, m_rearMobility * (rear.sum() - 2.0 * arriving[hammer]), rear.damper.end(), down);
 }
 
 /// Where on the clock of the kept waves a part of this cell begins.
@@ -326,7 +330,7 @@ void DrillingMarch::addSamples(std::size_t part, const WaveCell& rearVelocity, d
     const double time = (static_cast<double>(m_cells + m_cell) + end) * m_grid.cells.cell;
     // the polynomial of a cell in which the damper lifts passes a little below nothing
     if (m_problem.machine) damperForce = std::max(0.0, damperForce);
-    m_samples->rear.push_back({time, rearVelocity.end(), damperForce, m_rearPlace + m_rear.state().stretch});
+    m_samples->rear.push_back({time, rearVelocity.end(), damperForce, m_rearPlace + m_rearMoved + m_rear.state().stretch});
     const BitNodeState& bit = m_bit.state();
     const double velocity = m_bit.mass() > 0
                                 ? bit.velocity
@@ -335,6 +339,9 @@ void DrillingMarch::addSamples(std::size_t part, const WaveCell& rearVelocity, d
 }
 
 void DrillingMarch::endBlow() {
+    const double duration = static_cast<double>(m_nextInterval) * m_grid.cells.cell;
+    m_rear.endCycle(duration, m_rearMoved);
+    m_rearPlace += m_rearMoved;
     const RearSums& sums = m_rear.sums();
     const BitNodeState& bit = m_bit.state();
     m_cells += m_nextInterval;
@@ -351,9 +358,9 @@ void DrillingMarch::endBlow() {
     m_owed = bit.record.impulse - m_impulseToGap;
     m_rockImpulse += bit.record.impulse;
     // what the machine was given, and what has gone into rod or string
-    m_fed += m_rear.meanForce() * static_cast<double>(m_nextInterval) * m_grid.cells.cell + sums.faceImpulse;
+    m_fed += m_rear.meanForce() * duration + sums.faceImpulse;
     m_ledger.feed += sums.feedWork;
-    m_ledger.damper += m_problem.machine ? sums.damperWork : 0;
+    m_ledger.damper += sums.damperWork;
     m_ledger.hammer += m_hammer > 0 ? -hammerEnergy() - m_rear.faceEnergy() : sums.forceWork;
     m_ledger.waves = 0;
     for (std::size_t j = m_hammer; j < m_lines.size(); ++j)

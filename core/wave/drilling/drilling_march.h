@@ -93,12 +93,13 @@ class DrillingMarch {
 
   private:
     void beginBlow();
-    void step(std::size_t part, const WaveCell& force, std::optional<double> gapShare);
+    bool flyStep(std::size_t part);
+    void step(std::size_t part, const WaveCell* force);
     void addSamples(std::size_t part, const WaveCell& rearVelocity, double damperForce,
                     const WaveCell& arriving);
     double keptClock(std::size_t part) const;
     void addWaves(std::size_t part, const RearNode::Forces& rear);
-    void noteGap(const WaveCell& arriving, std::size_t part, double share);
+    void noteGap(const WaveCell& arriving);
     void endBlow();
     double storedEnergy() const;
     double momentum() const;
@@ -123,7 +124,8 @@ class DrillingMarch {
     long m_cells = 0;         ///< whole cells since the first blow
     long m_nextInterval = 1;  ///< cells of the cycle
     long m_gapCell = 0;       ///< counted from the blow: where the bit is when the next one comes
-    double m_gapShare = 0;    ///< where in it
+    std::size_t m_gapPart = 0;  ///< of it
+    double m_gapShare = 0;      ///< of that part
     DrillingBlow m_blow, m_next;
     DrillingLedger m_ledger;
     double m_impulseToGap = 0;    ///< of the rock, in the cycle, until the next blow comes at the rear end
@@ -134,7 +136,8 @@ class DrillingMarch {
     double m_storedBefore = 0;
     double m_lateShare = 0;
     double m_holeDepth = 0;
-    double m_rearPlace = 0;  ///< x_r
+    double m_rearPlace = 0;  ///< x_r, at the blow
+    double m_rearMoved = 0;  ///< since then
     double m_stringTransit = 0;
     long m_cell = 0;  ///< of the cycle
     std::string_view m_trouble;

@@ -28,7 +28,7 @@ class LossyLine {
         m_rate = loss > 0 ? -std::log1p(-loss) / roundTrip : 0;
         m_parts.clear();
         for (const double width : widths)
-            m_parts.push_back({std::exp(-m_rate * width), width / 2, 2 * m_rate * width});
+            m_parts.push_back({width, width / 2, std::exp(-m_rate * width), 2 * m_rate * width});
         fill(0);
     }
     /// All of it is the same, and steady.
@@ -45,34 +45,41 @@ class LossyLine {
     /// b_out over the next part of a cell, the `part`-th of its cell.
     WaveCell arrive(std::size_t part) {
         WaveCell out = *m_line.arriving();
-        if (isLossy()) {
-            const Part& of = m_parts[part];
-            const double goal = (m_held + of.halfWidth * m_flux) * m_ofRoundTrip;
-            m_next = goal + (m_mean - goal) * of.kept;
-            for (double& coefficient : out.c) coefficient *= m_kept;
-            out.c[0] += (m_mean + m_next) / 2;
-            out.c[1] += (m_next - m_mean) / 2;
-            m_lossOfPart = of.loss;
-        }
-        m_out = {out.mean(), out.meanSquare()};
+        if (!isLossy()) return out;
+        const Part& of = m_parts[part];
+        const double goal = (m_held + of.halfWidth * m_flux) * m_ofRoundTrip;
+        m_next = goal + (m_mean - goal) * of.kept;
+        for (double& coefficient : out.c) coefficient *= m_kept;
+        out.c[0] += 0.5 * (m_mean + m_next);
+        out.c[1] += 0.5 * (m_next - m_mean);
         return out;
     }
-    /// b_in over that part.
-    void enter(const WaveCell& in, double width) {
-        m_flux = in.mean() - m_out.mean;
-        m_held += width * m_flux;
-        m_square += width * (in.meanSquare() - m_out.meanSquare);
+    /// b_in over that part, in which `out` has arrived.
+    void enter(const WaveCell& in, const WaveCell& out, std::size_t part) {
+        const Part& of = m_parts[part];
+        m_flux = in.mean() - out.mean();
+        m_held += of.width * m_flux;
+        m_square += of.width * (in - out).meanProduct(in + out);
         WaveCell& stored = *m_line.leaving();
         stored = in;
         if (isLossy()) {
-            stored.c[0] -= (m_mean + m_next) / 2;
-            stored.c[1] -= (m_next - m_mean) / 2;
-            m_mean = m_next;
-            const double lost = m_lossOfPart * (m_square - m_held * m_held * m_ofRoundTrip);
-            m_square -= lost;
-            m_lost += lost;
+            stored.c[0] -= 0.5 * (m_mean + m_next);
+            stored.c[1] -= 0.5 * (m_next - m_mean);
         }
-        m_line.advance(1);
+        lose(of);
+    }
+
+    /// b_in as what has arrived and `change` all along: then A does not wait for b_out.
+    void turn(double change, const WaveCell& out, std::size_t part) {
+        const Part& of = m_parts[part];
+        m_flux = change;
+        m_held += of.width * change;
+        m_square += of.width * change * (2 * out.mean() + change);
+        const WaveCell& oldest = *m_line.arriving();
+        WaveCell& stored = *m_line.leaving();
+        for (int k = 0; k < WaveCell::count; ++k) stored.c[k] = m_kept * oldest.c[k];
+        stored.c[0] += change;
+        lose(of);
     }
 
     double held() const { return m_held; }      ///< B = ∫ content
@@ -120,19 +127,27 @@ class LossyLine {
     double m_rate = 0;  ///< λ
     /// Of a part of a cell.
     struct Part {
-        double kept;  ///< e^−λΔ
+        double width;  ///< Δ
         double halfWidth;
+        double kept;  ///< e^−λΔ
         double loss;  ///< 2λΔ
     };
+    /// The end of a part.
+    void lose(const Part& of) {
+        if (isLossy()) {
+            m_mean = m_next;
+            const double lost = of.loss * (m_square - m_held * m_held * m_ofRoundTrip);
+            m_square -= lost;
+            m_lost += lost;
+        }
+        m_line.advance(1);
+    }
+
     std::vector<Part> m_parts;
-    double m_lossOfPart = 0;
     double m_mean = 0, m_next = 0;    ///< A before and behind the cell
     double m_held = 0, m_square = 0;  ///< B, Q
     double m_flux = 0;                ///< B' over the last cell
     double m_lost = 0;
-    struct {
-        double mean = 0, meanSquare = 0;
-    } m_out;  ///< of what has arrived last
 };
 
 }  // namespace drillwave

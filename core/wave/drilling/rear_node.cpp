@@ -39,11 +39,14 @@ bool beginsPositive(const double* c, int count) {
 }  // namespace
 
 RearNode::RearNode(const Parts& parts, std::span<const double> widths)
-    : m_parts(parts), m_machine(parts.machine), m_widths(widths.begin(), widths.end()) {
+    : m_parts(parts),
+      m_machine(parts.machine),
+      m_widths(widths.begin(), widths.end()),
+      m_mobility(1 / parts.impedance) {
     const double mobility = 1 / parts.impedance + (parts.hammerImpedance > 0 ? 1 / parts.hammerImpedance : 0);
     if (parts.face.stiffness) m_fastest += *parts.face.stiffness * mobility;
     if (!m_machine) return;
-    const double body = 1 / m_machine->mass;
+    const double body = m_ofMass = 1 / m_machine->mass;
     m_fastest +=
         m_machine->damping * body + std::sqrt(m_machine->stiffness * body) + m_machine->stiffness * mobility;
     for (const double width : m_widths)
@@ -55,6 +58,8 @@ RearNode::RearNode(const Parts& parts, std::span<const double> widths)
 
 void RearNode::beginBlow(double meanForce) {
     m_meanForce = meanForce;
+    m_sums = {};
+    m_before = m_now;
     if (m_parts.hammerImpedance == 0) return;
     m_now.faceGap = m_now.faceForce = 0;
     m_now.released = m_now.separated = false;
@@ -166,31 +171,26 @@ RearNode::PressingMap RearNode::pressingMap(double width) const {
         }
         auto& of = map.of[static_cast<std::size_t>(input)];
         std::ranges::copy(damper.cell().c, of.begin());
-        of[WaveCell::count] = state.bodyVelocity;
-        of[WaveCell::count + 1] = state.stretch;
+        of[WaveCell::count] = state.stretch;
     }
     return map;
 }
 
 /// A whole cell in which P is known and the damper presses or lifts all the way. False, and nothing done,
 /// where it may not.
-bool RearNode::quietStep(const WaveCell& push, const WaveCell& b2, double width, std::size_t part,
-                         Forces& forces) {
-    const WaveCell q = push - 2.0 * b2;
+bool RearNode::quietStep(const WaveCell& b2, double width, std::size_t part, Forces& forces) {
+    const WaveCell q = forces.face - 2.0 * b2;
     const double mean = m_meanForce, velocity = m_now.bodyVelocity, stretch = m_now.stretch;
-    const auto& [mass, damping, stiffness] = *m_machine;
-    const double impedance = m_parts.impedance;
+    const double damping = m_machine->damping, stiffness = m_machine->stiffness;
+    const double size = std::abs(mean), gain = width * m_ofMass;
     // where it lifts, S + κ x + ζ v_b less ζ v_r stays below zero
-    const double moved =
-        width * ((std::abs(velocity) + width * std::abs(mean) / mass) + q.largest() / impedance);
-    const double grows = stiffness * moved + damping * width * std::abs(mean) / mass;
+    const double moved = width * ((std::abs(velocity) + gain * size) + q.largest() * m_mobility);
+    const double grows = stiffness * moved + damping * gain * size;
     const double pull = mean + stiffness * stretch + damping * velocity;
-    WaveCell damper;
-    double lastVelocity, lastStretch;
-    if (pull + grows < damping / impedance * q.least() - quietMargin * grows - rounding * std::abs(mean)) {
-        lastVelocity = velocity + width * mean / mass;
-        lastStretch = stretch + width * ((velocity + lastVelocity) / 2 - q.mean() / impedance);
-        m_sums.feedWork += mean * width * (velocity + lastVelocity) / 2;
+    WaveCell& damper = forces.damper;
+    if (pull + grows < damping * m_mobility * q.least() - quietMargin * grows - rounding * size) {
+        damper = {};
+        m_now.stretch += width * (velocity + gain * mean / 2 - q.mean() * m_mobility);
     } else {
         std::array<double, PressingMap::outputs> out{};
         const std::array<double, PressingMap::inputs> in{q.c[0], q.c[1],   q.c[2], q.c[3],
@@ -199,25 +199,14 @@ bool RearNode::quietStep(const WaveCell& push, const WaveCell& b2, double width,
         for (std::size_t i = 0; i < in.size(); ++i)
             for (std::size_t k = 0; k < out.size(); ++k) out[k] += map.of[i][k] * in[i];
         std::copy_n(out.begin(), WaveCell::count, damper.c.begin());
-        if (damper.least() <= quietMargin * damper.spread() + rounding * std::abs(mean)) return false;
-        lastVelocity = out[WaveCell::count];
-        lastStretch = out[WaveCell::count + 1];
-        // v_b = v + ∫(S − D)/M
-        const double meanVelocity =
-            velocity + width / mass * (mean / 2 - (damper.mean() - damper.firstMoment()));
-        m_sums.feedWork += mean * width * meanVelocity;
-        m_sums.damperPeak =
-            std::max(m_sums.damperPeak, damper.most() > m_sums.damperPeak ? damper.peak().value : 0);
-        const double offDamper = mean * width * meanVelocity -
-                                 mass * (lastVelocity - velocity) * (lastVelocity + velocity) / 2;  // ∫D v_b
-        m_sums.damperWork += offDamper - width * damper.meanProduct(q + damper) / impedance;
+        if (damper.least() <= quietMargin * damper.spread() + rounding * size) return false;
+        m_now.stretch = out[WaveCell::count];
+        if (damper.most() > m_sums.damperPeak)
+            m_sums.damperPeak = std::max(m_sums.damperPeak, damper.peak().value);
         m_sums.damperImpulse += width * damper.mean();
+        m_sums.workOnRear += width * m_mobility * damper.meanProduct(q + damper);
     }
-    accelerate(width / mass * (mean - damper.mean()));
-    m_now.stretch = lastStretch;
-    m_sums.forceWork += width * push.meanProduct(q + damper) / impedance;
-    m_sums.faceImpulse += width * push.mean();
-    forces = {push, damper};
+    accelerate(gain * (mean - damper.mean()));
     return true;
 }
 
@@ -227,19 +216,6 @@ void RearNode::accelerate(double velocityChange) {
     const double sum = m_now.bodyVelocity + more;
     m_now.velocityRest = (sum - m_now.bodyVelocity) - more;
     m_now.bodyVelocity = sum;
-}
-
-/// A constant force of the machine, where nothing is to be looked for.
-void RearNode::addConstant(const Forces& forces, const WaveCell& b2, double width) {
-    const double rear = (forces.face.mean() + m_meanForce - 2 * b2.mean()) / m_parts.impedance;
-    m_sums.feedWork += width * m_meanForce * rear;
-    if (forces.face != WaveCell()) {
-        const WaveCell moved = forces.sum() - 2.0 * b2;
-        m_sums.forceWork += width / m_parts.impedance * forces.face.meanProduct(moved);
-        m_sums.faceImpulse += width * forces.face.mean();
-    }
-    m_sums.damperImpulse += width * m_meanForce;
-    m_sums.damperPeak = std::max(m_sums.damperPeak, m_meanForce);
 }
 
 /// Whether the gap to the hammer is wider than both can move over a cell.
@@ -252,28 +228,49 @@ bool RearNode::staysApart(const WaveCell& f1, const WaveCell& b2, double width) 
     return m_now.faceGap > 2 * width * (of1 * f1.largest() + (2 * b2.largest() + push) / impedance);
 }
 
-RearNode::Forces RearNode::step(const WaveCell& f1, const WaveCell& b2, const WaveCell& force,
+RearNode::Forces RearNode::push(const WaveCell& f1, const WaveCell& b2, const WaveCell* force,
                                 std::size_t part) {
     const double width = m_widths[part];
-    const bool given = m_parts.hammerImpedance == 0 || m_now.released;
-    if (given || staysApart(f1, b2, width)) {
-        Forces forces{given && m_parts.hammerImpedance == 0 ? force : WaveCell(), {}};
-        bool quiet = true;
-        if (m_machine) {
-            quiet = quietStep(forces.face, b2, width, part, forces);
-        } else {
-            forces.damper = WaveCell::constant(m_meanForce);
-            addConstant(forces, b2, width);
-        }
-        if (quiet) {
-            if (!given) {
-                const double rear = (forces.damper.mean() - 2 * b2.mean()) / m_parts.impedance;
-                m_now.faceGap += width * (rear - 2 / m_parts.hammerImpedance * f1.mean());
-            }
-            return forces;
-        }
+    Forces forces{force ? *force : WaveCell(), WaveCell::constant(m_meanForce)};
+    if ((hasHammer() && !staysApart(f1, b2, width)) || (m_machine && !quietStep(b2, width, part, forces)))
+        return follow({f1.powers(), b2.powers(), forces.face.powers(), width});
+    if (force) {
+        m_sums.forceWork += width * m_mobility * force->meanProduct(forces.sum() - 2.0 * b2);
+        m_sums.faceImpulse += width * force->mean();
     }
-    return follow({f1.powers(), b2.powers(), force.powers(), width});
+    if (hasHammer()) {
+        const double rear = m_mobility * (forces.damper.mean() - 2 * b2.mean());
+        m_now.faceGap += width * (rear - 2 / m_parts.hammerImpedance * f1.mean());
+    }
+    return forces;
+}
+
+/// What machine and damper have done to each other, which is known by its ends.
+void RearNode::endCycle(double duration, double rearMoved) {
+    if (!m_machine) {
+        m_sums.damperImpulse = m_meanForce * duration;
+        m_sums.damperPeak = std::max(0.0, m_meanForce);
+        m_sums.feedWork = m_meanForce * rearMoved;
+        return;
+    }
+    const double velocity = m_now.bodyVelocity, before = m_before.bodyVelocity;
+    m_sums.feedWork = m_meanForce * (rearMoved + m_now.stretch - m_before.stretch);
+    m_sums.damperWork =
+        m_sums.feedWork - m_machine->mass * (velocity - before) * (velocity + before) / 2 - m_sums.workOnRear;
+}
+
+/// What the damper does over the first `end` of a piece, which lasts `unit`.
+void RearNode::addDamper(const Piece& piece, double end, double unit) {
+    const auto damperAt = [&](double v) { return polynomialValue(piece.damper.data(), piece.count, v); };
+    double peak = std::max(damperAt(0), damperAt(end));
+    const GaussRule& rule = gaussRule();
+    for (std::size_t i = 0; i < GaussRule::count; ++i) {
+        const double v = end * rule.nodes[i], damper = damperAt(v);
+        m_sums.workOnRear +=
+            unit * end * rule.weights[i] * damper * polynomialValue(piece.rear.data(), piece.count, v);
+        peak = std::max(peak, damper);
+    }
+    m_sums.damperPeak = std::max(m_sums.damperPeak, peak);
 }
 
 /// From event to event.
@@ -316,33 +313,12 @@ RearNode::Forces RearNode::follow(const Inputs& in) {
             m_sums.faceImpulse += impulse;
             if (m_now.separated) m_sums.lateImpulse += impulse;
             const double damped = of[1].cell().mean();
-            m_sums.damperImpulse += in.width * damped;
             push += of[0].cell(), damper += of[1].cell(), rear += of[2].cell();
-            double body = 0, power = end;  // ∫v_b
-            for (int k = 0; k < piece.count; ++k, power *= end) body += piece.body[k] * power / (k + 1);
-            const double unit = piece.width * in.width;
-            const double lastVelocity = value(piece.body, end);
-            double product = 0;  // ∫D v_r
-            const GaussRule& rule = gaussRule();
-            for (std::size_t i = 0; i < GaussRule::count; ++i) {
-                const double v = end * rule.nodes[i], d = value(piece.damper, v);
-                product += end * rule.weights[i] * d * value(piece.rear, v);
-                m_sums.damperPeak = std::max(m_sums.damperPeak, d);
-            }
-            m_sums.damperPeak =
-                std::max({m_sums.damperPeak, value(piece.damper, 0.0), value(piece.damper, end)});
             if (m_machine) {
-                const double feed = m_meanForce * unit * body;
-                m_sums.feedWork += feed;
-                m_sums.damperWork += feed -
-                                     m_machine->mass * (lastVelocity - m_now.bodyVelocity) *
-                                         (lastVelocity + m_now.bodyVelocity) / 2 -
-                                     unit * product;
-                accelerate(in.width / m_machine->mass * (m_meanForce * (to - from) - damped));
-            } else {
-                double moved = 0, way = end;  // ∫v_r
-                for (int k = 0; k < piece.count; ++k, way *= end) moved += piece.rear[k] * way / (k + 1);
-                m_sums.feedWork += m_meanForce * unit * moved;
+                addDamper(piece, end, piece.width * in.width);
+                const double ofDamper = in.width * damped;
+                m_sums.damperImpulse += ofDamper;
+                accelerate(m_ofMass * (in.width * m_meanForce * (to - from) - ofDamper));
             }
         }
         m_now.stretch = value(piece.stretch, end);

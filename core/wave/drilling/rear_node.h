@@ -26,7 +26,7 @@ struct RearState {
     bool operator==(const RearState&) const = default;
 };
 
-/// What has passed the rear end since they were reset.
+/// What has passed the rear end since the blow.
 struct RearSums {
     double faceImpulse = 0;    ///< ∫P dt, or ∫Fa dt
     double lateImpulse = 0;    ///< of that, after the first separation
@@ -35,6 +35,7 @@ struct RearSums {
     double forceWork = 0;      ///< ∫Fa v_r dt
     double feedWork = 0;       ///< ∫S v_b dt; of a constant force ∫S v_r dt
     double damperWork = 0;     ///< ∫D (v_b − v_r) dt
+    double workOnRear = 0;     ///< ∫D v_r dt
 };
 
 /// P or Fa pushes the rear end of impedance Z2, and so does D:
@@ -59,19 +60,22 @@ class RearNode {
     void beginBlow(double meanForce);
 
     /// Over one part of a cell what pushes, P, and D. `f1` only counts for a hammer, `force`, Fa, without
-    /// one.
+    /// one, as long as it acts.
     struct Forces {
         WaveCell face, damper;
         WaveCell sum() const { return face + damper; }
     };
-    Forces step(const WaveCell& f1, const WaveCell& b2, const WaveCell& force, std::size_t part);
+    Forces step(const WaveCell& f1, const WaveCell& b2, const WaveCell* force, std::size_t part) {
+        if (!m_machine && !force && !hasHammer()) return {{}, WaveCell::constant(m_meanForce)};
+        return push(f1, b2, force, part);
+    }
+    /// The sums are complete then; the rear end has moved so far since the blow.
+    void endCycle(double duration, double rearMoved);
 
     const RearState& state() const { return m_now; }
     void setState(const RearState& state) { m_now = state; }
     const RearSums& sums() const { return m_sums; }
-    void resetSums() { m_sums = {}; }
     double meanForce() const { return m_meanForce; }
-    void setMeanForce(double meanForce) { m_meanForce = meanForce; }
     /// In the stiffness of the faces, which goes with a hammer that still touches.
     double faceEnergy() const {
         return m_parts.face.stiffness ? m_now.faceForce * m_now.faceForce / (2 * *m_parts.face.stiffness) : 0;
@@ -107,7 +111,7 @@ class RearNode {
     /// the state.
     struct PressingMap {
         static constexpr int inputs = WaveCell::count + 3;
-        static constexpr int outputs = WaveCell::count + 2;  ///< D, v_b and x behind it
+        static constexpr int outputs = WaveCell::count + 1;  ///< D, and x behind it
         std::array<std::array<double, outputs>, inputs> of{};
     };
 
@@ -117,18 +121,21 @@ class RearNode {
     bool isConsistent(const Piece& piece) const;
     PressingMap pressingMap(double width) const;
     void accelerate(double velocityChange);
-    bool quietStep(const WaveCell& push, const WaveCell& b2, double width, std::size_t part, Forces& forces);
+    bool quietStep(const WaveCell& b2, double width, std::size_t part, Forces& forces);
     bool staysApart(const WaveCell& f1, const WaveCell& b2, double width);
     Forces follow(const Inputs& in);
-    void addConstant(const Forces& forces, const WaveCell& b2, double width);
+    void addDamper(const Piece& piece, double end, double unit);
+    Forces push(const WaveCell& f1, const WaveCell& b2, const WaveCell* force, std::size_t part);
 
     Parts m_parts;
     std::optional<MachineBody> m_machine;
     std::vector<double> m_widths;
     std::vector<PressingMap> m_maps;
     double m_fastest = 0;  ///< no rate at which anything follows is larger
+    double m_mobility = 1;  ///< 1/Z2
+    double m_ofMass = 0;    ///< 1/M
     double m_meanForce = 0;
-    RearState m_now;
+    RearState m_now, m_before;  ///< at the blow
     RearSums m_sums;
     std::string_view m_trouble;
 };

@@ -40,7 +40,11 @@ struct BitNode::EventPiece {
 };
 
 BitNode::BitNode(double impedance, double mass, const BitRockLaw& law, double gap)
-    : m_impedance(impedance), m_mass(mass), m_untouched(law), m_now(m_untouched, gap) {}
+    : m_impedance(impedance),
+      m_mass(mass),
+      m_toSpeed(2 / impedance),
+      m_untouched(law),
+      m_now(m_untouched, gap) {}
 
 void BitNode::setWidths(const std::vector<double>& widths) {
     m_mapsBefore.swap(m_maps);
@@ -102,6 +106,13 @@ void BitNode::step(const WaveCell& g, WaveCell& b, int index, double time, CutAt
     if (!quietStep(g, maps, time, b)) b = follow(g, maps.width, time, cutAt, jump);
 }
 
+bool BitNode::fly(const WaveCell& g, double width) {
+    const bool leaves = g.most() < -quietMargin * g.spread();
+    if (!leaves && m_now.distance <= width * (m_toSpeed * g.largest())) return false;
+    m_now.distance -= width * (m_toSpeed * g.mean());
+    return true;
+}
+
 BitNode::Part BitNode::partOfStep(const WaveCell& g, int index, double share, double time) const {
     if (share <= 0) return {m_now, {}};
     BitNode copy(m_impedance, m_mass, {}, 0);
@@ -116,14 +127,19 @@ BitNode::Part BitNode::partOfStep(const WaveCell& g, int index, double share, do
 bool BitNode::quietStep(const WaveCell& g, CellMaps& maps, double time, WaveCell& b) {
     double velocity = m_now.velocity, force = m_now.force;
     WaveCell speeds, forces;
+    if (m_now.isApart() && m_mass == 0) {
+        if (!fly(g, maps.width)) return false;
+        b = -1.0 * g;
+        m_cellForce = {};
+        return true;
+    }
     if (m_now.isApart()) {
-        speeds = (2 / m_impedance) * g;
-        if (m_mass > 0) speeds = maps.apart.follow(speeds, velocity);
+        speeds = maps.apart.follow(m_toSpeed * g, velocity);
         const bool leaves = speeds.most() < -quietMargin * speeds.spread();
         if (!leaves && m_now.distance <= maps.width * speeds.largest()) return false;
         m_now.distance -= maps.width * speeds.mean();
         m_now.velocity = velocity;
-        b = m_mass > 0 ? g - m_impedance * speeds : -1.0 * g;
+        b = g - m_impedance * speeds;
         m_cellForce = {};
         return true;
     }

@@ -72,6 +72,12 @@ class BitNode {
     };
     Part partOfStep(const WaveCell& g, int index, double share, double time) const;
 
+    /// A step without mass, away from the rock all along: −g leaves. False, and nothing done, where it may not
+    /// be.
+    bool flyStep(const WaveCell& g, std::size_t index) {
+        return m_mass == 0 && m_now.isApart() && fly(g, m_maps[index].width);
+    }
+
     // Many blows (drilling §4)
 
     /// What the rock of a cycle is left with.
@@ -122,6 +128,7 @@ class BitNode {
     CellMaps mapsOf(double width) const;
     WaveCell follow(const WaveCell& g, double width, double time, CutAt cutAt, CellJump& jump);
     bool quietStep(const WaveCell& g, CellMaps& maps, double time, WaveCell& b);
+    bool fly(const WaveCell& g, double width);
     EventPiece nextPiece(const WaveCell::Powers& g, double width, double from, double end) const;
     LineEvent nextEvent(const EventPiece& piece);
     void addContact(const EventPiece& piece, double end, double unit, double time);
@@ -153,6 +160,7 @@ class BitNode {
 
     double m_impedance;
     double m_mass;
+    double m_toSpeed;  ///< 2/Z: of a free end, from the wave that arrives
     std::vector<CellMaps> m_maps;
     std::vector<CellMaps> m_mapsBefore;  ///< only for its memory
     ContactLaw<double> m_untouched{BitRockLaw{}};

@@ -20,6 +20,7 @@ class DelayLine {
         m_mostBlock = mostBlock;
         m_delay = delay;
         m_at = 0;
+        m_last = room() - m_delay - m_mostBlock;
         if (m_cells.size() < room()) grow();
     }
 
@@ -35,7 +36,7 @@ class DelayLine {
 
     void advance(std::size_t block) {
         m_at += block;
-        if (m_at + m_delay + m_mostBlock <= room()) return;
+        if (m_at <= m_last) return;
         std::copy_n(m_cells.begin() + static_cast<std::ptrdiff_t>(m_at), m_delay, m_cells.begin());
         m_at = 0;
     }
@@ -57,6 +58,7 @@ class DelayLine {
     std::size_t m_delay = 0;
     std::size_t m_mostBlock = 0;
     std::size_t m_at = 0;
+    std::size_t m_last = 0;  ///< of m_at, before what is on its way is moved back
     std::vector<Cell> m_cells;
 };
 
