@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <ctime>
+#include <optional>
 #include <string_view>
 #include <vector>
 
@@ -22,12 +23,14 @@ using namespace drillwave::bench;
 namespace {
 
 constexpr const char* usage =
-    R"(usage: bench_drill [--speed | --errors] [--blows N] [--csv | --json]
+    R"(usage: bench_drill [--speed | --scan | --errors] [--blows N] [--csv | --json]
   --speed    processor time of a blow and of a cell at a node, beside a plain lattice of straight cells (default)
+  --scan     processor time of a scan over 100 thrusts on one thread, with 20 cells per t0, each from rest and
+             from bouncing, where blows are needed only until both are the same motion
   --errors   gap and penetration by the number of cells: of a motion that repeats against 640 per t0, also where
              the end of the force lies inside a cell, and means of an irregular one against 320, beside what
              they differ by chance
-  --blows N  so many of each (400)
+  --blows N  so many of each (400; of a scan 1000)
 )";
 
 using Kind = Column::Kind;
@@ -115,6 +118,39 @@ void benchSpeed(Format format, long blows) {
     add("T38 string, damper", string());
 }
 
+/// rod() in SI, at 5 km/s; its damper has 212 kg and 6680 N s/m.
+constexpr const char* rodInUnits = R"(drillwave: 1
+rod: {length: 3.5 m, diameter: 38 mm, youngs_modulus: 196.25 GPa, density: 7850 kg/m^3}
+pulse: {shape: rectangular, duration: 200 us, impulse: 40 N s}
+bit_rock: {stiffness: 111.3 MN/m, gamma: 0.1}
+drill: {blow_frequency: 59.523809523809526 Hz, thrust: 5 kN, wave_loss: 10 %}
+)";
+
+/// Over φ of 1.05 to 2.6.
+void benchScan(Format format, long blows) {
+    constexpr const char* thrusts = "drill.thrust=2.5kN:6.2kN:100";
+    Table table(format, {{"scene", 26, Kind::word},
+                         {"values", 7},
+                         {"blows", 7},
+                         {"from_bouncing", 14},
+                         {"scan_s", 11, Kind::time}});
+    DrillingSettings settings;
+    settings.blows = blows;
+    settings.settle = blows / 4;
+    settings.cells = scanCells;
+    const auto add = [&](const char* name, const Scenario& scenario) {
+        const double start = seconds();
+        const DrillingScan scan = scanDrilling(scenario, parseAxis(thrusts).axis, settings, {});
+        table.add(
+            {name, double(scan.axis.count), double(blows), double(scan.bouncingBlows), seconds() - start});
+    };
+    Scenario scenario = parseScenario(rodInUnits, "rod").scenario;
+    add("rod, constant force", scenario);
+    scenario.drill.machineMass = 212;
+    scenario.drill.damperDamping = 6680;
+    add("rod, damper", scenario);
+}
+
 struct Found {
     double gap = 0, penetration = 0;            ///< [d0], of the last blow or means
     double gapError = 0, penetrationError = 0;  ///< of means, by batches of blows
@@ -196,21 +232,28 @@ void benchErrors(Format format, long blows) {
 
 int main(int argc, char** argv) {
     Format format = Format::text;
-    bool errors = false;
-    long blows = 400;
+    bool errors = false, scan = false;
+    std::optional<long> given;
     for (int i = 1; i < argc; ++i) {
         const std::string_view word = argv[i];
         if (word == "--errors")
             errors = true;
+        else if (word == "--scan")
+            scan = true;
         else if (word == "--csv")
             format = Format::csv;
         else if (word == "--json")
             format = Format::json;
         else if (word == "--blows" && i + 1 < argc)
-            blows = std::max(1L, std::strtol(argv[++i], nullptr, 10));
+            given = std::max(1L, std::strtol(argv[++i], nullptr, 10));
         else if (word != "--speed")
             return std::fputs(usage, word == "--help" ? stdout : stderr), word == "--help" ? 0 : 2;
     }
-    errors ? benchErrors(format, blows) : benchSpeed(format, blows);
+    if (scan)
+        benchScan(format, given.value_or(1000));
+    else if (errors)
+        benchErrors(format, given.value_or(400));
+    else
+        benchSpeed(format, given.value_or(400));
     return 0;
 }

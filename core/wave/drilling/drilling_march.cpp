@@ -210,7 +210,7 @@ bool DrillingMarch::takeBlow(const std::stop_token& stop) {
 /// A rod under a constant force and no other, away from the rock: S − b goes down, and comes back at once as
 /// b − S. That is most of the time between blows. False, and nothing done, where it may not be so.
 bool DrillingMarch::flyStep(std::size_t part) {
-    const WaveCell arriving = m_lines[0].arrive(part);
+    const WaveCell arriving = m_lines[0].arrive();
     const double force = m_rear.meanForce();
     WaveCell down = -1.0 * arriving;
     down.c[0] += force;
@@ -234,7 +234,7 @@ void DrillingMarch::step(std::size_t part, const WaveCell* force) {
     const auto leave = [&](std::size_t j, const WaveCell& wave) {
         if (m_kept) m_downs[j] = wave;
     };
-    for (std::size_t j = hammers ? 0 : hammer; j < count; ++j) arriving[j] = lines[j].arrive(part);
+    for (std::size_t j = hammers ? 0 : hammer; j < count; ++j) arriving[j] = lines[j].arrive();
     WaveCell down, back;
     const auto join = [&](std::size_t j) {
         m_joints[j - 1].step(&down, &arriving[j], &back, &down, 1, part, parts);
@@ -330,7 +330,8 @@ void DrillingMarch::addSamples(std::size_t part, const WaveCell& rearVelocity, d
     const double time = (static_cast<double>(m_cells + m_cell) + end) * m_grid.cells.cell;
     // the polynomial of a cell in which the damper lifts passes a little below nothing
     if (m_problem.machine) damperForce = std::max(0.0, damperForce);
-    m_samples->rear.push_back({time, rearVelocity.end(), damperForce, m_rearPlace + m_rearMoved + m_rear.state().stretch});
+    m_samples->rear.push_back(
+        {time, rearVelocity.end(), damperForce, m_rearPlace + m_rearMoved + m_rear.state().stretch});
     const BitNodeState& bit = m_bit.state();
     const double velocity = m_bit.mass() > 0
                                 ? bit.velocity

@@ -121,9 +121,9 @@ class DrillingMarch {
     std::mt19937 m_random;
 
     long m_count = 0;
-    long m_cells = 0;         ///< whole cells since the first blow
-    long m_nextInterval = 1;  ///< cells of the cycle
-    long m_gapCell = 0;       ///< counted from the blow: where the bit is when the next one comes
+    long m_cells = 0;           ///< whole cells since the first blow
+    long m_nextInterval = 1;    ///< cells of the cycle
+    long m_gapCell = 0;         ///< counted from the blow: where the bit is when the next one comes
     std::size_t m_gapPart = 0;  ///< of it
     double m_gapShare = 0;      ///< of that part
     DrillingBlow m_blow, m_next;

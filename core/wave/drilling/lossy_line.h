@@ -27,59 +27,53 @@ class LossyLine {
         m_kept = 1 - loss;
         m_rate = loss > 0 ? -std::log1p(-loss) / roundTrip : 0;
         m_parts.clear();
-        for (const double width : widths)
-            m_parts.push_back({width, width / 2, std::exp(-m_rate * width), 2 * m_rate * width});
+        for (std::size_t i = 0; i < widths.size(); ++i) {
+            const double next = widths[i + 1 < widths.size() ? i + 1 : 0];
+            const double reached = -std::expm1(-m_rate * next);
+            m_parts.push_back({.width = widths[i],
+                               .loss = 2 * m_rate * widths[i],
+                               .nextKept = std::exp(-m_rate * next),
+                               .ofHeld = reached * m_ofRoundTrip,
+                               .ofFlux = reached * m_ofRoundTrip * (widths[i] + next / 2)});
+        }
         fill(0);
     }
     /// All of it is the same, and steady.
     void fill(double wave) {
         for (WaveCell& cell : m_line.content()) cell = WaveCell::constant(isLossy() ? 0 : wave);
-        m_mean = wave;
+        m_mean = m_next = wave;
         m_held = wave * m_roundTrip;
         m_square = wave * wave * m_roundTrip;
-        m_flux = 0;
         m_lost = 0;
     }
     bool isLossy() const { return m_rate > 0; }
 
-    /// b_out over the next part of a cell, the `part`-th of its cell.
-    WaveCell arrive(std::size_t part) {
+    /// b_out over the next part of a cell.
+    WaveCell arrive() const {
         WaveCell out = *m_line.arriving();
         if (!isLossy()) return out;
-        const Part& of = m_parts[part];
-        const double goal = (m_held + of.halfWidth * m_flux) * m_ofRoundTrip;
-        m_next = goal + (m_mean - goal) * of.kept;
         for (double& coefficient : out.c) coefficient *= m_kept;
         out.c[0] += 0.5 * (m_mean + m_next);
         out.c[1] += 0.5 * (m_next - m_mean);
         return out;
     }
-    /// b_in over that part, in which `out` has arrived.
+    /// b_in over that part, the `part`-th of its cell, in which `out` has arrived.
     void enter(const WaveCell& in, const WaveCell& out, std::size_t part) {
-        const Part& of = m_parts[part];
-        m_flux = in.mean() - out.mean();
-        m_held += of.width * m_flux;
-        m_square += of.width * (in - out).meanProduct(in + out);
         WaveCell& stored = *m_line.leaving();
         stored = in;
         if (isLossy()) {
             stored.c[0] -= 0.5 * (m_mean + m_next);
             stored.c[1] -= 0.5 * (m_next - m_mean);
         }
-        lose(of);
+        pass(in.mean() - out.mean(), (in - out).meanProduct(in + out), part);
     }
-
     /// b_in as what has arrived and `change` all along: then A does not wait for b_out.
     void turn(double change, const WaveCell& out, std::size_t part) {
-        const Part& of = m_parts[part];
-        m_flux = change;
-        m_held += of.width * change;
-        m_square += of.width * change * (2 * out.mean() + change);
         const WaveCell& oldest = *m_line.arriving();
         WaveCell& stored = *m_line.leaving();
         for (int k = 0; k < WaveCell::count; ++k) stored.c[k] = m_kept * oldest.c[k];
         stored.c[0] += change;
-        lose(of);
+        pass(change, change * (2 * out.mean() + change), part);
     }
 
     double held() const { return m_held; }      ///< B = ∫ content
@@ -109,7 +103,7 @@ class LossyLine {
         if (isLossy()) moved += m_roundTrip * (m_mean - other.m_mean);
         m_held = other.m_held + moved;
         m_square = other.m_square;
-        m_flux = other.m_flux;
+        m_next = isLossy() ? other.m_next + share * (m_next - other.m_next) : m_mean;
     }
     /// A wave that is added to all that is stored.
     void displace(double wave) {
@@ -127,15 +121,22 @@ class LossyLine {
     double m_rate = 0;  ///< λ
     /// Of a part of a cell.
     struct Part {
-        double width;  ///< Δ
-        double halfWidth;
-        double kept;  ///< e^−λΔ
-        double loss;  ///< 2λΔ
+        double width;           ///< Δ
+        double loss;            ///< 2λΔ
+        double nextKept;        ///< e^−λΔ of the part behind it: what A keeps there of itself …
+        double ofHeld, ofFlux;  ///< … and takes of B before this part, and of B' over it
     };
-    /// The end of a part.
-    void lose(const Part& of) {
+    /// The end of a part, over which B' and Q' were these. What A comes to over the next one is ready as soon
+    /// as B' is: every node waits for it.
+    void pass(double flux, double power, std::size_t part) {
+        const Part& of = m_parts[part];
         if (isLossy()) {
             m_mean = m_next;
+            m_next = of.nextKept * m_mean + of.ofHeld * m_held + of.ofFlux * flux;
+        }
+        m_held += of.width * flux;
+        m_square += of.width * power;
+        if (isLossy()) {
             const double lost = of.loss * (m_square - m_held * m_held * m_ofRoundTrip);
             m_square -= lost;
             m_lost += lost;
@@ -144,9 +145,8 @@ class LossyLine {
     }
 
     std::vector<Part> m_parts;
-    double m_mean = 0, m_next = 0;    ///< A before and behind the cell
+    double m_mean = 0, m_next = 0;    ///< A before and behind the part that comes
     double m_held = 0, m_square = 0;  ///< B, Q
-    double m_flux = 0;                ///< B' over the last cell
     double m_lost = 0;
 };
 

@@ -148,16 +148,13 @@ RearNode::Piece RearNode::nextPiece(const Inputs& in, double from, double end) c
 RearNode::PressingMap RearNode::pressingMap(double width) const {
     PressingMap map;
     for (int input = 0; input < PressingMap::inputs; ++input) {
-        Inputs in{{}, {}, {}, width};
-        if (input < WaveCell::count) {
-            WaveCell unit;
-            unit.c[static_cast<std::size_t>(input)] = 1;
-            in.force = unit.powers();
-        }
+        std::array<double, PressingMap::inputs> unit{};
+        unit[static_cast<std::size_t>(input)] = 1;
+        const auto& [meanForce, third, second, first, stretch, bodyVelocity, mean] = unit;
+        const Inputs in{{}, {}, WaveCell{{mean, first, second, third}}.powers(), width};
         RearState state;
-        const double meanForce = input == WaveCell::count ? 1 : 0;
-        state.bodyVelocity = input == WaveCell::count + 1 ? 1 : 0;
-        state.stretch = input == WaveCell::count + 2 ? 1 : 0;
+        state.bodyVelocity = bodyVelocity;
+        state.stretch = stretch;
         CellProjection damper;
         for (double from = 0; from < 1;) {
             const Piece piece = pieceOf(in, {true, Face::given}, from, 1, state, meanForce);
@@ -193,8 +190,8 @@ bool RearNode::quietStep(const WaveCell& b2, double width, std::size_t part, For
         m_now.stretch += width * (velocity + gain * mean / 2 - q.mean() * m_mobility);
     } else {
         std::array<double, PressingMap::outputs> out{};
-        const std::array<double, PressingMap::inputs> in{q.c[0], q.c[1],   q.c[2], q.c[3],
-                                                         mean,   velocity, stretch};
+        const std::array<double, PressingMap::inputs> in{mean,    q.c[3],   q.c[2], q.c[1],
+                                                         stretch, velocity, q.c[0]};
         const PressingMap& map = m_maps[part];
         for (std::size_t i = 0; i < in.size(); ++i)
             for (std::size_t k = 0; k < out.size(); ++k) out[k] += map.of[i][k] * in[i];

@@ -107,8 +107,9 @@ class RearNode {
         Powers f1, b2, force;
         double width;
     };
-    /// A whole cell in which the damper presses and nothing else changes, as a linear map of q = P − 2 b2 and
-    /// the state.
+    /// A whole cell in which the damper presses and nothing else changes, as a linear map of S, of the
+    /// coefficients of q = P − 2 b2 from the third down to the first, of x and v_b, and of the mean of q:
+    /// what is known last is last, so that little waits for it.
     struct PressingMap {
         static constexpr int inputs = WaveCell::count + 3;
         static constexpr int outputs = WaveCell::count + 1;  ///< D, and x behind it
@@ -131,7 +132,7 @@ class RearNode {
     std::optional<MachineBody> m_machine;
     std::vector<double> m_widths;
     std::vector<PressingMap> m_maps;
-    double m_fastest = 0;  ///< no rate at which anything follows is larger
+    double m_fastest = 0;   ///< no rate at which anything follows is larger
     double m_mobility = 1;  ///< 1/Z2
     double m_ofMass = 0;    ///< 1/M
     double m_meanForce = 0;

@@ -72,8 +72,8 @@ class BitNode {
     };
     Part partOfStep(const WaveCell& g, int index, double share, double time) const;
 
-    /// A step without mass, away from the rock all along: −g leaves. False, and nothing done, where it may not
-    /// be.
+    /// A step without mass, away from the rock all along: −g leaves. False, and nothing done, where it may
+    /// not be.
     bool flyStep(const WaveCell& g, std::size_t index) {
         return m_mass == 0 && m_now.isApart() && fly(g, m_maps[index].width);
     }
