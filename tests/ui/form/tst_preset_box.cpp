@@ -52,7 +52,7 @@ void TestPresetBox::thePresetOfTheExampleIsRecognised() {
     QCOMPARE(hammers().currentText(), QStringLiteral("medium drifter"));
     QCOMPARE(rocks().currentText(), QStringLiteral("medium rock"));
     QVERIFY(rods().toolTip().contains(QStringLiteral("14.5 mm")));
-    QVERIFY(rods().accessibleDescription().contains(QStringLiteral("assumed: typical flushing hole")));
+    QVERIFY(rods().accessibleDescription().contains(QStringLiteral("Epiroc catalogue 9866 0424")));
 }
 
 void TestPresetBox::aPresetIsOneNamedStepAndUndoRestoresTheBytes() {

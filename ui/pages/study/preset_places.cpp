@@ -10,6 +10,9 @@
 namespace drillwave {
 namespace {
 
+/// Presets at one value that are named there.
+constexpr int mostNames = 2;
+
 bool sets(const Preset& preset, const Parameter& parameter) {
     return std::ranges::any_of(preset.values, [&](const PresetValue& value) {
         return areRivals(value.parameter->key, parameter.key);
@@ -42,11 +45,16 @@ std::vector<PresetPlace> presetPlaces(std::span<const Preset> presets, const Par
     }
     std::ranges::stable_sort(places, {}, &PresetPlace::si);
     std::vector<PresetPlace> joined;
+    int names = 0;  // of the last one
     for (PresetPlace& place : places) {
-        if (!joined.empty() && joined.back().si == place.si)
-            joined.back().name += QStringLiteral(", ") + place.name;
-        else
+        const bool isNew = joined.empty() || joined.back().si != place.si;
+        names = isNew ? 1 : names + 1;
+        if (isNew)
             joined.push_back(std::move(place));
+        else if (names <= mostNames)
+            joined.back().name += QStringLiteral(", ") + place.name;
+        else if (names == mostNames + 1)
+            joined.back().name += QStringLiteral(", …");
     }
     return joined;
 }

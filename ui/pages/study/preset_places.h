@@ -18,8 +18,8 @@ struct PresetPlace {
 };
 
 /// The presets that set a parameter, or what it follows from (β the stiffness), by ascending value. Several
-/// of one value are one place, their names joined. None in a dimensionless scenario, where presets have no
-/// meaning. Requires applies().
+/// of one value are one place with the names of the first two. None in a dimensionless scenario, where
+/// presets have no meaning. Requires applies().
 std::vector<PresetPlace> presetPlaces(std::span<const Preset> presets, const Parameter& parameter,
                                       const Scenario& scenario);
 

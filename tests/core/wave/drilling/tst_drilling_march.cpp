@@ -301,11 +301,11 @@ void TestDrillingMarch::aFreeRodKeepsItsVelocityAndAPressedOneItsLength() {
     for (const double wave : {-0.25, 0.4}) {
         line.fill(wave);
         for (int i = 0; i < 70 * 10'000; ++i) {
-            const WaveCell out = line.arrive(0);
+            const WaveCell out = line.arrive();
             line.enter(out, out, 0);
         }
         QVERIFY(std::abs(line.held() - 7 * wave) < 1e-13 * 7);
-        QVERIFY(std::abs(line.arrive(0).mean() - wave) < 1e-13);
+        QVERIFY(std::abs(line.arrive().mean() - wave) < 1e-13);
         QVERIFY(std::abs(line.lost()) < 1e-10);  // rounding of 700 000 cells
     }
 }
@@ -319,7 +319,7 @@ void TestDrillingMarch::aWaveLosesItsShareInARoundTrip() {
     for (int trip = 0; trip < 3; ++trip) {
         double energy = 0;
         for (int i = 0; i < 100; ++i) {
-            const WaveCell out = line.arrive(0);
+            const WaveCell out = line.arrive();
             energy += out.meanSquare();
             line.enter(trip == 0 ? WaveCell::constant(i % 2 ? 1 : -1) : out, out, 0);
             QVERIFY(line.lost() >= 0);

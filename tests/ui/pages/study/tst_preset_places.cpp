@@ -42,6 +42,12 @@ void TestPresetPlaces::theyAscendAndShareAPlace() {
     QCOMPARE(places.size(), std::size_t{2});
     QCOMPARE(places[0], (PresetPlace{QStringLiteral("soft, weak"), 5e7}));
     QCOMPARE(places[1], (PresetPlace{QStringLiteral("hard"), 5e8}));
+
+    std::vector<Preset> many(4, rocks.front());
+    for (std::size_t i = 0; i < many.size(); ++i) many[i].name = std::string(1, static_cast<char>('a' + i));
+    const auto one = presetPlaces(many, *findParameter("bit_rock.stiffness"), Scenario());
+    QCOMPARE(one.size(), std::size_t{1});
+    QCOMPARE(one[0].name, QStringLiteral("a, b, …"));
 }
 
 void TestPresetPlaces::aGroupHasThePlaceOfWhatItMoves() {
