@@ -28,33 +28,36 @@ std::string inUnit(const Alert& alert, std::string_view name, const ReadingStyle
 }
 
 /// "stiffness k", as in the form: in words, not as in a file.
-std::string nameOf(const Parameter& parameter) {
-    std::string name(parameter.label);
-    if (!parameter.symbol.empty()) name += " " + std::string(parameter.symbol);
-    return name;
+Message nameOf(const Parameter& parameter) {
+    Message label(std::string(parameter.label).c_str());
+    if (parameter.symbol.empty()) return label;
+    return {"%1 %2", {label, std::string(parameter.symbol)}};
 }
 
-std::string implausible(const Alert& alert, const ReadingStyle& style) {
+Message implausible(const Alert& alert, const ReadingStyle& style) {
     const KeptParameter named = findParameter(alert.parameter);
     const bool isByRatio = alert.argument("value").quantity != named->quantity;
     const KeptParameter parameter = isByRatio ? inScales(*named) : named;
     const auto end = [&](double value) { return style.quantity(value, parameter->quantity, 4); };
-    return "The " + nameOf(*parameter) + " = " + inUnit(alert, "value", style) +
-           " is outside the usual range, " + end(parameter->plausible.low) + " to " +
-           end(parameter->plausible.high) + ".";
+    return {translatable("drillwave::Message", "The %1 = %2 is outside the usual range, %3 to %4."),
+            {nameOf(*parameter), inUnit(alert, "value", style), end(parameter->plausible.low),
+             end(parameter->plausible.high)}};
 }
 
-std::string longPulse(const Alert& alert, const ReadingStyle& style) {
+Message longPulse(const Alert& alert, const ReadingStyle& style) {
     const double percent =
         static_cast<double>(static_cast<int>(alert.argument("late_impulse").value * 1000)) / 10;
-    return "The first reflection is back while " + style.number(percent, 4) +
-           " % of the blow is still to come; a real hammer would feel it, here its force is prescribed.";
+    return {translatable("drillwave::Message",
+                         "The first reflection is back while %1 % of the blow is still to come; a real "
+                         "hammer would feel it, here its force is prescribed."),
+            {style.number(percent, 4)}};
 }
 
-std::string defaultHammer(const Alert& alert, const ReadingStyle& style) {
+Message defaultHammer(const Alert& alert, const ReadingStyle& style) {
     if (alert.arguments.empty())
-        return "The hammer's impedance is that of the rod, the value assumed where none is given: "
-               "its blow is one step.";
+        return translatable("drillwave::Message",
+                            "The hammer's impedance is that of the rod, the value assumed where none is "
+                            "given: its blow is one step.");
     std::string values;
     for (const AlertArgument& argument : alert.arguments) {
         const KeptParameter parameter = findParameter(argument.name);
@@ -63,102 +66,136 @@ std::string defaultHammer(const Alert& alert, const ReadingStyle& style) {
                        ? formatQuantity(argument.value, argument.quantity, parameter->displayUnit())
                        : style.quantity(argument.value, argument.quantity, 4));
     }
-    return "The hammer is the one assumed where none is given (" + values +
-           ", the material of the rod): give the data of the rock drill's piston.";
+    return {translatable("drillwave::Message",
+                         "The hammer is the one assumed where none is given (%1, the material of the rod): "
+                         "give the data of the rock drill's piston."),
+            {values}};
 }
 
-std::string pistonImpedance(const Alert& alert) {
+Message pistonImpedance(const Alert& alert) {
     return alert.argument("ratio").value < 1
-               ? "The hammer's impedance is below the rod's: it bounces back after one step, so that the rod "
-                 "takes over more than its momentum."
-               : "The hammer's impedance is above the rod's: it pushes in a staircase of ever smaller steps, "
-                 "assumed to run on as if the rod were long.";
+               ? translatable("drillwave::Message",
+                              "The hammer's impedance is below the rod's: it bounces back after one step, so "
+                              "that the rod takes over more than its momentum.")
+               : translatable("drillwave::Message",
+                              "The hammer's impedance is above the rod's: it pushes in a staircase of ever "
+                              "smaller steps, assumed to run on as if the rod were long.");
 }
 
-std::string thrustBelowNeeded(const Alert& alert, const ReadingStyle& style) {
+Message thrustBelowNeeded(const Alert& alert, const ReadingStyle& style) {
     FeedDecision decision{.kind = FeedDecision::Kind::notEnough,
                           .force = FeedForce{alert.argument("installed").value, {}},
                           .frequency = alert.argument("frequency").value,
                           .need = alert.argument("full_rate").value};
     if (alert.has("weight")) decision.weight = *(decision.force->weight = alert.argument("weight").value);
     const bool isPushedBack = decision.force->effective() < alert.argument("balance").value;
-    return feedDecisionText(decision, style) + " " +
-           std::string(feedAdvice(isPushedBack ? Feed::pushedBack : Feed::penetrationLost));
+    return {"%1 %2",
+            {feedDecisionMessage(decision, style),
+             feedAdvice(isPushedBack ? Feed::pushedBack : Feed::penetrationLost)}};
 }
 
-std::string residualWaves(const Alert& alert, const ReadingStyle& style) {
-    const std::string start =
-        "The waves of a blow make only n_b = " + fourDigits(alert, "round_trips", style) +
-        " round trips until the next blow, and meet it undamped";
+Message residualWaves(const Alert& alert, const ReadingStyle& style) {
+    const std::string roundTrips = fourDigits(alert, "round_trips", style);
     if (!alert.has("whole"))
-        return start +
-               ": penetration may swing by 10 % up or down with frequency times length; `drill` follows it.";
-    return start + " and nearly in step (n_b close to " + whole(alert, "whole") +
-           "): penetration may swing by 10 % up or down; `drill` follows it.";
+        return {translatable("drillwave::Message",
+                             "The waves of a blow make only n_b = %1 round trips until the next blow, and "
+                             "meet it undamped: penetration may swing by 10 % up or down with frequency "
+                             "times length; `drill` follows it."),
+                {roundTrips}};
+    return {translatable("drillwave::Message",
+                         "The waves of a blow make only n_b = %1 round trips until the next blow, and meet "
+                         "it undamped and nearly in step (n_b close to %2): penetration may swing by 10 % up "
+                         "or down; `drill` follows it."),
+            {roundTrips, whole(alert, "whole")}};
 }
 
-std::string lengthsRounded(const Alert& alert, const ReadingStyle& style) {
+Message lengthsRounded(const Alert& alert, const ReadingStyle& style) {
     const bool isShared = alert.has("shared_cell");
-    const std::string cell = isShared ? "share but a cell of time of " + inUnit(alert, "shared_cell", style) +
-                                            ", which would take more work than is permitted"
-                                      : "share no cell of time";
+    const Message cell =
+        isShared
+            ? Message(translatable(
+                          "drillwave::Message",
+                          "share but a cell of time of %1, which would take more work than is permitted"),
+                      {inUnit(alert, "shared_cell", style)})
+            : Message(translatable("drillwave::Message", "share no cell of time"));
     // what elastic rock keeps is 0 by law; its force and the rebound are what rounding moves
-    const std::string off =
+    const Message off =
         alert.has("cor_error")
-            ? "the force on the rock and the rebound are off: e by up to " + bound(alert, "cor_error", style)
-            : "the efficiency may be off by " + bound(alert, "efficiency_error", style);
-    return "The transit times of the sections " + cell + ": they were rounded by up to " +
-           inUnit(alert, "time", style) + ", and " + off +
-           (isShared ? ". Lengths with a larger common divisor share a longer one."
-                     : ". Lengths in whole millimetres of one steel share one and are exact.");
+            ? Message(translatable("drillwave::Message",
+                                   "the force on the rock and the rebound are off: e by up to %1"),
+                      {bound(alert, "cor_error", style)})
+            : Message(translatable("drillwave::Message", "the efficiency may be off by %1"),
+                      {bound(alert, "efficiency_error", style)});
+    return {translatable("drillwave::Message",
+                         "The transit times of the sections %1: they were rounded by up to %2, and %3. %4"),
+            {cell, inUnit(alert, "time", style), off,
+             isShared ? translatable("drillwave::Message",
+                                     "Lengths with a larger common divisor share a longer one.")
+                      : translatable("drillwave::Message",
+                                     "Lengths in whole millimetres of one steel share one and are exact.")}};
 }
 
 /// Why the closed form is not for the blow: the group to blame says it.
-std::string closedFormObstacle(const Alert& alert, const ReadingStyle& style) {
+Message closedFormObstacle(const Alert& alert, const ReadingStyle& style) {
     if (alert.parameter == "tau")
-        return "the blow is longer than a round trip in the rod (tau = " + fourDigits(alert, "tau", style) +
-               " < 0.5)";
+        return {translatable("drillwave::Message",
+                             "the blow is longer than a round trip in the rod (tau = %1 < 0.5)"),
+                {fourDigits(alert, "tau", style)}};
     if (alert.parameter == "delta")
-        return "the bit meets the rock in the middle of a wave (delta = " +
-               fourDigits(alert, "delta", style) + " is not a whole number)";
-    if (alert.parameter == "bit_rock.law") return "the loading curve of the rock is no straight line";
-    return "the bit is still on the rock when the next reflection arrives";
+        return {
+            translatable("drillwave::Message",
+                         "the bit meets the rock in the middle of a wave (delta = %1 is not a whole number)"),
+            {fourDigits(alert, "delta", style)}};
+    if (alert.parameter == "bit_rock.law")
+        return translatable("drillwave::Message", "the loading curve of the rock is no straight line");
+    return translatable("drillwave::Message",
+                        "the bit is still on the rock when the next reflection arrives");
 }
 
-std::string closedFormInvalid(const Alert& alert, const ReadingStyle& style) {
-    return "The closed form for elastic rock does not hold, because " + closedFormObstacle(alert, style) +
-           ": its e = " + fourDigits(alert, "closed_form_cor", style) + " is off by " +
-           fourDigits(alert, "difference", style) + ".";
+Message closedFormInvalid(const Alert& alert, const ReadingStyle& style) {
+    return {
+        translatable("drillwave::Message",
+                     "The closed form for elastic rock does not hold, because %1: its e = %2 is off by %3."),
+        {closedFormObstacle(alert, style), fourDigits(alert, "closed_form_cor", style),
+         fourDigits(alert, "difference", style)}};
 }
 
-std::string inputDecides(const Alert& alert, const ReadingStyle& style) {
-    return "The bit chatters on the rock (" + whole(alert, "contacts") +
-           " contacts), so that e depends on the last digits of the input: it is known to " +
-           bound(alert, "cor_error", style) +
-           " only, and no calculation knows it better. A longer rod, a shorter blow or a softer rock "
-           "chatters less.";
+Message inputDecides(const Alert& alert, const ReadingStyle& style) {
+    return {translatable("drillwave::Message",
+                         "The bit chatters on the rock (%1 contacts), so that e depends on the last digits "
+                         "of the input: it is known to %2 only, and no calculation knows it better. A longer "
+                         "rod, a shorter blow or a softer rock chatters less."),
+            {whole(alert, "contacts"), bound(alert, "cor_error", style)}};
 }
 
 /// Which stress, where, when, and what it is held against.
-std::string overload(const Alert& alert, const std::string& rod, const std::string& consequence,
-                     const ReadingStyle& style) {
+Message overload(const Alert& alert, const Message& consequence, const ReadingStyle& style) {
     const bool isAfter = alert.level == AlertLevel::information;
-    const std::string kind = alert.has("compression") ? "compression" : "tension";
+    const bool isCompression = alert.has("compression");
+    const Message kind = isCompression ? translatable("drillwave::Message", "compression")
+                                       : translatable("drillwave::Message", "tension");
+    const std::string stress = inUnit(alert, isCompression ? "compression" : "tension", style);
+    const std::string place = inUnit(alert, "place", style), time = inUnit(alert, "time", style),
+                      strength = inUnit(alert, "strength", style);
     if (alert.has("section"))
-        return "Section " + whole(alert, "section") + " of hammer and string " + consequence + ": " + kind +
-               " reaches " + inUnit(alert, kind, style) + ", " + inUnit(alert, "place", style) +
-               " from its rear end at " + inUnit(alert, "time", style) + ", against a strength of " +
-               inUnit(alert, "strength", style) + ".";
-    return rod + " " + consequence + ": " + kind + " reaches " + inUnit(alert, kind, style) + ", " +
-           inUnit(alert, "place", style) + " from the hammer at " + inUnit(alert, "time", style) +
-           (isAfter ? ", after the blow, in the waves left (which nothing damps here)"
-                    : ", during the blow") +
-           ", against a strength of " + inUnit(alert, "strength", style) + ".";
+        return {translatable("drillwave::Message",
+                             "Section %1 of hammer and string %2: %3 reaches %4, %5 from its rear end at %6, "
+                             "against a strength of %7."),
+                {whole(alert, "section"), consequence, kind, stress, place, time, strength}};
+    if (isAfter)
+        return {translatable("drillwave::Message",
+                             "The rod %1: %2 reaches %3, %4 from the hammer at %5, after the blow, in the "
+                             "waves left (which nothing damps here), against a strength of %6."),
+                {consequence, kind, stress, place, time, strength}};
+    return {translatable("drillwave::Message",
+                         "The rod %1: %2 reaches %3, %4 from the hammer at %5, during the blow, against a "
+                         "strength of %6."),
+            {consequence, kind, stress, place, time, strength}};
 }
 
 }  // namespace
 
-std::string alertText(const Alert& alert, const ReadingStyle& style) {
+Message alertMessage(const Alert& alert, const ReadingStyle& style) {
     switch (alert.code) {
         case AlertCode::implausibleValue:
             return implausible(alert, style);
@@ -169,79 +206,103 @@ std::string alertText(const Alert& alert, const ReadingStyle& style) {
         case AlertCode::pistonImpedance:
             return pistonImpedance(alert);
         case AlertCode::gapWithoutEffect:
-            return "The gap has no effect on a rigid body motion: it only shifts the time of contact.";
+            return translatable(
+                "drillwave::Message",
+                "The gap has no effect on a rigid body motion: it only shifts the time of contact.");
         case AlertCode::thrustBelowNeeded:
             return thrustBelowNeeded(alert, style);
         case AlertCode::superRebound:
-            return "The rod leaves with more momentum than it came with (e = " +
-                   fourDigits(alert, "cor", style) + "): rigid rock, e = 1, would underestimate the thrust.";
+            return {translatable("drillwave::Message",
+                                 "The rod leaves with more momentum than it came with (e = %1): rigid rock, "
+                                 "e = 1, would underestimate the thrust."),
+                    {fourDigits(alert, "cor", style)}};
         case AlertCode::severalContacts:
-            return "The bit hits the rock " + whole(alert, "contacts") +
-                   " times in this blow: the waves on their way bring it back.";
+            return {translatable(
+                        "drillwave::Message",
+                        "The bit hits the rock %1 times in this blow: the waves on their way bring it back."),
+                    {whole(alert, "contacts")}};
         case AlertCode::closedFormInvalid:
             return closedFormInvalid(alert, style);
         case AlertCode::inputDecides:
             return inputDecides(alert, style);
         case AlertCode::reducedAccuracy:
-            return "The numerical error of e may be as large as " + bound(alert, "cor_error", style) + ".";
+            return {translatable("drillwave::Message", "The numerical error of e may be as large as %1."),
+                    {bound(alert, "cor_error", style)}};
         case AlertCode::stressAboveYield:
-            return overload(alert, "The rod", "would yield", style);
+            return overload(alert, translatable("drillwave::Message", "would yield"), style);
         case AlertCode::stressAboveFatigue:
-            return overload(alert, "The rod", "tires with every blow", style);
+            return overload(alert, translatable("drillwave::Message", "tires with every blow"), style);
         case AlertCode::residualWaves:
             return residualWaves(alert, style);
         case AlertCode::lengthsRounded:
             return lengthsRounded(alert, style);
         case AlertCode::blowNotOver:
-            return "After " + inUnit(alert, "time", style) +
-                   " bit or hammer may still meet again: these are the numbers at the next blow, not final "
-                   "ones.";
+            return {translatable("drillwave::Message",
+                                 "After %1 bit or hammer may still meet again: these are the numbers at the "
+                                 "next blow, not final ones."),
+                    {inUnit(alert, "time", style)}};
         case AlertCode::stressesLeftOut:
-            return "The largest stresses of the sections take more work than is permitted: they were left "
-                   "out and no strength was checked. A shorter end_time may leave room for them.";
+            return translatable(
+                "drillwave::Message",
+                "The largest stresses of the sections take more work than is permitted: they were left out "
+                "and no strength was checked. A shorter end_time may leave room for them.");
         case AlertCode::cornersWithoutEffect:
-            return "The force stays below the first corner of the loading curve (" +
-                   inUnit(alert, "peak_force", style) + " of " + inUnit(alert, "corner_force", style) +
-                   "): the law acts as the bilinear one.";
+            return {translatable("drillwave::Message",
+                                 "The force stays below the first corner of the loading curve (%1 of %2): "
+                                 "the law acts as the bilinear one."),
+                    {inUnit(alert, "peak_force", style), inUnit(alert, "corner_force", style)}};
         case AlertCode::pushedBack:
-            return "The feed, " + inUnit(alert, "force", style) +
-                   ", is less than the mean reaction of the blows, " + inUnit(alert, "needed", style) +
-                   ", or so near to it that gaps grow without bound.";
+            return {translatable("drillwave::Message",
+                                 "The feed, %1, is less than the mean reaction of the blows, %2, or so near "
+                                 "to it that gaps grow without bound."),
+                    {inUnit(alert, "force", style), inUnit(alert, "needed", style)}};
         case AlertCode::noWaveLoss:
-            return "Nothing takes from the waves: jumps never fade. A wave_loss of 1 to 30 % in a round trip "
-                   "is usual.";
+            return translatable("drillwave::Message",
+                                "Nothing takes from the waves: jumps never fade. A wave_loss of 1 to 30 % in "
+                                "a round trip is usual.");
         case AlertCode::restrikeInTheWay:
-            return "After it has separated, the piston still passes up to " +
-                   style.number(100 * alert.argument("share").value, 3) +
-                   " % of its momentum: it is in the way of the rebounding string, where a machine would "
-                   "have drawn "
-                   "it back; restrike: false says so.";
+            return {translatable("drillwave::Message",
+                                 "After it has separated, the piston still passes up to %1 % of its "
+                                 "momentum: it is in the way of the rebounding string, where a machine would "
+                                 "have drawn it back; restrike: false says so."),
+                    {style.number(100 * alert.argument("share").value, 3)}};
         case AlertCode::shankOff:
-            return "At a blow the shank is up to " + inUnit(alert, "offset", style) +
-                   " off its mean place in the machine: the stroke, and so the blow, would be another one. A "
-                   "dashpot lets it creep; a spring (damper_stiffness) brings it back.";
+            return {translatable("drillwave::Message",
+                                 "At a blow the shank is up to %1 off its mean place in the machine: the "
+                                 "stroke, and so the blow, would be another one. A dashpot lets it creep; a "
+                                 "spring (damper_stiffness) brings it back."),
+                    {inUnit(alert, "offset", style)}};
         case AlertCode::frequencyRounded:
-            return "The blow frequency is marched as " + inUnit(alert, "used", style) +
-                   ", so that blows come at the end of a cell.";
+            return {
+                translatable("drillwave::Message",
+                             "The blow frequency is marched as %1, so that blows come at the end of a cell."),
+                {inUnit(alert, "used", style)}};
         case AlertCode::notSettled:
-            return "The means of the first and the second half of the blows differ by more than three of "
-                   "their errors: "
-                   "more blows, or more that settle, are needed.";
+            return translatable("drillwave::Message",
+                                "The means of the first and the second half of the blows differ by more than "
+                                "three of their errors: more blows, or more that settle, are needed.");
         case AlertCode::coexistingMotions:
-            return "From rest and from bouncing it comes to different motions: which one a machine takes is "
-                   "not known.";
+            return translatable("drillwave::Message",
+                                "From rest and from bouncing it comes to different motions: which one a "
+                                "machine takes is not known.");
         case AlertCode::irregularMotion:
-            return "The motion does not repeat: means are results, single blows are none.";
+            return translatable("drillwave::Message",
+                                "The motion does not repeat: means are results, single blows are none.");
         case AlertCode::energyUnbalanced:
-            return "The energy of all blows closes to " +
-                   style.number(100 * alert.argument("share").value, 2) +
-                   " % only: the cells are long for these contacts; shorter ones take it down with their "
-                   "length.";
+            return {translatable("drillwave::Message",
+                                 "The energy of all blows closes to %1 % only: the cells are long for these "
+                                 "contacts; shorter ones take it down with their length."),
+                    {style.number(100 * alert.argument("share").value, 2)}};
         case AlertCode::damperAssumed:
-            return "No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the "
-                   "rod.";
+            return translatable(
+                "drillwave::Message",
+                "No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the rod.");
     }
     return {};
+}
+
+std::string alertText(const Alert& alert, const ReadingStyle& style) {
+    return alertMessage(alert, style).text();
 }
 
 }  // namespace drillwave

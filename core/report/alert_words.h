@@ -6,11 +6,14 @@
 
 #include "core/model/alerts.h"
 #include "core/text/handy_text.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
 /// A remark as one sentence or two. It must have the arguments that alertsFor(), resultAlerts() or
 /// stressAlerts() give with its code.
+Message alertMessage(const Alert& alert, const ReadingStyle& style = plainStyle());
+/// The same in English.
 std::string alertText(const Alert& alert, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

@@ -143,73 +143,93 @@ double withoutRounding(double spread) {
     return std::abs(spread) < noSpread ? 0 : spread;
 }
 
-std::string damperWords(const Scenario& scenario, const ReadingStyle& style) {
+Message damperWords(const Scenario& scenario, const ReadingStyle& style) {
     const Drill& drill = scenario.drill;
-    std::string words;
-    if (drill.machineMass.value_or(0) > 0) {
-        if (drill.damperDamping.value_or(0) > 0)
-            words = "a dashpot of " + style.quantity(*drill.damperDamping, Quantity::damping, 4);
-        if (drill.damperStiffness.value_or(0) > 0)
-            words += (words.empty() ? "a spring of " : " and a spring of ") +
-                     style.quantity(*drill.damperStiffness, Quantity::stiffness, 4);
-    }
-    return words.empty() ? "with constant force" : "with " + words;
+    const bool hasBody = drill.machineMass.value_or(0) > 0;
+    const std::string damping = style.quantity(drill.damperDamping.value_or(0), Quantity::damping, 4);
+    const std::string stiffness = style.quantity(drill.damperStiffness.value_or(0), Quantity::stiffness, 4);
+    const bool hasDashpot = hasBody && drill.damperDamping.value_or(0) > 0;
+    const bool hasSpring = hasBody && drill.damperStiffness.value_or(0) > 0;
+    if (hasDashpot && hasSpring)
+        return {translatable("drillwave::Message", "a dashpot of %1 and a spring of %2"),
+                {damping, stiffness}};
+    if (hasDashpot) return {translatable("drillwave::Message", "a dashpot of %1"), {damping}};
+    if (hasSpring) return {translatable("drillwave::Message", "a spring of %1"), {stiffness}};
+    return translatable("drillwave::Message", "constant force");
 }
 
-std::string verdictSentence(const DrillingResult& result, const ReadingStyle& style) {
-    const std::string damper = damperWords(result.scenario, style);
-    const auto gap = [&](double value) {
-        return style.quantity(value * result.units.length(), Quantity::length, 3);
+Message verdictSentence(const DrillingResult& result, const ReadingStyle& style) {
+    if (result.outcome == DrillingOutcome::notSolved)
+        return {translatable("drillwave::Message", "Not solved: %1."), {result.reason}};
+    if (result.outcome == DrillingOutcome::stopped)
+        return translatable("drillwave::Message", "Stopped before all blows were done.");
+    const Message damper = damperWords(result.scenario, style);
+    const auto gap = [&](double BlowSpread::*quantile) {
+        return style.quantity(result.spread(0).*quantile * result.units.length(), Quantity::length, 3);
     };
-    if (result.outcome == DrillingOutcome::notSolved) return "Not solved: " + result.reason + ".";
-    if (result.outcome == DrillingOutcome::stopped) return "Stopped before all blows were done.";
-    const std::string begin = "With " + damper.substr(5);
     const std::string share =
-        result.fullRateShare ? style.number(100 * *result.fullRateShare, 3) + " % of full rate" : "";
+        result.fullRateShare ? style.number(100 * *result.fullRateShare, 3) : std::string();
     switch (result.verdict) {
         case DrillingVerdict::pushedBack:
-            return begin + " the machine is pushed back.";
+            return {translatable("drillwave::Message", "With %1 the machine is pushed back."), {damper}};
         case DrillingVerdict::rests:
-            return begin + " the bit rests on the rock before every blow" +
-                   (share.empty() ? "." : "; " + share + ".");
+            if (share.empty())
+                return {translatable("drillwave::Message",
+                                     "With %1 the bit rests on the rock before every blow."),
+                        {damper}};
+            return {translatable("drillwave::Message",
+                                 "With %1 the bit rests on the rock before every blow; %2 % of full rate."),
+                    {damper, share}};
         case DrillingVerdict::fullRate:
-            return begin + " it drills at full rate (" + share +
-                   "); the bit leaves the rock between blows, gaps of " + gap(result.spread(0).q05) + " to " +
-                   gap(result.spread(0).q95) + " when the next one comes.";
+            return {translatable("drillwave::Message",
+                                 "With %1 it drills at full rate (%2 % of full rate); the bit leaves the "
+                                 "rock between blows, gaps of %3 to %4 when the next one comes."),
+                    {damper, share, gap(&BlowSpread::q05), gap(&BlowSpread::q95)}};
         case DrillingVerdict::rateLost:
-            return begin + " penetration is lost" + (share.empty() ? "" : ": " + share) + "; gaps of " +
-                   gap(result.spread(0).q05) + " to " + gap(result.spread(0).q95) +
-                   " when the next blow comes.";
+            if (share.empty())
+                return {
+                    translatable("drillwave::Message",
+                                 "With %1 penetration is lost; gaps of %2 to %3 when the next blow comes."),
+                    {damper, gap(&BlowSpread::q05), gap(&BlowSpread::q95)}};
+            return {translatable("drillwave::Message",
+                                 "With %1 penetration is lost: %2 % of full rate; gaps of %3 to %4 when the "
+                                 "next blow comes."),
+                    {damper, share, gap(&BlowSpread::q05), gap(&BlowSpread::q95)}};
     }
     return {};
 }
 
-std::string adviceSentence(const DrillingResult& result, const ReadingStyle& style) {
+Message adviceSentence(const DrillingResult& result, const ReadingStyle& style) {
     if (result.outcome != DrillingOutcome::done && result.outcome != DrillingOutcome::pushedBack) return {};
     const auto thrust = [&](double times) {
         return style.quantity(thrustMark(result, times), Quantity::force, 3);
     };
     if (result.verdict == DrillingVerdict::pushedBack)
-        return "Bounded motion needs more than f I0 = " + thrust(1) + ".";
+        return {translatable("drillwave::Message", "Bounded motion needs more than f I0 = %1."), {thrust(1)}};
     if (!std::isfinite(result.cor)) return {};
     if (result.verdict == DrillingVerdict::rateLost)
-        return "Waves alone ask for f I0 (1 + e) = " + thrust(1 + result.cor) +
-               " for the full rate; with another damper it is another thrust.";
+        return {translatable("drillwave::Message",
+                             "Waves alone ask for f I0 (1 + e) = %1 for the full rate; with another damper "
+                             "it is another thrust."),
+                {thrust(1 + result.cor)}};
     return {};
 }
 
-std::string regimeWords(const DrillingResult& result, const ReadingStyle& style) {
+Message regimeWords(const DrillingResult& result, const ReadingStyle& style) {
     const DrillingStatistics& statistics = *result.statistics;
-    std::string text =
-        statistics.regime == DrillingRegime::rest ? "at rest before every blow"
-        : statistics.regime == DrillingRegime::period
-            ? "repeats every " +
-                  (statistics.period == 1 ? "blow" : std::to_string(statistics.period) + " blows")
-            : "irregular: single blows are no result";
-    if (!result.lyapunov) return text;
-    text += "; Lyapunov exponent " + style.number(result.lyapunov->value, 3);
-    if (result.lyapunov->error) text += " +- " + style.number(*result.lyapunov->error, 2);
-    return text + " a blow";
+    const auto regime = [&]() -> Message {
+        if (statistics.regime == DrillingRegime::rest)
+            return translatable("drillwave::Message", "at rest before every blow");
+        if (statistics.regime != DrillingRegime::period)
+            return translatable("drillwave::Message", "irregular: single blows are no result");
+        if (statistics.period == 1) return translatable("drillwave::Message", "repeats every blow");
+        return {translatable("drillwave::Message", "repeats every %1 blows"),
+                {std::to_string(statistics.period)}};
+    };
+    if (!result.lyapunov) return regime();
+    std::string exponent = style.number(result.lyapunov->value, 3);
+    if (result.lyapunov->error) exponent += " +- " + style.number(*result.lyapunov->error, 2);
+    return {translatable("drillwave::Message", "%1; Lyapunov exponent %2 a blow"), {regime(), exponent}};
 }
 
 std::string drillingJson(const DrillingReport& report, OutputUnits units) {
@@ -266,8 +286,8 @@ std::string drillingJson(const DrillingReport& report, OutputUnits units) {
                    {"stored", number(ledger.stored, energy)}};
     object["momentum_residual"] = result.momentumResidual;
     object["energy_residual"] = result.energyResidual;
-    object["verdict"] = verdictSentence(result);
-    const std::string advice = adviceSentence(result);
+    object["verdict"] = verdictSentence(result).text();
+    const std::string advice = adviceSentence(result).text();
     object["advice"] = advice.empty() ? Json() : Json(advice);
     object["alerts"] = alertList(result.alerts);
     object["units"] = unitsJson(result, units);
@@ -284,8 +304,9 @@ std::string drillingText(const DrillingReport& report, OutputUnits units, const 
                                         : style.number(shown, digits);
     };
     std::string text = headingOf(result.scenario);
-    text += "\n" + paragraph(verdictSentence(result, style));
-    if (const std::string advice = adviceSentence(result, style); !advice.empty()) text += paragraph(advice);
+    text += "\n" + paragraph(verdictSentence(result, style).text());
+    if (const Message advice = adviceSentence(result, style); !advice.isEmpty())
+        text += paragraph(advice.text());
     text += "\n  phi = " + style.number(result.groups.phi, 4) +
             " (thrust over mean reaction), n_b = " + style.number(result.groups.roundTrips, 4) +
             " round trips a blow\n";
@@ -315,7 +336,7 @@ std::string drillingText(const DrillingReport& report, OutputUnits units, const 
                 " m/min: an upper limit, all rock under the bit gives way and cuttings vanish\n";
         text += "  contact share    " + style.number(100 * result.statistics->contactShare, 4) +
                 " % of the blows begin on the rock\n";
-        text += "  motion           " + regimeWords(result, style) + "\n";
+        text += "  motion           " + regimeWords(result, style).text() + "\n";
     }
     if (!result.blows.empty()) {
         const double all = result.ledger.hammer + result.ledger.feed;

@@ -12,6 +12,7 @@
 #include "core/study/rows/output_column.h"
 #include "core/study/scan/drilling_scan.h"
 #include "core/text/handy_text.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -49,15 +50,15 @@ DrillingMeasure measureOf(const BlowQuantity& quantity);
 /// A spread or an error, in units of Problem, as it is told: what is rounding alone is nothing.
 double withoutRounding(double spread);
 
-/// "with a dashpot of 6.3 kN s/m", "with constant force".
-std::string damperWords(const Scenario& scenario, const ReadingStyle& style = plainStyle());
+/// "a dashpot of 6.3 kN s/m", "constant force".
+Message damperWords(const Scenario& scenario, const ReadingStyle& style = plainStyle());
 /// The verdict in one sentence, with its damper.
-std::string verdictSentence(const DrillingResult& result, const ReadingStyle& style = plainStyle());
+Message verdictSentence(const DrillingResult& result, const ReadingStyle& style = plainStyle());
 /// What to do about it; may be empty.
-std::string adviceSentence(const DrillingResult& result, const ReadingStyle& style = plainStyle());
+Message adviceSentence(const DrillingResult& result, const ReadingStyle& style = plainStyle());
 
 /// Whether the motion repeats, with λ; requires statistics.
-std::string regimeWords(const DrillingResult& result, const ReadingStyle& style = plainStyle());
+Message regimeWords(const DrillingResult& result, const ReadingStyle& style = plainStyle());
 
 std::string drillingJson(const DrillingReport& report, OutputUnits units);
 std::string drillingText(const DrillingReport& report, OutputUnits units,

@@ -53,30 +53,37 @@ std::string valueText(const SweepAxis& axis, double value, const ReadingStyle& s
 /// Values in order, and what holds at all motions of each.
 using HeldValues = std::map<double, bool>;
 
-std::string placesOf(const HeldValues& values, const SweepAxis& axis, const ReadingStyle& style) {
+Message placesOf(const HeldValues& values, const SweepAxis& axis, const ReadingStyle& style) {
     const auto holds = [](const auto& each) { return each.second; };
     const auto count = std::ranges::count_if(values, holds);
-    if (count == 0) return "at none of the values";
-    if (count == std::ssize(values)) return "at all values";
+    if (count == 0) return translatable("drillwave::Message", "at none of the values");
+    if (count == std::ssize(values)) return translatable("drillwave::Message", "at all values");
     // A bit that bounces may drill at full rate in windows of the parameter.
     constexpr std::size_t mostWindows = 4;
-    std::vector<std::string> windows;
+    std::vector<Message> windows;
     for (auto begin = std::ranges::find_if(values, holds); begin != values.end();) {
         const auto end = std::find_if_not(begin, values.end(), holds);
         const std::string from = valueText(axis, begin->first, style);
         const std::string to = valueText(axis, std::prev(end)->first, style);
-        windows.push_back(begin == values.begin() ? "up to " + to
-                          : end == values.end()   ? "from " + from + " on"
-                          : from == to            ? "at " + from
-                                                  : "from " + from + " to " + to);
+        if (begin == values.begin())
+            windows.push_back({translatable("drillwave::Message", "up to %1"), {to}});
+        else if (end == values.end())
+            windows.push_back({translatable("drillwave::Message", "from %1 on"), {from}});
+        else if (from == to)
+            windows.push_back({translatable("drillwave::Message", "at %1"), {from}});
+        else
+            windows.push_back({translatable("drillwave::Message", "from %1 to %2"), {from, to}});
         begin = std::find_if(end, values.end(), holds);
     }
     if (windows.size() > mostWindows)
-        return "at " + std::to_string(count) + " of " + std::to_string(values.size()) + " values";
-    std::string text = windows.front();
-    for (std::size_t i = 1; i < windows.size(); ++i)
-        text += (i + 1 == windows.size() ? " and " : ", ") + windows[i];
-    return text;
+        return {translatable("drillwave::Message", "at %1 of %2 values"),
+                {std::to_string(count), std::to_string(values.size())}};
+    Message places = windows.front();
+    for (std::size_t i = 1; i < windows.size(); ++i) {
+        const bool isLast = i + 1 == windows.size();
+        places = {isLast ? translatable("drillwave::Message", "%1 and %2") : "%1, %2", {places, windows[i]}};
+    }
+    return places;
 }
 
 const char* nameOf(DrillingStart start) {
@@ -130,7 +137,7 @@ std::string drillingGapsCsv(const DrillingScanReport& report, OutputUnits units)
     return csv;
 }
 
-std::string scanSentence(const DrillingScan& scan, const ReadingStyle& style) {
+Message scanSentence(const DrillingScan& scan, const ReadingStyle& style) {
     if (!scan.axis.parameter || scan.points.empty()) return {};
     HeldValues isFull, isOnRock;
     for (const DrillingScanPoint& point : scan.points) {
@@ -144,14 +151,15 @@ std::string scanSentence(const DrillingScan& scan, const ReadingStyle& style) {
         take(isFull, result.statistics && full);
         take(isOnRock, result.statistics && result.statistics->contactShare == 1);
     }
-    return "It drills at full rate " + placesOf(isFull, scan.axis, style) +
-           "; every blow begins on the rock " + placesOf(isOnRock, scan.axis, style) + ".";
+    return {
+        translatable("drillwave::Message", "It drills at full rate %1; every blow begins on the rock %2."),
+        {placesOf(isFull, scan.axis, style), placesOf(isOnRock, scan.axis, style)}};
 }
 
 std::string drillingScanText(const DrillingScanReport& report, OutputUnits units, const ReadingStyle& style) {
     const DrillingScan& scan = report.scan;
     std::string text = headingOf(scan.base);
-    text += "\n  " + (isOfDamper(scan.axis) ? "" : damperWords(scan.base, style) + ", ") +
+    text += "\n  " + (isOfDamper(scan.axis) ? "" : "with " + damperWords(scan.base, style).text() + ", ") +
             std::to_string(scan.settings.blows - scan.settings.settle) + " blows at each value\n\n";
     TextGrid grid;
     grid.add({std::string(scan.axis.key()), "start", "phi", "gap", "5 %", "95 %", "penetration", "+-",
@@ -179,8 +187,8 @@ std::string drillingScanText(const DrillingScanReport& report, OutputUnits units
                                                 : "irregular"});
     }
     text += grid.text();
-    if (const std::string sentence = scanSentence(scan, style); !sentence.empty())
-        text += "\n" + paragraph(sentence);
+    if (const Message sentence = scanSentence(scan, style); !sentence.isEmpty())
+        text += "\n" + paragraph(sentence.text());
     text += "\n" +
             paragraph(
                 "Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- has the "
@@ -200,7 +208,7 @@ std::string drillingScanJson(const DrillingScanReport& report, OutputUnits units
         JsonObject row{{"value", point.value},
                        {"start", nameOf(point.start)},
                        {"outcome", name(point.result.outcome)},
-                       {"verdict", verdictSentence(point.result)}};
+                       {"verdict", verdictSentence(point.result).text()}};
         const std::vector<std::optional<double>> values = valuesOf(columns, point.result);
         for (std::size_t i = 0; i < columns.size(); ++i)
             row[columns[i].output->name] = values[i] ? Json(*values[i]) : Json();

@@ -21,59 +21,68 @@ int digitsApart(double present, double bound) {
 }
 
 /// Where the largest need is from, behind "enough" or "at least".
-std::string_view placeOf(const WidestNeed& widest) {
-    if (widest.ofAllGaps) return "at every gap";
-    return widest.which == ThrustCase::rigidRock ? "on rigid rock" : "for this blow and on rigid rock";
+const char* placeOf(const WidestNeed& widest) {
+    if (widest.ofAllGaps) return translatable("drillwave::Message", "at every gap");
+    return widest.which == ThrustCase::rigidRock
+               ? translatable("drillwave::Message", "on rigid rock")
+               : translatable("drillwave::Message", "for this blow and on rigid rock");
 }
 
 /// The same where it is not met: which gap in which rock.
-std::string_view exactPlaceOf(const WidestNeed& widest) {
+const char* exactPlaceOf(const WidestNeed& widest) {
     switch (widest.which) {
         case ThrustCase::scenario:
-            return "in this blow";
+            return translatable("drillwave::Message", "in this blow");
         case ThrustCase::gapQuantile:
-            return "at 95 % of all gaps";
+            return translatable("drillwave::Message", "at 95 % of all gaps");
         case ThrustCase::rigidRock:
-            return "on rigid rock";
+            return translatable("drillwave::Message", "on rigid rock");
         case ThrustCase::elasticWorst:
             break;
     }
-    return "at the worst gap on elastic rock";
+    return translatable("drillwave::Message", "at the worst gap on elastic rock");
 }
 
 /// The sentence of one decision, in the numbers of one reader.
-class DecisionText {
+class DecisionMessage {
   public:
-    DecisionText(const FeedDecision& decision, const ReadingStyle& style)
+    DecisionMessage(const FeedDecision& decision, const ReadingStyle& style)
         : m_decision(decision), m_style(style) {}
 
-    std::string text() const {
+    Message message() const {
         using Kind = FeedDecision::Kind;
         const std::optional<WidestNeed>& widest = m_decision.widest;
         switch (m_decision.kind) {
             case Kind::noUnits:
-                return "The feed is not judged: the scenario is given by its dimensionless groups, not in "
-                       "physical units.";
+                return translatable("drillwave::Message",
+                                    "The feed is not judged: the scenario is given by its dimensionless "
+                                    "groups, not in physical units.");
             case Kind::noFrequency:
                 return m_decision.force
-                           ? "The feed is not judged: no blow frequency is given."
-                           : "The feed is not judged: neither blow frequency nor thrust is given.";
+                           ? translatable("drillwave::Message",
+                                          "The feed is not judged: no blow frequency is given.")
+                           : translatable(
+                                 "drillwave::Message",
+                                 "The feed is not judged: neither blow frequency nor thrust is given.");
             case Kind::noThrust:
-                return "No thrust is given: " + wanted() + ".";
+                return wanted();
             case Kind::enough:
-                return installed(widest->thrust) + " is enough " +
-                       (widest->ofAllGaps ? "at every gap" : "for this blow and on rigid rock") +
-                       upTo(widest->thrust) + ".";
+                return {widest->ofAllGaps ? translatable("drillwave::Message", "%1 is enough at every gap%2.")
+                                          : translatable("drillwave::Message",
+                                                         "%1 is enough for this blow and on rigid rock%2."),
+                        {installed(widest->thrust), upTo(widest->thrust)}};
             case Kind::enoughThisBlow:
-                return installed(widest ? widest->thrust : m_decision.need) + " is enough for this blow" +
-                       upTo(m_decision.need) +
-                       (widest ? ", but not " + std::string(exactPlaceOf(*widest)) + ": that takes " +
-                                     remedy(widest->thrust)
-                               : "; other gaps were not looked at") +
-                       ".";
+                if (!widest)
+                    return {translatable("drillwave::Message",
+                                         "%1 is enough for this blow%2; other gaps were not looked at."),
+                            {installed(m_decision.need), upTo(m_decision.need)}};
+                return {translatable("drillwave::Message",
+                                     "%1 is enough for this blow%2, but not %3: that takes %4."),
+                        {installed(widest->thrust), upTo(m_decision.need), exactPlaceOf(*widest),
+                         remedy(widest->thrust)}};
             case Kind::notEnough:
-                return installed(m_decision.need) + " is not enough: " + remedy(m_decision.need) + wider() +
-                       ".";
+                return {translatable("drillwave::Message", "%1 is not enough: %2%3."),
+                        {installed(m_decision.need), remedy(m_decision.need), wider()}};
         }
         return {};
     }
@@ -87,66 +96,72 @@ class DecisionText {
     }
 
     /// The thrust, and what presses with the weight along the hole.
-    std::string installed(double needed) const {
+    Message installed(double needed) const {
         const FeedForce& feed = *m_decision.force;
         const int digits = std::max(usualDigits, digitsApart(feed.effective(), needed));
-        const std::string text = force(feed.thrust, digits);
-        if (!feed.weight) return text;
-        return text + " (" + force(feed.effective(), digits) + " with the weight along the hole)";
+        const std::string thrust = force(feed.thrust, digits);
+        if (!feed.weight) return thrust;
+        return {translatable("drillwave::Message", "%1 (%2 with the weight along the hole)"),
+                {thrust, force(feed.effective(), digits)}};
     }
 
-    std::string upTo(double needed) const {
+    Message upTo(double needed) const {
         const double limit = m_decision.frequencyFor(needed);
         if (!(limit > 0)) return {};
-        return " up to " + frequency(limit, digitsApart(m_decision.frequency, limit), Rounding::down);
+        return {translatable("drillwave::Message", " up to %1"),
+                {frequency(limit, digitsApart(m_decision.frequency, limit), Rounding::down)}};
     }
 
-    std::string least(double needed) const {
+    Message least(double needed) const {
         const double thrust = m_decision.thrustFor(needed);
         const int digits = m_decision.force ? digitsApart(m_decision.force->thrust, thrust) : fewestDigits;
-        return "at least " + force(thrust, digits, Rounding::up);
+        return {translatable("drillwave::Message", "at least %1"), {force(thrust, digits, Rounding::up)}};
     }
 
-    std::string remedy(double needed) const {
+    Message remedy(double needed) const {
         const double limit = m_decision.frequencyFor(needed);
         const int digits = digitsApart(m_decision.frequency, limit);
-        std::string text =
-            least(needed) + " at " + frequency(m_decision.frequency, std::max(usualDigits, digits));
-        if (limit > 0) text += ", or at most " + frequency(limit, digits, Rounding::down);
-        return text;
+        const std::string present = frequency(m_decision.frequency, std::max(usualDigits, digits));
+        if (!(limit > 0)) return {translatable("drillwave::Message", "%1 at %2"), {least(needed), present}};
+        return {translatable("drillwave::Message", "%1 at %2, or at most %3"),
+                {least(needed), present, frequency(limit, digits, Rounding::down)}};
     }
 
     /// What would be enough for more than this blow.
-    std::string wider() const {
+    Message wider() const {
         if (!m_decision.hasWiderNeed()) return {};
-        return "; " + std::string(placeOf(*m_decision.widest)) + " " + least(m_decision.widest->thrust);
+        return {"; %1 %2", {placeOf(*m_decision.widest), least(m_decision.widest->thrust)}};
     }
 
-    std::string wanted() const {
-        const std::string at = " at " + frequency(m_decision.frequency, usualDigits);
+    Message wanted() const {
+        const std::string present = frequency(m_decision.frequency, usualDigits);
         if (m_decision.thrustFor(m_decision.need) == 0)
-            return "the weight along the hole alone is enough for this blow" + at + wider();
-        return "this blow needs " + least(m_decision.need) + at + wider();
+            return {
+                translatable(
+                    "drillwave::Message",
+                    "No thrust is given: the weight along the hole alone is enough for this blow at %1%2."),
+                {present, wider()}};
+        return {translatable("drillwave::Message", "No thrust is given: this blow needs %1 at %2%3."),
+                {least(m_decision.need), present, wider()}};
     }
 
     const FeedDecision& m_decision;
     const ReadingStyle& m_style;
 };
 
-constexpr std::string_view outsideTheModel =
-    " Waves that the blow before has left are not in this; `drill` follows them. Whether it is too much "
-    "(friction, buckling, stalling of the rotation) is outside the model.";
-
 /// Where the bit is in the motion that nothing damps, behind what is told without numbers.
-std::string motionText(Feed feed, const GapAtBlow& found, const ReadingStyle& style) {
+Message motionMessage(Feed feed, const GapAtBlow& found, const ReadingStyle& style) {
     if (found.motion.kind != UndampedMotion::Kind::bouncing) return {};
-    const std::string begin =
-        feed == Feed::backInTime ? " It is then " : " If nothing damps the rebound, the bit is ";
     if (!found.motion.stable)
-        return " If nothing damps the rebound, the bit bounces without ever becoming steady, because e is "
-               "not "
-               "below 1.";
-    return begin + style.quantity(found.gap, Quantity::length, 3) + " off the rock when the hammer strikes.";
+        return translatable("drillwave::Message",
+                            " If nothing damps the rebound, the bit bounces without ever becoming steady, "
+                            "because e is not below 1.");
+    return {feed == Feed::backInTime
+                ? translatable("drillwave::Message", " It is then %1 off the rock when the hammer strikes.")
+                : translatable(
+                      "drillwave::Message",
+                      " If nothing damps the rebound, the bit is %1 off the rock when the hammer strikes."),
+            {style.quantity(found.gap, Quantity::length, 3)}};
 }
 
 }  // namespace
@@ -161,39 +176,53 @@ std::string_view feedWord(Feed feed) {
     return words[feed];
 }
 
-std::string feedDecisionText(const FeedDecision& decision, const ReadingStyle& style) {
-    return DecisionText(decision, style).text();
+Message feedDecisionMessage(const FeedDecision& decision, const ReadingStyle& style) {
+    return DecisionMessage(decision, style).message();
 }
 
-std::string_view feedAdvice(Feed feed) {
+std::string feedDecisionText(const FeedDecision& decision, const ReadingStyle& style) {
+    return feedDecisionMessage(decision, style).text();
+}
+
+const char* feedAdvice(Feed feed) {
     switch (feed) {
         case Feed::unknown:
-            return "Give the installed thrust to have it judged.";
+            return translatable("drillwave::Message", "Give the installed thrust to have it judged.");
         case Feed::pushedBack:
-            return "The blows push the machine back from the rock. Raise the feed, or lower the percussion.";
+            return translatable(
+                "drillwave::Message",
+                "The blows push the machine back from the rock. Raise the feed, or lower the percussion.");
         case Feed::penetrationLost:
-            return "Penetration is lost: the bit bounces off the bottom between blows, many meet a bit that "
-                   "is not on the rock, and the string runs loose. Joints rattle, run hot and wear. Raise "
-                   "the "
-                   "feed, or lower the percussion.";
+            return translatable("drillwave::Message",
+                                "Penetration is lost: the bit bounces off the bottom between blows, many "
+                                "meet a bit that is not on the rock, and the string runs loose. Joints "
+                                "rattle, run hot and wear. Raise the feed, or lower the percussion.");
         case Feed::fullRate:
-            return "It drills at full rate, but the bit leaves the rock between blows and the joints are "
-                   "hammered, unless the machine damps the rebound well.";
+            return translatable("drillwave::Message",
+                                "It drills at full rate, but the bit leaves the rock between blows and the "
+                                "joints are hammered, unless the machine damps the rebound well.");
         case Feed::backInTime:
-            return "It drills at full rate, and a bit that rests on the rock when the hammer strikes is back "
-                   "before the next blow; a bit that bounces goes on bouncing if nothing damps the rebound.";
+            return translatable(
+                "drillwave::Message",
+                "It drills at full rate, and a bit that rests on the rock when the hammer strikes is back "
+                "before the next blow; a bit that bounces goes on bouncing if nothing damps the rebound.");
         case Feed::resting:
-            return "It drills at full rate, and the bit rests on the rock before every blow even if nothing "
-                   "damps the rebound.";
+            return translatable("drillwave::Message",
+                                "It drills at full rate, and the bit rests on the rock before every blow "
+                                "even if nothing damps the rebound.");
     }
-    return {};
+    return "";
 }
 
-std::string feedMeaning(Feed feed, const std::optional<GapAtBlow>& found, const ReadingStyle& style) {
-    std::string text(feedAdvice(feed));
-    if (found) text += motionText(feed, *found, style);
-    if (feed == Feed::backInTime || feed == Feed::resting) text += outsideTheModel;
-    return text;
+Message feedMeaning(Feed feed, const std::optional<GapAtBlow>& found, const ReadingStyle& style) {
+    const Message motion = found ? motionMessage(feed, *found, style) : Message();
+    Message outside;
+    if (feed == Feed::backInTime || feed == Feed::resting)
+        outside = translatable(
+            "drillwave::Message",
+            " Waves that the blow before has left are not in this; `drill` follows them. Whether it is too "
+            "much (friction, buckling, stalling of the rotation) is outside the model.");
+    return {"%1%2%3", {feedAdvice(feed), motion, outside}};
 }
 
 std::string feedForceText(const FeedForce& feed, const ReadingStyle& style) {

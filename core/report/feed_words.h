@@ -8,6 +8,7 @@
 
 #include "core/blow/feed_decision.h"
 #include "core/text/handy_text.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -16,16 +17,18 @@ std::string_view feedWord(Feed feed);
 
 /// The sentence to act on: "8 kN is enough at every gap up to 66.1 Hz." It tells what is missing where that
 /// cannot be said. Needs are rounded up and frequencies down, to as many digits as tell them from what is.
+Message feedDecisionMessage(const FeedDecision& decision, const ReadingStyle& style = plainStyle());
+/// The same in English.
 std::string feedDecisionText(const FeedDecision& decision, const ReadingStyle& style = plainStyle());
 
-/// What the feed means at the rig, without numbers.
-std::string_view feedAdvice(Feed feed);
+/// What the feed means at the rig, without numbers: a pattern of a Message.
+const char* feedAdvice(Feed feed);
 
 /// The same, with where the bit is when the hammer strikes if nothing damps the rebound.
-std::string feedMeaning(Feed feed, const std::optional<GapAtBlow>& found,
-                        const ReadingStyle& style = plainStyle());
+Message feedMeaning(Feed feed, const std::optional<GapAtBlow>& found,
+                    const ReadingStyle& style = plainStyle());
 
-/// "installed thrust of 8 kN"; where an inclination is given, the effective force and its parts.
+/// "installed thrust of 8 kN"; where an inclination is given, the effective force and its parts. In English.
 std::string feedForceText(const FeedForce& feed, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

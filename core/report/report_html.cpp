@@ -155,15 +155,17 @@ class Page {
     std::string feed() const {
         std::string html = heading("Verdict on the feed");
         if (m_report.thrust) {
-            for (const std::string& words :
+            for (const Message& sentence :
                  verdictSentences(m_report.thrust->judged(), m_style) | std::views::drop(1))
-                html += paragraph(words);
+                html += paragraph(sentence.text());
             return html;
         }
         if (const std::optional<FeedVerdict>& verdict = blow().feed)
-            html += paragraph(feedMeaning(
-                verdict->feed, gapAtBlow(blow().scenario, blow().summary.cor, blow().summary.transferred),
-                m_style));
+            html += paragraph(
+                feedMeaning(verdict->feed,
+                            gapAtBlow(blow().scenario, blow().summary.cor, blow().summary.transferred),
+                            m_style)
+                    .text());
         return html + paragraph(sentence(m_report.thrustProblem));
     }
 

@@ -23,13 +23,13 @@ namespace {
 const char* label(ThrustCase which) {
     switch (which) {
         case ThrustCase::scenario:
-            return "this blow";
+            return translatable("drillwave::Message", "this blow");
         case ThrustCase::gapQuantile:
-            return "95 % of all gaps";
+            return translatable("drillwave::Message", "95 % of all gaps");
         case ThrustCase::rigidRock:
-            return "rigid rock";
+            return translatable("drillwave::Message", "rigid rock");
         case ThrustCase::elasticWorst:
-            return "elastic rock, worst gap";
+            return translatable("drillwave::Message", "elastic rock, worst gap");
     }
     return "";
 }
@@ -60,13 +60,14 @@ std::string shareText(double share, const ReadingStyle& style) {
 }
 
 /// The effective force over the largest of the needs, and which that is; empty where no thrust is installed.
-std::string marginSentence(const ThrustNeeds& needs, const ReadingStyle& style) {
+Message marginSentence(const ThrustNeeds& needs, const ReadingStyle& style) {
     const ThrustNeed& largest = largestOf(needs);
     if (!largest.margin) return {};
     const WidestNeed widest = widestOf(needs);
-    return std::string(widest.ofAllGaps ? "Margin over the largest of the four needs ("
-                                        : "Margin over the larger of the two needs (") +
-           label(widest.which) + "): " + style.signedPercent(*largest.margin) + ".";
+    return {widest.ofAllGaps
+                ? translatable("drillwave::Message", "Margin over the largest of the four needs (%1): %2.")
+                : translatable("drillwave::Message", "Margin over the larger of the two needs (%1): %2."),
+            {label(widest.which), style.signedPercent(*largest.margin)}};
 }
 
 /// Those that a point knows; all four where none is solved.
@@ -172,27 +173,29 @@ FeedDecision decisionOf(const JudgedNeeds& judged) {
     return decideFeed(judged.scenario, judged.verdict, widestOf(judged.needs));
 }
 
-std::vector<std::string> verdictSentences(const JudgedNeeds& judged, const ReadingStyle& style) {
+std::vector<Message> verdictSentences(const JudgedNeeds& judged, const ReadingStyle& style) {
     const FeedDecision decision = decisionOf(judged);
-    std::vector<std::string> sentences{
-        feedDecisionText(decision, style),
-        feedMeaning(judged.verdict.feed, judged.needs.front().gapAtBlow, style)};
+    std::vector<Message> sentences{feedDecisionMessage(decision, style),
+                                   feedMeaning(judged.verdict.feed, judged.needs.front().gapAtBlow, style)};
     // What is enough at every gap is so at each in this rock.
     if (judged.shareFull && decision.kind != FeedDecision::Kind::enough)
-        sentences.push_back("It is enough at " + shareText(*judged.shareFull, style) +
-                            " of all gaps in this rock.");
-    if (std::string margin = marginSentence(judged.needs, style); !margin.empty())
+        sentences.emplace_back(
+            translatable("drillwave::Message", "It is enough at %1 of all gaps in this rock."),
+            std::vector<Message>{shareText(*judged.shareFull, style)});
+    if (Message margin = marginSentence(judged.needs, style); !margin.isEmpty())
         sentences.push_back(std::move(margin));
     if (!gapHasPeriod(judged.scenario))
         sentences.emplace_back(
-            "The impulse of a blow is that of the hammer's face. The gaps of a drill string have no period "
-            "over which a share of them or the worst one could be told.");
+            translatable("drillwave::Message",
+                         "The impulse of a blow is that of the hammer's face. The gaps of a drill string "
+                         "have no period over which a share of them or the worst one could be told."));
     return sentences;
 }
 
 std::string thrustText(const ThrustReport& report) {
     const Drill& drill = report.scenario.drill;
-    const std::vector<std::string> sentences = verdictSentences(report.judged());
+    std::vector<std::string> sentences;
+    for (const Message& sentence : verdictSentences(report.judged())) sentences.push_back(sentence.text());
     std::string text = titleLine(report.scenario) + paragraph(sentences.front()) +
                        groupsLine(report.scenario) + "  " + hertz(*drill.blowFrequency) + " of " +
                        inHandyUnit(impulseOf(report), Quantity::impulse, 4);

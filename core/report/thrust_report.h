@@ -11,6 +11,7 @@
 #include "core/report/report_text.h"
 #include "core/report/thrust_csv.h"
 #include "core/study/thrust/thrust_study.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -41,8 +42,7 @@ FeedDecision decisionOf(const JudgedNeeds& judged);
 
 /// The sentence to act on, then what the installed thrust means at the rig: nothing in them says anything
 /// else than the numbers of the needs.
-std::vector<std::string> verdictSentences(const JudgedNeeds& judged,
-                                          const ReadingStyle& style = plainStyle());
+std::vector<Message> verdictSentences(const JudgedNeeds& judged, const ReadingStyle& style = plainStyle());
 
 /// Tables for people, and what the installed thrust means at the rig.
 std::string thrustText(const ThrustReport& report);

@@ -6,17 +6,25 @@
 namespace drillwave {
 
 std::string Message::text() const {
-    std::string text;
-    for (const char* c = pattern; *c != '\0'; ++c) {
-        if (*c != '%') {
-            text += *c;
+    return said([](const std::string& english) { return english; });
+}
+
+std::string Message::said(const std::function<std::string(const std::string&)>& say) const {
+    if (isWords || isEmpty()) return pattern;
+    const std::string here = say(pattern);
+    std::string sentence;
+    for (std::size_t i = 0; i < here.size(); ++i) {
+        const bool isPlace =
+            here[i] == '%' && i + 1 < here.size() && here[i + 1] >= '1' && here[i + 1] <= '9';
+        if (!isPlace) {
+            sentence += here[i];
             continue;
         }
-        const auto number = static_cast<std::size_t>(*++c - '1');
+        const auto number = static_cast<std::size_t>(here[++i] - '1');
         assert(number < arguments.size());
-        text += arguments[number];
+        sentence += arguments[number].said(say);
     }
-    return text;
+    return sentence;
 }
 
 }  // namespace drillwave

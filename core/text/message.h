@@ -2,19 +2,32 @@
 // A sentence for people that leaves the core in parts, so that a window can say it in the user's language.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace drillwave {
 
-/// A pattern such as "%1: cannot be written: %2", in English, and what stands for %1, %2 and so on.
+/// A pattern such as "%1: cannot be written: %2", in English, and what stands for %1, %2 and so on: other
+/// sentences, or names and numbers, which are the same in every language.
 struct Message {
-    const char* pattern = "";  ///< marked by translatable()
-    std::vector<std::string> arguments;
+    std::string pattern;
+    std::vector<Message> arguments;
+    bool isWords = false;  ///< the pattern is a name or a number, said as it is
 
-    bool isEmpty() const { return *pattern == '\0'; }
+    Message() = default;
+    /// A pattern, marked by translatable().
+    Message(const char* english, std::vector<Message> places = {})
+        : pattern(english), arguments(std::move(places)) {}
+    /// A name or a number.
+    Message(std::string words) : pattern(std::move(words)), isWords(true) {}
+
+    bool isEmpty() const { return pattern.empty(); }
     /// The sentence in English.
     std::string text() const;
+    /// The sentence with `say` of every pattern in it.
+    std::string said(const std::function<std::string(const std::string& pattern)>& say) const;
 };
 
 /// The pattern; `context` is "drillwave::Message". By it the catalogues of the window find what there is to

@@ -4865,6 +4865,454 @@ eine Projektion weiterer Dimensionen</translation>
         <source>%1: has been put there or changed by somebody else; move it away, or keep the runs again to replace it</source>
         <translation>%1: wurde von jemand anderem dorthin gelegt oder geändert; verschieben, oder die Läufe noch einmal aufbewahren, um sie zu ersetzen</translation>
     </message>
+    <message>
+        <source>The %1 = %2 is outside the usual range, %3 to %4.</source>
+        <translation>%1 = %2 liegt außerhalb des üblichen Bereichs, %3 bis %4.</translation>
+    </message>
+    <message>
+        <source>The first reflection is back while %1 % of the blow is still to come; a real hammer would feel it, here its force is prescribed.</source>
+        <translation>Die erste Reflexion ist zurück, während %1 % des Schlags noch ausstehen; ein wirklicher Hammer würde sie spüren, hier ist seine Kraft vorgegeben.</translation>
+    </message>
+    <message>
+        <source>The hammer&apos;s impedance is that of the rod, the value assumed where none is given: its blow is one step.</source>
+        <translation>Die Impedanz des Hammers ist die der Stange, der Wert, der angenommen wird, wo keiner angegeben ist: sein Schlag ist eine Stufe.</translation>
+    </message>
+    <message>
+        <source>The hammer is the one assumed where none is given (%1, the material of the rod): give the data of the rock drill&apos;s piston.</source>
+        <translation>Der Hammer ist der, der angenommen wird, wo keiner angegeben ist (%1, Werkstoff der Stange): die Daten des Kolbens der Bohrmaschine angeben.</translation>
+    </message>
+    <message>
+        <source>The hammer&apos;s impedance is below the rod&apos;s: it bounces back after one step, so that the rod takes over more than its momentum.</source>
+        <translation>Die Impedanz des Hammers liegt unter der der Stange: er prallt nach einer Stufe zurück, so dass die Stange mehr als seinen Impuls übernimmt.</translation>
+    </message>
+    <message>
+        <source>The hammer&apos;s impedance is above the rod&apos;s: it pushes in a staircase of ever smaller steps, assumed to run on as if the rod were long.</source>
+        <translation>Die Impedanz des Hammers liegt über der der Stange: er schiebt in einer Treppe immer kleinerer Stufen, die weiterläuft, als wäre die Stange lang.</translation>
+    </message>
+    <message>
+        <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; `drill` follows it.</source>
+        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft: die Eindringung kann mit Frequenz mal Länge um 10 % nach oben oder unten schwanken; `drill` folgt dem.</translation>
+    </message>
+    <message>
+        <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped and nearly in step (n_b close to %2): penetration may swing by 10 % up or down; `drill` follows it.</source>
+        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft und fast im Takt (n_b nahe %2): die Eindringung kann um 10 % nach oben oder unten schwanken; `drill` folgt dem.</translation>
+    </message>
+    <message>
+        <source>share but a cell of time of %1, which would take more work than is permitted</source>
+        <translation>teilen nur eine Zeitzelle von %1, die mehr Aufwand kosten würde, als erlaubt ist</translation>
+    </message>
+    <message>
+        <source>share no cell of time</source>
+        <translation>teilen keine Zeitzelle</translation>
+    </message>
+    <message>
+        <source>the force on the rock and the rebound are off: e by up to %1</source>
+        <translation>Kraft auf das Gestein und Rückprall weichen ab: e um bis zu %1</translation>
+    </message>
+    <message>
+        <source>the efficiency may be off by %1</source>
+        <translation>der Wirkungsgrad kann um %1 abweichen</translation>
+    </message>
+    <message>
+        <source>The transit times of the sections %1: they were rounded by up to %2, and %3. %4</source>
+        <translation>Die Laufzeiten der Abschnitte %1: sie wurden um bis zu %2 gerundet, und %3. %4</translation>
+    </message>
+    <message>
+        <source>Lengths with a larger common divisor share a longer one.</source>
+        <translation>Längen mit einem größeren gemeinsamen Teiler teilen eine längere.</translation>
+    </message>
+    <message>
+        <source>Lengths in whole millimetres of one steel share one and are exact.</source>
+        <translation>Längen in ganzen Millimetern aus einem Stahl teilen eine und sind genau.</translation>
+    </message>
+    <message>
+        <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
+        <translation>der Schlag länger dauert als ein Hin- und Rücklauf in der Stange (tau = %1 &lt; 0,5)</translation>
+    </message>
+    <message>
+        <source>the bit meets the rock in the middle of a wave (delta = %1 is not a whole number)</source>
+        <translation>die Bohrkrone das Gestein mitten in einer Welle trifft (delta = %1 ist keine ganze Zahl)</translation>
+    </message>
+    <message>
+        <source>the loading curve of the rock is no straight line</source>
+        <translation>die Belastungskurve des Gesteins keine Gerade ist</translation>
+    </message>
+    <message>
+        <source>the bit is still on the rock when the next reflection arrives</source>
+        <translation>die Bohrkrone noch auf dem Gestein ist, wenn die nächste Reflexion ankommt</translation>
+    </message>
+    <message>
+        <source>The closed form for elastic rock does not hold, because %1: its e = %2 is off by %3.</source>
+        <translation>Die geschlossene Form für elastisches Gestein gilt nicht, weil %1: ihr e = %2 weicht um %3 ab.</translation>
+    </message>
+    <message>
+        <source>The bit chatters on the rock (%1 contacts), so that e depends on the last digits of the input: it is known to %2 only, and no calculation knows it better. A longer rod, a shorter blow or a softer rock chatters less.</source>
+        <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass e an den letzten Stellen der Eingabe hängt: es ist nur auf %2 bekannt, und keine Rechnung kennt es besser. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein rattert weniger.</translation>
+    </message>
+    <message>
+        <source>compression</source>
+        <translation>der Druck</translation>
+    </message>
+    <message>
+        <source>tension</source>
+        <translation>der Zug</translation>
+    </message>
+    <message>
+        <source>Section %1 of hammer and string %2: %3 reaches %4, %5 from its rear end at %6, against a strength of %7.</source>
+        <translation>Abschnitt %1 von Hammer und Strang %2: %3 erreicht %4, %5 von seinem hinteren Ende bei %6, gegenüber einer Festigkeit von %7.</translation>
+    </message>
+    <message>
+        <source>The rod %1: %2 reaches %3, %4 from the hammer at %5, after the blow, in the waves left (which nothing damps here), against a strength of %6.</source>
+        <translation>Die Stange %1: %2 erreicht %3, %4 vom Hammer bei %5, nach dem Schlag, in den verbliebenen Wellen (die hier nichts dämpft), gegenüber einer Festigkeit von %6.</translation>
+    </message>
+    <message>
+        <source>The rod %1: %2 reaches %3, %4 from the hammer at %5, during the blow, against a strength of %6.</source>
+        <translation>Die Stange %1: %2 erreicht %3, %4 vom Hammer bei %5, während des Schlags, gegenüber einer Festigkeit von %6.</translation>
+    </message>
+    <message>
+        <source>The gap has no effect on a rigid body motion: it only shifts the time of contact.</source>
+        <translation>Auf eine Bewegung als starrer Körper hat der Spalt keine Wirkung: er verschiebt nur die Zeit des Kontakts.</translation>
+    </message>
+    <message>
+        <source>The rod leaves with more momentum than it came with (e = %1): rigid rock, e = 1, would underestimate the thrust.</source>
+        <translation>Die Stange geht mit mehr Impuls, als sie gekommen ist (e = %1): starres Gestein, e = 1, würde den Andruck unterschätzen.</translation>
+    </message>
+    <message>
+        <source>The bit hits the rock %1 times in this blow: the waves on their way bring it back.</source>
+        <translation>Die Bohrkrone trifft das Gestein in diesem Schlag %1-mal: die Wellen unterwegs bringen sie zurück.</translation>
+    </message>
+    <message>
+        <source>The numerical error of e may be as large as %1.</source>
+        <translation>Der numerische Fehler von e kann bis zu %1 betragen.</translation>
+    </message>
+    <message>
+        <source>would yield</source>
+        <translation>würde fließen</translation>
+    </message>
+    <message>
+        <source>tires with every blow</source>
+        <translation>ermüdet mit jedem Schlag</translation>
+    </message>
+    <message>
+        <source>After %1 bit or hammer may still meet again: these are the numbers at the next blow, not final ones.</source>
+        <translation>Nach %1 können Bohrkrone oder Hammer noch einmal treffen: dies sind die Zahlen beim nächsten Schlag, keine endgültigen.</translation>
+    </message>
+    <message>
+        <source>The largest stresses of the sections take more work than is permitted: they were left out and no strength was checked. A shorter end_time may leave room for them.</source>
+        <translation>Die größten Spannungen der Abschnitte kosten mehr Aufwand, als erlaubt ist: sie wurden weggelassen, und keine Festigkeit wurde geprüft. Eine kürzere Endzeit kann Platz für sie lassen.</translation>
+    </message>
+    <message>
+        <source>The force stays below the first corner of the loading curve (%1 of %2): the law acts as the bilinear one.</source>
+        <translation>Die Kraft bleibt unter der ersten Ecke der Belastungskurve (%1 von %2): das Gesetz wirkt wie das bilineare.</translation>
+    </message>
+    <message>
+        <source>The feed, %1, is less than the mean reaction of the blows, %2, or so near to it that gaps grow without bound.</source>
+        <translation>Der Vorschub, %1, ist kleiner als die mittlere Reaktion der Schläge, %2, oder ihr so nahe, dass Spalte ohne Grenze wachsen.</translation>
+    </message>
+    <message>
+        <source>Nothing takes from the waves: jumps never fade. A wave_loss of 1 to 30 % in a round trip is usual.</source>
+        <translation>Nichts nimmt den Wellen etwas: Sprünge klingen nie ab. Ein Wellenverlust von 1 bis 30 % in einem Hin- und Rücklauf ist üblich.</translation>
+    </message>
+    <message>
+        <source>After it has separated, the piston still passes up to %1 % of its momentum: it is in the way of the rebounding string, where a machine would have drawn it back; restrike: false says so.</source>
+        <translation>Nachdem er sich getrennt hat, gibt der Kolben noch bis zu %1 % seines Impulses weiter: er ist dem zurückprallenden Strang im Weg, wo eine Maschine ihn zurückgezogen hätte; restrike: false sagt das.</translation>
+    </message>
+    <message>
+        <source>At a blow the shank is up to %1 off its mean place in the machine: the stroke, and so the blow, would be another one. A dashpot lets it creep; a spring (damper_stiffness) brings it back.</source>
+        <translation>Bei einem Schlag ist das Einsteckende bis zu %1 von seinem mittleren Ort in der Maschine entfernt: der Hub, und damit der Schlag, wäre ein anderer. Ein Dämpfer lässt es kriechen; eine Feder (damper_stiffness) bringt es zurück.</translation>
+    </message>
+    <message>
+        <source>The blow frequency is marched as %1, so that blows come at the end of a cell.</source>
+        <translation>Die Schlagfrequenz wird als %1 gerechnet, damit Schläge am Ende einer Zelle kommen.</translation>
+    </message>
+    <message>
+        <source>The means of the first and the second half of the blows differ by more than three of their errors: more blows, or more that settle, are needed.</source>
+        <translation>Die Mittel der ersten und der zweiten Hälfte der Schläge unterscheiden sich um mehr als drei ihrer Fehler: es braucht mehr Schläge, oder mehr, die sich einschwingen.</translation>
+    </message>
+    <message>
+        <source>From rest and from bouncing it comes to different motions: which one a machine takes is not known.</source>
+        <translation>Aus der Ruhe und aus dem Springen kommt es zu verschiedenen Bewegungen: welche eine Maschine nimmt, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The motion does not repeat: means are results, single blows are none.</source>
+        <translation>Die Bewegung wiederholt sich nicht: Mittel sind Ergebnisse, einzelne Schläge keine.</translation>
+    </message>
+    <message>
+        <source>The energy of all blows closes to %1 % only: the cells are long for these contacts; shorter ones take it down with their length.</source>
+        <translation>Die Energie aller Schläge schließt nur auf %1 %: die Zellen sind lang für diese Kontakte; kürzere verringern das mit ihrer Länge.</translation>
+    </message>
+    <message>
+        <source>No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the rod.</source>
+        <translation>Kein Hersteller veröffentlicht seinen Dämpfer: Dämpfer vom 0,05- bis 0,5-Fachen der Impedanz der Stange versuchen.</translation>
+    </message>
+    <message>
+        <source>a dashpot of %1 and a spring of %2</source>
+        <translation>einem Dämpfer von %1 und einer Feder von %2</translation>
+    </message>
+    <message>
+        <source>a dashpot of %1</source>
+        <translation>einem Dämpfer von %1</translation>
+    </message>
+    <message>
+        <source>a spring of %1</source>
+        <translation>einer Feder von %1</translation>
+    </message>
+    <message>
+        <source>constant force</source>
+        <translation>konstanter Kraft</translation>
+    </message>
+    <message>
+        <source>Not solved: %1.</source>
+        <translation>Nicht gelöst: %1.</translation>
+    </message>
+    <message>
+        <source>Stopped before all blows were done.</source>
+        <translation>Angehalten, bevor alle Schläge fertig waren.</translation>
+    </message>
+    <message>
+        <source>With %1 the machine is pushed back.</source>
+        <translation>Mit %1 weicht die Maschine zurück.</translation>
+    </message>
+    <message>
+        <source>With %1 the bit rests on the rock before every blow.</source>
+        <translation>Mit %1 ruht die Bohrkrone vor jedem Schlag auf dem Gestein.</translation>
+    </message>
+    <message>
+        <source>With %1 the bit rests on the rock before every blow; %2 % of full rate.</source>
+        <translation>Mit %1 ruht die Bohrkrone vor jedem Schlag auf dem Gestein; %2 % der vollen Rate.</translation>
+    </message>
+    <message>
+        <source>With %1 it drills at full rate (%2 % of full rate); the bit leaves the rock between blows, gaps of %3 to %4 when the next one comes.</source>
+        <translation>Mit %1 bohrt es mit voller Rate (%2 % davon); die Bohrkrone verlässt das Gestein zwischen den Schlägen, Spalte von %3 bis %4, wenn der nächste kommt.</translation>
+    </message>
+    <message>
+        <source>With %1 penetration is lost; gaps of %2 to %3 when the next blow comes.</source>
+        <translation>Mit %1 geht Eindringung verloren; Spalte von %2 bis %3, wenn der nächste Schlag kommt.</translation>
+    </message>
+    <message>
+        <source>With %1 penetration is lost: %2 % of full rate; gaps of %3 to %4 when the next blow comes.</source>
+        <translation>Mit %1 geht Eindringung verloren: %2 % der vollen Rate; Spalte von %3 bis %4, wenn der nächste Schlag kommt.</translation>
+    </message>
+    <message>
+        <source>Bounded motion needs more than f I0 = %1.</source>
+        <translation>Eine begrenzte Bewegung braucht mehr als f I0 = %1.</translation>
+    </message>
+    <message>
+        <source>Waves alone ask for f I0 (1 + e) = %1 for the full rate; with another damper it is another thrust.</source>
+        <translation>Wellen allein verlangen f I0 (1 + e) = %1 für die volle Rate; mit einem anderen Dämpfer ist es ein anderer Andruck.</translation>
+    </message>
+    <message>
+        <source>at rest before every blow</source>
+        <translation>vor jedem Schlag in Ruhe</translation>
+    </message>
+    <message>
+        <source>irregular: single blows are no result</source>
+        <translation>unregelmäßig: einzelne Schläge sind kein Ergebnis</translation>
+    </message>
+    <message>
+        <source>repeats every blow</source>
+        <translation>wiederholt sich mit jedem Schlag</translation>
+    </message>
+    <message>
+        <source>repeats every %1 blows</source>
+        <translation>wiederholt sich alle %1 Schläge</translation>
+    </message>
+    <message>
+        <source>%1; Lyapunov exponent %2 a blow</source>
+        <translation>%1; Ljapunow-Exponent %2 je Schlag</translation>
+    </message>
+    <message>
+        <source>at none of the values</source>
+        <translation>bei keinem der Werte</translation>
+    </message>
+    <message>
+        <source>at all values</source>
+        <translation>bei allen Werten</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>bis %1</translation>
+    </message>
+    <message>
+        <source>from %1 on</source>
+        <translation>ab %1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>bei %1</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>at %1 of %2 values</source>
+        <translation>bei %1 von %2 Werten</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>It drills at full rate %1; every blow begins on the rock %2.</source>
+        <translation>Mit voller Rate bohrt es %1; jeder Schlag beginnt auf dem Gestein %2.</translation>
+    </message>
+    <message>
+        <source>at every gap</source>
+        <translation>bei jedem Spalt</translation>
+    </message>
+    <message>
+        <source>on rigid rock</source>
+        <translation>auf starrem Gestein</translation>
+    </message>
+    <message>
+        <source>for this blow and on rigid rock</source>
+        <translation>für diesen Schlag und auf starrem Gestein</translation>
+    </message>
+    <message>
+        <source>in this blow</source>
+        <translation>bei diesem Schlag</translation>
+    </message>
+    <message>
+        <source>at 95 % of all gaps</source>
+        <translation>bei 95 % aller Spalte</translation>
+    </message>
+    <message>
+        <source>at the worst gap on elastic rock</source>
+        <translation>beim schlechtesten Spalt auf elastischem Gestein</translation>
+    </message>
+    <message>
+        <source>The feed is not judged: the scenario is given by its dimensionless groups, not in physical units.</source>
+        <translation>Der Vorschub wird nicht beurteilt: das Szenario ist durch seine dimensionslosen Kennzahlen gegeben, nicht in physikalischen Einheiten.</translation>
+    </message>
+    <message>
+        <source>The feed is not judged: no blow frequency is given.</source>
+        <translation>Der Vorschub wird nicht beurteilt: es ist keine Schlagfrequenz angegeben.</translation>
+    </message>
+    <message>
+        <source>The feed is not judged: neither blow frequency nor thrust is given.</source>
+        <translation>Der Vorschub wird nicht beurteilt: weder Schlagfrequenz noch Andruck ist angegeben.</translation>
+    </message>
+    <message>
+        <source>%1 is enough at every gap%2.</source>
+        <translation>%1 genügen bei jedem Spalt%2.</translation>
+    </message>
+    <message>
+        <source>%1 is enough for this blow and on rigid rock%2.</source>
+        <translation>%1 genügen für diesen Schlag und auf starrem Gestein%2.</translation>
+    </message>
+    <message>
+        <source>%1 is enough for this blow%2; other gaps were not looked at.</source>
+        <translation>%1 genügen für diesen Schlag%2; andere Spalte wurden nicht betrachtet.</translation>
+    </message>
+    <message>
+        <source>%1 is enough for this blow%2, but not %3: that takes %4.</source>
+        <translation>%1 genügen für diesen Schlag%2, aber nicht %3: das verlangt %4.</translation>
+    </message>
+    <message>
+        <source>%1 is not enough: %2%3.</source>
+        <translation>%1 genügen nicht: %2%3.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 with the weight along the hole)</source>
+        <translation>%1 (%2 mit dem Gewicht entlang des Lochs)</translation>
+    </message>
+    <message>
+        <source> up to %1</source>
+        <translation> bis %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 bei %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2, or at most %3</source>
+        <translation>%1 bei %2 oder höchstens %3</translation>
+    </message>
+    <message>
+        <source>No thrust is given: the weight along the hole alone is enough for this blow at %1%2.</source>
+        <translation>Es ist kein Andruck angegeben: das Gewicht entlang des Lochs allein genügt für diesen Schlag bei %1%2.</translation>
+    </message>
+    <message>
+        <source>No thrust is given: this blow needs %1 at %2%3.</source>
+        <translation>Es ist kein Andruck angegeben: dieser Schlag braucht %1 bei %2%3.</translation>
+    </message>
+    <message>
+        <source> If nothing damps the rebound, the bit bounces without ever becoming steady, because e is not below 1.</source>
+        <translation> Dämpft nichts den Rückprall, springt die Bohrkrone, ohne je gleichmäßig zu werden, weil e nicht unter 1 liegt.</translation>
+    </message>
+    <message>
+        <source> It is then %1 off the rock when the hammer strikes.</source>
+        <translation> Sie ist dann %1 vom Gestein entfernt, wenn der Hammer schlägt.</translation>
+    </message>
+    <message>
+        <source> If nothing damps the rebound, the bit is %1 off the rock when the hammer strikes.</source>
+        <translation> Dämpft nichts den Rückprall, ist die Bohrkrone %1 vom Gestein entfernt, wenn der Hammer schlägt.</translation>
+    </message>
+    <message>
+        <source>Give the installed thrust to have it judged.</source>
+        <translation>Den installierten Andruck angeben, um ihn beurteilen zu lassen.</translation>
+    </message>
+    <message>
+        <source>The blows push the machine back from the rock. Raise the feed, or lower the percussion.</source>
+        <translation>Die Schläge drücken die Maschine vom Gestein zurück. Den Vorschub erhöhen oder das Schlagwerk schwächer stellen.</translation>
+    </message>
+    <message>
+        <source>Penetration is lost: the bit bounces off the bottom between blows, many meet a bit that is not on the rock, and the string runs loose. Joints rattle, run hot and wear. Raise the feed, or lower the percussion.</source>
+        <translation>Eindringung geht verloren: die Bohrkrone springt zwischen den Schlägen vom Grund, viele treffen eine Krone, die nicht auf dem Gestein ist, und der Strang läuft lose. Verbindungen rattern, werden heiß und verschleißen. Den Vorschub erhöhen oder das Schlagwerk schwächer stellen.</translation>
+    </message>
+    <message>
+        <source>It drills at full rate, but the bit leaves the rock between blows and the joints are hammered, unless the machine damps the rebound well.</source>
+        <translation>Es bohrt mit voller Rate, aber die Bohrkrone verlässt zwischen den Schlägen das Gestein und die Verbindungen werden gehämmert, wenn die Maschine den Rückprall nicht gut dämpft.</translation>
+    </message>
+    <message>
+        <source>It drills at full rate, and a bit that rests on the rock when the hammer strikes is back before the next blow; a bit that bounces goes on bouncing if nothing damps the rebound.</source>
+        <translation>Es bohrt mit voller Rate, und eine Bohrkrone, die auf dem Gestein ruht, wenn der Hammer schlägt, ist vor dem nächsten Schlag zurück; eine, die springt, springt weiter, wenn nichts den Rückprall dämpft.</translation>
+    </message>
+    <message>
+        <source>It drills at full rate, and the bit rests on the rock before every blow even if nothing damps the rebound.</source>
+        <translation>Es bohrt mit voller Rate, und die Bohrkrone ruht vor jedem Schlag auf dem Gestein, auch wenn nichts den Rückprall dämpft.</translation>
+    </message>
+    <message>
+        <source> Waves that the blow before has left are not in this; `drill` follows them. Whether it is too much (friction, buckling, stalling of the rotation) is outside the model.</source>
+        <translation> Wellen, die der Schlag davor hinterlassen hat, sind darin nicht enthalten; `drill` folgt ihnen. Ob es zu viel ist (Reibung, Knicken, Stehenbleiben der Drehung), liegt außerhalb des Modells.</translation>
+    </message>
+    <message>
+        <source>this blow</source>
+        <translation>dieser Schlag</translation>
+    </message>
+    <message>
+        <source>95 % of all gaps</source>
+        <translation>95 % aller Spalte</translation>
+    </message>
+    <message>
+        <source>rigid rock</source>
+        <translation>starres Gestein</translation>
+    </message>
+    <message>
+        <source>elastic rock, worst gap</source>
+        <translation>elastisches Gestein, schlechtester Spalt</translation>
+    </message>
+    <message>
+        <source>Margin over the largest of the four needs (%1): %2.</source>
+        <translation>Reserve über den größten der vier Bedarfe (%1): %2.</translation>
+    </message>
+    <message>
+        <source>Margin over the larger of the two needs (%1): %2.</source>
+        <translation>Reserve über den größeren der beiden Bedarfe (%1): %2.</translation>
+    </message>
+    <message>
+        <source>It is enough at %1 of all gaps in this rock.</source>
+        <translation>Er genügt bei %1 aller Spalte in diesem Gestein.</translation>
+    </message>
+    <message>
+        <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period over which a share of them or the worst one could be told.</source>
+        <translation>Der Kraftstoß eines Schlags ist der an der Hammerfläche. Die Spalte eines Bohrstrangs haben keine Periode, über der ein Anteil von ihnen oder der schlechteste zu nennen wäre.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

@@ -4865,6 +4865,454 @@ en projektion av fler dimensioner</translation>
         <source>%1: has been put there or changed by somebody else; move it away, or keep the runs again to replace it</source>
         <translation>%1: har lagts dit eller ändrats av någon annan; flytta undan den, eller spara körningarna igen för att ersätta den</translation>
     </message>
+    <message>
+        <source>The %1 = %2 is outside the usual range, %3 to %4.</source>
+        <translation>%1 = %2 ligger utanför det vanliga området, %3 till %4.</translation>
+    </message>
+    <message>
+        <source>The first reflection is back while %1 % of the blow is still to come; a real hammer would feel it, here its force is prescribed.</source>
+        <translation>Den första reflexionen är tillbaka medan %1 % av slaget återstår; en verklig hammare skulle känna den, här är dess kraft given.</translation>
+    </message>
+    <message>
+        <source>The hammer&apos;s impedance is that of the rod, the value assumed where none is given: its blow is one step.</source>
+        <translation>Hammarens impedans är stångens, det värde som antas där inget anges: dess slag är ett steg.</translation>
+    </message>
+    <message>
+        <source>The hammer is the one assumed where none is given (%1, the material of the rod): give the data of the rock drill&apos;s piston.</source>
+        <translation>Hammaren är den som antas där ingen anges (%1, stångens material): ange data för borrmaskinens kolv.</translation>
+    </message>
+    <message>
+        <source>The hammer&apos;s impedance is below the rod&apos;s: it bounces back after one step, so that the rod takes over more than its momentum.</source>
+        <translation>Hammarens impedans är lägre än stångens: den studsar tillbaka efter ett steg, så att stången tar över mer än dess rörelsemängd.</translation>
+    </message>
+    <message>
+        <source>The hammer&apos;s impedance is above the rod&apos;s: it pushes in a staircase of ever smaller steps, assumed to run on as if the rod were long.</source>
+        <translation>Hammarens impedans är högre än stångens: den trycker i en trappa av allt mindre steg, som antas fortsätta som om stången vore lång.</translation>
+    </message>
+    <message>
+        <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; `drill` follows it.</source>
+        <translation>Ett slags vågor hinner bara n_b = %1 varv fram och åter till nästa slag och möter det odämpade: inträngningen kan svänga 10 % upp eller ned med frekvens gånger längd; `drill` följer det.</translation>
+    </message>
+    <message>
+        <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped and nearly in step (n_b close to %2): penetration may swing by 10 % up or down; `drill` follows it.</source>
+        <translation>Ett slags vågor hinner bara n_b = %1 varv fram och åter till nästa slag och möter det odämpade och nästan i takt (n_b nära %2): inträngningen kan svänga 10 % upp eller ned; `drill` följer det.</translation>
+    </message>
+    <message>
+        <source>share but a cell of time of %1, which would take more work than is permitted</source>
+        <translation>delar bara en tidscell på %1, som skulle kräva mer arbete än vad som är tillåtet</translation>
+    </message>
+    <message>
+        <source>share no cell of time</source>
+        <translation>delar ingen tidscell</translation>
+    </message>
+    <message>
+        <source>the force on the rock and the rebound are off: e by up to %1</source>
+        <translation>kraften på berget och studsen avviker: e med upp till %1</translation>
+    </message>
+    <message>
+        <source>the efficiency may be off by %1</source>
+        <translation>verkningsgraden kan avvika med %1</translation>
+    </message>
+    <message>
+        <source>The transit times of the sections %1: they were rounded by up to %2, and %3. %4</source>
+        <translation>Sektionernas gångtider %1: de avrundades med upp till %2, och %3. %4</translation>
+    </message>
+    <message>
+        <source>Lengths with a larger common divisor share a longer one.</source>
+        <translation>Längder med en större gemensam delare delar en längre.</translation>
+    </message>
+    <message>
+        <source>Lengths in whole millimetres of one steel share one and are exact.</source>
+        <translation>Längder i hela millimeter av ett och samma stål delar en och är exakta.</translation>
+    </message>
+    <message>
+        <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
+        <translation>slaget är längre än ett varv fram och åter i stången (tau = %1 &lt; 0,5)</translation>
+    </message>
+    <message>
+        <source>the bit meets the rock in the middle of a wave (delta = %1 is not a whole number)</source>
+        <translation>borrkronan träffar berget mitt i en våg (delta = %1 är inget heltal)</translation>
+    </message>
+    <message>
+        <source>the loading curve of the rock is no straight line</source>
+        <translation>bergets belastningskurva inte är en rät linje</translation>
+    </message>
+    <message>
+        <source>the bit is still on the rock when the next reflection arrives</source>
+        <translation>borrkronan ännu är på berget när nästa reflexion kommer</translation>
+    </message>
+    <message>
+        <source>The closed form for elastic rock does not hold, because %1: its e = %2 is off by %3.</source>
+        <translation>Den slutna formen för elastiskt berg gäller inte, eftersom %1: dess e = %2 avviker med %3.</translation>
+    </message>
+    <message>
+        <source>The bit chatters on the rock (%1 contacts), so that e depends on the last digits of the input: it is known to %2 only, and no calculation knows it better. A longer rod, a shorter blow or a softer rock chatters less.</source>
+        <translation>Borrkronan skallrar mot berget (%1 kontakter), så att e hänger på indatas sista siffror: det är bara känt på %2 när, och ingen beräkning känner det bättre. En längre stång, ett kortare slag eller mjukare berg skallrar mindre.</translation>
+    </message>
+    <message>
+        <source>compression</source>
+        <translation>trycket</translation>
+    </message>
+    <message>
+        <source>tension</source>
+        <translation>draget</translation>
+    </message>
+    <message>
+        <source>Section %1 of hammer and string %2: %3 reaches %4, %5 from its rear end at %6, against a strength of %7.</source>
+        <translation>Sektion %1 av hammare och sträng %2: %3 når %4, %5 från dess bakre ände vid %6, mot en hållfasthet på %7.</translation>
+    </message>
+    <message>
+        <source>The rod %1: %2 reaches %3, %4 from the hammer at %5, after the blow, in the waves left (which nothing damps here), against a strength of %6.</source>
+        <translation>Stången %1: %2 når %3, %4 från hammaren vid %5, efter slaget, i de vågor som är kvar (som inget dämpar här), mot en hållfasthet på %6.</translation>
+    </message>
+    <message>
+        <source>The rod %1: %2 reaches %3, %4 from the hammer at %5, during the blow, against a strength of %6.</source>
+        <translation>Stången %1: %2 når %3, %4 från hammaren vid %5, under slaget, mot en hållfasthet på %6.</translation>
+    </message>
+    <message>
+        <source>The gap has no effect on a rigid body motion: it only shifts the time of contact.</source>
+        <translation>Spalten har ingen verkan på en rörelse som stel kropp: den flyttar bara tiden för kontakten.</translation>
+    </message>
+    <message>
+        <source>The rod leaves with more momentum than it came with (e = %1): rigid rock, e = 1, would underestimate the thrust.</source>
+        <translation>Stången går med mer rörelsemängd än den kom med (e = %1): stelt berg, e = 1, skulle underskatta matningskraften.</translation>
+    </message>
+    <message>
+        <source>The bit hits the rock %1 times in this blow: the waves on their way bring it back.</source>
+        <translation>Borrkronan träffar berget %1 gånger i detta slag: vågorna på väg för den tillbaka.</translation>
+    </message>
+    <message>
+        <source>The numerical error of e may be as large as %1.</source>
+        <translation>Det numeriska felet i e kan vara så stort som %1.</translation>
+    </message>
+    <message>
+        <source>would yield</source>
+        <translation>skulle flyta</translation>
+    </message>
+    <message>
+        <source>tires with every blow</source>
+        <translation>utmattas för varje slag</translation>
+    </message>
+    <message>
+        <source>After %1 bit or hammer may still meet again: these are the numbers at the next blow, not final ones.</source>
+        <translation>Efter %1 kan borrkrona eller hammare ännu mötas igen: detta är talen vid nästa slag, inte slutliga.</translation>
+    </message>
+    <message>
+        <source>The largest stresses of the sections take more work than is permitted: they were left out and no strength was checked. A shorter end_time may leave room for them.</source>
+        <translation>Sektionernas största spänningar kräver mer arbete än vad som är tillåtet: de utelämnades och ingen hållfasthet kontrollerades. En kortare sluttid kan ge rum för dem.</translation>
+    </message>
+    <message>
+        <source>The force stays below the first corner of the loading curve (%1 of %2): the law acts as the bilinear one.</source>
+        <translation>Kraften stannar under belastningskurvans första hörn (%1 av %2): lagen verkar som den bilinjära.</translation>
+    </message>
+    <message>
+        <source>The feed, %1, is less than the mean reaction of the blows, %2, or so near to it that gaps grow without bound.</source>
+        <translation>Matningen, %1, är mindre än slagens medelreaktion, %2, eller så nära den att spalter växer utan gräns.</translation>
+    </message>
+    <message>
+        <source>Nothing takes from the waves: jumps never fade. A wave_loss of 1 to 30 % in a round trip is usual.</source>
+        <translation>Inget tar av vågorna: språng klingar aldrig av. En vågförlust på 1 till 30 % under ett varv fram och åter är vanlig.</translation>
+    </message>
+    <message>
+        <source>After it has separated, the piston still passes up to %1 % of its momentum: it is in the way of the rebounding string, where a machine would have drawn it back; restrike: false says so.</source>
+        <translation>Sedan den har skilts lämnar kolven ännu upp till %1 % av sin rörelsemängd: den är i vägen för den studsande strängen, där en maskin skulle ha dragit den tillbaka; restrike: false säger det.</translation>
+    </message>
+    <message>
+        <source>At a blow the shank is up to %1 off its mean place in the machine: the stroke, and so the blow, would be another one. A dashpot lets it creep; a spring (damper_stiffness) brings it back.</source>
+        <translation>Vid ett slag är nacken upp till %1 från sin medelplats i maskinen: slaglängden, och därmed slaget, skulle bli en annan. En dämpare låter den krypa; en fjäder (damper_stiffness) för den tillbaka.</translation>
+    </message>
+    <message>
+        <source>The blow frequency is marched as %1, so that blows come at the end of a cell.</source>
+        <translation>Slagfrekvensen räknas som %1, så att slag kommer i slutet av en cell.</translation>
+    </message>
+    <message>
+        <source>The means of the first and the second half of the blows differ by more than three of their errors: more blows, or more that settle, are needed.</source>
+        <translation>Medelvärdena för första och andra hälften av slagen skiljer sig med mer än tre av sina fel: det behövs fler slag, eller fler som svänger in.</translation>
+    </message>
+    <message>
+        <source>From rest and from bouncing it comes to different motions: which one a machine takes is not known.</source>
+        <translation>Från vila och från studsande blir det olika rörelser: vilken en maskin tar är inte känt.</translation>
+    </message>
+    <message>
+        <source>The motion does not repeat: means are results, single blows are none.</source>
+        <translation>Rörelsen upprepar sig inte: medelvärden är resultat, enstaka slag är det inte.</translation>
+    </message>
+    <message>
+        <source>The energy of all blows closes to %1 % only: the cells are long for these contacts; shorter ones take it down with their length.</source>
+        <translation>Energin för alla slag stämmer bara på %1 % när: cellerna är långa för dessa kontakter; kortare minskar det med sin längd.</translation>
+    </message>
+    <message>
+        <source>No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the rod.</source>
+        <translation>Ingen tillverkare offentliggör sin dämpare: prova dämpare från 0,05 till 0,5 av stångens impedans.</translation>
+    </message>
+    <message>
+        <source>a dashpot of %1 and a spring of %2</source>
+        <translation>en dämpare på %1 och en fjäder på %2</translation>
+    </message>
+    <message>
+        <source>a dashpot of %1</source>
+        <translation>en dämpare på %1</translation>
+    </message>
+    <message>
+        <source>a spring of %1</source>
+        <translation>en fjäder på %1</translation>
+    </message>
+    <message>
+        <source>constant force</source>
+        <translation>konstant kraft</translation>
+    </message>
+    <message>
+        <source>Not solved: %1.</source>
+        <translation>Inte löst: %1.</translation>
+    </message>
+    <message>
+        <source>Stopped before all blows were done.</source>
+        <translation>Stoppat innan alla slag var klara.</translation>
+    </message>
+    <message>
+        <source>With %1 the machine is pushed back.</source>
+        <translation>Med %1 trycks maskinen tillbaka.</translation>
+    </message>
+    <message>
+        <source>With %1 the bit rests on the rock before every blow.</source>
+        <translation>Med %1 vilar borrkronan på berget före varje slag.</translation>
+    </message>
+    <message>
+        <source>With %1 the bit rests on the rock before every blow; %2 % of full rate.</source>
+        <translation>Med %1 vilar borrkronan på berget före varje slag; %2 % av full takt.</translation>
+    </message>
+    <message>
+        <source>With %1 it drills at full rate (%2 % of full rate); the bit leaves the rock between blows, gaps of %3 to %4 when the next one comes.</source>
+        <translation>Med %1 borrar det i full takt (%2 % av den); borrkronan lämnar berget mellan slagen, spalter på %3 till %4 när nästa kommer.</translation>
+    </message>
+    <message>
+        <source>With %1 penetration is lost; gaps of %2 to %3 when the next blow comes.</source>
+        <translation>Med %1 förloras inträngning; spalter på %2 till %3 när nästa slag kommer.</translation>
+    </message>
+    <message>
+        <source>With %1 penetration is lost: %2 % of full rate; gaps of %3 to %4 when the next blow comes.</source>
+        <translation>Med %1 förloras inträngning: %2 % av full takt; spalter på %3 till %4 när nästa slag kommer.</translation>
+    </message>
+    <message>
+        <source>Bounded motion needs more than f I0 = %1.</source>
+        <translation>En begränsad rörelse kräver mer än f I0 = %1.</translation>
+    </message>
+    <message>
+        <source>Waves alone ask for f I0 (1 + e) = %1 for the full rate; with another damper it is another thrust.</source>
+        <translation>Vågorna ensamma kräver f I0 (1 + e) = %1 för full takt; med en annan dämpare är det en annan matningskraft.</translation>
+    </message>
+    <message>
+        <source>at rest before every blow</source>
+        <translation>i vila före varje slag</translation>
+    </message>
+    <message>
+        <source>irregular: single blows are no result</source>
+        <translation>oregelbunden: enstaka slag är inget resultat</translation>
+    </message>
+    <message>
+        <source>repeats every blow</source>
+        <translation>upprepas varje slag</translation>
+    </message>
+    <message>
+        <source>repeats every %1 blows</source>
+        <translation>upprepas var %1:e slag</translation>
+    </message>
+    <message>
+        <source>%1; Lyapunov exponent %2 a blow</source>
+        <translation>%1; Ljapunovexponent %2 per slag</translation>
+    </message>
+    <message>
+        <source>at none of the values</source>
+        <translation>vid inget av värdena</translation>
+    </message>
+    <message>
+        <source>at all values</source>
+        <translation>vid alla värden</translation>
+    </message>
+    <message>
+        <source>up to %1</source>
+        <translation>upp till %1</translation>
+    </message>
+    <message>
+        <source>from %1 on</source>
+        <translation>från %1</translation>
+    </message>
+    <message>
+        <source>at %1</source>
+        <translation>vid %1</translation>
+    </message>
+    <message>
+        <source>from %1 to %2</source>
+        <translation>från %1 till %2</translation>
+    </message>
+    <message>
+        <source>at %1 of %2 values</source>
+        <translation>vid %1 av %2 värden</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 och %2</translation>
+    </message>
+    <message>
+        <source>It drills at full rate %1; every blow begins on the rock %2.</source>
+        <translation>Det borrar i full takt %1; varje slag börjar på berget %2.</translation>
+    </message>
+    <message>
+        <source>at every gap</source>
+        <translation>vid varje spalt</translation>
+    </message>
+    <message>
+        <source>on rigid rock</source>
+        <translation>på stelt berg</translation>
+    </message>
+    <message>
+        <source>for this blow and on rigid rock</source>
+        <translation>för detta slag och på stelt berg</translation>
+    </message>
+    <message>
+        <source>in this blow</source>
+        <translation>i detta slag</translation>
+    </message>
+    <message>
+        <source>at 95 % of all gaps</source>
+        <translation>vid 95 % av alla spalter</translation>
+    </message>
+    <message>
+        <source>at the worst gap on elastic rock</source>
+        <translation>vid den sämsta spalten på elastiskt berg</translation>
+    </message>
+    <message>
+        <source>The feed is not judged: the scenario is given by its dimensionless groups, not in physical units.</source>
+        <translation>Matningen bedöms inte: scenariot ges av sina dimensionslösa tal, inte i fysikaliska enheter.</translation>
+    </message>
+    <message>
+        <source>The feed is not judged: no blow frequency is given.</source>
+        <translation>Matningen bedöms inte: ingen slagfrekvens är angiven.</translation>
+    </message>
+    <message>
+        <source>The feed is not judged: neither blow frequency nor thrust is given.</source>
+        <translation>Matningen bedöms inte: varken slagfrekvens eller matningskraft är angiven.</translation>
+    </message>
+    <message>
+        <source>%1 is enough at every gap%2.</source>
+        <translation>%1 räcker vid varje spalt%2.</translation>
+    </message>
+    <message>
+        <source>%1 is enough for this blow and on rigid rock%2.</source>
+        <translation>%1 räcker för detta slag och på stelt berg%2.</translation>
+    </message>
+    <message>
+        <source>%1 is enough for this blow%2; other gaps were not looked at.</source>
+        <translation>%1 räcker för detta slag%2; andra spalter har inte undersökts.</translation>
+    </message>
+    <message>
+        <source>%1 is enough for this blow%2, but not %3: that takes %4.</source>
+        <translation>%1 räcker för detta slag%2, men inte %3: det kräver %4.</translation>
+    </message>
+    <message>
+        <source>%1 is not enough: %2%3.</source>
+        <translation>%1 räcker inte: %2%3.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 with the weight along the hole)</source>
+        <translation>%1 (%2 med vikten längs hålet)</translation>
+    </message>
+    <message>
+        <source> up to %1</source>
+        <translation> upp till %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>minst %1</translation>
+    </message>
+    <message>
+        <source>%1 at %2</source>
+        <translation>%1 vid %2</translation>
+    </message>
+    <message>
+        <source>%1 at %2, or at most %3</source>
+        <translation>%1 vid %2 eller högst %3</translation>
+    </message>
+    <message>
+        <source>No thrust is given: the weight along the hole alone is enough for this blow at %1%2.</source>
+        <translation>Ingen matningskraft är angiven: vikten längs hålet räcker ensam för detta slag vid %1%2.</translation>
+    </message>
+    <message>
+        <source>No thrust is given: this blow needs %1 at %2%3.</source>
+        <translation>Ingen matningskraft är angiven: detta slag behöver %1 vid %2%3.</translation>
+    </message>
+    <message>
+        <source> If nothing damps the rebound, the bit bounces without ever becoming steady, because e is not below 1.</source>
+        <translation> Om inget dämpar studsen studsar borrkronan utan att någonsin bli stadig, eftersom e inte är under 1.</translation>
+    </message>
+    <message>
+        <source> It is then %1 off the rock when the hammer strikes.</source>
+        <translation> Den är då %1 från berget när hammaren slår.</translation>
+    </message>
+    <message>
+        <source> If nothing damps the rebound, the bit is %1 off the rock when the hammer strikes.</source>
+        <translation> Om inget dämpar studsen är borrkronan %1 från berget när hammaren slår.</translation>
+    </message>
+    <message>
+        <source>Give the installed thrust to have it judged.</source>
+        <translation>Ange den installerade matningskraften för att få den bedömd.</translation>
+    </message>
+    <message>
+        <source>The blows push the machine back from the rock. Raise the feed, or lower the percussion.</source>
+        <translation>Slagen trycker maskinen tillbaka från berget. Öka matningen eller minska slagverket.</translation>
+    </message>
+    <message>
+        <source>Penetration is lost: the bit bounces off the bottom between blows, many meet a bit that is not on the rock, and the string runs loose. Joints rattle, run hot and wear. Raise the feed, or lower the percussion.</source>
+        <translation>Inträngning förloras: borrkronan studsar från botten mellan slagen, många möter en krona som inte är på berget, och strängen går lös. Skarvar skallrar, blir varma och slits. Öka matningen eller minska slagverket.</translation>
+    </message>
+    <message>
+        <source>It drills at full rate, but the bit leaves the rock between blows and the joints are hammered, unless the machine damps the rebound well.</source>
+        <translation>Det borrar i full takt, men borrkronan lämnar berget mellan slagen och skarvarna hamras, om inte maskinen dämpar studsen väl.</translation>
+    </message>
+    <message>
+        <source>It drills at full rate, and a bit that rests on the rock when the hammer strikes is back before the next blow; a bit that bounces goes on bouncing if nothing damps the rebound.</source>
+        <translation>Det borrar i full takt, och en borrkrona som vilar på berget när hammaren slår är tillbaka före nästa slag; en som studsar fortsätter att studsa om inget dämpar studsen.</translation>
+    </message>
+    <message>
+        <source>It drills at full rate, and the bit rests on the rock before every blow even if nothing damps the rebound.</source>
+        <translation>Det borrar i full takt, och borrkronan vilar på berget före varje slag även om inget dämpar studsen.</translation>
+    </message>
+    <message>
+        <source> Waves that the blow before has left are not in this; `drill` follows them. Whether it is too much (friction, buckling, stalling of the rotation) is outside the model.</source>
+        <translation> Vågor som slaget innan har lämnat är inte med i detta; `drill` följer dem. Om det är för mycket (friktion, knäckning, rotation som stannar) ligger utanför modellen.</translation>
+    </message>
+    <message>
+        <source>this blow</source>
+        <translation>detta slag</translation>
+    </message>
+    <message>
+        <source>95 % of all gaps</source>
+        <translation>95 % av alla spalter</translation>
+    </message>
+    <message>
+        <source>rigid rock</source>
+        <translation>stelt berg</translation>
+    </message>
+    <message>
+        <source>elastic rock, worst gap</source>
+        <translation>elastiskt berg, sämsta spalt</translation>
+    </message>
+    <message>
+        <source>Margin over the largest of the four needs (%1): %2.</source>
+        <translation>Marginal över det största av de fyra behoven (%1): %2.</translation>
+    </message>
+    <message>
+        <source>Margin over the larger of the two needs (%1): %2.</source>
+        <translation>Marginal över det större av de två behoven (%1): %2.</translation>
+    </message>
+    <message>
+        <source>It is enough at %1 of all gaps in this rock.</source>
+        <translation>Den räcker vid %1 av alla spalter i detta berg.</translation>
+    </message>
+    <message>
+        <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period over which a share of them or the worst one could be told.</source>
+        <translation>Ett slags impuls är den på hammarens yta. Spalterna för en borrsträng har ingen period över vilken en andel av dem eller den sämsta kunde anges.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

@@ -61,7 +61,7 @@ Pictures drawStudy(const DrillingReport& report, const PictureOrder& order) {
     picture.units = drillingShown(result.scenario, reader.unitFor(*findParameter("drill.thrust")),
                                   reader.unitsFor(result.scenario));
     if (result.blows.empty())
-        picture.message = QString::fromStdString(verdictSentence(result));
+        picture.message = QString::fromStdString(verdictSentence(result).text());
     else
         picture.march = marchPicture(result.blows, result.settings, result.units, &result,
                                      corOverPeriod(result.scenario, order.stop), picture.units);

@@ -38,7 +38,7 @@ AlertList::AlertList(QWidget* parent) : QWidget(parent) {
 void AlertList::present(const QString& problem, const std::vector<Alert>& alerts, const LocalStyle& style) {
     QStringList texts;
     if (!problem.isEmpty()) texts.append(problem);
-    for (const Alert& alert : alerts) texts.append(QString::fromStdString(alertText(alert, style)));
+    for (const Alert& alert : alerts) texts.append(translated(alertMessage(alert, style)));
     // Most solutions while a slider is dragged change nothing here.
     if (texts == m_texts && !m_labels.isEmpty()) return;
     m_texts = texts;
@@ -52,8 +52,7 @@ void AlertList::present(const QString& problem, const std::vector<Alert>& alerts
     for (const Alert& alert : alerts) {
         const bool warning = alert.level == AlertLevel::warning;
         write(row++, warning ? QStringLiteral("⚠") : QStringLiteral("ℹ"),
-              warning ? tr("Warning") : tr("Note"), QString::fromStdString(alertText(alert, style)),
-              alert.parameter);
+              warning ? tr("Warning") : tr("Note"), translated(alertMessage(alert, style)), alert.parameter);
     }
     if (row == 0) write(row++, QStringLiteral("✓"), tr("Nothing unusual"), tr("Nothing unusual."), {});
     for (qsizetype unused = row; unused < m_labels.size(); ++unused) m_labels[unused]->hide();

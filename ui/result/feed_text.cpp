@@ -106,14 +106,14 @@ QString feedText(const SolvedBlow& blow) {
 QString feedMeaningText(const SolvedBlow& blow) {
     if (!blow.feed) return {};
     const std::optional<GapAtBlow> gap = gapAtBlow(blow.scenario, blow.summary.cor, blow.summary.transferred);
-    return QString::fromStdString(feedMeaning(blow.feed->feed, gap, styleOf(blow.request)));
+    return translated(feedMeaning(blow.feed->feed, gap, styleOf(blow.request)));
 }
 
 QString decisionText(const WorstNeed& worst, const SolvedBlow& blow) {
     if (!blow.fault.isEmpty()) return {};
     const std::optional<WidestNeed> widest = worst.isCurrent() ? worst.widest() : std::nullopt;
     const FeedDecision decision = decideFeed(blow.scenario, blow.feed, widest);
-    return QString::fromStdString(feedDecisionText(decision, styleOf(blow.request))) +
+    return translated(feedDecisionMessage(decision, styleOf(blow.request))) +
            (worst.isAwaited() ? QStringLiteral(" …") : QString());
 }
 

@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include "ui/text/core_text.h"
+
 namespace drillwave {
 
 QString fromView(std::string_view text) {
@@ -10,11 +12,11 @@ QString fromView(std::string_view text) {
 }
 
 QString translated(const Message& message) {
-    if (message.isEmpty()) return {};
-    // Not by arg(): what stands for %1 may hold a "%2" itself.
-    const std::string pattern =
-        QCoreApplication::translate("drillwave::Message", message.pattern).toStdString();
-    return QString::fromStdString(Message{pattern.c_str(), message.arguments}.text());
+    return QString::fromStdString(message.said([](const std::string& pattern) {
+        const QString here = QCoreApplication::translate("drillwave::Message", pattern.c_str());
+        // what is in a table of the core too, as the name of a parameter
+        return (here == fromView(pattern) ? coreText(pattern) : here).toStdString();
+    }));
 }
 
 QString shownSymbol(std::string_view symbol) {

@@ -274,8 +274,8 @@ void TestReportFile::theVerdictIsThatOfTheThrustStudy() {
     QVERIFY(report.thrust && report.gap);
     QVERIFY(report.blow.feed == report.thrust->study.verdict);
     QVERIFY(report.blow.decision() == decisionOf(report.thrust->judged()));
-    for (const std::string& sentence : verdictSentences(report.thrust->judged()))
-        QVERIFY2(pageOf(report).find(sentence) != std::string::npos, sentence.c_str());
+    for (const Message& sentence : verdictSentences(report.thrust->judged()))
+        QVERIFY2(pageOf(report).find(sentence.text()) != std::string::npos, sentence.text().c_str());
 }
 
 void TestReportFile::aScenarioWithoutFrequencySaysWhyThereIsNoThrust() {

@@ -93,7 +93,7 @@ class TestFeedVerdict : public QObject {
     void nothingIsClaimedBeyondTheTheory() {
         for (const double thrust : {1000.0, 2500.0, 3000.0, 4000.0, 9000.0}) {
             const Feed feed = judgeFeed(drill(thrust), 0.4)->feed;
-            const QString meaning = textOf(feedMeaning(feed, gapAtBlow(drill(thrust), 0.4)));
+            const QString meaning = textOf(feedMeaning(feed, gapAtBlow(drill(thrust), 0.4)).text());
             QVERIFY(meaning.startsWith(textOf(feedAdvice(feed))));
             QVERIFY(!meaning.contains("hold", Qt::CaseInsensitive));
             QVERIFY(!meaning.contains("over-feed", Qt::CaseInsensitive));
@@ -138,7 +138,8 @@ class TestFeedVerdict : public QObject {
         const double v0 = 40 / propertiesOf(scenario.rod).mass;
         QVERIFY(std::abs(found.gap / (0.192 * v0 / 50) - 1) < 1e-12);  // V = 1, a = 0.2, y = 0.2 − 0.008
         const auto saidAt = [](double thrust, double cor) {
-            return textOf(feedMeaning(judgeFeed(drill(thrust), cor)->feed, gapAtBlow(drill(thrust), cor)));
+            return textOf(
+                feedMeaning(judgeFeed(drill(thrust), cor)->feed, gapAtBlow(drill(thrust), cor)).text());
         };
         QVERIFY(saidAt(2800, 0.4).contains("If nothing damps the rebound, the bit is "));
         QVERIFY(saidAt(2800, 0.4).contains(" off the rock when the hammer strikes"));

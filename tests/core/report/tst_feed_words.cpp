@@ -29,8 +29,8 @@ ThrustReport reportOf(const Scenario& scenario) {
 
 QStringList sentencesOf(const ThrustReport& report) {
     QStringList sentences;
-    for (const std::string& sentence : verdictSentences(report.judged()))
-        sentences << QString::fromStdString(sentence);
+    for (const Message& sentence : verdictSentences(report.judged()))
+        sentences << QString::fromStdString(sentence.text());
     return sentences;
 }
 
@@ -382,9 +382,9 @@ void TestFeedWords::numbersAreThoseOfTheReader() {
         feedDecisionText(decisionOf(scenario), reader),
         std::string("1,124 kip is enough for this blow up to 68,5 Hz, but not at the worst gap on elastic "
                     "rock: that takes at least 1,64 kip at 60 Hz, or at most 41,3 Hz."));
-    for (const std::string& sentence : verdictSentences(reportOf(scenario).judged(), reader))
-        QVERIFY2(!QString::fromStdString(sentence).contains(QRegularExpression("[0-9]\\.[0-9]")),
-                 sentence.c_str());
+    for (const Message& sentence : verdictSentences(reportOf(scenario).judged(), reader))
+        QVERIFY2(!QString::fromStdString(sentence.text()).contains(QRegularExpression("[0-9]\\.[0-9]")),
+                 sentence.text().c_str());
 }
 
 void TestFeedWords::noLineEndsBetweenANumberAndItsUnit() {

@@ -11,7 +11,8 @@ class TestMessage : public QObject {
 
   private slots:
     void argumentsTakeTheirPlaces();
-    void anArgumentIsNoPattern();
+    void aNameIsNoPattern();
+    void everyPatternInItIsSaid();
     void nothingIsSaidWithoutAPattern();
 };
 
@@ -21,8 +22,18 @@ void TestMessage::argumentsTakeTheirPlaces() {
     QVERIFY(!message.isEmpty());
 }
 
-void TestMessage::anArgumentIsNoPattern() {
-    QCOMPARE((Message{"%1: %2", {"90 %2 off", "%1"}}.text()), std::string("90 %2 off: %1"));
+void TestMessage::aNameIsNoPattern() {
+    const std::string share = "90 %2 off", name = "%1";
+    QCOMPARE((Message{"%1: %2, 5 % of it", {share, name}}.text()), std::string("90 %2 off: %1, 5 % of it"));
+}
+
+void TestMessage::everyPatternInItIsSaid() {
+    const Message message{"%1 is %2", {std::string("b"), {"up to %1", {std::string("3 mm")}}}};
+    QCOMPARE(message.text(), std::string("b is up to 3 mm"));
+    const auto say = [](const std::string& pattern) {
+        return pattern == "%1 is %2" ? std::string("%2, %1") : "bis %1";
+    };
+    QCOMPARE(message.said(say), std::string("bis 3 mm, b"));
 }
 
 void TestMessage::nothingIsSaidWithoutAPattern() {

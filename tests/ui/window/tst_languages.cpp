@@ -87,18 +87,9 @@ const QStringList& data() {
     return texts;
 }
 
-/// Sentences that the core composes, which are in English in every language: alerts, what to do about the
-/// feed, verdicts of studies.
-bool isProse(const ShownText& shown) {
-    static const QRegularExpression parts(QStringLiteral("AlertList|AlertLink|“decision”|“words” of"));
-    return parts.match(shown.where).hasMatch() ||
-           shown.text.startsWith(pseudo(QStringLiteral("What the feed force does between the blows")));
-}
-
 /// The words of it that nobody has translated.
 QStringList untranslated(const ShownText& shown) {
     static const QRegularExpression word(QStringLiteral("(?<![\\w.])[A-Za-z]{3,}(?![\\w.])"));
-    if (isProse(shown)) return {};
     QString text = shown.text;
     for (const QString& each : data()) text.replace(each, QString());
     text = outsideMarks(text.remove(u'&'));

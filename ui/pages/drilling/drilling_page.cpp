@@ -212,27 +212,26 @@ void DrillingPage::showScanState() {
 QString DrillingPage::wordsOf(const DrillingAnswer& answer) const {
     const DrillingResult& result = *answer.result;
     const LocalStyle style = LocalStyle::of(document().units());
-    QStringList sentences{QString::fromStdString(verdictSentence(result, style))};
-    if (const std::string advice = adviceSentence(result, style); !advice.empty())
-        sentences << QString::fromStdString(advice);
+    QStringList sentences{translated(verdictSentence(result, style))};
+    if (const Message advice = adviceSentence(result, style); !advice.isEmpty())
+        sentences << translated(advice);
     QString numbers = tr("φ = %1, n_b = %2")
                           .arg(numberText(result.groups.phi, 4, locale()),
                                numberText(result.groups.roundTrips, 4, locale()));
     if (result.statistics)
         numbers += tr("; %1 % of the blows begin on the rock; %2")
                        .arg(numberText(100 * result.statistics->contactShare, 3, locale()),
-                            QString::fromStdString(regimeWords(result, style)));
+                            translated(regimeWords(result, style)));
     sentences << numbers + QLatin1Char('.');
     for (const Alert& alert : result.alerts)
         if (alert.level == AlertLevel::warning || alert.code == AlertCode::noWaveLoss)
             sentences << (alert.level == AlertLevel::warning ? QStringLiteral("⚠ ") : QString()) +
-                             QString::fromStdString(alertText(alert, style));
+                             translated(alertMessage(alert, style));
     if (const DrillingScanAnswer* scan = m_scan.value(); scan && m_scan.job().isCurrent()) {
         for (const std::string& refusal : scan->refusals)
             sentences << tr("No scan: %1").arg(QString::fromStdString(refusal));
         if (scan->scan && m_scan.job().state() == StudyState::finished)
-            sentences
-                << tr("The scan below: %1").arg(QString::fromStdString(scanSentence(*scan->scan, style)));
+            sentences << tr("The scan below: %1").arg(translated(scanSentence(*scan->scan, style)));
     }
     return sentences.join(QLatin1Char(' '));
 }
@@ -296,7 +295,7 @@ QString DrillingPage::obstacle() const {
     if (QString unfinished = StudyPage::obstacle(); !unfinished.isEmpty()) return unfinished;
     const DrillingAnswer* answer = m_march.value();
     if (!answer->refusals.empty()) return QString::fromStdString(answer->refusals.front());
-    return answer->isComplete() ? QString() : QString::fromStdString(verdictSentence(*answer->result));
+    return answer->isComplete() ? QString() : translated(verdictSentence(*answer->result));
 }
 
 QByteArray DrillingPage::csv() const {

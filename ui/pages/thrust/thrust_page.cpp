@@ -86,7 +86,7 @@ void ThrustPage::present() {
     const std::shared_ptr<const ThrustAnswer> answer = m_study.job().value();
     if (!answer) return;
     if (!answer->problem.empty())
-        return refuse(QString::fromStdString(feedDecisionText(decideFeed(answer->scenario, {}))));
+        return refuse(translated(feedDecisionMessage(decideFeed(answer->scenario, {}))));
     if (!answer->here.reason.empty()) return refuse(QString::fromStdString(answer->here.reason));
     const UnitChoice& choice = document().units();
     const ThrustUnits units =
@@ -126,10 +126,10 @@ void ThrustPage::draw(const ThrustAnswer& answer) {
     }
     m_table->present(answer.here.needs, m_units);
     QStringList words;
-    for (const std::string& sentence :
+    for (const Message& sentence :
          verdictSentences({answer.scenario, answer.here.needs, answer.here.verdict, {}},
                           LocalStyle::of(document().units())))
-        words << QString::fromStdString(sentence);
+        words << translated(sentence);
     say(words.join(QLatin1Char(' ')));
     redraw();
 }

@@ -72,7 +72,7 @@ void TestDrillingScan::theSentenceNamesTheWindows() {
                 full.contains(point.value / 1000) ? DrillingVerdict::fullRate : DrillingVerdict::rateLost;
             if (!point.result.statistics) point.result.statistics.emplace();
         }
-        const std::string all = scanSentence(scan);
+        const std::string all = scanSentence(scan).text();
         return all.substr(0, all.find(';'));
     };
     const std::string begin = "It drills at full rate ";

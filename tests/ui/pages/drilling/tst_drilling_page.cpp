@@ -122,7 +122,7 @@ void TestDrillingPage::blowsTableAndSentenceAreThoseOfTheStudy() {
     for (const QCPBarsData& part : *march.energy()->data()) share += part.value;
     QVERIFY(std::abs(share - 100) < 1);
     const LocalStyle style = LocalStyle::of(m_document->units());
-    QVERIFY(words().startsWith(QString::fromStdString(verdictSentence(expected, style))));
+    QVERIFY(words().startsWith(QString::fromStdString(verdictSentence(expected, style).text())));
     const auto* table = m_page->findChild<QTableWidget*>(QStringLiteral("statistics"));
     const double mean =
         scaleOf(DrillingMeasure::length, expected).value(expected.spread(3).mean, OutputUnits::si);

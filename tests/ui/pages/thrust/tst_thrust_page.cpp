@@ -200,9 +200,9 @@ void TestThrustPage::theTableAndTheSentenceAreThoseOfTheStudy() {
 
 QString TestThrustPage::wordsOf(const ThrustStudy& study) const {
     QStringList sentences;
-    for (const std::string& sentence : verdictSentences(
-             {m_document->scenario(), study.needs, study.verdict, {}}, LocalStyle::of(m_document->units())))
-        sentences << QString::fromStdString(sentence);
+    for (const Message& sentence : verdictSentences({m_document->scenario(), study.needs, study.verdict, {}},
+                                                    LocalStyle::of(m_document->units())))
+        sentences << QString::fromStdString(sentence.text());
     return sentences.join(QLatin1Char(' '));
 }
 
