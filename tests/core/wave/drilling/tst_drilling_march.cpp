@@ -72,6 +72,7 @@ class TestDrillingMarch : public QObject {
     void aMatchedDashpotTakesAPushAndLetsATensionBack();
     void aFreeRodKeepsItsVelocityAndAPressedOneItsLength();
     void aWaveLosesItsShareInARoundTrip();
+    void flightIsTheSameWaveTurned();
     void withoutBlowsTheRockCarriesTheFeed();
     void theSameCraterIsShakenDown();
     void forcesGapsAndImpulsesScaleTogether();
@@ -328,6 +329,33 @@ void TestDrillingMarch::aWaveLosesItsShareInARoundTrip() {
             QVERIFY2(std::abs(std::sqrt(energy / 100) / amplitude - 0.8) < 2e-3,
                      qPrintable(QString::number(std::sqrt(energy / 100) / amplitude)));
         if (trip > 0) amplitude *= 0.8;
+    }
+}
+
+/// Away from the rock a rod under a constant force takes steps of its own; where its blows are watched it
+/// does not.
+void TestDrillingMarch::flightIsTheSameWaveTurned() {
+    for (const double loss : {0.0, 0.2}) {
+        DrillingProblem problem = caseB(2, 0);
+        problem.machine.reset();
+        problem.waveLosses = {loss};
+        DrillingMarch quick(problem, drillingGridOf(problem, 40)),
+            watched(problem, drillingGridOf(problem, 40));
+        DrillingSamples samples;
+        watched.watch(&samples);
+        for (int blow = 0; blow < 4; ++blow) {
+            QVERIFY(quick.takeBlow({}) && watched.takeBlow({}));
+            const auto isNear = [](double a, double b) {
+                return std::abs(a - b) < 1e-12 * (1 + std::abs(b));
+            };
+            QVERIFY(isNear(quick.blow().gap, watched.blow().gap));
+            QVERIFY(isNear(quick.blow().velocity, watched.blow().velocity));
+            QVERIFY(isNear(quick.blow().rockImpulse, watched.blow().rockImpulse));
+            QVERIFY(isNear(quick.ledger().waves, watched.ledger().waves));
+            QVERIFY(isNear(quick.ledger().feed, watched.ledger().feed));
+            QVERIFY(isNear(quick.ledger().stored, watched.ledger().stored));
+        }
+        QVERIFY(std::ranges::any_of(samples.bit, [](const BitSample& sample) { return sample.force == 0; }));
     }
 }
 
