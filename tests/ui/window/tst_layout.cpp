@@ -101,7 +101,10 @@ void TestLayout::everythingCanBeReadAndReached_data() {
     QTest::addColumn<int>("points");
     QTest::addColumn<UnitSystem>("units");
     constexpr int usualPoints = 9;
-    const auto add = [](const char* example, const QSize& size, bool dark, int points, UnitSystem units) {
+    // What is faint in the dark is so at any size, and at one pixel a point.
+    const bool isScaled = qApp->devicePixelRatio() > 1;
+    const auto add = [&](const char* example, const QSize& size, bool dark, int points, UnitSystem units) {
+        if (dark && isScaled) return;
         QTest::addRow("%s, %d × %d, %s, %d pt%s", example, size.width(), size.height(),
                       dark ? "dark" : "light", points, units == UnitSystem::us ? ", US units" : "")
             << QString::fromLatin1(example) << size << dark << points << units;
@@ -109,7 +112,8 @@ void TestLayout::everythingCanBeReadAndReached_data() {
     for (const char* example :
          {"t38_medium_rock", "t51_soft_rock", "paper_fig4b", "reference_case", "t38_string"})
         for (const QSize size : {QSize(800, 500), QSize(1000, 650), QSize(1440, 900)})
-            for (const bool dark : {false, true}) add(example, size, dark, usualPoints, UnitSystem::si);
+            for (const bool dark : {false, true})
+                if (!dark || size.width() == 1440) add(example, size, dark, usualPoints, UnitSystem::si);
     for (const bool dark : {false, true})
         add("t38_medium_rock", {3200, 1800}, dark, usualPoints, UnitSystem::si);
     add("t38_medium_rock", {1440, 900}, false, 16, UnitSystem::si);
