@@ -254,7 +254,8 @@ class Patcher {
         // The first entry of an item of a list stands behind its dash.
         const bool behindDash = before && at == 0;
         const Extent line = behindDash ? lineOf(literalExtent(m_text, map.children[1])) : entryLine(map, at);
-        const std::string indentation(map.children[at].offset - line.begin, ' ');
+        const Extent keyLine = lineOf(literalExtent(m_text, map.children[at]));  // its value may stand below
+        const std::string indentation(map.children[at].offset - keyLine.begin, ' ');
         const bool open = before && m_text[line.end - 1] != '\n';
         const std::string text = open ? std::string(m_lineEnd) + indentation + entry
                                       : indentation + entry + std::string(m_lineEnd);

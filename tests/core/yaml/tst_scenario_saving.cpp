@@ -159,6 +159,13 @@ void TestScenarioSaving::aNewValueIsPutWhereItBelongs() {
     document = parsed(text);
     document.scenario.title = "New";
     compareText(writeScenario(document), replaced(text, "drillwave: 1\n", "drillwave: 1\ntitle: New\n"));
+
+    // behind a value that stands below its key
+    const std::string below = replaced(text, "drillwave: 1\n", "drillwave:\n  1\n");
+    document = parsed(below);
+    document.scenario.title = "New";
+    compareText(writeScenario(document),
+                replaced(below, "drillwave:\n  1\n", "drillwave:\n  1\ntitle: New\n"));
 }
 
 void TestScenarioSaving::aValueThatWentIsTakenOut() {
