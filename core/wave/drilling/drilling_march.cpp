@@ -189,7 +189,7 @@ bool DrillingMarch::takeBlow(const std::stop_token& stop) {
     beginBlow();
     const double worked = m_bit.state().law.worked(m_bit.state().force);
     const std::size_t parts = m_grid.cuts.count();
-    const bool canFly = m_lines.size() == 1 && !m_problem.machine && !m_kept && !m_samples;
+    const bool canFly = m_lines.size() == 1 && !m_problem.machine && !m_kept;
     const auto* const forceEnd = m_force.data() + m_force.size();
     const WaveCell* force = m_force.data();
     for (m_cell = 0; m_cell < m_nextInterval && m_trouble.empty(); ++m_cell) {
@@ -217,6 +217,7 @@ bool DrillingMarch::flyStep(std::size_t part) {
     if (!m_bit.flyStep(down, part)) return false;
     m_lines[0].turn(-force, arriving, part);
     m_rearMoved += m_grid.cuts.widths()[part] * m_rearMobility * (force - 2 * arriving.mean());
+    if (m_samples) addSamples(part, m_rearMobility * (down - arriving), force, down);
     return true;
 }
 

@@ -332,29 +332,31 @@ void TestDrillingMarch::aWaveLosesItsShareInARoundTrip() {
     }
 }
 
-/// Away from the rock a rod under a constant force takes steps of its own; where its blows are watched it
-/// does not.
+/// Away from the rock a rod under a constant force takes steps of its own; where its waves are kept it does
+/// not.
 void TestDrillingMarch::flightIsTheSameWaveTurned() {
     for (const double loss : {0.0, 0.2}) {
         DrillingProblem problem = caseB(2, 0);
         problem.machine.reset();
         problem.waveLosses = {loss};
-        DrillingMarch quick(problem, drillingGridOf(problem, 40)),
-            watched(problem, drillingGridOf(problem, 40));
+        const DrillingGrid grid = drillingGridOf(problem, 40);
+        DrillingMarch quick(problem, grid), watched(problem, grid), kept(problem, grid);
         DrillingSamples samples;
         watched.watch(&samples);
         for (int blow = 0; blow < 4; ++blow) {
             QVERIFY(quick.takeBlow({}) && watched.takeBlow({}));
-            const auto isNear = [](double a, double b) {
-                return std::abs(a - b) < 1e-12 * (1 + std::abs(b));
-            };
-            QVERIFY(isNear(quick.blow().gap, watched.blow().gap));
-            QVERIFY(isNear(quick.blow().velocity, watched.blow().velocity));
-            QVERIFY(isNear(quick.blow().rockImpulse, watched.blow().rockImpulse));
-            QVERIFY(isNear(quick.ledger().waves, watched.ledger().waves));
-            QVERIFY(isNear(quick.ledger().feed, watched.ledger().feed));
-            QVERIFY(isNear(quick.ledger().stored, watched.ledger().stored));
+            QCOMPARE(watched.blow().gap, quick.blow().gap);  // who watches changes nothing
         }
+        QVERIFY(kept.takeBlow({}) && kept.takeBlow({}));
+        QVERIFY(kept.takeBlowWithWaves({}).waves);  // two blows
+        const auto isNear = [](double a, double b) { return std::abs(a - b) < 1e-12 * (1 + std::abs(b)); };
+        QCOMPARE(kept.blows(), quick.blows());
+        QVERIFY(isNear(quick.blow().gap, kept.blow().gap));
+        QVERIFY(isNear(quick.blow().velocity, kept.blow().velocity));
+        QVERIFY(isNear(quick.blow().rockImpulse, kept.blow().rockImpulse));
+        QVERIFY(isNear(quick.ledger().waves, kept.ledger().waves));
+        QVERIFY(isNear(quick.ledger().feed, kept.ledger().feed));
+        QVERIFY(isNear(quick.ledger().stored, kept.ledger().stored));
         QVERIFY(std::ranges::any_of(samples.bit, [](const BitSample& sample) { return sample.force == 0; }));
     }
 }
