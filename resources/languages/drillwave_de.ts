@@ -4871,7 +4871,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The first reflection is back while %1 % of the blow is still to come; a real hammer would feel it, here its force is prescribed.</source>
-        <translation>Die erste Reflexion ist zurück, während %1 % des Schlags noch ausstehen; ein wirklicher Hammer würde sie spüren, hier ist seine Kraft vorgegeben.</translation>
+        <translation>Die erste Reflexion ist zurück, während %1&#xa0;% des Schlags noch ausstehen; ein wirklicher Hammer würde sie spüren, hier ist seine Kraft vorgegeben.</translation>
     </message>
     <message>
         <source>The hammer&apos;s impedance is that of the rod, the value assumed where none is given: its blow is one step.</source>
@@ -4887,15 +4887,15 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The hammer&apos;s impedance is above the rod&apos;s: it pushes in a staircase of ever smaller steps, assumed to run on as if the rod were long.</source>
-        <translation>Die Impedanz des Hammers liegt über der der Stange: er schiebt in einer Treppe immer kleinerer Stufen, die weiterläuft, als wäre die Stange lang.</translation>
+        <translation>Die Impedanz des Hammers liegt über der der Stange: er schiebt in einer Treppe immer kleinerer Stufen, von der angenommen wird, dass sie weiterläuft, als wäre die Stange lang.</translation>
     </message>
     <message>
         <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; `drill` follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft: die Eindringung kann mit Frequenz mal Länge um 10 % nach oben oder unten schwanken; `drill` folgt dem.</translation>
+        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft: die Eindringung kann mit Frequenz mal Länge um 10&#xa0;% nach oben oder unten schwanken; `drill` folgt dem.</translation>
     </message>
     <message>
         <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped and nearly in step (n_b close to %2): penetration may swing by 10 % up or down; `drill` follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft und fast im Takt (n_b nahe %2): die Eindringung kann um 10 % nach oben oder unten schwanken; `drill` folgt dem.</translation>
+        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft und fast im Takt (n_b nahe %2): die Eindringung kann um 10&#xa0;% nach oben oder unten schwanken; `drill` folgt dem.</translation>
     </message>
     <message>
         <source>share but a cell of time of %1, which would take more work than is permitted</source>
@@ -4995,7 +4995,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>After %1 bit or hammer may still meet again: these are the numbers at the next blow, not final ones.</source>
-        <translation>Nach %1 können Bohrkrone oder Hammer noch einmal treffen: dies sind die Zahlen beim nächsten Schlag, keine endgültigen.</translation>
+        <translation>Nach %1 können Bohrkrone oder Hammer noch einmal auftreffen: dies sind die Zahlen beim nächsten Schlag, keine endgültigen.</translation>
     </message>
     <message>
         <source>The largest stresses of the sections take more work than is permitted: they were left out and no strength was checked. A shorter end_time may leave room for them.</source>
@@ -5011,11 +5011,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Nothing takes from the waves: jumps never fade. A wave_loss of 1 to 30 % in a round trip is usual.</source>
-        <translation>Nichts nimmt den Wellen etwas: Sprünge klingen nie ab. Ein Wellenverlust von 1 bis 30 % in einem Hin- und Rücklauf ist üblich.</translation>
+        <translation>Nichts nimmt den Wellen etwas: Sprünge klingen nie ab. Ein Wellenverlust von 1 bis 30&#xa0;% in einem Hin- und Rücklauf ist üblich.</translation>
     </message>
     <message>
         <source>After it has separated, the piston still passes up to %1 % of its momentum: it is in the way of the rebounding string, where a machine would have drawn it back; restrike: false says so.</source>
-        <translation>Nachdem er sich getrennt hat, gibt der Kolben noch bis zu %1 % seines Impulses weiter: er ist dem zurückprallenden Strang im Weg, wo eine Maschine ihn zurückgezogen hätte; restrike: false sagt das.</translation>
+        <translation>Nachdem er sich getrennt hat, gibt der Kolben noch bis zu %1&#xa0;% seines Impulses weiter: er ist dem zurückprallenden Strang im Weg, wo eine Maschine ihn zurückgezogen hätte; restrike: false sagt das.</translation>
     </message>
     <message>
         <source>At a blow the shank is up to %1 off its mean place in the machine: the stroke, and so the blow, would be another one. A dashpot lets it creep; a spring (damper_stiffness) brings it back.</source>
@@ -5039,7 +5039,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The energy of all blows closes to %1 % only: the cells are long for these contacts; shorter ones take it down with their length.</source>
-        <translation>Die Energie aller Schläge schließt nur auf %1 %: die Zellen sind lang für diese Kontakte; kürzere verringern das mit ihrer Länge.</translation>
+        <translation>Die Energie aller Schläge schließt nur auf %1&#xa0;%: die Zellen sind lang für diese Kontakte; kürzere verringern das mit ihrer Länge.</translation>
     </message>
     <message>
         <source>No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the rod.</source>
@@ -5079,11 +5079,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>With %1 the bit rests on the rock before every blow; %2 % of full rate.</source>
-        <translation>Mit %1 ruht die Bohrkrone vor jedem Schlag auf dem Gestein; %2 % der vollen Rate.</translation>
+        <translation>Mit %1 ruht die Bohrkrone vor jedem Schlag auf dem Gestein; %2&#xa0;% der vollen Rate.</translation>
     </message>
     <message>
         <source>With %1 it drills at full rate (%2 % of full rate); the bit leaves the rock between blows, gaps of %3 to %4 when the next one comes.</source>
-        <translation>Mit %1 bohrt es mit voller Rate (%2 % davon); die Bohrkrone verlässt das Gestein zwischen den Schlägen, Spalte von %3 bis %4, wenn der nächste kommt.</translation>
+        <translation>Mit %1 bohrt es mit voller Rate (%2&#xa0;% davon); die Bohrkrone verlässt das Gestein zwischen den Schlägen, Spalte von %3 bis %4, wenn der nächste kommt.</translation>
     </message>
     <message>
         <source>With %1 penetration is lost; gaps of %2 to %3 when the next blow comes.</source>
@@ -5091,7 +5091,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>With %1 penetration is lost: %2 % of full rate; gaps of %3 to %4 when the next blow comes.</source>
-        <translation>Mit %1 geht Eindringung verloren: %2 % der vollen Rate; Spalte von %3 bis %4, wenn der nächste Schlag kommt.</translation>
+        <translation>Mit %1 geht Eindringung verloren: %2&#xa0;% der vollen Rate; Spalte von %3 bis %4, wenn der nächste Schlag kommt.</translation>
     </message>
     <message>
         <source>Bounded motion needs more than f I0 = %1.</source>
@@ -5175,7 +5175,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>at 95 % of all gaps</source>
-        <translation>bei 95 % aller Spalte</translation>
+        <translation>bei 95&#xa0;% aller Spalte</translation>
     </message>
     <message>
         <source>at the worst gap on elastic rock</source>
@@ -5287,7 +5287,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>95 % of all gaps</source>
-        <translation>95 % aller Spalte</translation>
+        <translation>95&#xa0;% aller Spalte</translation>
     </message>
     <message>
         <source>rigid rock</source>
@@ -5312,6 +5312,26 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period over which a share of them or the worst one could be told.</source>
         <translation>Der Kraftstoß eines Schlags ist der an der Hammerfläche. Die Spalte eines Bohrstrangs haben keine Periode, über der ein Anteil von ihnen oder der schlechteste zu nennen wäre.</translation>
+    </message>
+    <message>
+        <source>hammer section %1</source>
+        <translation>Hammerabschnitt %1</translation>
+    </message>
+    <message>
+        <source>section %1</source>
+        <translation>Abschnitt %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>force of corner %1</source>
+        <translation>Kraft der Ecke %1</translation>
+    </message>
+    <message>
+        <source>slope behind corner %1</source>
+        <translation>Steigung hinter Ecke %1</translation>
     </message>
 </context>
 <context>

@@ -4871,7 +4871,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>The first reflection is back while %1 % of the blow is still to come; a real hammer would feel it, here its force is prescribed.</source>
-        <translation>Den första reflexionen är tillbaka medan %1 % av slaget återstår; en verklig hammare skulle känna den, här är dess kraft given.</translation>
+        <translation>Den första reflexionen är tillbaka medan %1&#xa0;% av slaget återstår; en verklig hammare skulle känna den, här är dess kraft given.</translation>
     </message>
     <message>
         <source>The hammer&apos;s impedance is that of the rod, the value assumed where none is given: its blow is one step.</source>
@@ -4891,11 +4891,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; `drill` follows it.</source>
-        <translation>Ett slags vågor hinner bara n_b = %1 varv fram och åter till nästa slag och möter det odämpade: inträngningen kan svänga 10 % upp eller ned med frekvens gånger längd; `drill` följer det.</translation>
+        <translation>Ett slags vågor hinner bara n_b = %1 varv fram och åter till nästa slag och möter det odämpade: inträngningen kan svänga 10&#xa0;% upp eller ned med frekvens gånger längd; `drill` följer det.</translation>
     </message>
     <message>
         <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped and nearly in step (n_b close to %2): penetration may swing by 10 % up or down; `drill` follows it.</source>
-        <translation>Ett slags vågor hinner bara n_b = %1 varv fram och åter till nästa slag och möter det odämpade och nästan i takt (n_b nära %2): inträngningen kan svänga 10 % upp eller ned; `drill` följer det.</translation>
+        <translation>Ett slags vågor hinner bara n_b = %1 varv fram och åter till nästa slag och möter det odämpade och nästan i takt (n_b nära %2): inträngningen kan svänga 10&#xa0;% upp eller ned; `drill` följer det.</translation>
     </message>
     <message>
         <source>share but a cell of time of %1, which would take more work than is permitted</source>
@@ -5011,11 +5011,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>Nothing takes from the waves: jumps never fade. A wave_loss of 1 to 30 % in a round trip is usual.</source>
-        <translation>Inget tar av vågorna: språng klingar aldrig av. En vågförlust på 1 till 30 % under ett varv fram och åter är vanlig.</translation>
+        <translation>Inget tar av vågorna: språng klingar aldrig av. En vågförlust på 1 till 30&#xa0;% under ett varv fram och åter är vanlig.</translation>
     </message>
     <message>
         <source>After it has separated, the piston still passes up to %1 % of its momentum: it is in the way of the rebounding string, where a machine would have drawn it back; restrike: false says so.</source>
-        <translation>Sedan den har skilts lämnar kolven ännu upp till %1 % av sin rörelsemängd: den är i vägen för den studsande strängen, där en maskin skulle ha dragit den tillbaka; restrike: false säger det.</translation>
+        <translation>Sedan den har skilts lämnar kolven ännu upp till %1&#xa0;% av sin rörelsemängd: den är i vägen för den studsande strängen, där en maskin skulle ha dragit den tillbaka; restrike: false säger det.</translation>
     </message>
     <message>
         <source>At a blow the shank is up to %1 off its mean place in the machine: the stroke, and so the blow, would be another one. A dashpot lets it creep; a spring (damper_stiffness) brings it back.</source>
@@ -5039,7 +5039,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>The energy of all blows closes to %1 % only: the cells are long for these contacts; shorter ones take it down with their length.</source>
-        <translation>Energin för alla slag stämmer bara på %1 % när: cellerna är långa för dessa kontakter; kortare minskar det med sin längd.</translation>
+        <translation>Energin för alla slag stämmer bara på %1&#xa0;% när: cellerna är långa för dessa kontakter; kortare minskar det med sin längd.</translation>
     </message>
     <message>
         <source>No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the rod.</source>
@@ -5079,11 +5079,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>With %1 the bit rests on the rock before every blow; %2 % of full rate.</source>
-        <translation>Med %1 vilar borrkronan på berget före varje slag; %2 % av full takt.</translation>
+        <translation>Med %1 vilar borrkronan på berget före varje slag; %2&#xa0;% av full takt.</translation>
     </message>
     <message>
         <source>With %1 it drills at full rate (%2 % of full rate); the bit leaves the rock between blows, gaps of %3 to %4 when the next one comes.</source>
-        <translation>Med %1 borrar det i full takt (%2 % av den); borrkronan lämnar berget mellan slagen, spalter på %3 till %4 när nästa kommer.</translation>
+        <translation>Med %1 borrar det i full takt (%2&#xa0;% av den); borrkronan lämnar berget mellan slagen, spalter på %3 till %4 när nästa kommer.</translation>
     </message>
     <message>
         <source>With %1 penetration is lost; gaps of %2 to %3 when the next blow comes.</source>
@@ -5091,7 +5091,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>With %1 penetration is lost: %2 % of full rate; gaps of %3 to %4 when the next blow comes.</source>
-        <translation>Med %1 förloras inträngning: %2 % av full takt; spalter på %3 till %4 när nästa slag kommer.</translation>
+        <translation>Med %1 förloras inträngning: %2&#xa0;% av full takt; spalter på %3 till %4 när nästa slag kommer.</translation>
     </message>
     <message>
         <source>Bounded motion needs more than f I0 = %1.</source>
@@ -5115,7 +5115,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>repeats every %1 blows</source>
-        <translation>upprepas var %1:e slag</translation>
+        <translation>upprepas efter %1 slag</translation>
     </message>
     <message>
         <source>%1; Lyapunov exponent %2 a blow</source>
@@ -5135,7 +5135,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>from %1 on</source>
-        <translation>från %1</translation>
+        <translation>från och med %1</translation>
     </message>
     <message>
         <source>at %1</source>
@@ -5175,7 +5175,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>at 95 % of all gaps</source>
-        <translation>vid 95 % av alla spalter</translation>
+        <translation>vid 95&#xa0;% av alla spalter</translation>
     </message>
     <message>
         <source>at the worst gap on elastic rock</source>
@@ -5287,7 +5287,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>95 % of all gaps</source>
-        <translation>95 % av alla spalter</translation>
+        <translation>95&#xa0;% av alla spalter</translation>
     </message>
     <message>
         <source>rigid rock</source>
@@ -5312,6 +5312,26 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period over which a share of them or the worst one could be told.</source>
         <translation>Ett slags impuls är den på hammarens yta. Spalterna för en borrsträng har ingen period över vilken en andel av dem eller den sämsta kunde anges.</translation>
+    </message>
+    <message>
+        <source>hammer section %1</source>
+        <translation>hammarsektion %1</translation>
+    </message>
+    <message>
+        <source>section %1</source>
+        <translation>sektion %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 för %2</translation>
+    </message>
+    <message>
+        <source>force of corner %1</source>
+        <translation>kraft i hörn %1</translation>
+    </message>
+    <message>
+        <source>slope behind corner %1</source>
+        <translation>lutning bakom hörn %1</translation>
     </message>
 </context>
 <context>
