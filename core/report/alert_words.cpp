@@ -3,9 +3,8 @@
 
 #include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
-#include "core/model/section_address.h"
-#include "core/model/section_field.h"
 #include "core/report/feed_words.h"
+#include "core/report/parameter_words.h"
 #include "core/text/handy_text.h"
 
 namespace drillwave {
@@ -29,29 +28,10 @@ std::string inUnit(const Alert& alert, std::string_view name, const ReadingStyle
     return style.quantity(argument.value, argument.quantity, 4);
 }
 
-/// "the adapter", "hammer section 1".
-Message sectionWords(const SectionAddress& address) {
-    const bool ofHammer = address.chain == SectionAddress::Chain::hammer;
-    if (address.place > 0)
-        return {ofHammer ? translatable("drillwave::Message", "hammer section %1")
-                         : translatable("drillwave::Message", "section %1"),
-                {std::to_string(address.place)}};
-    return address.words();
-}
-
-/// "stiffness k", "length of the adapter", as in the form: in words, not as in a file.
+/// "stiffness k", as in the form: in words, not as in a file.
 Message nameOf(const Parameter& parameter) {
-    if (parameter.address)
-        return {translatable("drillwave::Message", "%1 of %2"),
-                {std::string(parameter.address->field->label).c_str(), sectionWords(*parameter.address)}};
-    if (const std::size_t corner = cornerOf(parameter))
-        return {parameter.localKey().ends_with("force")
-                    ? translatable("drillwave::Message", "force of corner %1")
-                    : translatable("drillwave::Message", "slope behind corner %1"),
-                {std::to_string(corner)}};
-    const Message label(std::string(parameter.label).c_str());
-    if (parameter.symbol.empty()) return label;
-    return {"%1 %2", {label, std::string(parameter.symbol)}};
+    if (parameter.symbol.empty()) return labelMessage(parameter);
+    return {"%1 %2", {labelMessage(parameter), std::string(parameter.symbol)}};
 }
 
 Message implausible(const Alert& alert, const ReadingStyle& style) {

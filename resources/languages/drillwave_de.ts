@@ -2310,18 +2310,6 @@ Punkte höchstens: Von so vielen Abtastwerten bleiben nur einige, und es wird ge
         <translation>gleichförmige Stange</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>force of corner %1</source>
-        <translation>Kraft der Ecke %1</translation>
-    </message>
-    <message>
-        <source>slope behind corner %1</source>
-        <translation>Steigung hinter Ecke %1</translation>
-    </message>
-    <message>
         <source>divides by zero</source>
         <translation>teilt durch null</translation>
     </message>
@@ -5332,6 +5320,10 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>slope behind corner %1</source>
         <translation>Steigung hinter Ecke %1</translation>
+    </message>
+    <message>
+        <source>hammer %1</source>
+        <translation>Hammer %1</translation>
     </message>
 </context>
 <context>

@@ -2310,18 +2310,6 @@ Högst antal punkter: av så många sampel behålls bara några, och det anges h
         <translation>likformig stång</translation>
     </message>
     <message>
-        <source>%1 of %2</source>
-        <translation>%1 för %2</translation>
-    </message>
-    <message>
-        <source>force of corner %1</source>
-        <translation>kraft i hörn %1</translation>
-    </message>
-    <message>
-        <source>slope behind corner %1</source>
-        <translation>lutning bakom hörn %1</translation>
-    </message>
-    <message>
         <source>divides by zero</source>
         <translation>delar med noll</translation>
     </message>
@@ -5332,6 +5320,10 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>slope behind corner %1</source>
         <translation>lutning bakom hörn %1</translation>
+    </message>
+    <message>
+        <source>hammer %1</source>
+        <translation>hammare %1</translation>
     </message>
 </context>
 <context>

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/parameter_words.h"
+
+#include <string>
+#include <string_view>
+
+#include "core/model/law_parameter.h"
+#include "core/model/section_address.h"
+#include "core/model/section_field.h"
+
+namespace drillwave {
+
+namespace {
+
+/// A label of a table, for which the catalogues have words of their own.
+Message ofTable(std::string_view label) {
+    return std::string(label).c_str();
+}
+
+Message sectionWords(const SectionAddress& address) {
+    const bool ofHammer = address.chain == SectionAddress::Chain::hammer;
+    if (address.place > 0)
+        return {ofHammer ? translatable("drillwave::Message", "hammer section %1")
+                         : translatable("drillwave::Message", "section %1"),
+                {std::to_string(address.place)}};
+    SectionAddress named = address;
+    named.chain = SectionAddress::Chain::string;
+    if (!ofHammer) return named.words();
+    return {translatable("drillwave::Message", "hammer %1"), {named.words()}};
+}
+
+}  // namespace
+
+Message labelMessage(const Parameter& parameter) {
+    if (parameter.address)
+        return {translatable("drillwave::Message", "%1 of %2"),
+                {ofTable(parameter.address->field->label), sectionWords(*parameter.address)}};
+    if (const std::size_t corner = cornerOf(parameter))
+        return {parameter.localKey().ends_with("force")
+                    ? translatable("drillwave::Message", "force of corner %1")
+                    : translatable("drillwave::Message", "slope behind corner %1"),
+                {std::to_string(corner)}};
+    return ofTable(parameter.label);
+}
+
+}  // namespace drillwave

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a parameter is called by people, in parts that a window can say in the user's language.
+#pragma once
+
+#include "core/model/parameter.h"
+#include "core/text/message.h"
+
+namespace drillwave {
+
+/// "stiffness", "length of hammer section 1", "force of corner 2": the label, without the symbol.
+Message labelMessage(const Parameter& parameter);
+
+}  // namespace drillwave
