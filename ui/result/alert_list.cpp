@@ -51,8 +51,9 @@ void AlertList::present(const QString& problem, const std::vector<Alert>& alerts
     if (!problem.isEmpty()) write(row++, QStringLiteral("✖"), tr("Not solved"), problem, {});
     for (const Alert& alert : alerts) {
         const bool warning = alert.level == AlertLevel::warning;
+        const QString& text = texts[row];
         write(row++, warning ? QStringLiteral("⚠") : QStringLiteral("ℹ"),
-              warning ? tr("Warning") : tr("Note"), translated(alertMessage(alert, style)), alert.parameter);
+              warning ? tr("Warning") : tr("Note"), text, alert.parameter);
     }
     if (row == 0) write(row++, QStringLiteral("✓"), tr("Nothing unusual"), tr("Nothing unusual."), {});
     for (qsizetype unused = row; unused < m_labels.size(); ++unused) m_labels[unused]->hide();
