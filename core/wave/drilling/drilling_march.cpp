@@ -85,7 +85,6 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
         m_force = cellsOf(blow.force(), grid.cuts);
     }
     m_rear = RearNode(parts, widths);
-    m_rearMobility = 1 / parts.impedance;
     m_lastImpulse = m_hammerMomentum;
     if (problem.start == DrillingStart::bouncing) {
         const double velocity = blow.velocity() / 2;
@@ -210,14 +209,15 @@ bool DrillingMarch::takeBlow(const std::stop_token& stop) {
 /// A rod under a constant force and no other, away from the rock: S − b goes down, and comes back at once as
 /// b − S. That is most of the time between blows. False, and nothing done, where it may not be so.
 bool DrillingMarch::flyStep(std::size_t part) {
+    if (!m_bit.state().isApart()) return false;
     const WaveCell arriving = m_lines[0].arrive();
     const double force = m_rear.meanForce();
     WaveCell down = -1.0 * arriving;
     down.c[0] += force;
     if (!m_bit.flyStep(down, part)) return false;
     m_lines[0].turn(-force, arriving, part);
-    m_rearMoved += m_grid.cuts.widths()[part] * m_rearMobility * (force - 2 * arriving.mean());
-    if (m_samples) addSamples(part, m_rearMobility * (down - arriving), force, down);
+    m_rearMoved += m_grid.cuts.widths()[part] * m_rear.mobility() * (force - 2 * arriving.mean());
+    if (m_samples) addSamples(part, m_rear.mobility() * (down - arriving), force, down);
     return true;
 }
 
@@ -250,7 +250,7 @@ void DrillingMarch::step(std::size_t part, const WaveCell* force) {
     const RearNode::Forces rear = m_rear.step(down, arriving[hammer], force, part);
     if (hammers) enter(hammer - 1, rear.face - down);
     down = rear.sum() - arriving[hammer];
-    m_rearMoved += m_grid.cuts.widths()[part] * m_rearMobility * (down.mean() - arriving[hammer].mean());
+    m_rearMoved += m_grid.cuts.widths()[part] * m_rear.mobility() * (down.mean() - arriving[hammer].mean());
     leave(hammer, down);
     for (std::size_t j = hammer + 1; j < count; ++j) join(j);
     if (m_cell == m_gapCell && part == m_gapPart) noteGap(down);
@@ -259,7 +259,7 @@ void DrillingMarch::step(std::size_t part, const WaveCell* force) {
     enter(count - 1, back);
     if (m_kept) addWaves(part, rear);
     if (m_samples)
-        addSamples(part, m_rearMobility * (rear.sum() - 2.0 * arriving[hammer]), rear.damper.end(), down);
+        addSamples(part, m_rear.mobility() * (rear.sum() - 2.0 * arriving[hammer]), rear.damper.end(), down);
 }
 
 /// Where on the clock of the kept waves a part of this cell begins.

@@ -108,9 +108,8 @@ class DrillingMarch {
 
     const DrillingProblem& m_problem;
     DrillingGrid m_grid;
-    std::size_t m_hammer = 0;   ///< sections of it
-    double m_interval = 1;      ///< mean [t0]
-    double m_rearMobility = 1;  ///< of the section there
+    std::size_t m_hammer = 0;  ///< sections of it
+    double m_interval = 1;     ///< mean [t0]
     double m_stringMass = 0, m_hammerMomentum = 1, m_hammerMass = 0;
     std::vector<WaveCell> m_force;  ///< Fa over the parts of cells from its front on
     std::vector<LossyLine> m_lines;

@@ -76,6 +76,7 @@ class RearNode {
     void setState(const RearState& state) { m_now = state; }
     const RearSums& sums() const { return m_sums; }
     double meanForce() const { return m_meanForce; }
+    double mobility() const { return m_mobility; }  ///< 1/Z2
     /// In the stiffness of the faces, which goes with a hammer that still touches.
     double faceEnergy() const {
         return m_parts.face.stiffness ? m_now.faceForce * m_now.faceForce / (2 * *m_parts.face.stiffness) : 0;

@@ -274,10 +274,10 @@ BitNode::EventPiece BitNode::nextPiece(const Powers& g, double width, double fro
                      bitRounding * sumOf(piece.force.data(), piece.count) / m_impedance);
     } else if (m_mass == 0) {
         const Powers wave = seenFrom(g, from, piece.width);
-        for (int k = 0; k < WaveCell::count; ++k) piece.speed[k] = 2 / m_impedance * wave[k];
+        for (int k = 0; k < WaveCell::count; ++k) piece.speed[k] = m_toSpeed * wave[k];
     } else if (m_now.isApart()) {
         Powers target = g;
-        for (double& coefficient : target) coefficient *= 2 / m_impedance;
+        for (double& coefficient : target) coefficient *= m_toSpeed;
         const RelaxationPiece series =
             relaxationPiece(target, m_impedance / m_mass * width, m_now.velocity, from, end);
         piece.width = series.width;
