@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "app/command_error.h"
+#include "app/interruption.h"
 #include "app/open_files.h"
 #include "app/window_arguments.h"
 #include "core/model/version.h"
@@ -165,8 +166,14 @@ std::unique_ptr<const Drawing> startDrawing(int argc, char** argv) {
     qInstallMessageHandler([](QtMsgType type, const QMessageLogContext&, const QString& message) {
         if (type == QtFatalMsg) std::fprintf(stderr, "%s\n", message.toUtf8().constData());
     });
-    const RuntimeFolder runtimeFolder;
-    auto drawing = std::make_unique<const QtDrawing>(argc, argv);
+    // A signal while that folder is there would leave it behind.
+    holdInterruptions();
+    std::unique_ptr<const Drawing> drawing;
+    {
+        const RuntimeFolder runtimeFolder;
+        drawing = std::make_unique<const QtDrawing>(argc, argv);
+    }
+    exitOnInterruption();
     writePlainly();
     return drawing;
 }

@@ -20,6 +20,7 @@ rows=(
     "limits    8  2000 too few threads or too little memory: the same files or a line, nothing half written"
     "clock     1    40 the clock jumps forwards and back: the same rows, a sensible bar, recovery as ever"
     "signals  16 10000 SIGINT, SIGTERM, SIGHUP, SIGKILL at random times: 130, and nothing left behind; all is done by the next run"
+    "opening   4   200 SIGINT while the library that draws has a folder among what is temporary: 130, and nothing left behind"
     "kills     8  1000 SIGKILL while files are put in place: the old ones or the new ones, which the next run completes"
     "company   8  1000 two runs to one name, readers that leave early: one set whole, no noise"
     "names    20  1000 closed streams, odd names, folders, pipes, links in a circle: a line, or done as asked"

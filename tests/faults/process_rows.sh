@@ -96,6 +96,19 @@ try_signal() {
     fi
 }
 
+list_opening() { printf 'opening %s\n' "${drawing[@]}"; }
+
+try_opening() {
+    local command=$1
+    begin "$command" none
+    words_of "$command" new "$place"
+    in_background
+    until compgen -G "$TMPDIR/runtime-*" >/dev/null; do kill -0 $pid 2>/dev/null || break; done
+    kill -INT $pid 2>/dev/null
+    reap
+    expect_all_or_nothing "$command" none 130
+}
+
 list_kills() { printf '%s\n' "kill run any" "kill run amid" "kill sweep any" "kill sweep amid"; }
 
 # COMMAND any|amid: at any time, or when files are about to be put in place.
