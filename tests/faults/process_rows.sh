@@ -63,9 +63,10 @@ list_signals() {
     done
 }
 
-# Whether the program has begun to listen to that signal.
+# Whether the program has begun to listen to that signal: before it is loaded the shell does.
 listens_to() {
     local caught
+    [[ $(readlink "/proc/$pid/exe") == "$program"* ]] || return
     caught=$(awk '/^SigCgt/ { print $2 }' "/proc/$pid/status" 2>/dev/null)
     [ -n "$caught" ] && ((16#$caught & 1 << $(kill -l "$1") - 1))
 }
