@@ -109,8 +109,14 @@ class QtDrawing : public Drawing {
         return filesOf(drawBlowPlots(blow, formats, stop));
     }
 
-    std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order) const override {
-        return filesOf(drawReport(report, order));
+    std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order,
+                                  const Language& language) const override {
+        if (&language == &languages[0]) return filesOf(drawReport(report, order));
+        speak(language);
+        PaperReader reader;
+        reader.locale = QLocale(fromView(language.code));
+        reader.isSpokenTo = true;
+        return filesOf(drawReport(report, order, reader));
     }
 
     std::vector<NamedFile> study(const StudyValue& value, const PictureOrder& order) const override {

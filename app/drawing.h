@@ -18,6 +18,7 @@ namespace drillwave {
 
 struct Accuracy;
 struct BlowReport;
+struct Language;
 struct CurveReport;
 struct DesignReport;
 struct DrillingReport;
@@ -52,8 +53,10 @@ class Drawing {
     virtual std::vector<NamedFile> blow(const Blow& blow, const std::vector<std::string>& formats,
                                         const std::stop_token& stop) const = 0;
 
-    /// The report on a blow that was solved, "html" and "pdf".
-    virtual std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order) const = 0;
+    /// The report on a blow that was solved, "html" and "pdf", in words and numbers of that
+    /// language, of English as the commands write them.
+    virtual std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order,
+                                          const Language& language) const = 0;
 
     /// The picture of a study in each format, as its page in the window shows it at first.
     virtual std::vector<NamedFile> study(const StudyValue& value, const PictureOrder& order) const = 0;

@@ -80,7 +80,7 @@ ThrustStudy study(const Scenario& scenario, const WorkLimits& limits, const Inte
 
 /// Finds out before anything is computed whether there can be an answer.
 void checkQuestion(const Scenario& scenario, const std::optional<SweepAxis>& axis, const std::string& path) {
-    std::string problem = thrustProblem(scenario);
+    std::string problem = thrustProblem(scenario).text();
     if (problem.empty() && axis) {
         problem = whyNotApplicable(*axis->parameter, scenario);
         if (!problem.empty()) problem = std::string(axis->key()) + " has no meaning here: " + problem;

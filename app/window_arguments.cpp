@@ -27,15 +27,6 @@ namespace {
     throw CommandError(ExitCode::unreadableInput, word + ": No such file or command; see drillwave --help");
 }
 
-[[noreturn]] void refuseLanguage(const std::string& code) {
-    std::string known;
-    for (const Language& language : languages)
-        known += (known.empty() ? "" : ", ") + std::string(language.code);
-    throw CommandError(ExitCode::usage, code.empty()
-                                            ? "--language needs one of " + known
-                                            : "--language: `" + shortened(code) + "` is not one of " + known);
-}
-
 }  // namespace
 
 WindowArguments windowArguments(std::span<const std::string> words) {
@@ -48,8 +39,7 @@ WindowArguments windowArguments(std::span<const std::string> words) {
             continue;
         }
         if (word == languageOption) {
-            arguments.language = i + 1 < words.size() ? findLanguage(words[i + 1]) : nullptr;
-            if (!arguments.language) refuseLanguage(i + 1 < words.size() ? words[i + 1] : std::string());
+            arguments.language = &languageOf(i + 1 < words.size() ? words[i + 1] : std::string());
             ++i;
             continue;
         }

@@ -8,6 +8,7 @@
 #include "core/archive/result_scenario.h"
 #include "core/model/blow_traits.h"
 #include "core/model/law_parameter.h"
+#include "core/report/parameter_words.h"
 #include "core/yaml/law_reader.h"
 #include "core/yaml/preset_file.h"
 #include "core/yaml/preset_remarks.h"
@@ -94,20 +95,28 @@ class ScenarioRemarks {
     YamlTree m_tree;
 };
 
+Message ofPreset(const std::string& name, const std::string& source) {
+    return {translatable("drillwave::Message", "preset %1: %2"), {name, source}};
+}
+
+Message notStated() {
+    return translatable("drillwave::Message", "not stated");
+}
+
 /// "preset T38, round 38 mm: nominal" of the first preset that the scenario follows in everything.
-std::string presetSource(const Scenario& scenario, const SavedValue& saved) {
+Message presetSource(const Scenario& scenario, const SavedValue& saved) {
     for (const Preset& preset : builtInPresets()) {
         if (!matches(preset, scenario)) continue;
         if (const std::string source = presetSource(preset, saved); !source.empty())
-            return presetRemark(preset, source);
+            return ofPreset(preset.name, source);
     }
     return {};
 }
 
-std::string sourceOf(const Scenario& scenario, const SavedValue& saved, const std::optional<Stated>& stated) {
+Message sourceOf(const Scenario& scenario, const SavedValue& saved, const std::optional<Stated>& stated) {
     if (stated && !stated->comment.empty()) return stated->comment;
-    if (std::string source = presetSource(scenario, saved); !source.empty()) return source;
-    return stated ? "not stated" : "assumed by the program";
+    if (Message source = presetSource(scenario, saved); !source.isEmpty()) return source;
+    return stated ? notStated() : translatable("drillwave::Message", "assumed by the program");
 }
 
 /// In the unit of the text where that says the same value.
@@ -131,29 +140,34 @@ ReportInput inputOf(const Scenario& scenario, const SavedValue& saved, const Sce
     ReportInput input{key, {}, shownValue(saved, stated), {}, sourceOf(scenario, saved, stated)};
     if (!saved.parameter) {
         if (saved.key == "restrike") {
-            input.label = "hammer may strike again";
+            input.label = translatable("drillwave::Message", "hammer may strike again");
             return input;
         }
         if (saved.key == lawKey) {
-            input.label = "law of bit and rock";
+            input.label = translatable("drillwave::Message", "law of bit and rock");
             return input;
         }
         if (key == rockIndexingKey) {
-            input.label = "rock at the next blow";
+            input.label = translatable("drillwave::Message", "rock at the next blow");
             return input;
         }
         const bool isFile = saved.key != "shape";
-        input.label = isFile ? "table of the blow" : "shape of the blow";
-        if (isFile) input.source = "its points are in the scenario";
+        input.label = isFile ? translatable("drillwave::Message", "table of the blow")
+                             : translatable("drillwave::Message", "shape of the blow");
+        if (isFile) input.source = translatable("drillwave::Message", "its points are in the scenario");
         return input;
     }
     input.key = saved.parameter->key;
     input.si = saved.number;
     input.quantity = saved.parameter->quantity;
-    input.label = saved.parameter->label;
-    if (const std::string symbol = printedSymbol(saved.parameter->symbol); !symbol.empty())
-        input.label += " " + symbol;
+    input.label = labelMessage(*saved.parameter);
+    if (std::string symbol = printedSymbol(saved.parameter->symbol); !symbol.empty())
+        input.label = {"%1 %2", {std::move(input.label), std::move(symbol)}};
     return input;
+}
+
+Message inScenario() {
+    return translatable("drillwave::Message", "in the scenario");
 }
 
 /// The force or slope of a corner of the law.
@@ -161,10 +175,10 @@ ReportInput cornerInput(const Scenario& scenario, const Parameter& parameter) {
     const KeptParameter corner = inFormOf(scenario, parameter);
     const double si = corner->value(scenario).value_or(std::nan(""));
     return {std::string(corner->key),
-            std::string(corner->label),
+            labelMessage(*corner),
             formatQuantity(si, corner->quantity, corner->displayUnit()),
             si,
-            "in the scenario",
+            inScenario(),
             corner->quantity};
 }
 
@@ -174,24 +188,25 @@ bool isOfList(const SavedValue& saved) {
 }
 
 /// The preset that a section is, and its source.
-std::string presetSource(const Section& section) {
+Message presetSource(const Section& section) {
     for (const SectionPreset& preset : builtInSectionPresets())
         if (std::ranges::find(preset.sections, section) != preset.sections.end())
-            return "preset " + preset.name + ": " + preset.source;
+            return ofPreset(preset.name, preset.source);
     return {};
 }
 
 /// What stands behind the values of a section, each remark once; else behind the list that it is in, else the
 /// preset that it is.
-std::string sourceOf(const Section& section, const std::string& path, const std::vector<std::string>& remarks,
-                     const ScenarioRemarks& text) {
+Message sourceOf(const Section& section, const std::string& path, const std::vector<std::string>& remarks,
+                 const ScenarioRemarks& text) {
     std::string source;
     for (auto remark = remarks.begin(); remark != remarks.end(); ++remark)
         if (std::find(remarks.begin(), remark, *remark) == remark)
             source += (source.empty() ? "" : "; ") + *remark;
     if (source.empty()) source = text.behindKey(path.substr(0, path.rfind('.')));
-    if (source.empty()) source = presetSource(section);
-    return source.empty() ? "not stated" : source;
+    if (!source.empty()) return source;
+    const Message preset = presetSource(section);
+    return preset.isEmpty() ? notStated() : preset;
 }
 
 ReportSection sectionOf(const std::vector<SavedValue>& saved, const Section& section, const std::string& path,
@@ -222,7 +237,7 @@ std::vector<ReportSection> sectionsOf(const Scenario& scenario, std::string_view
         found.push_back(
             sectionOf(saved, drill.hammer.sections[i], "hammer.sections." + std::to_string(i), remarks));
         found.back().key = "hammer." + number;
-        found.back().place = "hammer " + number;
+        found.back().place = {translatable("drillwave::Message", "hammer %1"), {number}};
     }
     std::size_t next = 0;
     const std::vector<PlacedSection> placed = placedSections(drill);
@@ -232,8 +247,9 @@ std::vector<ReportSection> sectionsOf(const Scenario& scenario, std::string_view
         for (std::size_t k = 0; k < part.sections.size(); ++k) {
             found.push_back(sectionOf(saved, part.sections[k],
                                       part.group ? path + ".of." + std::to_string(k) : path, remarks));
-            found.back().place = std::to_string(placed[next++].place);
-            found.back().key = "string." + found.back().place;
+            const std::string number = std::to_string(placed[next++].place);
+            found.back().place = number;
+            found.back().key = "string." + number;
             found.back().times = part.repeat;
         }
     }
@@ -253,8 +269,9 @@ std::vector<ReportInput> inputsOf(const Scenario& scenario, std::string_view tex
             inputs.push_back(cornerInput(scenario, *findParameter(cornerKey(place, field))));
     if (const TablePoints& points = scenario.pulse.tablePoints;
         scenario.pulse.shape == PulseShape::table && scenario.pulse.tableFile.empty())
-        inputs.push_back({"pulse.points", "points of the blow", std::to_string(points.size()) + " points",
-                          static_cast<double>(points.size()), "in the scenario"});
+        inputs.push_back({"pulse.points", translatable("drillwave::Message", "points of the blow"),
+                          std::to_string(points.size()) + " points", static_cast<double>(points.size()),
+                          inScenario()});
     return inputs;
 }
 

@@ -44,11 +44,15 @@ std::string segmentsProblem() {
     return wholeNumberProblem(minimumSegments, maximumSegments);
 }
 
+Message methodMessage(const MethodChoice& choice) {
+    const std::string method(name(choice.method));
+    if (choice.method != Method::lattice) return {translatable("drillwave::Message", "method %1"), {method}};
+    return {translatable("drillwave::Message", "method %1, %2 segments"),
+            {method, std::to_string(choice.lattice.segments)}};
+}
+
 std::string describe(const MethodChoice& choice) {
-    std::string text = "method " + std::string(name(choice.method));
-    if (choice.method == Method::lattice)
-        text += ", " + std::to_string(choice.lattice.segments) + " segments";
-    return text;
+    return methodMessage(choice).text();
 }
 
 std::string methodRefusal(Method method, const Problem& problem) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "core/blow/chain_solution.h"
+#include "core/text/message.h"
 #include "core/wave/exact/exact_solver.h"
 #include "core/wave/impact.h"
 #include "core/wave/lattice/lattice_solver.h"
@@ -46,6 +47,8 @@ struct MethodChoice {
 };
 
 /// "method exact", "method lattice, 1000 segments": how to ask for it again.
+Message methodMessage(const MethodChoice& choice);
+/// The same in English, as files have it.
 std::string describe(const MethodChoice& choice);
 
 /// Why a method says nothing about a blow that others can solve; empty when it does.

@@ -17,7 +17,7 @@ using From = OutputSource;
 
 /// Per time: a number per blow in its unit times the blow frequency.
 Number perTime(const From& from, double perBlow, double unit) {
-    if (!frequencyProblem(from.scenario, {}).empty()) return std::nullopt;
+    if (!frequencyProblem(from.scenario, "").isEmpty()) return std::nullopt;
     return perBlow * unit * *from.scenario.drill.blowFrequency;
 }
 
@@ -103,7 +103,7 @@ constexpr auto outputTable = std::to_array<Output>({
      Detail::cor,
      [](const From& f) { return thrustNeeded(f.scenario, f.summary.cor, f.summary.transferred); },
      "thrust needed by this blow", OutputOf::anyBlow, OutputGroup::none, "", std::nullopt, std::nullopt,
-     thrustProblem},
+     [](const Scenario& s) { return thrustProblem(s).text(); }},
     {thrustMarginName,
      "effective feed force over the largest of the four needs of the thrust, less 1, when the scenario has "
      "them; takes a study of all gaps",
@@ -113,7 +113,7 @@ constexpr auto outputTable = std::to_array<Output>({
     {"percussion_power", "hammer work times blow frequency, W, when the scenario has a frequency",
      Measure::watt, Detail::summary, percussionPower, "percussion power", OutputOf::anyBlow,
      OutputGroup::work, "Work of the hammer on the rod times the blow frequency", std::nullopt, std::nullopt,
-     [](const Scenario& s) { return frequencyProblem(s, "the percussion power"); }},
+     [](const Scenario& s) { return frequencyProblem(s, translatable("drillwave::Message", "the percussion power")).text(); }},
     {"penetration_rate",
      "penetration that stays times blow frequency, m/s, when the scenario has a frequency: an upper limit",
      Measure::speed, Detail::summary, penetrationRate, "penetration rate", OutputOf::anyBlow,
@@ -122,7 +122,7 @@ constexpr auto outputTable = std::to_array<Output>({
      "off the rock do not reach, of blows that begin with a rod at rest; waves that are left may add to it "
      "(Drilling)",
      std::nullopt, std::nullopt,
-     [](const Scenario& s) { return frequencyProblem(s, "the penetration rate"); }},
+     [](const Scenario& s) { return frequencyProblem(s, translatable("drillwave::Message", "the penetration rate")).text(); }},
     {"peak_compression", "largest compression in the rod while the blow lasts", Measure::stress,
      Detail::histories, [](const From& f) -> Number { return f.summary.largest.compression; },
      "compression, blow", OutputOf::anyBlow, OutputGroup::stress,

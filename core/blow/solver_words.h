@@ -6,13 +6,14 @@
 #include <string_view>
 
 #include "core/blow/blow.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
 struct SolverWords {
     std::string key;          ///< in JSON: "polynomial_cells"
     std::string name;         ///< "lattice of 1000 segments"
-    std::string asked;        ///< in prose: "method lattice, 1000 segments", "polynomial cells"
+    Message asked;            ///< in prose: "method lattice, 1000 segments", "polynomial cells"
     std::string remark;       ///< in files, as remarksOf() reads it again: "method polynomial_cells"
     std::string_view pieces;  ///< what Impact::pieces counts
 };

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "core/model/scenario.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -17,12 +18,12 @@ namespace drillwave {
 std::optional<double> thrustNeeded(const Scenario& scenario, double cor, double transferred = 1);
 
 /// Why there is no thrust for a scenario and what to do; empty when there is one.
-std::string thrustProblem(const Scenario& scenario);
+Message thrustProblem(const Scenario& scenario);
 
 /// Why there is no margin of the installed thrust, likewise.
 std::string thrustMarginProblem(const Scenario& scenario);
 
 /// Why there is nothing per time for a scenario, `what` being "the thrust" or the like; empty when there is.
-std::string frequencyProblem(const Scenario& scenario, std::string_view what);
+Message frequencyProblem(const Scenario& scenario, const char* what);
 
 }  // namespace drillwave

@@ -172,25 +172,25 @@ Message inputDecides(const Alert& alert, const ReadingStyle& style) {
 Message overload(const Alert& alert, const Message& consequence, const ReadingStyle& style) {
     const bool isAfter = alert.level == AlertLevel::information;
     const bool isCompression = alert.has("compression");
-    const Message kind = isCompression ? translatable("drillwave::Message", "compression")
-                                       : translatable("drillwave::Message", "tension");
-    const std::string stress = inUnit(alert, isCompression ? "compression" : "tension", style);
+    const Message stress{isCompression ? translatable("drillwave::Message", "compression reaches %1")
+                                       : translatable("drillwave::Message", "tension reaches %1"),
+                         {inUnit(alert, isCompression ? "compression" : "tension", style)}};
     const std::string place = inUnit(alert, "place", style), time = inUnit(alert, "time", style),
                       strength = inUnit(alert, "strength", style);
     if (alert.has("section"))
         return {translatable("drillwave::Message",
-                             "Section %1 of hammer and string %2: %3 reaches %4, %5 from its rear end at %6, "
-                             "against a strength of %7."),
-                {whole(alert, "section"), consequence, kind, stress, place, time, strength}};
+                             "Section %1 of hammer and string %2: %3, %4 from its rear end at %5, against a "
+                             "strength of %6."),
+                {whole(alert, "section"), consequence, stress, place, time, strength}};
     if (isAfter)
         return {translatable("drillwave::Message",
-                             "The rod %1: %2 reaches %3, %4 from the hammer at %5, after the blow, in the "
-                             "waves left (which nothing damps here), against a strength of %6."),
-                {consequence, kind, stress, place, time, strength}};
+                             "The rod %1: %2, %3 from the hammer at %4, after the blow, in the waves left "
+                             "(which nothing damps here), against a strength of %5."),
+                {consequence, stress, place, time, strength}};
     return {translatable("drillwave::Message",
-                         "The rod %1: %2 reaches %3, %4 from the hammer at %5, during the blow, against a "
-                         "strength of %6."),
-            {consequence, kind, stress, place, time, strength}};
+                         "The rod %1: %2, %3 from the hammer at %4, during the blow, against a strength "
+                         "of %5."),
+            {consequence, stress, place, time, strength}};
 }
 
 }  // namespace
@@ -302,7 +302,7 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
 }
 
 std::string alertText(const Alert& alert, const ReadingStyle& style) {
-    return alertMessage(alert, style).text();
+    return style.said(alertMessage(alert, style));
 }
 
 }  // namespace drillwave

@@ -14,11 +14,12 @@ constexpr std::string_view frequencyKey = "drill.blow_frequency";
 constexpr double shareOfThrust = 0.5;
 
 /// A reason of a study, in a sentence; where the study was given up, how to have it all the same.
-std::string sentenceOf(const std::string& reason, const Blow& blow, std::string_view command) {
+Message sentenceOf(const std::string& reason, const Blow& blow, std::string_view command) {
     if (reason != tooManyPieces) return reason;
-    return "This blow has " + std::to_string(blow.impact.pieces) +
-           " pieces, too many to be followed over all gaps in a report: `drillwave " + std::string(command) +
-           "` does that, and takes its time.";
+    return {translatable("drillwave::Message",
+                         "This blow has %1 pieces, too many to be followed over all gaps in a report: "
+                         "`drillwave %2` does that, and takes its time."),
+            {std::to_string(blow.impact.pieces), std::string(command)}};
 }
 
 /// From `begin` to `end` of the whole.
@@ -44,12 +45,12 @@ std::optional<SweepAxis> frequencyAxis(const Scenario& scenario) {
 void addThrust(BlowReport& report, const std::stop_token& stop, const GapProgress& progress) {
     const Scenario& scenario = report.blow.scenario;
     report.thrustProblem = thrustProblem(scenario);
-    if (!report.thrustProblem.empty()) return;
+    if (!report.thrustProblem.isEmpty()) return;
     ThrustReport thrust;
     thrust.scenario = scenario;
     thrust.study = studyThrust(scenario, stop, progress, mostPiecesInPassing);
     report.thrustProblem = sentenceOf(thrust.study.reason, report.blow, "thrust");
-    if (!report.thrustProblem.empty() || thrust.study.stopped) return;
+    if (!report.thrustProblem.isEmpty() || thrust.study.stopped) return;
     report.blow.widestNeed = widestOf(thrust.study.needs);
     // The frequency changes no blow, and nothing over the gap.
     GapReboundFinder finder;
@@ -69,7 +70,9 @@ void addGap(BlowReport& report, const std::stop_token& stop, const GapProgress& 
     else if (gap.curve.reason == tooManyPieces)
         report.gapProblem = sentenceOf(gap.curve.reason, report.blow, "gap");
     else
-        report.gapProblem = "The blow could not be solved at all gaps: " + gap.curve.reason;
+        report.gapProblem = {
+            translatable("drillwave::Message", "The blow could not be solved at all gaps: %1"),
+            {gap.curve.reason}};
 }
 
 }  // namespace

@@ -18,10 +18,10 @@ namespace drillwave {
 /// One value that the scenario gives.
 struct ReportInput {
     std::string key;                        ///< "rod.length"
-    std::string label;                      ///< "length L"
+    Message label;                          ///< "length L"
     std::string value;                      ///< as the file has it: "3.66 m"
     std::optional<double> si;               ///< of a number
-    std::string source;                     ///< where the value is from, never empty: "assumed typical"
+    Message source;                         ///< where the value is from, never empty: "assumed typical"
     std::optional<Quantity> quantity = {};  ///< likewise, as the form of the scenario has it
     bool operator==(const ReportInput&) const = default;
 };
@@ -29,11 +29,11 @@ struct ReportInput {
 /// A section of a hammer or a string as the file has it, once.
 struct ReportSection {
     std::string key;                  ///< "hammer.1", "string.2": its first place
-    std::string place;                ///< "hammer 1", "2"
+    Message place;                    ///< "hammer 1", "2"
     std::string name;                 ///< may be empty
     int times = 1;                    ///< how often it comes
     std::vector<ReportInput> values;  ///< that it gives, by the key of their SectionField
-    std::string source;               ///< where they are from, never empty
+    Message source;                   ///< where they are from, never empty
     bool operator==(const ReportSection&) const = default;
 };
 
@@ -64,9 +64,9 @@ struct BlowReport {
     std::vector<ReportInput> inputs;            ///< in the order of a file
     std::vector<ReportSection> sections;        ///< of hammer and string, likewise; none of a uniform rod
     std::optional<GapReport> gap;               ///< where e depends on the gap and is known at all gaps
-    std::string gapProblem;                     ///< why not, in a sentence, else empty; empty of a string
+    Message gapProblem;                         ///< why not, in a sentence, else empty; empty of a string
     std::optional<ThrustReport> thrust;         ///< with study and curve, where blows have a frequency
-    std::string thrustProblem;                  ///< why not, likewise
+    Message thrustProblem;                      ///< why not, likewise
 };
 
 /// Solves a valid scenario and, unless that takes more than mostPiecesInPassing, follows it over the gap and

@@ -181,7 +181,7 @@ Message feedDecisionMessage(const FeedDecision& decision, const ReadingStyle& st
 }
 
 std::string feedDecisionText(const FeedDecision& decision, const ReadingStyle& style) {
-    return feedDecisionMessage(decision, style).text();
+    return style.said(feedDecisionMessage(decision, style));
 }
 
 const char* feedAdvice(Feed feed) {

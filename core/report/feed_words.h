@@ -18,7 +18,7 @@ std::string_view feedWord(Feed feed);
 /// The sentence to act on: "8 kN is enough at every gap up to 66.1 Hz." It tells what is missing where that
 /// cannot be said. Needs are rounded up and frequencies down, to as many digits as tell them from what is.
 Message feedDecisionMessage(const FeedDecision& decision, const ReadingStyle& style = plainStyle());
-/// The same in English.
+/// The same in the language of the reader.
 std::string feedDecisionText(const FeedDecision& decision, const ReadingStyle& style = plainStyle());
 
 /// What the feed means at the rig, without numbers: a pattern of a Message.

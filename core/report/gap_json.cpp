@@ -97,7 +97,7 @@ std::string gapJson(const GapReport& report) {
         {"groups", groupsJson(groupsOf(report.scenario))},
         {"depends_on_gap", report.curve.dependsOnGap},
         {"period", JsonObject{{"start", report.curve.periodStart}, {"end", report.curve.end}}},
-        {"remark", report.periodRemark()},
+        {"remark", report.periodRemark().text()},
         {"uniform", uniformJson(report.statistics)},
         {"normal", normalJson(report)},
         {"crossings", crossingsJson(report.statistics)},

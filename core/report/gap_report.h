@@ -7,6 +7,7 @@
 
 #include "core/study/gap/gap_study.h"
 #include "core/text/handy_text.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -19,7 +20,7 @@ struct GapReport : GapStudy {
     GapReport(GapStudy study) : GapStudy(std::move(study)) {}
 
     /// What the reader should know about the period, empty when it begins at no gap.
-    std::string periodRemark(const ReadingStyle& style = plainStyle()) const;
+    Message periodRemark(const ReadingStyle& style = plainStyle()) const;
 };
 
 }  // namespace drillwave

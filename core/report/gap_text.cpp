@@ -24,17 +24,21 @@ class GapTable {
                              : m_style.number(value, gapDigits);
     }
 
-    void addHeading(const std::string& title) {
-        m_grid.add({title, "e", m_dimensional ? "impulse" : "impulse/I0",
-                    m_dimensional ? "peak force" : "peak force/F0", "efficiency"});
+    void addHeading(const Message& title) {
+        const auto over = [&](const char* output, const char* scale) {
+            return m_style.said(output) + (m_dimensional ? "" : scale);
+        };
+        m_grid.add({m_style.said(title), "e", over(translatable("drillwave::Message", "impulse"), "/I0"),
+                    over(translatable("drillwave::Message", "peak force"), "/F0"),
+                    m_style.said(translatable("drillwave::Message", "efficiency"))});
     }
 
     /// One line of `value(output)`.
     template <class Value>
-    void add(const std::string& label, const Value& value) {
+    void add(const Message& label, const Value& value) {
         const double impulse = 1 + value(GapOutput::cor), force = value(GapOutput::peakForce);
         const double efficiency = value(GapOutput::efficiency);
-        m_grid.add({label, m_style.number(value(GapOutput::cor), gapDigits),
+        m_grid.add({m_style.said(label), m_style.number(value(GapOutput::cor), gapDigits),
                     m_dimensional ? m_style.quantity(impulse * m_scales.impulse, Quantity::impulse, gapDigits)
                                   : m_style.number(impulse, gapDigits),
                     m_dimensional ? m_style.quantity(force * m_scales.force, Quantity::force, gapDigits)
@@ -47,11 +51,15 @@ class GapTable {
     void addGaps(const Extreme& extreme) {
         const auto place = [&](GapOutput output) {
             const GapExtreme& found = extreme(output);
-            if (found.kind == GapExtreme::Kind::everywhere) return std::string("anywhere");
-            return gap(found.gap.value) + (found.kind == GapExtreme::Kind::kink ? " kink" : "");
+            if (found.kind == GapExtreme::Kind::everywhere)
+                return m_style.said(translatable("drillwave::Message", "anywhere"));
+            const std::string gap = this->gap(found.gap.value);
+            if (found.kind != GapExtreme::Kind::kink) return gap;
+            return m_style.said({translatable("drillwave::Message", "%1 kink"), {gap}});
         };
         const std::string cor = place(GapOutput::cor);
-        m_grid.add({"  at a gap of", cor, cor, place(GapOutput::peakForce), place(GapOutput::efficiency)});
+        m_grid.add({"  " + m_style.said(translatable("drillwave::Message", "at a gap of")), cor, cor,
+                    place(GapOutput::peakForce), place(GapOutput::efficiency)});
     }
 
     void addBlankLine() { m_grid.add({""}); }
@@ -64,13 +72,15 @@ class GapTable {
     TextGrid m_grid;
 };
 
-std::string quantileLabel(std::size_t i, const ReadingStyle& style) {
-    return gapQuantiles[i] == 0.5 ? "median" : style.number(gapQuantiles[i] * 100, 3) + " % quantile";
+Message quantileLabel(std::size_t i, const ReadingStyle& style) {
+    if (gapQuantiles[i] == 0.5) return translatable("drillwave::Message", "median");
+    return {translatable("drillwave::Message", "%1 % quantile"), {style.number(gapQuantiles[i] * 100, 3)}};
 }
 
 template <class SpreadOf>
 void addSpread(GapTable& table, const SpreadOf& spread, const ReadingStyle& style) {
-    table.add("mean", [&](GapOutput output) { return spread(output).mean.value; });
+    table.add(translatable("drillwave::Message", "mean"),
+              [&](GapOutput output) { return spread(output).mean.value; });
     for (std::size_t i = 0; i < gapQuantiles.size(); ++i)
         table.add(quantileLabel(i, style),
                   [&](GapOutput output) { return spread(output).quantiles[i].value; });
@@ -78,17 +88,19 @@ void addSpread(GapTable& table, const SpreadOf& spread, const ReadingStyle& styl
 
 void fill(GapTable& table, const GapReport& report, const ReadingStyle& style) {
     const GapStatistics& statistics = report.statistics;
-    table.addHeading("all gaps alike");
-    table.add("smallest", [&](GapOutput output) { return statistics.of(output).least.value.value; });
+    table.addHeading(translatable("drillwave::Message", "all gaps alike"));
+    table.add(translatable("drillwave::Message", "smallest"),
+              [&](GapOutput output) { return statistics.of(output).least.value.value; });
     table.addGaps([&](GapOutput output) -> const GapExtreme& { return statistics.of(output).least; });
-    table.add("largest", [&](GapOutput output) { return statistics.of(output).largest.value.value; });
+    table.add(translatable("drillwave::Message", "largest"),
+              [&](GapOutput output) { return statistics.of(output).largest.value.value; });
     table.addGaps([&](GapOutput output) -> const GapExtreme& { return statistics.of(output).largest; });
     addSpread(
         table, [&](GapOutput output) -> const GapSpread& { return statistics.of(output).uniform; }, style);
     if (report.normal) {
         table.addBlankLine();
-        table.addHeading("gap " + table.gap(report.normal->mean) + " +- " +
-                         table.gap(report.normal->deviation));
+        table.addHeading({translatable("drillwave::Message", "gap %1 +- %2"),
+                          {table.gap(report.normal->mean), table.gap(report.normal->deviation)}});
         addSpread(
             table, [&](GapOutput output) -> const GapSpread& { return *statistics.of(output).normal; },
             style);
@@ -101,22 +113,28 @@ std::string shareOfGaps(double share, const ReadingStyle& style) {
 
 std::string superRebounds(const GapReport& report, const GapTable& table, const ReadingStyle& style) {
     const GapStatistics& statistics = report.statistics;
-    std::string text = "e > 1 at " + shareOfGaps(statistics.shareAboveOne.value, style) + " of all gaps";
+    std::string text = style.said({translatable("drillwave::Message", "e > 1 at %1 of all gaps"),
+                                   {shareOfGaps(statistics.shareAboveOne.value, style)}});
     if (report.normal)
-        text += ", " + shareOfGaps(statistics.normalShareAboveOne->value, style) + " of the scattered ones";
+        text += style.said({translatable("drillwave::Message", ", %1 of the scattered ones"),
+                            {shareOfGaps(statistics.normalShareAboveOne->value, style)}});
     for (const GapCrossing& crossing : statistics.crossings)
         text += (&crossing == &statistics.crossings.front() ? ": " : ", ") +
-                std::string(crossing.rising ? "rises above 1 at " : "falls below 1 at ") +
-                table.gap(crossing.gap.value);
+                style.said({crossing.rising ? translatable("drillwave::Message", "rises above 1 at %1")
+                                            : translatable("drillwave::Message", "falls below 1 at %1"),
+                            {table.gap(crossing.gap.value)}});
     return text;
 }
 
 std::string kinks(const GapReport& report, const GapTable& table, const ReadingStyle& style) {
     std::string text;
     for (const GapKink& kink : report.statistics.kinks)
-        text += (text.empty() ? "Kinks of e at a gap of " : ", ") + table.gap(kink.gap) + " (slope " +
-                style.number(kink.slopeBefore, 3) + " to " + style.number(kink.slopeAfter, 3) + " per d0)";
-    return text;
+        text += (text.empty() ? "" : ", ") +
+                style.said({translatable("drillwave::Message", "%1 (slope %2 to %3 per d0)"),
+                            {table.gap(kink.gap), style.number(kink.slopeBefore, 3),
+                             style.number(kink.slopeAfter, 3)}});
+    if (text.empty()) return text;
+    return style.said({translatable("drillwave::Message", "Kinks of e at a gap of %1"), {text}});
 }
 
 double largestError(const GapStatistics& statistics) {
@@ -147,11 +165,14 @@ std::vector<std::string> gapRemarks(const GapReport& report, const ReadingStyle&
     if (std::string places = kinks(report, table, style); !places.empty())
         remarks.push_back(std::move(places));
     if (report.normal)
-        remarks.emplace_back(
-            "The scattered gap is a normal distribution cut off at no gap: mean and deviation are those "
-            "before the cut.");
-    remarks.push_back("Errors below " + style.number(largestError(report.statistics), 2) + ", from " +
-                      std::to_string(report.curve.solves) + (report.curve.solves == 1 ? " blow" : " blows"));
+        remarks.push_back(style.said(
+            translatable("drillwave::Message",
+                         "The scattered gap is a normal distribution cut off at no gap: mean and deviation "
+                         "are those before the cut.")));
+    remarks.push_back(style.said(
+        {report.curve.solves == 1 ? translatable("drillwave::Message", "Errors below %1, from %2 blow")
+                                  : translatable("drillwave::Message", "Errors below %1, from %2 blows"),
+         {style.number(largestError(report.statistics), 2), std::to_string(report.curve.solves)}}));
     return remarks;
 }
 
@@ -161,7 +182,7 @@ std::string gapText(const GapReport& report) {
     if (report.curve.dependsOnGap)
         text += "  The gap has a period of d0" +
                 (hasUnits(report.scenario) ? " = " + table.gap(1) : std::string()) + ".\n";
-    if (const std::string remark = report.periodRemark(); !remark.empty()) text += "  " + remark + "\n";
+    if (const Message remark = report.periodRemark(); !remark.isEmpty()) text += "  " + remark.text() + "\n";
     text += "\n" + gapGrid(report).text();
     for (const std::string& remark : gapRemarks(report)) text += "\n  " + remark;
     return text + " in " + inHandyUnit(report.runTime, Quantity::time, 3) + ".\n";

@@ -41,8 +41,12 @@ std::string htmlRows(const std::vector<std::vector<std::string>>& rows) {
         const bool isHead = &row == &rows.front();
         // A class as well: paper breaks words where no blank lets it.
         html += isHead ? "<tr>" : "<tr class=\"whole\">";
-        for (const std::string& cell : row)
-            html += isHead ? htmlElement("th", cell) : htmlElement("td", unbroken(cell));
+        for (const std::string& cell : row) {
+            const bool isWord = isHead && cell.find(' ') == cell.npos;
+            html += isWord   ? "<th class=\"whole\">" + escapedHtml(cell) + "</th>"
+                    : isHead ? htmlElement("th", cell)
+                             : htmlElement("td", unbroken(cell));
+        }
         html += "</tr>\n";
     }
     return html;

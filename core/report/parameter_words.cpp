@@ -12,11 +12,6 @@ namespace drillwave {
 
 namespace {
 
-/// A label of a table, for which the catalogues have words of their own.
-Message ofTable(std::string_view label) {
-    return std::string(label).c_str();
-}
-
 Message sectionWords(const SectionAddress& address) {
     const bool ofHammer = address.chain == SectionAddress::Chain::hammer;
     if (address.place > 0)
@@ -34,13 +29,13 @@ Message sectionWords(const SectionAddress& address) {
 Message labelMessage(const Parameter& parameter) {
     if (parameter.address)
         return {translatable("drillwave::Message", "%1 of %2"),
-                {ofTable(parameter.address->field->label), sectionWords(*parameter.address)}};
+                {Message::ofTable(parameter.address->field->label), sectionWords(*parameter.address)}};
     if (const std::size_t corner = cornerOf(parameter))
         return {parameter.localKey().ends_with("force")
                     ? translatable("drillwave::Message", "force of corner %1")
                     : translatable("drillwave::Message", "slope behind corner %1"),
                 {std::to_string(corner)}};
-    return ofTable(parameter.label);
+    return Message::ofTable(parameter.label);
 }
 
 }  // namespace drillwave

@@ -42,7 +42,7 @@ constexpr std::string_view paperStyle =
     "p{margin-top:0;margin-bottom:4px}td,th{padding-right:12px;"
     "text-align:left}table.ruled{border-collapse:collapse;margin-bottom:3px}"
     "table.ruled td{border-bottom:0.5px solid #bbbbbb}table.ruled th{border-bottom:1px solid "
-    "#555555}tr.whole "
+    "#555555}th.whole,tr.whole "
     "td{white-space:nowrap}p.decision{font-weight:600;margin-top:4px;margin-bottom:4px}p."
     "caption{font-size:7.5pt;margin-bottom:8px}pre{font-size:6.5pt;white-space:pre-"
     "wrap}";
@@ -82,7 +82,7 @@ class Page {
         : m_report(report), m_medium(medium), m_style(style), m_paperLines(paperLines) {}
 
     std::string body(const std::vector<ReportPicture>& pictures) const {
-        return htmlElement("h1", bounded(reportTitle(m_report), mostTitleColumns)) + "\n" + head() +
+        return htmlElement("h1", bounded(reportTitle(m_report, m_style), mostTitleColumns)) + "\n" + head() +
                decision() + lead(pictures) + feed() + alerts() + results() + others() + misfits() +
                energies() + stresses() + thrust() + gap() + inputs() + sections() + scales() +
                plots(pictures) + scenario() + solver();
@@ -92,8 +92,9 @@ class Page {
     bool isScreen() const { return m_medium == ReportMedium::screen; }
     const Blow& blow() const { return m_report.blow; }
 
-    static std::string paragraph(std::string_view text) { return htmlElement("p", text) + "\n"; }
-    static std::string heading(std::string_view text) { return htmlElement("h2", text) + "\n"; }
+    std::string said(const Message& message) const { return m_style.said(message); }
+    std::string paragraph(const Message& text) const { return htmlElement("p", said(text)) + "\n"; }
+    std::string heading(const Message& text) const { return htmlElement("h2", said(text)) + "\n"; }
 
     /// A text that may be of any length.
     std::string bounded(std::string_view text, std::size_t mostColumns = mostCellColumns) const {
@@ -104,18 +105,19 @@ class Page {
     std::string head() const {
         const ReportHead& head = m_report.head;
         std::string names, values;
-        const auto add = [&](const char* key, const char* name, const std::string& value) {
+        const auto add = [&](const char* key, const char* english, const std::string& value) {
             if (value.empty()) return;
+            const std::string name = said(english);
             const std::string shown = bounded(value, mostTitleColumns);
             if (isScreen())
                 names += row(key, htmlElement("th", name) + htmlElement("td", shown));
             else
                 names += htmlElement("th", name), values += htmlElement("td", shown);
         };
-        add("project", "Project", head.project);
-        add("author", "Author", head.author);
-        add("customer", "Customer", head.customer);
-        add("date", "Date", head.date);
+        add("project", translatable("drillwave::Message", "Project"), head.project);
+        add("author", translatable("drillwave::Message", "Author"), head.author);
+        add("customer", translatable("drillwave::Message", "Customer"), head.customer);
+        add("date", translatable("drillwave::Message", "Date"), head.date);
         if (head.isEmpty()) return {};
         if (isScreen()) return tableOf("head", names);
         return tableOf("head", "<tr>" + names + "</tr>\n<tr>" + values + "</tr>\n");
@@ -136,13 +138,17 @@ class Page {
     }
 
     std::string about() const {
-        const std::string begin =
-            std::string("Report on one blow of a percussive drill, written by Drillwave ") + versionText +
-            ", solved by " + solverWords(blow()).asked + ". Tension is positive. ";
-        return begin + (hasSections(blow().scenario)
-                            ? "Hammer and string of uniform sections; bending, torsion and friction "
-                              "in threads beyond a loss factor are not modelled."
-                            : "One uniform rod; joints and the mass of the bit are not modelled.");
+        return said({translatable("drillwave::Message",
+                                  "Report on one blow of a percussive drill, written by Drillwave %1, solved "
+                                  "by %2. Tension is positive. %3"),
+                     {std::string(versionText), solverWords(blow()).asked,
+                      hasSections(blow().scenario)
+                          ? translatable("drillwave::Message",
+                                         "Hammer and string of uniform sections; bending, torsion and "
+                                         "friction in threads beyond a loss factor are not modelled.")
+                          : translatable("drillwave::Message",
+                                         "One uniform rod; joints and the mass of the bit are not "
+                                         "modelled.")}});
     }
 
     /// By the study of the thrust, or else by the blow alone.
@@ -153,31 +159,32 @@ class Page {
 
     /// What stands behind the decision at the top.
     std::string feed() const {
-        std::string html = heading("Verdict on the feed");
+        std::string html = heading(translatable("drillwave::Message", "Verdict on the feed"));
         if (m_report.thrust) {
             for (const Message& sentence :
                  verdictSentences(m_report.thrust->judged(), m_style) | std::views::drop(1))
-                html += paragraph(sentence.text());
+                html += paragraph(sentence);
             return html;
         }
         if (const std::optional<FeedVerdict>& verdict = blow().feed)
-            html += paragraph(
-                feedMeaning(verdict->feed,
-                            gapAtBlow(blow().scenario, blow().summary.cor, blow().summary.transferred),
-                            m_style)
-                    .text());
-        return html + paragraph(sentence(m_report.thrustProblem));
+            html += paragraph(feedMeaning(
+                verdict->feed, gapAtBlow(blow().scenario, blow().summary.cor, blow().summary.transferred),
+                m_style));
+        return html + paragraph(sentence(said(m_report.thrustProblem)));
     }
 
     std::string alerts() const {
-        std::string html = heading("Alerts and remarks");
+        std::string html = heading(translatable("drillwave::Message", "Alerts and remarks"));
         for (const Alert& alert : blow().alerts) {
             const bool isWarning = alert.level == AlertLevel::warning;
             html += std::string("<p class=\"") + (isWarning ? "warning" : "note") + "\"><b>" +
-                    (isWarning ? "Warning:" : "Note:") + "</b> " + escapedHtml(alertText(alert, m_style)) +
-                    "</p>\n";
+                    escapedHtml(said(isWarning ? translatable("drillwave::Message", "Warning:")
+                                               : translatable("drillwave::Message", "Note:"))) +
+                    "</b> " + escapedHtml(alertText(alert, m_style)) + "</p>\n";
         }
-        return blow().alerts.empty() ? html + paragraph("Nothing unusual.") : html;
+        return blow().alerts.empty()
+                   ? html + paragraph(translatable("drillwave::Message", "Nothing unusual."))
+                   : html;
     }
 
     /// With the whole number behind the text on the screen, where there is one.
@@ -193,10 +200,10 @@ class Page {
                rows + "</table>\n";
     }
 
-    std::string table(const std::string& id, const std::vector<std::string>& titles,
+    std::string table(const std::string& id, const std::vector<Message>& titles,
                       const std::string& rows) const {
         std::string head = "<tr>";
-        for (const std::string& title : titles) head += htmlElement("th", title);
+        for (const Message& title : titles) head += htmlElement("th", said(title));
         return tableOf(id, head + "</tr>\n" + rows);
     }
 
@@ -214,37 +221,45 @@ class Page {
     std::string inputs() const {
         std::string rows;
         for (const ReportInput& input : m_report.inputs)
-            rows += row(input.key, htmlElement("td", input.key) + htmlElement("td", input.label) +
+            rows += row(input.key, htmlElement("td", input.key) + htmlElement("td", said(input.label)) +
                                        cell(given(input, input.quantity), input.si) +
-                                       htmlElement("td", bounded(input.source)));
-        return heading("Inputs") + table("inputs", {"key", "what", "value", "source"}, rows);
+                                       htmlElement("td", bounded(said(input.source))));
+        return heading(translatable("drillwave::Message", "Inputs")) +
+               table("inputs",
+                     {translatable("drillwave::Message", "key"), translatable("drillwave::Message", "what"),
+                      translatable("drillwave::Message", "value"),
+                      translatable("drillwave::Message", "source")},
+                     rows);
     }
 
     /// Hammer and string as the file has them.
     std::string sections() const {
         if (m_report.sections.empty()) return {};
-        std::vector<std::string> titles{"place", "section", "times"};
+        std::vector<Message> titles{translatable("drillwave::Message", "place"),
+                                    translatable("drillwave::Message", "section"),
+                                    translatable("drillwave::Message", "times")};
         std::vector<const SectionField*> fields;
         for (const SectionField& field : sectionFields()) {
             const auto gives = [&](const ReportSection& section) { return valueOf(section, field); };
             if (std::ranges::none_of(m_report.sections, gives)) continue;
             fields.push_back(&field);
-            titles.emplace_back(field.label);
+            titles.push_back(Message::ofTable(field.label));
         }
-        titles.emplace_back("source");
+        titles.emplace_back(translatable("drillwave::Message", "source"));
         std::string rows;
         const std::size_t shown = isScreen() ? m_report.sections.size() : mostSectionsOnPaper;
         for (const ReportSection& section : m_report.sections | std::views::take(shown)) {
-            std::string cells = htmlElement("td", section.place) + htmlElement("td", bounded(section.name)) +
+            std::string cells = htmlElement("td", said(section.place)) +
+                                htmlElement("td", bounded(section.name)) +
                                 htmlElement("td", std::to_string(section.times));
             for (const SectionField* field : fields) {
                 const ReportInput* value = valueOf(section, *field);
                 cells += value ? cell(given(*value, field->quantity), value->si) : htmlElement("td", "");
             }
-            rows += row(section.key, cells + htmlElement("td", bounded(section.source)));
+            rows += row(section.key, cells + htmlElement("td", bounded(said(section.source))));
         }
-        return heading("Hammer and string") + table("sections", titles, rows) +
-               rest(m_report.sections.size());
+        return heading(translatable("drillwave::Message", "Hammer and string")) +
+               table("sections", titles, rows) + rest(m_report.sections.size());
     }
 
     static const ReportInput* valueOf(const ReportSection& section, const SectionField& field) {
@@ -256,8 +271,9 @@ class Page {
     std::string rest(std::size_t sections) const {
         return isScreen() || sections <= mostSectionsOnPaper
                    ? std::string()
-                   : paragraph("The other " + std::to_string(sections - mostSectionsOnPaper) +
-                               " sections are in the report as HTML.");
+                   : paragraph({translatable("drillwave::Message",
+                                             "The other %1 sections are in the report as HTML."),
+                                {std::to_string(sections - mostSectionsOnPaper)}});
     }
 
     std::string numbers(const std::vector<ReportRow>& lines, bool tellsKey) const {
@@ -273,9 +289,11 @@ class Page {
 
     /// On paper in two halves beside each other.
     std::string scales() const {
-        const std::vector<std::string> titles{"symbol", "what", "value"};
+        const std::vector<Message> titles{translatable("drillwave::Message", "symbol"),
+                                          translatable("drillwave::Message", "what"),
+                                          translatable("drillwave::Message", "value")};
         const std::vector<ReportRow> rows = scaleRows(blow(), m_style);
-        const std::string title = heading("Groups and scales");
+        const std::string title = heading(translatable("drillwave::Message", "Groups and scales"));
         if (isScreen()) return title + table("scales", titles, numbers(rows, true));
         const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() + 1) / 2;
         return title + beside(table("", titles, numbers({rows.begin(), middle}, true)),
@@ -288,31 +306,38 @@ class Page {
     }
 
     std::string results() const {
-        std::vector<std::string> titles{"result", "as a multiple"};
+        std::vector<Message> titles{translatable("drillwave::Message", "result"),
+                                    translatable("drillwave::Message", "as a multiple")};
         if (hasUnits(blow().scenario)) titles.push_back(m_style.unitsTitle());
-        titles.emplace_back("where and when");
-        return heading("Results") + table("results", titles, numbers(resultRows(blow(), m_style), false)) +
-               paragraph(hasSections(blow().scenario) ? "E₀ and p₀ are energy and momentum of the hammer."
-                                                      : "W is the work of the hammer.");
+        titles.emplace_back(translatable("drillwave::Message", "where and when"));
+        return heading(translatable("drillwave::Message", "Results")) +
+               table("results", titles, numbers(resultRows(blow(), m_style), false)) +
+               paragraph(hasSections(blow().scenario)
+                             ? translatable("drillwave::Message",
+                                            "E₀ and p₀ are energy and momentum of the hammer.")
+                             : translatable("drillwave::Message", "W is the work of the hammer."));
     }
 
     std::string others() const {
         if (m_report.others.rows.empty()) return {};
-        return heading("Beside other runs") + comparison("runs", "quantity", m_report.others);
+        return heading(translatable("drillwave::Message", "Beside other runs")) +
+               comparison("runs", translatable("drillwave::Message", "quantity"), m_report.others);
     }
 
     std::string misfits() const {
         if (m_report.misfits.rows.empty()) return {};
-        return heading("Beside what was measured") + comparison("measured", "signal", m_report.misfits) +
-               paragraph(
+        return heading(translatable("drillwave::Message", "Beside what was measured")) +
+               comparison("measured", translatable("drillwave::Message", "signal"), m_report.misfits) +
+               paragraph(translatable(
+                   "drillwave::Message",
                    "Over the time that both have: the root of the mean square of their difference, the "
                    "size of the largest force, measured less computed, and how much later the measured "
-                   "signal comes than where it fits best.");
+                   "signal comes than where it fits best."));
     }
 
     std::string comparison(const char* key, const char* first, const ReportComparison& compared) const {
-        std::vector<std::string> titles{first};
-        for (const std::string& title : compared.titles) titles.push_back(bounded(title));
+        std::vector<Message> titles{first};
+        for (const std::string& title : compared.titles) titles.emplace_back(bounded(title));
         std::string rows;
         for (const ReportRow& each : compared.rows) {
             std::string cells = htmlElement("td", bounded(each.label));
@@ -325,18 +350,28 @@ class Page {
     /// What the numbers are worth, which is no result.
     std::string solver() const {
         const bool ofString = hasSections(blow().scenario);
-        return heading("How well it is solved") + paragraph(about()) +
-               table("solver", {"error", "size"}, numbers(solverRows(blow(), m_style), false)) +
-               paragraph(std::string(ofString ? "The error of the efficiency" : "The bound on e") +
-                         " and the errors of the balances are numerical; what is known of rock and " +
-                         (ofString ? "string" : "rod") + " is far coarser.");
+        return heading(translatable("drillwave::Message", "How well it is solved")) + paragraph(about()) +
+               table(
+                   "solver",
+                   {translatable("drillwave::Message", "error"), translatable("drillwave::Message", "size")},
+                   numbers(solverRows(blow(), m_style), false)) +
+               paragraph(ofString
+                             ? translatable("drillwave::Message",
+                                            "The error of the efficiency and the errors of the balances are "
+                                            "numerical; what is known of rock and string is far coarser.")
+                             : translatable("drillwave::Message",
+                                            "The bound on e and the errors of the balances are numerical; "
+                                            "what is known of rock and rod is far coarser."));
     }
 
     std::string energies() const {
         if (!hasSections(blow().scenario)) return {};
-        return heading("Where the energy went") +
-               tableOf("energies", htmlRows(printedUnits(titled({"", "share of E₀", "energy"},
-                                                                energyGrid(blow(), m_style).rows()))));
+        return heading(translatable("drillwave::Message", "Where the energy went")) +
+               tableOf(
+                   "energies",
+                   htmlRows(printedUnits(titled({"", said(translatable("drillwave::Message", "share of E₀")),
+                                                 said(translatable("drillwave::Message", "energy"))},
+                                                energyGrid(blow(), m_style).rows()))));
     }
 
     static std::vector<std::vector<std::string>> titled(std::vector<std::string> titles,
@@ -350,25 +385,26 @@ class Page {
         std::vector<std::vector<std::string>> rows = sectionGrid(blow(), m_style).rows();
         const std::size_t sections = rows.size() - 1;
         if (!isScreen()) rows.resize(std::min(sections, mostSectionsOnPaper) + 1);
-        return heading("Largest stresses of every section") +
+        return heading(translatable("drillwave::Message", "Largest stresses of every section")) +
                tableOf("stresses", htmlRows(printedUnits(std::move(rows)))) + rest(sections) +
-               paragraph(
+               paragraph(translatable(
+                   "drillwave::Message",
                    "Places are from the rear end of a section. What a joint reflects is the energy of the "
-                   "waves "
-                   "from the hammer that the far end of the section throws back, of that of the hammer.");
+                   "waves from the hammer that the far end of the section throws back, of that of the "
+                   "hammer."));
     }
 
     std::string thrust() const {
         if (!m_report.thrust) return {};
-        return heading("Needs of the thrust") +
+        return heading(translatable("drillwave::Message", "Needs of the thrust")) +
                tableOf("thrust", htmlRows(printedUnits(needsGrid(*m_report.thrust, m_style).rows())));
     }
 
     std::string gap() const {
         if (!gapHasPeriod(blow().scenario)) return {};
-        std::string html = heading("All gaps between bit and rock");
-        if (!m_report.gap) return html + paragraph(sentence(m_report.gapProblem));
-        if (const std::string remark = m_report.gap->periodRemark(m_style); !remark.empty())
+        std::string html = heading(translatable("drillwave::Message", "All gaps between bit and rock"));
+        if (!m_report.gap) return html + paragraph(sentence(said(m_report.gapProblem)));
+        if (const Message remark = m_report.gap->periodRemark(m_style); !remark.isEmpty())
             html += paragraph(remark);
         html += tableOf("gap", htmlRows(printedUnits(gapGrid(*m_report.gap, m_style).rows())));
         for (const std::string& remark : gapRemarks(*m_report.gap, m_style))
@@ -377,13 +413,17 @@ class Page {
     }
 
     std::string scenario() const {
-        const std::string title = heading("Scenario");
+        const std::string title = heading(translatable("drillwave::Message", "Scenario"));
         if (isScreen())
             return title + "<pre id=\"scenario\">\n" + escapedHtml(m_report.scenarioText) + "</pre>\n";
         const PaperLines paper = linesOnPaper(m_report.scenarioText, m_paperLines, paperColumns);
-        if (paper.text.empty()) return title + paragraph("The scenario is in the report as HTML.");
+        if (paper.text.empty())
+            return title +
+                   paragraph(translatable("drillwave::Message", "The scenario is in the report as HTML."));
         std::string html = title + "<pre>" + escapedHtml(paper.text) + "</pre>\n";
-        if (!paper.isWhole) html += paragraph("The rest of the scenario is in the report as HTML.");
+        if (!paper.isWhole)
+            html += paragraph(
+                translatable("drillwave::Message", "The rest of the scenario is in the report as HTML."));
         return html;
     }
 
@@ -392,7 +432,7 @@ class Page {
         std::string html;
         for (const ReportPicture& picture : pictures)
             if (picture.name != leadName(pictures)) html += isScreen() ? figure(picture) : printed(picture);
-        return html.empty() ? html : heading("Plots") + html;
+        return html.empty() ? html : heading(translatable("drillwave::Message", "Plots")) + html;
     }
 
     static std::string image(const ReportPicture& picture) {
@@ -427,11 +467,11 @@ std::string recordText(const BlowReport& report) {
 
 }  // namespace
 
-std::string reportTitle(const BlowReport& report) {
+std::string reportTitle(const BlowReport& report, const ReadingStyle& style) {
     std::string title = report.blow.scenario.title;
     std::ranges::replace_if(
         title, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
-    return title.empty() ? "Untitled scenario" : title;
+    return title.empty() ? style.said(translatable("drillwave::Message", "Untitled scenario")) : title;
 }
 
 // No `<` stands in the record.
@@ -445,8 +485,9 @@ std::string_view reportRecord(std::string_view html) {
 std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture>& pictures,
                        ReportMedium medium, const ReadingStyle& style, std::size_t paperLines) {
     const bool isScreen = medium == ReportMedium::screen;
-    std::string page = "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
-                       escapedHtml(reportTitle(report)) + "</title>\n";
+    std::string page = "<!DOCTYPE html>\n<html lang=\"" + style.language() +
+                       "\">\n<head>\n<meta charset=\"utf-8\">\n<title>" +
+                       escapedHtml(reportTitle(report, style)) + "</title>\n";
     if (isScreen)
         page += std::string("<meta name=\"generator\" content=\"Drillwave ") + versionText + "\">\n" +
                 std::string(recordBegin) + recordText(report) + "</script>\n";

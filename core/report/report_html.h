@@ -43,6 +43,6 @@ std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture
 std::string_view reportRecord(std::string_view html);
 
 /// The title of the report, for a heading and the properties of a file.
-std::string reportTitle(const BlowReport& report);
+std::string reportTitle(const BlowReport& report, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

@@ -26,19 +26,21 @@ std::string multipleUnit(Measure measure, const Scenario& scenario) {
     return unit.empty() ? unit : " " + unit;
 }
 
-/// " % of W".
-std::string shareUnit(const Scenario& scenario) {
-    return " % of" + multipleUnit(Measure::energy, scenario);
+/// "42.3 % of W".
+std::string shareText(const std::string& percent, const Scenario& scenario, const ReadingStyle& style) {
+    return style.said({translatable("drillwave::Message", "%1 % of%2"),
+                       {percent, multipleUnit(Measure::energy, scenario)}});
 }
 
 std::string multipleText(const Output& output, double value, const Blow& blow, const ReadingStyle& style) {
     if (output.name == "cor") return style.number(value, 6) + " ± " + style.bound(blow.summary.corError);
     if (output.name == "efficiency" && mainOutput(blow.scenario).value == &output)
-        return style.number(100 * value, 6) + " ± " + style.bound(100 * blow.summary.efficiencyError) +
-               shareUnit(blow.scenario);
+        return shareText(
+            style.number(100 * value, 6) + " ± " + style.bound(100 * blow.summary.efficiencyError),
+            blow.scenario, style);
     if (output.measure == Measure::error) return style.bound(std::abs(value));
     if (output.measure == Measure::share || output.measure == Measure::energy)
-        return style.number(100 * shareOrZero(output, value), reportDigits) + shareUnit(blow.scenario);
+        return shareText(style.number(100 * shareOrZero(output, value), reportDigits), blow.scenario, style);
     return style.number(value, reportDigits) + multipleUnit(output.measure, blow.scenario);
 }
 
@@ -54,10 +56,13 @@ ReportCell siCell(const Output& output, double value, const Blow& blow, const Re
 std::string stringPlaceText(const StringPeak& largest, const Blow& blow, const ReadingStyle& style) {
     const StressPeak& peak = largest.peak;
     if (!(peak.stress > 0)) return {};
-    const std::string place =
-        peak.place == 0 ? "at" : style.quantity(peak.place, Quantity::length, 4) + " from";
-    return "in " + sectionLabel(blow.scenario.drillString, largest.section) + ", " + place +
-           " its rear end, at " + style.quantity(peak.time, Quantity::time, 4);
+    const Message section = sectionMessage(blow.scenario.drillString, largest.section);
+    const std::string time = style.quantity(peak.time, Quantity::time, 4);
+    if (peak.place == 0)
+        return style.said(
+            {translatable("drillwave::Message", "in %1, at its rear end, at %2"), {section, time}});
+    return style.said({translatable("drillwave::Message", "in %1, %2 from its rear end, at %3"),
+                       {section, style.quantity(peak.place, Quantity::length, 4), time}});
 }
 
 ReportCell placeCell(const Output& output, const Blow& blow, const ReadingStyle& style) {
@@ -77,7 +82,7 @@ std::vector<ReportRow> rowsOf(const Blow& blow, const ReadingStyle& style, const
         if (!isWanted(output) || !output.problem(blow.scenario).empty()) continue;
         const std::optional<double> value = output.value({blow.summary, blow.scenario, blow.thrustMargin()});
         if (!value) continue;
-        ReportRow row{std::string(output.name), std::string(output.title), {}};
+        ReportRow row{std::string(output.name), style.said(Message::ofTable(output.title)), {}};
         row.cells.push_back(output.isOnlySi() ? ReportCell()
                                               : ReportCell{multipleText(output, *value, blow, style), value});
         if (isDimensional(blow)) row.cells.push_back(siCell(output, *value, blow, style));
@@ -92,30 +97,42 @@ void addStringScales(const Blow& blow, const Add& add) {
     const DrillString& drill = blow.scenario.drillString;
     const Scales& scales = blow.scales;
     const ChainProperties string = stringProperties(drill);
-    add("β", "stiffness k t₀/Z", blow.groups.beta, Quantity::ratio);
-    add("γ", "elasticity of the rock", blow.groups.gamma, Quantity::ratio);
-    add("τ", "transit time of the string over t₀", blow.groups.tau, Quantity::ratio);
-    add("δ", "gap d/d₀", blow.groups.delta, Quantity::ratio);
+    add("β", translatable("drillwave::Message", "stiffness k t₀/Z"), blow.groups.beta, Quantity::ratio);
+    add("γ", translatable("drillwave::Message", "elasticity of the rock"), blow.groups.gamma,
+        Quantity::ratio);
+    add("τ", translatable("drillwave::Message", "transit time of the string over t₀"), blow.groups.tau,
+        Quantity::ratio);
+    add("δ", translatable("drillwave::Message", "gap d/d₀"), blow.groups.delta, Quantity::ratio);
     if (isForced(blow.scenario)) {
-        add("t₀", "duration of the blow", scales.time, Quantity::time);
-        add("I₀", "impulse of the blow", scales.impulse, Quantity::impulse);
-        add("W₀", "energy I₀²/(2 m), m of the string", scales.energy, Quantity::energy);
-        add("F₀", "mean force I₀/t₀", scales.force, Quantity::force);
-        add("F₀/A", "its stress in the rod", scales.stress, Quantity::stress);
-        add("d₀", "displacement 2 I₀/Z, Z of the rod", scales.penetration, Quantity::length);
+        add("t₀", translatable("drillwave::Message", "duration of the blow"), scales.time, Quantity::time);
+        add("I₀", translatable("drillwave::Message", "impulse of the blow"), scales.impulse,
+            Quantity::impulse);
+        add("W₀", translatable("drillwave::Message", "energy I₀²/(2 m), m of the string"), scales.energy,
+            Quantity::energy);
+        add("F₀", translatable("drillwave::Message", "mean force I₀/t₀"), scales.force, Quantity::force);
+        add("F₀/A", translatable("drillwave::Message", "its stress in the rod"), scales.stress,
+            Quantity::stress);
+        add("d₀", translatable("drillwave::Message", "displacement 2 I₀/Z, Z of the rod"), scales.penetration,
+            Quantity::length);
     } else {
         const ChainProperties hammer = hammerProperties(drill);
-        add("t₀", "twice the transit time of the hammer", scales.time, Quantity::time);
-        add("p₀", "momentum of the hammer", scales.impulse, Quantity::impulse);
-        add("E₀", "energy of the hammer", scales.energy, Quantity::energy);
-        add("F₀", "force Z v₀/2, Z of the rod", scales.force, Quantity::force);
-        add("F₀/A", "its stress in the rod", scales.stress, Quantity::stress);
-        add("d₀", "displacement v₀ t₀", scales.penetration, Quantity::length);
-        add("m", "mass of the hammer", hammer.mass, Quantity::mass);
-        add("", "length of the hammer", hammer.length, Quantity::length);
+        add("t₀", translatable("drillwave::Message", "twice the transit time of the hammer"), scales.time,
+            Quantity::time);
+        add("p₀", translatable("drillwave::Message", "momentum of the hammer"), scales.impulse,
+            Quantity::impulse);
+        add("E₀", translatable("drillwave::Message", "energy of the hammer"), scales.energy,
+            Quantity::energy);
+        add("F₀", translatable("drillwave::Message", "force Z v₀/2, Z of the rod"), scales.force,
+            Quantity::force);
+        add("F₀/A", translatable("drillwave::Message", "its stress in the rod"), scales.stress,
+            Quantity::stress);
+        add("d₀", translatable("drillwave::Message", "displacement v₀ t₀"), scales.penetration,
+            Quantity::length);
+        add("m", translatable("drillwave::Message", "mass of the hammer"), hammer.mass, Quantity::mass);
+        add("", translatable("drillwave::Message", "length of the hammer"), hammer.length, Quantity::length);
     }
-    add("", "mass of the string", string.mass, Quantity::mass);
-    add("", "length of the string", string.length, Quantity::length);
+    add("", translatable("drillwave::Message", "mass of the string"), string.mass, Quantity::mass);
+    add("", translatable("drillwave::Message", "length of the string"), string.length, Quantity::length);
 }
 
 }  // namespace
@@ -166,10 +183,11 @@ std::string siText(const Output& output, double value, const Blow& blow, const R
 std::string placeText(const RodForce& found, const Blow& blow, const ReadingStyle& style) {
     if (!(found.size > 0)) return {};
     if (!isDimensional(blow))
-        return "at x/L = " + style.number(found.section, 4) +
-               ", t = " + style.number(found.time, reportDigits) + " t₀";
-    return style.quantity(found.section * blow.scales.length, Quantity::length, 4) + " from the hammer, at " +
-           style.quantity(found.time * blow.scales.time, Quantity::time, 4);
+        return style.said({translatable("drillwave::Message", "at x/L = %1, t = %2 t₀"),
+                           {style.number(found.section, 4), style.number(found.time, reportDigits)}});
+    return style.said({translatable("drillwave::Message", "%1 from the hammer, at %2"),
+                       {style.quantity(found.section * blow.scales.length, Quantity::length, 4),
+                        style.quantity(found.time * blow.scales.time, Quantity::time, 4)}});
 }
 
 std::vector<ReportRow> resultRows(const Blow& blow, const ReadingStyle& style) {
@@ -183,29 +201,30 @@ std::vector<ReportRow> solverRows(const Blow& blow, const ReadingStyle& style) {
 std::vector<ReportRow> scaleRows(const Blow& blow, const ReadingStyle& style) {
     std::vector<ReportRow> rows;
     const auto add = [&](const char* symbol, const char* label, double value, Quantity quantity) {
-        rows.push_back({symbol, label, {{style.quantity(value, quantity, reportDigits), value}}});
+        rows.push_back({symbol, style.said(label), {{style.quantity(value, quantity, reportDigits), value}}});
     };
     const Groups& groups = blow.groups;
     if (hasSections(blow.scenario)) {
         addStringScales(blow, add);
         return rows;
     }
-    add("β", "stiffness k/k₀, k₀ = Z/t₀", groups.beta, Quantity::ratio);
-    add("γ", "elasticity of the rock", groups.gamma, Quantity::ratio);
-    add("τ", "transit time T/t₀", groups.tau, Quantity::ratio);
-    add("δ", "gap d/d₀, d₀ = 2 I₀/Z", groups.delta, Quantity::ratio);
+    add("β", translatable("drillwave::Message", "stiffness k/k₀, k₀ = Z/t₀"), groups.beta, Quantity::ratio);
+    add("γ", translatable("drillwave::Message", "elasticity of the rock"), groups.gamma, Quantity::ratio);
+    add("τ", translatable("drillwave::Message", "transit time T/t₀"), groups.tau, Quantity::ratio);
+    add("δ", translatable("drillwave::Message", "gap d/d₀, d₀ = 2 I₀/Z"), groups.delta, Quantity::ratio);
     if (!isDimensional(blow)) return rows;
     const Scales& scales = blow.scales;
     const RodProperties rod = propertiesOf(blow.scenario.rod);
-    add("t₀", "duration of the blow", scales.time, Quantity::time);
-    add("I₀", "impulse of the blow", scales.impulse, Quantity::impulse);
-    add("F₀", "mean force I₀/t₀", scales.force, Quantity::force);
-    add("F₀/A", "its stress", scales.stress, Quantity::stress);
-    add("d₀", "displacement 2 I₀/Z", scales.penetration, Quantity::length);
-    add("W₀", "energy I₀²/(2 m)", scales.energy, Quantity::energy);
-    add("T", "transit time L/c", rod.transitTime, Quantity::time);
-    add("c", "wave speed √(E/ρ)", rod.waveSpeed, Quantity::velocity);
-    add("m", "mass of the rod", rod.mass, Quantity::mass);
+    add("t₀", translatable("drillwave::Message", "duration of the blow"), scales.time, Quantity::time);
+    add("I₀", translatable("drillwave::Message", "impulse of the blow"), scales.impulse, Quantity::impulse);
+    add("F₀", translatable("drillwave::Message", "mean force I₀/t₀"), scales.force, Quantity::force);
+    add("F₀/A", translatable("drillwave::Message", "its stress"), scales.stress, Quantity::stress);
+    add("d₀", translatable("drillwave::Message", "displacement 2 I₀/Z"), scales.penetration,
+        Quantity::length);
+    add("W₀", translatable("drillwave::Message", "energy I₀²/(2 m)"), scales.energy, Quantity::energy);
+    add("T", translatable("drillwave::Message", "transit time L/c"), rod.transitTime, Quantity::time);
+    add("c", translatable("drillwave::Message", "wave speed √(E/ρ)"), rod.waveSpeed, Quantity::velocity);
+    add("m", translatable("drillwave::Message", "mass of the rod"), rod.mass, Quantity::mass);
     return rows;
 }
 

@@ -75,6 +75,12 @@ std::string paragraph(std::string_view words) {
     return text;
 }
 
+void TextGrid::addTitles(const std::vector<const char*>& titles, const ReadingStyle& style) {
+    std::vector<std::string> cells;
+    for (const char* title : titles) cells.push_back(style.said(title));
+    add(std::move(cells));
+}
+
 std::string TextGrid::text() const {
     std::string text;
     for (const auto& row : m_rows) {

@@ -32,6 +32,8 @@ class TextGrid {
     explicit TextGrid(CellAlignment alignment = CellAlignment::right) : m_alignment(alignment) {}
 
     void add(std::vector<std::string> cells) { m_rows.push_back(std::move(cells)); }
+    /// Each a text of the program, or a symbol.
+    void addTitles(const std::vector<const char*>& titles, const ReadingStyle& style);
     const std::vector<std::vector<std::string>>& rows() const { return m_rows; }
     std::string text() const;
 

@@ -24,8 +24,9 @@ std::string placeCell(double place, const ReadingStyle& style) {
 
 std::string stressCell(const StressPeak& peak, const ReadingStyle& style) {
     if (peak.stress == 0) return style.number(0);
-    return style.quantity(peak.stress, Quantity::stress, 4) + " at " + placeCell(peak.place, style) + ", " +
-           style.quantity(peak.time, Quantity::time, 4);
+    return style.said({translatable("drillwave::Message", "%1 at %2, %3"),
+                       {style.quantity(peak.stress, Quantity::stress, 4), placeCell(peak.place, style),
+                        style.quantity(peak.time, Quantity::time, 4)}});
 }
 
 std::string shareOf(double stress, const std::optional<double>& strength, const ReadingStyle& style) {
@@ -39,36 +40,42 @@ TextGrid energyGrid(const Blow& blow, const ReadingStyle& style) {
         const char *output, *label;
         bool whereAny = false;  ///< only where there is some of it
     };
-    constexpr Line lines[] = {{"rock_work", "  in the rock"},
-                              {"hammer_rebound_energy", "  hammer moving back"},
-                              {"hammer_wave_energy", "  waves in the hammer"},
-                              {"rebound_energy", "  string moving back"},
-                              {"residual_wave_energy", "  waves in the string"},
-                              {"joint_loss", "  lost in joints", true},
-                              {"rod_loss", "  lost in sections", true},
-                              {"face_energy", "  between the faces", true}};
+    constexpr Line lines[] = {
+        {"rock_work", translatable("drillwave::Message", "in the rock")},
+        {"hammer_rebound_energy", translatable("drillwave::Message", "hammer moving back")},
+        {"hammer_wave_energy", translatable("drillwave::Message", "waves in the hammer")},
+        {"rebound_energy", translatable("drillwave::Message", "string moving back")},
+        {"residual_wave_energy", translatable("drillwave::Message", "waves in the string")},
+        {"joint_loss", translatable("drillwave::Message", "lost in joints"), true},
+        {"rod_loss", translatable("drillwave::Message", "lost in sections"), true},
+        {"face_energy", translatable("drillwave::Message", "between the faces"), true}};
     const ImpactSummary& summary = blow.summary;
     TextGrid grid(CellAlignment::left);
     const double unit = blow.drivenEnergy() * blow.scales.energy;
-    const auto add = [&](const char* label, double share) {
+    const auto add = [&](const std::string& label, double share) {
         grid.add({label, percent(share, style), style.quantity(share * unit, Quantity::energy, 4)});
     };
-    add(isForced(blow.scenario) ? "work of the force" : "energy of the hammer", 1);
+    add(style.said(isForced(blow.scenario) ? translatable("drillwave::Message", "work of the force")
+                                           : translatable("drillwave::Message", "energy of the hammer")),
+        1);
     for (const Line& line : lines) {
         const std::optional<double> share = findOutput(line.output)->value({summary, blow.scenario});
-        if (share && (!line.whereAny || *share > 0)) add(line.label, *share);
+        if (share && (!line.whereAny || *share > 0)) add("  " + style.said(line.label), *share);
     }
-    grid.add({"balance errors", style.number(summary.momentumResidual, 2) + " of the momentum, " +
-                                    style.number(summary.energy.residual, 2) + " of the energy"});
+    grid.add({style.said(translatable("drillwave::Message", "balance errors")),
+              style.said(
+                  {translatable("drillwave::Message", "%1 of the momentum, %2 of the energy"),
+                   {style.number(summary.momentumResidual, 2), style.number(summary.energy.residual, 2)}})});
     return grid;
 }
 
-std::string sectionLabel(const DrillString& drillString, std::size_t section) {
+Message sectionMessage(const DrillString& drillString, std::size_t section) {
     const std::size_t ofHammer = drillString.hammer.sections.size();
     const bool isHammer = section < ofHammer;
     const std::string number = std::to_string(isHammer ? section + 1 : section + 1 - ofHammer);
     const std::string& name = allSections(drillString)[section]->name;
-    return (isHammer ? "hammer " : "") + number + (name.empty() ? "" : " " + name);
+    const std::string words = number + (name.empty() ? "" : " " + name);
+    return isHammer ? Message(translatable("drillwave::Message", "hammer %1"), {words}) : Message(words);
 }
 
 TextGrid sectionGrid(const Blow& blow, const ReadingStyle& style) {
@@ -82,16 +89,19 @@ TextGrid sectionGrid(const Blow& blow, const ReadingStyle& style) {
         std::ranges::any_of(sections, [](const Section* s) { return s->fatigueStrength.has_value(); });
     TextGrid grid(CellAlignment::left);
     const bool hasAfter = hasStressesAfter(blow.impact);
-    std::vector<std::string> titles{"section", "compression", "tension"};
-    if (hasAfter) titles.emplace_back("tension after");
-    if (hasYield) titles.emplace_back("of yield");
-    if (hasFatigue) titles.emplace_back("of fatigue");
-    titles.emplace_back("joint reflects");
-    grid.add(titles);
+    std::vector<const char*> titles{translatable("drillwave::Message", "section"),
+                                    translatable("drillwave::Message", "compression"),
+                                    translatable("drillwave::Message", "tension")};
+    if (hasAfter) titles.push_back(translatable("drillwave::Message", "tension after"));
+    if (hasYield) titles.push_back(translatable("drillwave::Message", "of yield"));
+    if (hasFatigue) titles.push_back(translatable("drillwave::Message", "of fatigue"));
+    titles.push_back(translatable("drillwave::Message", "joint reflects"));
+    grid.addTitles(titles, style);
     const std::size_t ofHammer = drill.hammer.sections.size();
     for (std::size_t j = 0; j < sections.size(); ++j) {
         const SectionStress& stress = stresses[j];
-        std::vector<std::string> cells{sectionLabel(drill, j), stressCell(stress.compression, style),
+        std::vector<std::string> cells{style.said(sectionMessage(drill, j)),
+                                       stressCell(stress.compression, style),
                                        stressCell(stress.tension, style)};
         if (hasAfter) cells.push_back(stressCell(stress.tensionAfter, style));
         const double largest = std::max(stress.compression.stress, stress.tension.stress);

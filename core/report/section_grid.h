@@ -17,6 +17,6 @@ TextGrid energyGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 TextGrid sectionGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 /// "hammer 2", "3 rod": the section of that number of those of hammer and string.
-std::string sectionLabel(const DrillString& drillString, std::size_t section);
+Message sectionMessage(const DrillString& drillString, std::size_t section);
 
 }  // namespace drillwave

@@ -50,7 +50,8 @@ std::string hertz(double frequency, const ReadingStyle& style = plainStyle()) {
 
 /// "6.3 mm", "none" where the bit rests on the rock, "-" where there is no steady one.
 std::string gapText(const GapAtBlow& found, const ReadingStyle& style) {
-    if (found.motion.kind == UndampedMotion::Kind::resting) return "none";
+    if (found.motion.kind == UndampedMotion::Kind::resting)
+        return style.said(translatable("drillwave::Message", "none"));
     return found.motion.stable ? style.quantity(found.gap, Quantity::length, 3) : "-";
 }
 
@@ -154,16 +155,23 @@ JsonObject alongJson(const ThrustAlong& along) {
 TextGrid needsGrid(const ThrustReport& report, const ReadingStyle& style) {
     const bool judged = report.scenario.drill.thrust.has_value();
     TextGrid grid;
-    std::vector<std::string> titles{"thrust needed for", "e", "enough ... bit back undamped"};
-    if (judged) titles.insert(titles.end(), {"margin", "enough up to", "gap at the blow", "feed"});
-    grid.add(titles);
+    std::vector<const char*> titles{translatable("drillwave::Message", "thrust needed for"), "e",
+                                    translatable("drillwave::Message", "enough ... bit back undamped")};
+    if (judged)
+        titles.insert(titles.end(), {translatable("drillwave::Message", "margin"),
+                                     translatable("drillwave::Message", "enough up to"),
+                                     translatable("drillwave::Message", "gap at the blow"),
+                                     translatable("drillwave::Message", "feed")});
+    grid.addTitles(titles, style);
     for (const ThrustCase which : thrustCases) {
         const ThrustNeed& need = report.study.need(which);
         if (!need.known) continue;
-        std::vector<std::string> cells{label(which), style.number(need.cor.value), bracket(need, style)};
+        std::vector<std::string> cells{style.said(label(which)), style.number(need.cor.value),
+                                       bracket(need, style)};
         if (judged)
             cells.insert(cells.end(), {style.signedPercent(*need.margin), hertz(*need.frequencyLimit, style),
-                                       gapText(*need.gapAtBlow, style), std::string(feedWord(need.feed))});
+                                       gapText(*need.gapAtBlow, style),
+                                       style.said(Message::ofTable(feedWord(need.feed)))});
         grid.add(cells);
     }
     return grid;

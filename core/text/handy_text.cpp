@@ -21,6 +21,10 @@ std::string withoutPower(const ReadingStyle& style, double value, int digits) {
 
 }  // namespace
 
+std::string ReadingStyle::said(const Message& message) const {
+    return message.said([this](const std::string& english) { return patternFor(english); });
+}
+
 ReadUnit ReadingStyle::unitFor(double si, Quantity quantity) const {
     // Of each quantity from the smallest on.
     constexpr std::array<std::string_view, 20> handy{"us",  "ms",  "s",   "um",   "mm",   "m",   "N s",

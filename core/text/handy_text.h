@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers as people read them, rounded and in a unit that fits: never for files that are read back.
+// Numbers and words as people read them, numbers rounded and in a unit that fits: never for files that are
+// read back.
 #pragma once
 
 #include <string>
 
+#include "core/text/message.h"
 #include "core/text/number_text.h"
 #include "core/text/units.h"
 
@@ -15,7 +17,7 @@ struct ReadUnit {
     std::string name;
 };
 
-/// How a reader has numbers in sentences and tables written: here in the C locale and in SI, as the commands
+/// How a reader has sentences and tables written: here in English, in the C locale and in SI, as the commands
 /// do; a window has styles of its own.
 class ReadingStyle {
   public:
@@ -31,8 +33,14 @@ class ReadingStyle {
     /// Whether values that a file gives stand in a table as the file has them.
     virtual bool keepsUnitsOfFile() const { return true; }
     /// Over a column of values with their units.
-    virtual std::string unitsTitle() const { return "in SI"; }
+    virtual Message unitsTitle() const { return translatable("drillwave::Message", "in SI"); }
+    /// The pattern of a Message in the language of the reader.
+    virtual std::string patternFor(const std::string& english) const { return english; }
+    /// That language, ISO 639.
+    virtual std::string language() const { return "en"; }
 
+    /// The sentence in the language of the reader.
+    std::string said(const Message& message) const;
     /// An SI value in the unit that suits it: "71.7 kN", "3.2 mm", "105 MN/m"; a ratio as the bare number.
     /// It is rounded in that unit.
     std::string quantity(double si, Quantity quantity, int digits = 6,

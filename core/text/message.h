@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -22,6 +23,10 @@ struct Message {
         : pattern(english), arguments(std::move(places)) {}
     /// A name or a number.
     Message(std::string words) : pattern(std::move(words)), isWords(true) {}
+    /// A word of a table of the core, for which the catalogues have words of their own.
+    static Message ofTable(std::string_view word) { return std::string(word).c_str(); }
+
+    bool operator==(const Message&) const = default;
 
     bool isEmpty() const { return pattern.empty(); }
     /// The sentence in English.

@@ -1594,6 +1594,54 @@ Trotzdem löschen?</translation>
         <source>Penetration at which a power law gives F = k U1, in d0</source>
         <translation>Eindringung, bei der ein Potenzgesetz F = k U1 ergibt, in d0</translation>
     </message>
+    <message>
+        <source>all that the string keeps</source>
+        <translation>alles, was der Strang behält</translation>
+    </message>
+    <message>
+        <source>bound on the error of e</source>
+        <translation>Schranke für den Fehler von e</translation>
+    </message>
+    <message>
+        <source>bound on the error of the efficiency</source>
+        <translation>Schranke für den Fehler des Wirkungsgrads</translation>
+    </message>
+    <message>
+        <source>error of the energy balance</source>
+        <translation>Fehler der Energiebilanz</translation>
+    </message>
+    <message>
+        <source>error of the momentum balance</source>
+        <translation>Fehler der Impulsbilanz</translation>
+    </message>
+    <message>
+        <source>followed to</source>
+        <translation>verfolgt bis</translation>
+    </message>
+    <message>
+        <source>margin of the thrust at every gap</source>
+        <translation>Reserve des Andrucks bei jedem Spalt</translation>
+    </message>
+    <message>
+        <source>momentum of the string to the rock</source>
+        <translation>Impuls des Strangs zum Gestein hin</translation>
+    </message>
+    <message>
+        <source>restitution e</source>
+        <translation>Stoßzahl e</translation>
+    </message>
+    <message>
+        <source>rock and what the hammer takes back</source>
+        <translation>Gestein und was der Hammer zurücknimmt</translation>
+    </message>
+    <message>
+        <source>thrust needed by this blow</source>
+        <translation>für diesen Schlag nötiger Andruck</translation>
+    </message>
+    <message>
+        <source>work of loading</source>
+        <translation>Arbeit der Belastung</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -2391,6 +2439,90 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <source>%1 at %2, perhaps elsewhere too</source>
         <translation>%1 bei %2, vielleicht auch anderswo</translation>
     </message>
+    <message>
+        <source>this report</source>
+        <translation>dieser Bericht</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>was</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>Verschiebung</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>Effektivwert</translation>
+    </message>
+    <message>
+        <source>peaks differ by</source>
+        <translation>Spitzen weichen ab um</translation>
+    </message>
+    <message>
+        <source>lag</source>
+        <translation>Verzug</translation>
+    </message>
+    <message>
+        <source>force N at %1</source>
+        <translation>Kraft N bei %1</translation>
+    </message>
+    <message>
+        <source>impact force</source>
+        <translation>Stoßkraft</translation>
+    </message>
+    <message>
+        <source>where &quot;%1&quot; was measured</source>
+        <translation>dort, wo „%1“ gemessen wurde,</translation>
+    </message>
+    <message>
+        <source>in the middle of the longest section</source>
+        <translation>in der Mitte des längsten Abschnitts</translation>
+    </message>
+    <message>
+        <source>at the middle of the rod</source>
+        <translation>in der Mitte der Stange</translation>
+    </message>
+    <message>
+        <source>The force N %1 and its waves, the impact force, its impulse and the momentum of the string over time.</source>
+        <translation>Die Kraft N %1 und ihre Wellen, die Stoßkraft, ihr Kraftstoß und der Impuls des Strangs über der Zeit.</translation>
+    </message>
+    <message>
+        <source>The force N %1 and its waves, the impact force, its impulse and the momentum of the rod over time.</source>
+        <translation>Die Kraft N %1 und ihre Wellen, die Stoßkraft, ihr Kraftstoß und der Impuls der Stange über der Zeit.</translation>
+    </message>
+    <message>
+        <source>What was measured is dashed.</source>
+        <translation>Gemessenes ist gestrichelt.</translation>
+    </message>
+    <message>
+        <source>Force over penetration: the area inside stays in the rock as energy.</source>
+        <translation>Kraft über der Eindringung: die Fläche darin bleibt als Energie im Gestein.</translation>
+    </message>
+    <message>
+        <source>The force in the rod over place and time, tension positive; bars at the right show the contact of bit and rock. On the scale of colours a line is the least or largest force, a triangle one beyond the colours.</source>
+        <translation>Die Kraft in der Stange über Ort und Zeit, Zug positiv; Balken rechts zeigen den Kontakt von Krone und Gestein. Auf der Farbskala ist ein Strich die kleinste oder größte Kraft, ein Dreieck eine jenseits der Farben.</translation>
+    </message>
+    <message>
+        <source>The largest tension and compression along hammer (below 0) and string while the blow lasts, with the strengths of the sections.</source>
+        <translation>Der größte Zug und Druck entlang Hammer (unter 0) und Strang, während der Schlag dauert, mit den Festigkeiten der Abschnitte.</translation>
+    </message>
+    <message>
+        <source>The largest tension and compression along the rod, while the blow lasts and of the waves left.</source>
+        <translation>Der größte Zug und Druck entlang der Stange, während der Schlag dauert und von den übrigen Wellen.</translation>
+    </message>
+    <message>
+        <source>Hammer (dark) and string to scale, lengths and diameters each to their own, with the places of the sections; the bore is dashed, the rock at the right.</source>
+        <translation>Hammer (dunkel) und Strang maßstäblich, Längen und Durchmesser je für sich, mit den Nummern der Abschnitte; die Bohrung ist gestrichelt, das Gestein rechts.</translation>
+    </message>
+    <message>
+        <source>Restitution over one period of the gap between bit and rock, and how it is distributed when all gaps are alike.</source>
+        <translation>Stoßzahl über einer Periode des Spalts zwischen Krone und Gestein, und wie sie verteilt ist, wenn alle Spalte gleich wahrscheinlich sind.</translation>
+    </message>
+    <message>
+        <source>Needs of the thrust and the installed one over the blow frequency.</source>
+        <translation>Nötiger Andruck und der aufgebrachte über der Schlagfrequenz.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -2768,11 +2900,11 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
     </message>
     <message>
         <source>Nₚ to the bit</source>
-        <translation>Nₚ zur Bohrkrone</translation>
+        <translation>Nₚ zur Krone</translation>
     </message>
     <message>
         <source>Nₙ from the bit</source>
-        <translation>Nₙ von der Bohrkrone</translation>
+        <translation>Nₙ von der Krone</translation>
     </message>
     <message>
         <source>momentum of the string p</source>
@@ -2780,15 +2912,15 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
     </message>
     <message>
         <source>section %1 of the hammer, %2 from its rear</source>
-        <translation>Abschnitt %1 des Hammers, %2 von seinem hinteren Ende</translation>
+        <translation>Abschnitt %1 des Hammers, %2 von hinten</translation>
     </message>
     <message>
         <source>section %1, %2 from its rear</source>
-        <translation>Abschnitt %1, %2 von seinem hinteren Ende</translation>
+        <translation>Abschnitt %1, %2 von hinten</translation>
     </message>
     <message>
         <source>section %1 (%2), %3 from its rear</source>
-        <translation>Abschnitt %1 (%2), %3 von seinem hinteren Ende</translation>
+        <translation>Abschnitt %1 (%2), %3 von hinten</translation>
     </message>
     <message>
         <source>closed form, error of e &lt; %1</source>
@@ -4116,7 +4248,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
     </message>
     <message>
         <source> · thrust for 95 % of gaps %1</source>
-        <translation> · Andruck für 95 % der Spalte %1</translation>
+        <translation> · 95&#xa0;%-Andruck %1</translation>
     </message>
 </context>
 <context>
@@ -4411,8 +4543,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Das Fenster spricht %1, wenn es das nächste Mal geöffnet wird.</translation>
     </message>
     <message>
-        <source>Close it and start Drillwave again. Numbers stay as the system writes them; files, reports and the manual are in English.</source>
-        <translation>Dazu schließen und Drillwave neu starten. Zahlen bleiben, wie das System sie schreibt; Dateien, Berichte und das Handbuch sind englisch.</translation>
+        <source>Close it and start Drillwave again. Numbers stay as the system writes them; files and the manual are in English.</source>
+        <translation>Das Fenster schließen und Drillwave neu starten. Zahlen bleiben, wie das System sie schreibt; Dateien und das Handbuch sind auf Englisch.</translation>
     </message>
 </context>
 <context>
@@ -4939,23 +5071,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>compression</source>
-        <translation>der Druck</translation>
+        <translation>Druck</translation>
     </message>
     <message>
         <source>tension</source>
-        <translation>der Zug</translation>
-    </message>
-    <message>
-        <source>Section %1 of hammer and string %2: %3 reaches %4, %5 from its rear end at %6, against a strength of %7.</source>
-        <translation>Abschnitt %1 von Hammer und Strang %2: %3 erreicht %4, %5 von seinem hinteren Ende bei %6, gegenüber einer Festigkeit von %7.</translation>
-    </message>
-    <message>
-        <source>The rod %1: %2 reaches %3, %4 from the hammer at %5, after the blow, in the waves left (which nothing damps here), against a strength of %6.</source>
-        <translation>Die Stange %1: %2 erreicht %3, %4 vom Hammer bei %5, nach dem Schlag, in den verbliebenen Wellen (die hier nichts dämpft), gegenüber einer Festigkeit von %6.</translation>
-    </message>
-    <message>
-        <source>The rod %1: %2 reaches %3, %4 from the hammer at %5, during the blow, against a strength of %6.</source>
-        <translation>Die Stange %1: %2 erreicht %3, %4 vom Hammer bei %5, während des Schlags, gegenüber einer Festigkeit von %6.</translation>
+        <translation>Zug</translation>
     </message>
     <message>
         <source>The gap has no effect on a rigid body motion: it only shifts the time of contact.</source>
@@ -5324,6 +5444,654 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>hammer %1</source>
         <translation>Hammer %1</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
+    <message>
+        <source>with its unit</source>
+        <translation>mit Einheit</translation>
+    </message>
+    <message>
+        <source>in US units</source>
+        <translation>in US-Einheiten</translation>
+    </message>
+    <message>
+        <source>preset %1: %2</source>
+        <translation>Vorlage %1: %2</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>assumed by the program</source>
+        <translation>vom Programm angenommen</translation>
+    </message>
+    <message>
+        <source>hammer may strike again</source>
+        <translation>Hammer darf noch einmal schlagen</translation>
+    </message>
+    <message>
+        <source>law of bit and rock</source>
+        <translation>Gesetz von Krone und Gestein</translation>
+    </message>
+    <message>
+        <source>rock at the next blow</source>
+        <translation>Gestein beim nächsten Schlag</translation>
+    </message>
+    <message>
+        <source>table of the blow</source>
+        <translation>Tabelle des Schlags</translation>
+    </message>
+    <message>
+        <source>shape of the blow</source>
+        <translation>Form des Schlags</translation>
+    </message>
+    <message>
+        <source>its points are in the scenario</source>
+        <translation>seine Punkte stehen im Szenario</translation>
+    </message>
+    <message>
+        <source>in the scenario</source>
+        <translation>im Szenario</translation>
+    </message>
+    <message>
+        <source>points of the blow</source>
+        <translation>Punkte des Schlags</translation>
+    </message>
+    <message>
+        <source>method %1</source>
+        <translation>Verfahren %1</translation>
+    </message>
+    <message>
+        <source>method %1, %2 segments</source>
+        <translation>Verfahren %1, %2 Segmente</translation>
+    </message>
+    <message>
+        <source>the percussion power</source>
+        <translation>die Schlagleistung</translation>
+    </message>
+    <message>
+        <source>the penetration rate</source>
+        <translation>der Bohrfortschritt</translation>
+    </message>
+    <message>
+        <source>polynomial cells</source>
+        <translation>polynomiale Zellen</translation>
+    </message>
+    <message>
+        <source>the thrust</source>
+        <translation>der Andruck</translation>
+    </message>
+    <message>
+        <source>%1 needs a scenario in physical units; this one is given by its dimensionless groups</source>
+        <translation>%1 braucht ein Szenario in physikalischen Einheiten; dieses ist durch seine dimensionslosen Kennzahlen gegeben</translation>
+    </message>
+    <message>
+        <source>%1 needs drill.blow_frequency; give it in the scenario or with --set</source>
+        <translation>%1 braucht drill.blow_frequency; im Szenario oder mit --set angeben</translation>
+    </message>
+    <message>
+        <source>This blow has %1 pieces, too many to be followed over all gaps in a report: `drillwave %2` does that, and takes its time.</source>
+        <translation>Dieser Schlag hat %1 Stücke, zu viele, um ihn in einem Bericht über alle Spalte zu verfolgen: `drillwave %2` tut das und nimmt sich die Zeit.</translation>
+    </message>
+    <message>
+        <source>The blow could not be solved at all gaps: %1</source>
+        <translation>Der Schlag konnte nicht bei allen Spalten gelöst werden: %1</translation>
+    </message>
+    <message>
+        <source>The reference case does not depend on the gap: it only shifts the time of contact.</source>
+        <translation>Der Referenzfall hängt nicht vom Spalt ab: er verschiebt nur die Zeit des Kontakts.</translation>
+    </message>
+    <message>
+        <source>The hammer still pushes when its first reflection is back: results have a period in the gap only from a gap of %1 d0 on, and the statistics are over the period that begins there.</source>
+        <translation>Der Hammer drückt noch, wenn seine erste Reflexion zurück ist: die Ergebnisse haben erst ab einem Spalt von %1 d0 eine Periode im Spalt, und die Statistik gilt für die Periode, die dort beginnt.</translation>
+    </message>
+    <message>
+        <source>impulse</source>
+        <translation>Kraftstoß</translation>
+    </message>
+    <message>
+        <source>peak force</source>
+        <translation>Spitzenkraft</translation>
+    </message>
+    <message>
+        <source>efficiency</source>
+        <translation>Wirkungsgrad</translation>
+    </message>
+    <message>
+        <source>anywhere</source>
+        <translation>überall</translation>
+    </message>
+    <message>
+        <source>%1 kink</source>
+        <translation>%1 Knick</translation>
+    </message>
+    <message>
+        <source>at a gap of</source>
+        <translation>bei einem Spalt von</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>Median</translation>
+    </message>
+    <message>
+        <source>%1 % quantile</source>
+        <translation>%1&#xa0;%-Quantil</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>Mittel</translation>
+    </message>
+    <message>
+        <source>all gaps alike</source>
+        <translation>alle Spalte gleich</translation>
+    </message>
+    <message>
+        <source>smallest</source>
+        <translation>kleinster Wert</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>größter Wert</translation>
+    </message>
+    <message>
+        <source>gap %1 +- %2</source>
+        <translation>Spalt %1 ± %2</translation>
+    </message>
+    <message>
+        <source>e &gt; 1 at %1 of all gaps</source>
+        <translation>e &gt; 1 bei %1 aller Spalte</translation>
+    </message>
+    <message>
+        <source>, %1 of the scattered ones</source>
+        <translation>, %1 der gestreuten</translation>
+    </message>
+    <message>
+        <source>rises above 1 at %1</source>
+        <translation>steigt über 1 bei %1</translation>
+    </message>
+    <message>
+        <source>falls below 1 at %1</source>
+        <translation>fällt unter 1 bei %1</translation>
+    </message>
+    <message>
+        <source>%1 (slope %2 to %3 per d0)</source>
+        <translation>%1 (Steigung %2 bis %3 je d0)</translation>
+    </message>
+    <message>
+        <source>Kinks of e at a gap of %1</source>
+        <translation>Knicke von e bei einem Spalt von %1</translation>
+    </message>
+    <message>
+        <source>The scattered gap is a normal distribution cut off at no gap: mean and deviation are those before the cut.</source>
+        <translation>Der gestreute Spalt ist eine bei null abgeschnittene Normalverteilung: Mittel und Abweichung sind die vor dem Schnitt.</translation>
+    </message>
+    <message>
+        <source>Errors below %1, from %2 blow</source>
+        <translation>Fehler unter %1, aus %2 Schlag</translation>
+    </message>
+    <message>
+        <source>Errors below %1, from %2 blows</source>
+        <translation>Fehler unter %1, aus %2 Schlägen</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Verfasser</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Auftraggeber</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Report on one blow of a percussive drill, written by Drillwave %1, solved by %2. Tension is positive. %3</source>
+        <translation>Bericht über einen Schlag eines Schlagbohrers, geschrieben von Drillwave %1, Lösung: %2. Zug ist positiv. %3</translation>
+    </message>
+    <message>
+        <source>Hammer and string of uniform sections; bending, torsion and friction in threads beyond a loss factor are not modelled.</source>
+        <translation>Hammer und Strang aus gleichförmigen Abschnitten; Biegung, Torsion und Reibung in Gewinden über einen Verlustfaktor hinaus sind nicht modelliert.</translation>
+    </message>
+    <message>
+        <source>One uniform rod; joints and the mass of the bit are not modelled.</source>
+        <translation>Eine gleichförmige Stange; Verbindungen und die Masse der Krone sind nicht modelliert.</translation>
+    </message>
+    <message>
+        <source>Verdict on the feed</source>
+        <translation>Urteil über den Vorschub</translation>
+    </message>
+    <message>
+        <source>Alerts and remarks</source>
+        <translation>Warnungen und Bemerkungen</translation>
+    </message>
+    <message>
+        <source>Warning:</source>
+        <translation>Warnung:</translation>
+    </message>
+    <message>
+        <source>Note:</source>
+        <translation>Hinweis:</translation>
+    </message>
+    <message>
+        <source>Nothing unusual.</source>
+        <translation>Nichts Ungewöhnliches.</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Eingaben</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>Schlüssel</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>was</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>Quelle</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>section</source>
+        <translation>Abschnitt</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Hammer and string</source>
+        <translation>Hammer und Strang</translation>
+    </message>
+    <message>
+        <source>The other %1 sections are in the report as HTML.</source>
+        <translation>Die übrigen %1 Abschnitte stehen im Bericht als HTML.</translation>
+    </message>
+    <message>
+        <source>symbol</source>
+        <translation>Zeichen</translation>
+    </message>
+    <message>
+        <source>Groups and scales</source>
+        <translation>Kennzahlen und Bezugsgrößen</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>as a multiple</source>
+        <translation>als Vielfaches</translation>
+    </message>
+    <message>
+        <source>where and when</source>
+        <translation>wo und wann</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>E₀ and p₀ are energy and momentum of the hammer.</source>
+        <translation>E₀ und p₀ sind Energie und Impuls des Hammers.</translation>
+    </message>
+    <message>
+        <source>W is the work of the hammer.</source>
+        <translation>W ist die Arbeit des Hammers.</translation>
+    </message>
+    <message>
+        <source>Beside other runs</source>
+        <translation>Neben anderen Läufen</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Beside what was measured</source>
+        <translation>Neben dem Gemessenen</translation>
+    </message>
+    <message>
+        <source>signal</source>
+        <translation>Signal</translation>
+    </message>
+    <message>
+        <source>Over the time that both have: the root of the mean square of their difference, the size of the largest force, measured less computed, and how much later the measured signal comes than where it fits best.</source>
+        <translation>Über die Zeit, die beide haben: die Wurzel des mittleren Quadrats ihrer Differenz, der Betrag der größten Kraft, gemessen minus berechnet, und wie viel später das gemessene Signal kommt als dort, wo es am besten passt.</translation>
+    </message>
+    <message>
+        <source>How well it is solved</source>
+        <translation>Wie gut gelöst ist</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>The error of the efficiency and the errors of the balances are numerical; what is known of rock and string is far coarser.</source>
+        <translation>Der Fehler des Wirkungsgrads und die Fehler der Bilanzen sind numerisch; was man von Gestein und Strang weiß, ist weit gröber.</translation>
+    </message>
+    <message>
+        <source>The bound on e and the errors of the balances are numerical; what is known of rock and rod is far coarser.</source>
+        <translation>Die Schranke für e und die Fehler der Bilanzen sind numerisch; was man von Gestein und Stange weiß, ist weit gröber.</translation>
+    </message>
+    <message>
+        <source>Where the energy went</source>
+        <translation>Wohin die Energie ging</translation>
+    </message>
+    <message>
+        <source>share of E₀</source>
+        <translation>Anteil an E₀</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Largest stresses of every section</source>
+        <translation>Größte Spannungen jedes Abschnitts</translation>
+    </message>
+    <message>
+        <source>Places are from the rear end of a section. What a joint reflects is the energy of the waves from the hammer that the far end of the section throws back, of that of the hammer.</source>
+        <translation>Orte zählen vom hinteren Ende eines Abschnitts. Was eine Verbindung zurückwirft, ist der Anteil der Energie des Hammers, den das vordere Ende des Abschnitts von dessen Wellen zurückwirft.</translation>
+    </message>
+    <message>
+        <source>Needs of the thrust</source>
+        <translation>Nötiger Andruck</translation>
+    </message>
+    <message>
+        <source>All gaps between bit and rock</source>
+        <translation>Alle Spalte zwischen Krone und Gestein</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Szenario</translation>
+    </message>
+    <message>
+        <source>The scenario is in the report as HTML.</source>
+        <translation>Das Szenario steht im Bericht als HTML.</translation>
+    </message>
+    <message>
+        <source>The rest of the scenario is in the report as HTML.</source>
+        <translation>Der Rest des Szenarios steht im Bericht als HTML.</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Untitled scenario</source>
+        <translation>Szenario ohne Titel</translation>
+    </message>
+    <message>
+        <source>%1 % of%2</source>
+        <translation>%1&#xa0;% von%2</translation>
+    </message>
+    <message>
+        <source>in %1, at its rear end, at %2</source>
+        <translation>in %1, am hinteren Ende, bei %2</translation>
+    </message>
+    <message>
+        <source>in %1, %2 from its rear end, at %3</source>
+        <translation>in %1, %2 von seinem hinteren Ende, bei %3</translation>
+    </message>
+    <message>
+        <source>stiffness k t₀/Z</source>
+        <translation>Steifigkeit k t₀/Z</translation>
+    </message>
+    <message>
+        <source>elasticity of the rock</source>
+        <translation>Elastizität des Gesteins</translation>
+    </message>
+    <message>
+        <source>transit time of the string over t₀</source>
+        <translation>Laufzeit des Strangs durch t₀</translation>
+    </message>
+    <message>
+        <source>gap d/d₀</source>
+        <translation>Spalt d/d₀</translation>
+    </message>
+    <message>
+        <source>duration of the blow</source>
+        <translation>Dauer des Schlags</translation>
+    </message>
+    <message>
+        <source>impulse of the blow</source>
+        <translation>Kraftstoß des Schlags</translation>
+    </message>
+    <message>
+        <source>energy I₀²/(2 m), m of the string</source>
+        <translation>Energie I₀²/(2 m), m des Strangs</translation>
+    </message>
+    <message>
+        <source>mean force I₀/t₀</source>
+        <translation>mittlere Kraft I₀/t₀</translation>
+    </message>
+    <message>
+        <source>its stress in the rod</source>
+        <translation>ihre Spannung in der Stange</translation>
+    </message>
+    <message>
+        <source>displacement 2 I₀/Z, Z of the rod</source>
+        <translation>Verschiebung 2 I₀/Z, Z der Stange</translation>
+    </message>
+    <message>
+        <source>twice the transit time of the hammer</source>
+        <translation>doppelte Laufzeit des Hammers</translation>
+    </message>
+    <message>
+        <source>momentum of the hammer</source>
+        <translation>Impuls des Hammers</translation>
+    </message>
+    <message>
+        <source>energy of the hammer</source>
+        <translation>Energie des Hammers</translation>
+    </message>
+    <message>
+        <source>force Z v₀/2, Z of the rod</source>
+        <translation>Kraft Z v₀/2, Z der Stange</translation>
+    </message>
+    <message>
+        <source>displacement v₀ t₀</source>
+        <translation>Verschiebung v₀ t₀</translation>
+    </message>
+    <message>
+        <source>mass of the hammer</source>
+        <translation>Masse des Hammers</translation>
+    </message>
+    <message>
+        <source>length of the hammer</source>
+        <translation>Länge des Hammers</translation>
+    </message>
+    <message>
+        <source>mass of the string</source>
+        <translation>Masse des Strangs</translation>
+    </message>
+    <message>
+        <source>length of the string</source>
+        <translation>Länge des Strangs</translation>
+    </message>
+    <message>
+        <source>at x/L = %1, t = %2 t₀</source>
+        <translation>bei x/L = %1, t = %2 t₀</translation>
+    </message>
+    <message>
+        <source>%1 from the hammer, at %2</source>
+        <translation>%1 vom Hammer, bei %2</translation>
+    </message>
+    <message>
+        <source>stiffness k/k₀, k₀ = Z/t₀</source>
+        <translation>Steifigkeit k/k₀, k₀ = Z/t₀</translation>
+    </message>
+    <message>
+        <source>transit time T/t₀</source>
+        <translation>Laufzeit T/t₀</translation>
+    </message>
+    <message>
+        <source>gap d/d₀, d₀ = 2 I₀/Z</source>
+        <translation>Spalt d/d₀, d₀ = 2 I₀/Z</translation>
+    </message>
+    <message>
+        <source>its stress</source>
+        <translation>ihre Spannung</translation>
+    </message>
+    <message>
+        <source>displacement 2 I₀/Z</source>
+        <translation>Verschiebung 2 I₀/Z</translation>
+    </message>
+    <message>
+        <source>energy I₀²/(2 m)</source>
+        <translation>Energie I₀²/(2 m)</translation>
+    </message>
+    <message>
+        <source>transit time L/c</source>
+        <translation>Laufzeit L/c</translation>
+    </message>
+    <message>
+        <source>wave speed √(E/ρ)</source>
+        <translation>Wellengeschwindigkeit √(E/ρ)</translation>
+    </message>
+    <message>
+        <source>mass of the rod</source>
+        <translation>Masse der Stange</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3</source>
+        <translation>%1 bei %2, %3</translation>
+    </message>
+    <message>
+        <source>in the rock</source>
+        <translation>im Gestein</translation>
+    </message>
+    <message>
+        <source>hammer moving back</source>
+        <translation>zurücklaufender Hammer</translation>
+    </message>
+    <message>
+        <source>waves in the hammer</source>
+        <translation>Wellen im Hammer</translation>
+    </message>
+    <message>
+        <source>string moving back</source>
+        <translation>zurücklaufender Strang</translation>
+    </message>
+    <message>
+        <source>waves in the string</source>
+        <translation>Wellen im Strang</translation>
+    </message>
+    <message>
+        <source>lost in joints</source>
+        <translation>verloren in Verbindungen</translation>
+    </message>
+    <message>
+        <source>lost in sections</source>
+        <translation>verloren in Abschnitten</translation>
+    </message>
+    <message>
+        <source>between the faces</source>
+        <translation>zwischen den Stirnflächen</translation>
+    </message>
+    <message>
+        <source>work of the force</source>
+        <translation>Arbeit der Kraft</translation>
+    </message>
+    <message>
+        <source>balance errors</source>
+        <translation>Bilanzfehler</translation>
+    </message>
+    <message>
+        <source>%1 of the momentum, %2 of the energy</source>
+        <translation>%1 des Impulses, %2 der Energie</translation>
+    </message>
+    <message>
+        <source>tension after</source>
+        <translation>Zug danach</translation>
+    </message>
+    <message>
+        <source>of yield</source>
+        <translation>der Streckgrenze</translation>
+    </message>
+    <message>
+        <source>of fatigue</source>
+        <translation>der Dauerfestigkeit</translation>
+    </message>
+    <message>
+        <source>joint reflects</source>
+        <translation>Reflexion</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>thrust needed for</source>
+        <translation>nötiger Andruck für</translation>
+    </message>
+    <message>
+        <source>enough ... bit back undamped</source>
+        <translation>genug ... Krone ungedämpft zurück</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>Reserve</translation>
+    </message>
+    <message>
+        <source>enough up to</source>
+        <translation>genug bis</translation>
+    </message>
+    <message>
+        <source>gap at the blow</source>
+        <translation>Spalt beim Schlag</translation>
+    </message>
+    <message>
+        <source>feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>in SI</source>
+        <translation>in SI</translation>
+    </message>
+    <message>
+        <source>compression reaches %1</source>
+        <translation>der Druck erreicht %1</translation>
+    </message>
+    <message>
+        <source>tension reaches %1</source>
+        <translation>der Zug erreicht %1</translation>
+    </message>
+    <message>
+        <source>Section %1 of hammer and string %2: %3, %4 from its rear end at %5, against a strength of %6.</source>
+        <translation>Abschnitt %1 von Hammer und Strang %2: %3, %4 von seinem hinteren Ende bei %5, gegenüber einer Festigkeit von %6.</translation>
+    </message>
+    <message>
+        <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the waves left (which nothing damps here), against a strength of %5.</source>
+        <translation>Die Stange %1: %2, %3 vom Hammer bei %4, nach dem Schlag, in den verbliebenen Wellen (die hier nichts dämpft), gegenüber einer Festigkeit von %5.</translation>
+    </message>
+    <message>
+        <source>The rod %1: %2, %3 from the hammer at %4, during the blow, against a strength of %5.</source>
+        <translation>Die Stange %1: %2, %3 vom Hammer bei %4, während des Schlags, gegenüber einer Festigkeit von %5.</translation>
     </message>
 </context>
 <context>
@@ -6331,11 +7099,11 @@ Auf und Ab verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translation>
     </message>
     <message>
         <source>energy left in the rock: %1 (%2 of E₀)</source>
-        <translation>Energie, die im Gestein bleibt: %1 (%2 von E₀)</translation>
+        <translation>Energie im Gestein: %1 (%2 von E₀)</translation>
     </message>
     <message>
         <source>energy left in the rock: %1 (%2 of W)</source>
-        <translation>Energie, die im Gestein bleibt: %1 (%2 von W)</translation>
+        <translation>Energie im Gestein: %1 (%2 von W)</translation>
     </message>
     <message>
         <source>impact force F</source>
@@ -6483,7 +7251,7 @@ der verbleibenden Wellen: %4 und %5</translation>
     </message>
     <message>
         <source>of the uniform rod; couplings and threads raise stresses locally, nothing damps the waves left</source>
-        <translation>der gleichförmigen Stange; Kupplungsmuffen und Gewinde erhöhen Spannungen örtlich, nichts dämpft die verbleibenden Wellen</translation>
+        <translation>der gleichförmigen Stange; Muffen und Gewinde erhöhen sie örtlich, nichts dämpft die übrigen Wellen</translation>
     </message>
     <message>
         <source>%1 up to %2 at %3, %4</source>

@@ -1594,6 +1594,54 @@ Ta bort ändå?</translation>
         <source>Penetration at which a power law gives F = k U1, in d0</source>
         <translation>Inträngning vid vilken en potenslag ger F = k U1, i d0</translation>
     </message>
+    <message>
+        <source>all that the string keeps</source>
+        <translation>allt som strängen behåller</translation>
+    </message>
+    <message>
+        <source>bound on the error of e</source>
+        <translation>gräns för felet i e</translation>
+    </message>
+    <message>
+        <source>bound on the error of the efficiency</source>
+        <translation>gräns för felet i verkningsgraden</translation>
+    </message>
+    <message>
+        <source>error of the energy balance</source>
+        <translation>fel i energibalansen</translation>
+    </message>
+    <message>
+        <source>error of the momentum balance</source>
+        <translation>fel i rörelsemängdens balans</translation>
+    </message>
+    <message>
+        <source>followed to</source>
+        <translation>följt till</translation>
+    </message>
+    <message>
+        <source>margin of the thrust at every gap</source>
+        <translation>matningskraftens marginal vid varje spalt</translation>
+    </message>
+    <message>
+        <source>momentum of the string to the rock</source>
+        <translation>strängens rörelsemängd mot berget</translation>
+    </message>
+    <message>
+        <source>restitution e</source>
+        <translation>studstal e</translation>
+    </message>
+    <message>
+        <source>rock and what the hammer takes back</source>
+        <translation>berget och vad hammaren tar tillbaka</translation>
+    </message>
+    <message>
+        <source>thrust needed by this blow</source>
+        <translation>matningskraft som slaget kräver</translation>
+    </message>
+    <message>
+        <source>work of loading</source>
+        <translation>arbete vid belastning</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -2390,6 +2438,90 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
     <message>
         <source>%1 at %2, perhaps elsewhere too</source>
         <translation>%1 vid %2, kanske även annanstans</translation>
+    </message>
+    <message>
+        <source>this report</source>
+        <translation>denna rapport</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>vad</translation>
+    </message>
+    <message>
+        <source>shift</source>
+        <translation>förskjutning</translation>
+    </message>
+    <message>
+        <source>rms</source>
+        <translation>rms</translation>
+    </message>
+    <message>
+        <source>peaks differ by</source>
+        <translation>toppar skiljer</translation>
+    </message>
+    <message>
+        <source>lag</source>
+        <translation>eftersläpning</translation>
+    </message>
+    <message>
+        <source>force N at %1</source>
+        <translation>kraft N vid %1</translation>
+    </message>
+    <message>
+        <source>impact force</source>
+        <translation>stötkraft</translation>
+    </message>
+    <message>
+        <source>where &quot;%1&quot; was measured</source>
+        <translation>där ”%1” mättes</translation>
+    </message>
+    <message>
+        <source>in the middle of the longest section</source>
+        <translation>mitt i den längsta sektionen</translation>
+    </message>
+    <message>
+        <source>at the middle of the rod</source>
+        <translation>vid stångens mitt</translation>
+    </message>
+    <message>
+        <source>The force N %1 and its waves, the impact force, its impulse and the momentum of the string over time.</source>
+        <translation>Kraften N %1 och dess vågor, stötkraften, dess impuls och strängens rörelsemängd över tiden.</translation>
+    </message>
+    <message>
+        <source>The force N %1 and its waves, the impact force, its impulse and the momentum of the rod over time.</source>
+        <translation>Kraften N %1 och dess vågor, stötkraften, dess impuls och stångens rörelsemängd över tiden.</translation>
+    </message>
+    <message>
+        <source>What was measured is dashed.</source>
+        <translation>Det uppmätta är streckat.</translation>
+    </message>
+    <message>
+        <source>Force over penetration: the area inside stays in the rock as energy.</source>
+        <translation>Kraft över inträngning: ytan innanför stannar som energi i berget.</translation>
+    </message>
+    <message>
+        <source>The force in the rod over place and time, tension positive; bars at the right show the contact of bit and rock. On the scale of colours a line is the least or largest force, a triangle one beyond the colours.</source>
+        <translation>Kraften i stången över läge och tid, drag positivt; staplar till höger visar kontakten mellan krona och berg. På färgskalan är ett streck den minsta eller största kraften, en triangel en bortom färgerna.</translation>
+    </message>
+    <message>
+        <source>The largest tension and compression along hammer (below 0) and string while the blow lasts, with the strengths of the sections.</source>
+        <translation>Största drag och tryck längs hammare (under 0) och sträng medan slaget varar, med sektionernas hållfasthet.</translation>
+    </message>
+    <message>
+        <source>The largest tension and compression along the rod, while the blow lasts and of the waves left.</source>
+        <translation>Största drag och tryck längs stången, medan slaget varar och av de vågor som är kvar.</translation>
+    </message>
+    <message>
+        <source>Hammer (dark) and string to scale, lengths and diameters each to their own, with the places of the sections; the bore is dashed, the rock at the right.</source>
+        <translation>Hammare (mörk) och sträng skalenligt, längder och diametrar var för sig, med sektionernas nummer; hålet är streckat, berget till höger.</translation>
+    </message>
+    <message>
+        <source>Restitution over one period of the gap between bit and rock, and how it is distributed when all gaps are alike.</source>
+        <translation>Studstal över en period av spalten mellan krona och berg, och hur det är fördelat när alla spalter är lika sannolika.</translation>
+    </message>
+    <message>
+        <source>Needs of the thrust and the installed one over the blow frequency.</source>
+        <translation>Nödvändig matningskraft och den installerade över slagfrekvensen.</translation>
     </message>
 </context>
 <context>
@@ -4108,7 +4240,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
     </message>
     <message>
         <source>all gaps alike: mean %1, 5–95 % %2…%3</source>
-        <translation>alla spalter lika: medel %1, 5–95 % %2…%3</translation>
+        <translation>alla spalter: medel %1, 5–95 % %2…%3</translation>
     </message>
     <message>
         <source> · e &gt; 1 at %1 of gaps</source>
@@ -4116,7 +4248,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
     </message>
     <message>
         <source> · thrust for 95 % of gaps %1</source>
-        <translation> · matningskraft för 95 % av spalterna %1</translation>
+        <translation> · 95&#xa0;%-matningskraft %1</translation>
     </message>
 </context>
 <context>
@@ -4411,8 +4543,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Fönstret talar %1 nästa gång det öppnas.</translation>
     </message>
     <message>
-        <source>Close it and start Drillwave again. Numbers stay as the system writes them; files, reports and the manual are in English.</source>
-        <translation>Stäng det och starta Drillwave igen. Tal skrivs som systemet skriver dem; filer, rapporter och handboken är på engelska.</translation>
+        <source>Close it and start Drillwave again. Numbers stay as the system writes them; files and the manual are in English.</source>
+        <translation>Stäng det och starta Drillwave igen. Tal skrivs som systemet skriver dem; filer och handboken är på engelska.</translation>
     </message>
 </context>
 <context>
@@ -4939,23 +5071,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>compression</source>
-        <translation>trycket</translation>
+        <translation>tryck</translation>
     </message>
     <message>
         <source>tension</source>
-        <translation>draget</translation>
-    </message>
-    <message>
-        <source>Section %1 of hammer and string %2: %3 reaches %4, %5 from its rear end at %6, against a strength of %7.</source>
-        <translation>Sektion %1 av hammare och sträng %2: %3 når %4, %5 från dess bakre ände vid %6, mot en hållfasthet på %7.</translation>
-    </message>
-    <message>
-        <source>The rod %1: %2 reaches %3, %4 from the hammer at %5, after the blow, in the waves left (which nothing damps here), against a strength of %6.</source>
-        <translation>Stången %1: %2 når %3, %4 från hammaren vid %5, efter slaget, i de vågor som är kvar (som inget dämpar här), mot en hållfasthet på %6.</translation>
-    </message>
-    <message>
-        <source>The rod %1: %2 reaches %3, %4 from the hammer at %5, during the blow, against a strength of %6.</source>
-        <translation>Stången %1: %2 når %3, %4 från hammaren vid %5, under slaget, mot en hållfasthet på %6.</translation>
+        <translation>drag</translation>
     </message>
     <message>
         <source>The gap has no effect on a rigid body motion: it only shifts the time of contact.</source>
@@ -5324,6 +5444,654 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>hammer %1</source>
         <translation>hammare %1</translation>
+    </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>sida %1 av %2</translation>
+    </message>
+    <message>
+        <source>with its unit</source>
+        <translation>med enhet</translation>
+    </message>
+    <message>
+        <source>in US units</source>
+        <translation>i US-enheter</translation>
+    </message>
+    <message>
+        <source>preset %1: %2</source>
+        <translation>förval %1: %2</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>inte angivet</translation>
+    </message>
+    <message>
+        <source>assumed by the program</source>
+        <translation>antaget av programmet</translation>
+    </message>
+    <message>
+        <source>hammer may strike again</source>
+        <translation>hammaren får slå igen</translation>
+    </message>
+    <message>
+        <source>law of bit and rock</source>
+        <translation>lag för krona och berg</translation>
+    </message>
+    <message>
+        <source>rock at the next blow</source>
+        <translation>berget vid nästa slag</translation>
+    </message>
+    <message>
+        <source>table of the blow</source>
+        <translation>slagets tabell</translation>
+    </message>
+    <message>
+        <source>shape of the blow</source>
+        <translation>slagets form</translation>
+    </message>
+    <message>
+        <source>its points are in the scenario</source>
+        <translation>dess punkter står i scenariot</translation>
+    </message>
+    <message>
+        <source>in the scenario</source>
+        <translation>i scenariot</translation>
+    </message>
+    <message>
+        <source>points of the blow</source>
+        <translation>slagets punkter</translation>
+    </message>
+    <message>
+        <source>method %1</source>
+        <translation>metod %1</translation>
+    </message>
+    <message>
+        <source>method %1, %2 segments</source>
+        <translation>metod %1, %2 segment</translation>
+    </message>
+    <message>
+        <source>the percussion power</source>
+        <translation>slageffekten</translation>
+    </message>
+    <message>
+        <source>the penetration rate</source>
+        <translation>borrsjunkningen</translation>
+    </message>
+    <message>
+        <source>polynomial cells</source>
+        <translation>polynomceller</translation>
+    </message>
+    <message>
+        <source>the thrust</source>
+        <translation>matningskraften</translation>
+    </message>
+    <message>
+        <source>%1 needs a scenario in physical units; this one is given by its dimensionless groups</source>
+        <translation>%1 kräver ett scenario i fysikaliska enheter; detta är givet genom sina dimensionslösa tal</translation>
+    </message>
+    <message>
+        <source>%1 needs drill.blow_frequency; give it in the scenario or with --set</source>
+        <translation>%1 kräver drill.blow_frequency; ange den i scenariot eller med --set</translation>
+    </message>
+    <message>
+        <source>This blow has %1 pieces, too many to be followed over all gaps in a report: `drillwave %2` does that, and takes its time.</source>
+        <translation>Detta slag har %1 bitar, för många för att följas över alla spalter i en rapport: `drillwave %2` gör det, och tar tid på sig.</translation>
+    </message>
+    <message>
+        <source>The blow could not be solved at all gaps: %1</source>
+        <translation>Slaget kunde inte lösas vid alla spalter: %1</translation>
+    </message>
+    <message>
+        <source>The reference case does not depend on the gap: it only shifts the time of contact.</source>
+        <translation>Referensfallet beror inte på spalten: den flyttar bara kontaktens tid.</translation>
+    </message>
+    <message>
+        <source>The hammer still pushes when its first reflection is back: results have a period in the gap only from a gap of %1 d0 on, and the statistics are over the period that begins there.</source>
+        <translation>Hammaren trycker fortfarande när dess första reflexion är tillbaka: resultaten har en period i spalten först från en spalt på %1 d0, och statistiken gäller perioden som börjar där.</translation>
+    </message>
+    <message>
+        <source>impulse</source>
+        <translation>impuls</translation>
+    </message>
+    <message>
+        <source>peak force</source>
+        <translation>toppkraft</translation>
+    </message>
+    <message>
+        <source>efficiency</source>
+        <translation>verkningsgrad</translation>
+    </message>
+    <message>
+        <source>anywhere</source>
+        <translation>var som helst</translation>
+    </message>
+    <message>
+        <source>%1 kink</source>
+        <translation>%1 knäck</translation>
+    </message>
+    <message>
+        <source>at a gap of</source>
+        <translation>vid en spalt på</translation>
+    </message>
+    <message>
+        <source>median</source>
+        <translation>median</translation>
+    </message>
+    <message>
+        <source>%1 % quantile</source>
+        <translation>%1&#xa0;%-kvantil</translation>
+    </message>
+    <message>
+        <source>mean</source>
+        <translation>medelvärde</translation>
+    </message>
+    <message>
+        <source>all gaps alike</source>
+        <translation>alla spalter lika</translation>
+    </message>
+    <message>
+        <source>smallest</source>
+        <translation>minst</translation>
+    </message>
+    <message>
+        <source>largest</source>
+        <translation>störst</translation>
+    </message>
+    <message>
+        <source>gap %1 +- %2</source>
+        <translation>spalt %1 ± %2</translation>
+    </message>
+    <message>
+        <source>e &gt; 1 at %1 of all gaps</source>
+        <translation>e &gt; 1 vid %1 av alla spalter</translation>
+    </message>
+    <message>
+        <source>, %1 of the scattered ones</source>
+        <translation>, %1 av de spridda</translation>
+    </message>
+    <message>
+        <source>rises above 1 at %1</source>
+        <translation>stiger över 1 vid %1</translation>
+    </message>
+    <message>
+        <source>falls below 1 at %1</source>
+        <translation>faller under 1 vid %1</translation>
+    </message>
+    <message>
+        <source>%1 (slope %2 to %3 per d0)</source>
+        <translation>%1 (lutning %2 till %3 per d0)</translation>
+    </message>
+    <message>
+        <source>Kinks of e at a gap of %1</source>
+        <translation>Knäckar i e vid en spalt på %1</translation>
+    </message>
+    <message>
+        <source>The scattered gap is a normal distribution cut off at no gap: mean and deviation are those before the cut.</source>
+        <translation>Den spridda spalten är en normalfördelning avskuren vid noll: medelvärde och avvikelse är de före snittet.</translation>
+    </message>
+    <message>
+        <source>Errors below %1, from %2 blow</source>
+        <translation>Fel under %1, ur %2 slag</translation>
+    </message>
+    <message>
+        <source>Errors below %1, from %2 blows</source>
+        <translation>Fel under %1, ur %2 slag</translation>
+    </message>
+    <message>
+        <source>Project</source>
+        <translation>Projekt</translation>
+    </message>
+    <message>
+        <source>Author</source>
+        <translation>Författare</translation>
+    </message>
+    <message>
+        <source>Customer</source>
+        <translation>Kund</translation>
+    </message>
+    <message>
+        <source>Date</source>
+        <translation>Datum</translation>
+    </message>
+    <message>
+        <source>Report on one blow of a percussive drill, written by Drillwave %1, solved by %2. Tension is positive. %3</source>
+        <translation>Rapport om ett slag av en slagborrmaskin, skriven av Drillwave %1, lösning: %2. Drag är positivt. %3</translation>
+    </message>
+    <message>
+        <source>Hammer and string of uniform sections; bending, torsion and friction in threads beyond a loss factor are not modelled.</source>
+        <translation>Hammare och sträng av likformiga sektioner; böjning, vridning och friktion i gängor utöver en förlustfaktor modelleras inte.</translation>
+    </message>
+    <message>
+        <source>One uniform rod; joints and the mass of the bit are not modelled.</source>
+        <translation>En likformig stång; skarvar och kronans massa modelleras inte.</translation>
+    </message>
+    <message>
+        <source>Verdict on the feed</source>
+        <translation>Utlåtande om matningen</translation>
+    </message>
+    <message>
+        <source>Alerts and remarks</source>
+        <translation>Varningar och anmärkningar</translation>
+    </message>
+    <message>
+        <source>Warning:</source>
+        <translation>Varning:</translation>
+    </message>
+    <message>
+        <source>Note:</source>
+        <translation>Anmärkning:</translation>
+    </message>
+    <message>
+        <source>Nothing unusual.</source>
+        <translation>Inget ovanligt.</translation>
+    </message>
+    <message>
+        <source>Inputs</source>
+        <translation>Indata</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>nyckel</translation>
+    </message>
+    <message>
+        <source>what</source>
+        <translation>vad</translation>
+    </message>
+    <message>
+        <source>value</source>
+        <translation>värde</translation>
+    </message>
+    <message>
+        <source>source</source>
+        <translation>källa</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>nummer</translation>
+    </message>
+    <message>
+        <source>section</source>
+        <translation>sektion</translation>
+    </message>
+    <message>
+        <source>times</source>
+        <translation>antal</translation>
+    </message>
+    <message>
+        <source>Hammer and string</source>
+        <translation>Hammare och sträng</translation>
+    </message>
+    <message>
+        <source>The other %1 sections are in the report as HTML.</source>
+        <translation>De övriga %1 sektionerna står i rapporten som HTML.</translation>
+    </message>
+    <message>
+        <source>symbol</source>
+        <translation>symbol</translation>
+    </message>
+    <message>
+        <source>Groups and scales</source>
+        <translation>Tal och skalor</translation>
+    </message>
+    <message>
+        <source>result</source>
+        <translation>resultat</translation>
+    </message>
+    <message>
+        <source>as a multiple</source>
+        <translation>som multipel</translation>
+    </message>
+    <message>
+        <source>where and when</source>
+        <translation>var och när</translation>
+    </message>
+    <message>
+        <source>Results</source>
+        <translation>Resultat</translation>
+    </message>
+    <message>
+        <source>E₀ and p₀ are energy and momentum of the hammer.</source>
+        <translation>E₀ och p₀ är hammarens energi och rörelsemängd.</translation>
+    </message>
+    <message>
+        <source>W is the work of the hammer.</source>
+        <translation>W är hammarens arbete.</translation>
+    </message>
+    <message>
+        <source>Beside other runs</source>
+        <translation>Bredvid andra körningar</translation>
+    </message>
+    <message>
+        <source>quantity</source>
+        <translation>storhet</translation>
+    </message>
+    <message>
+        <source>Beside what was measured</source>
+        <translation>Bredvid det uppmätta</translation>
+    </message>
+    <message>
+        <source>signal</source>
+        <translation>signal</translation>
+    </message>
+    <message>
+        <source>Over the time that both have: the root of the mean square of their difference, the size of the largest force, measured less computed, and how much later the measured signal comes than where it fits best.</source>
+        <translation>Över den tid som båda har: roten ur medelkvadraten av skillnaden, storleken på den största kraften, uppmätt minus beräknad, och hur mycket senare den uppmätta signalen kommer än där den passar bäst.</translation>
+    </message>
+    <message>
+        <source>How well it is solved</source>
+        <translation>Hur väl det är löst</translation>
+    </message>
+    <message>
+        <source>error</source>
+        <translation>fel</translation>
+    </message>
+    <message>
+        <source>size</source>
+        <translation>storlek</translation>
+    </message>
+    <message>
+        <source>The error of the efficiency and the errors of the balances are numerical; what is known of rock and string is far coarser.</source>
+        <translation>Felet i verkningsgraden och felen i balanserna är numeriska; vad man vet om berg och sträng är långt grövre.</translation>
+    </message>
+    <message>
+        <source>The bound on e and the errors of the balances are numerical; what is known of rock and rod is far coarser.</source>
+        <translation>Gränsen för e och felen i balanserna är numeriska; vad man vet om berg och stång är långt grövre.</translation>
+    </message>
+    <message>
+        <source>Where the energy went</source>
+        <translation>Vart energin tog vägen</translation>
+    </message>
+    <message>
+        <source>share of E₀</source>
+        <translation>andel av E₀</translation>
+    </message>
+    <message>
+        <source>energy</source>
+        <translation>energi</translation>
+    </message>
+    <message>
+        <source>Largest stresses of every section</source>
+        <translation>Största spänningar i varje sektion</translation>
+    </message>
+    <message>
+        <source>Places are from the rear end of a section. What a joint reflects is the energy of the waves from the hammer that the far end of the section throws back, of that of the hammer.</source>
+        <translation>Lägen räknas från sektionens bakände. Vad en skarv kastar tillbaka är den andel av hammarens energi som sektionens främre ände kastar tillbaka av dess vågor.</translation>
+    </message>
+    <message>
+        <source>Needs of the thrust</source>
+        <translation>Nödvändig matningskraft</translation>
+    </message>
+    <message>
+        <source>All gaps between bit and rock</source>
+        <translation>Alla spalter mellan krona och berg</translation>
+    </message>
+    <message>
+        <source>Scenario</source>
+        <translation>Scenario</translation>
+    </message>
+    <message>
+        <source>The scenario is in the report as HTML.</source>
+        <translation>Scenariot står i rapporten som HTML.</translation>
+    </message>
+    <message>
+        <source>The rest of the scenario is in the report as HTML.</source>
+        <translation>Resten av scenariot står i rapporten som HTML.</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagram</translation>
+    </message>
+    <message>
+        <source>Untitled scenario</source>
+        <translation>Scenario utan titel</translation>
+    </message>
+    <message>
+        <source>%1 % of%2</source>
+        <translation>%1&#xa0;% av%2</translation>
+    </message>
+    <message>
+        <source>in %1, at its rear end, at %2</source>
+        <translation>i %1, vid dess bakände, vid %2</translation>
+    </message>
+    <message>
+        <source>in %1, %2 from its rear end, at %3</source>
+        <translation>i %1, %2 från dess bakände, vid %3</translation>
+    </message>
+    <message>
+        <source>stiffness k t₀/Z</source>
+        <translation>styvhet k t₀/Z</translation>
+    </message>
+    <message>
+        <source>elasticity of the rock</source>
+        <translation>bergets elasticitet</translation>
+    </message>
+    <message>
+        <source>transit time of the string over t₀</source>
+        <translation>strängens gångtid genom t₀</translation>
+    </message>
+    <message>
+        <source>gap d/d₀</source>
+        <translation>spalt d/d₀</translation>
+    </message>
+    <message>
+        <source>duration of the blow</source>
+        <translation>slagets varaktighet</translation>
+    </message>
+    <message>
+        <source>impulse of the blow</source>
+        <translation>slagets impuls</translation>
+    </message>
+    <message>
+        <source>energy I₀²/(2 m), m of the string</source>
+        <translation>energi I₀²/(2 m), m för strängen</translation>
+    </message>
+    <message>
+        <source>mean force I₀/t₀</source>
+        <translation>medelkraft I₀/t₀</translation>
+    </message>
+    <message>
+        <source>its stress in the rod</source>
+        <translation>dess spänning i stången</translation>
+    </message>
+    <message>
+        <source>displacement 2 I₀/Z, Z of the rod</source>
+        <translation>förskjutning 2 I₀/Z, Z för stången</translation>
+    </message>
+    <message>
+        <source>twice the transit time of the hammer</source>
+        <translation>dubbla gångtiden genom hammaren</translation>
+    </message>
+    <message>
+        <source>momentum of the hammer</source>
+        <translation>hammarens rörelsemängd</translation>
+    </message>
+    <message>
+        <source>energy of the hammer</source>
+        <translation>hammarens energi</translation>
+    </message>
+    <message>
+        <source>force Z v₀/2, Z of the rod</source>
+        <translation>kraft Z v₀/2, Z för stången</translation>
+    </message>
+    <message>
+        <source>displacement v₀ t₀</source>
+        <translation>förskjutning v₀ t₀</translation>
+    </message>
+    <message>
+        <source>mass of the hammer</source>
+        <translation>hammarens massa</translation>
+    </message>
+    <message>
+        <source>length of the hammer</source>
+        <translation>hammarens längd</translation>
+    </message>
+    <message>
+        <source>mass of the string</source>
+        <translation>strängens massa</translation>
+    </message>
+    <message>
+        <source>length of the string</source>
+        <translation>strängens längd</translation>
+    </message>
+    <message>
+        <source>at x/L = %1, t = %2 t₀</source>
+        <translation>vid x/L = %1, t = %2 t₀</translation>
+    </message>
+    <message>
+        <source>%1 from the hammer, at %2</source>
+        <translation>%1 från hammaren, vid %2</translation>
+    </message>
+    <message>
+        <source>stiffness k/k₀, k₀ = Z/t₀</source>
+        <translation>styvhet k/k₀, k₀ = Z/t₀</translation>
+    </message>
+    <message>
+        <source>transit time T/t₀</source>
+        <translation>gångtid T/t₀</translation>
+    </message>
+    <message>
+        <source>gap d/d₀, d₀ = 2 I₀/Z</source>
+        <translation>spalt d/d₀, d₀ = 2 I₀/Z</translation>
+    </message>
+    <message>
+        <source>its stress</source>
+        <translation>dess spänning</translation>
+    </message>
+    <message>
+        <source>displacement 2 I₀/Z</source>
+        <translation>förskjutning 2 I₀/Z</translation>
+    </message>
+    <message>
+        <source>energy I₀²/(2 m)</source>
+        <translation>energi I₀²/(2 m)</translation>
+    </message>
+    <message>
+        <source>transit time L/c</source>
+        <translation>gångtid L/c</translation>
+    </message>
+    <message>
+        <source>wave speed √(E/ρ)</source>
+        <translation>våghastighet √(E/ρ)</translation>
+    </message>
+    <message>
+        <source>mass of the rod</source>
+        <translation>stångens massa</translation>
+    </message>
+    <message>
+        <source>%1 at %2, %3</source>
+        <translation>%1 vid %2, %3</translation>
+    </message>
+    <message>
+        <source>in the rock</source>
+        <translation>i berget</translation>
+    </message>
+    <message>
+        <source>hammer moving back</source>
+        <translation>hammare på väg tillbaka</translation>
+    </message>
+    <message>
+        <source>waves in the hammer</source>
+        <translation>vågor i hammaren</translation>
+    </message>
+    <message>
+        <source>string moving back</source>
+        <translation>sträng på väg tillbaka</translation>
+    </message>
+    <message>
+        <source>waves in the string</source>
+        <translation>vågor i strängen</translation>
+    </message>
+    <message>
+        <source>lost in joints</source>
+        <translation>förlorat i skarvar</translation>
+    </message>
+    <message>
+        <source>lost in sections</source>
+        <translation>förlorat i sektioner</translation>
+    </message>
+    <message>
+        <source>between the faces</source>
+        <translation>mellan ändytorna</translation>
+    </message>
+    <message>
+        <source>work of the force</source>
+        <translation>kraftens arbete</translation>
+    </message>
+    <message>
+        <source>balance errors</source>
+        <translation>balansfel</translation>
+    </message>
+    <message>
+        <source>%1 of the momentum, %2 of the energy</source>
+        <translation>%1 av rörelsemängden, %2 av energin</translation>
+    </message>
+    <message>
+        <source>tension after</source>
+        <translation>drag efteråt</translation>
+    </message>
+    <message>
+        <source>of yield</source>
+        <translation>av sträckgränsen</translation>
+    </message>
+    <message>
+        <source>of fatigue</source>
+        <translation>av utmattningsgränsen</translation>
+    </message>
+    <message>
+        <source>joint reflects</source>
+        <translation>reflexion</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>ingen</translation>
+    </message>
+    <message>
+        <source>thrust needed for</source>
+        <translation>matningskraft som krävs för</translation>
+    </message>
+    <message>
+        <source>enough ... bit back undamped</source>
+        <translation>räcker ... krona tillbaka odämpat</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>marginal</translation>
+    </message>
+    <message>
+        <source>enough up to</source>
+        <translation>räcker till</translation>
+    </message>
+    <message>
+        <source>gap at the blow</source>
+        <translation>spalt vid slaget</translation>
+    </message>
+    <message>
+        <source>feed</source>
+        <translation>matning</translation>
+    </message>
+    <message>
+        <source>in SI</source>
+        <translation>i SI</translation>
+    </message>
+    <message>
+        <source>compression reaches %1</source>
+        <translation>trycket når %1</translation>
+    </message>
+    <message>
+        <source>tension reaches %1</source>
+        <translation>draget når %1</translation>
+    </message>
+    <message>
+        <source>Section %1 of hammer and string %2: %3, %4 from its rear end at %5, against a strength of %6.</source>
+        <translation>Sektion %1 av hammare och sträng %2: %3, %4 från dess bakre ände vid %5, mot en hållfasthet på %6.</translation>
+    </message>
+    <message>
+        <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the waves left (which nothing damps here), against a strength of %5.</source>
+        <translation>Stången %1: %2, %3 från hammaren vid %4, efter slaget, i de vågor som är kvar (som inget dämpar här), mot en hållfasthet på %5.</translation>
+    </message>
+    <message>
+        <source>The rod %1: %2, %3 from the hammer at %4, during the blow, against a strength of %5.</source>
+        <translation>Stången %1: %2, %3 från hammaren vid %4, under slaget, mot en hållfasthet på %5.</translation>
     </message>
 </context>
 <context>
@@ -6483,7 +7251,7 @@ av de kvarvarande vågorna: %4 och %5</translation>
     </message>
     <message>
         <source>of the uniform rod; couplings and threads raise stresses locally, nothing damps the waves left</source>
-        <translation>för den likformiga stången; skarvhylsor och gängor höjer spänningarna lokalt, inget dämpar de kvarvarande vågorna</translation>
+        <translation>för den likformiga stången; hylsor och gängor höjer dem lokalt, inget dämpar vågorna som är kvar</translation>
     </message>
     <message>
         <source>%1 up to %2 at %3, %4</source>

@@ -11,4 +11,4 @@ shift 3
 cd "$(dirname "$0")/../.."
 "$list" >"$work/core_texts.cpp"
 "$lupdate" -locations none -no-obsolete -tr-function-alias QT_TRANSLATE_NOOP+=translatable -I . \
-    ui core/disk core/archive core/report resources/languages/qt_texts.h "$work/core_texts.cpp" -ts "$@"
+    ui core resources/languages/qt_texts.h "$work/core_texts.cpp" -ts "$@"

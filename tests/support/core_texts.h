@@ -42,6 +42,7 @@ inline std::set<std::string> coreTexts() {
     }
     for (const Output& output : outputs()) {
         add(output.label());
+        add(output.title);
         add(output.note);
         add(output.meaning);
         if (output.label().empty()) addName(output.name);

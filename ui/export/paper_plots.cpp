@@ -14,19 +14,21 @@
 #include "ui/pages/string/string_sketch.h"
 #include "ui/pages/thrust/thrust_plot.h"
 #include "ui/pages/wave_picture/wave_picture_plot.h"
+#include "ui/text/language.h"
 #include "ui/text/unit_choice.h"
 
 namespace drillwave {
 
 PaperReader PaperReader::of(const UnitChoice& units) {
-    const PaperReader reader{units.physicalSystem(), units.chosen(), QLocale()};
+    const PaperReader reader{units.physicalSystem(), units.chosen(), QLocale(),
+                             &spokenLanguage() != &languages[0]};
     return reader.isPlain() ? PaperReader() : reader;
 }
 
 bool PaperReader::isPlain() const {
     const QLocale plain = QLocale::c();
-    return system == UnitSystem::si && chosen.empty() && locale.decimalPoint() == plain.decimalPoint() &&
-           locale.zeroDigit() == plain.zeroDigit();
+    return !isSpokenTo && system == UnitSystem::si && chosen.empty() &&
+           locale.decimalPoint() == plain.decimalPoint() && locale.zeroDigit() == plain.zeroDigit();
 }
 
 ShownUnits PaperReader::unitsFor(const Scenario& scenario) const {

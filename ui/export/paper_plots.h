@@ -26,11 +26,12 @@ struct PaperPlot {
     Millimetres size;
 };
 
-/// Whose numbers and units are on paper: those of the commands, text in the C locale and SI.
+/// Whose words, numbers and units are on paper: those of the commands, English, the C locale and SI.
 struct PaperReader {
     UnitSystem system = UnitSystem::si;  ///< of scenarios that have units
     ChosenUnits chosen = {};             ///< of kinds that do not follow it
     QLocale locale = QLocale::c();
+    bool isSpokenTo = false;  ///< in the language that the program speaks, which is another than English
 
     /// The one at the window as it is now; that of the commands where the numbers are the same.
     static PaperReader of(const UnitChoice& units);

@@ -6,8 +6,8 @@
 #include "ui/pages/blow/blow_curves.h"
 #include "ui/pages/blow/measured_force.h"
 #include "ui/pages/compare/compare_table.h"
-#include "ui/text/language.h"
 #include "ui/text/number_text.h"
+#include "ui/text/translation.h"
 #include "ui/text/unit_choice.h"
 
 namespace drillwave {
@@ -24,11 +24,10 @@ ReportCell cellOf(const CompareRow& row, std::size_t column, const QLocale& loca
 }  // namespace
 
 ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const UnitChoice& units) {
-    const EnglishTexts english;
     const PaperReader reader = PaperReader::of(units);
     SolvedBlow own;
     static_cast<Blow&>(own) = blow;
-    std::vector<CompareColumn> columns{{QStringLiteral("this report"), &blow.scenario, &own}};
+    std::vector<CompareColumn> columns{{tr("this report"), &blow.scenario, &own}};
     for (const Run& run : runs)
         if (run.isSolved()) columns.push_back({run.title(), &run.contents.scenario, run.blow.get()});
     if (columns.size() == 1) return {};
@@ -58,15 +57,17 @@ ReportComparison misfitsOf(const std::vector<MeasuredSignal>& measured, const Bl
         if (!si) return {};
         return {quantityText(*si / scale, unit, reader.locale).toStdString(), *si / scale * unit.factor};
     };
-    ReportComparison comparison{.titles = {"what", "shift", "rms", "peaks differ by", "lag"}, .rows = {}};
+    ReportComparison comparison{.titles = {}, .rows = {}};
+    for (const QString& title : {tr("what"), tr("shift"), tr("rms"), tr("peaks differ by"), tr("lag")})
+        comparison.titles.push_back(title.toStdString());
     for (const MeasuredSignal& signal : measured) {
         const std::optional<Misfit> misfit = misfitOf(signal, computedForce(blow, signal, curves));
         const bool isInside = signal.quantity == MeasuredQuantity::normalForce;
-        const std::string place =
-            quantityText(signal.place, shownUnit(reader.unitFor(*findParameter("rod.length"))), reader.locale)
-                .toStdString();
+        const QString place = quantityText(
+            signal.place, shownUnit(reader.unitFor(*findParameter("rod.length"))), reader.locale);
+        const QString what = isInside ? tr("force N at %1").arg(place) : tr("impact force");
         ReportRow row{signal.name, signal.name, {}};
-        row.cells.push_back({isInside ? "force N at " + place : "impact force", {}});
+        row.cells.push_back({what.toStdString(), {}});
         row.cells.push_back(cell(signal.timeShift, shown.time, scales.time));
         const auto of = [&](double Misfit::*force) {
             return misfit ? cell((*misfit).*force, shown.force, scales.force) : ReportCell{};

@@ -2,18 +2,21 @@
 #include "ui/export/report_export.h"
 
 #include <QPrinter>
+#include <optional>
 
 #include "ui/export/report_pages.h"
 #include "ui/export/report_pdf.h"
 #include "ui/export/report_plots.h"
+#include "ui/text/language.h"
 #include "ui/text/local_style.h"
 
 namespace drillwave {
 namespace {
 
 /// The page with its pictures in it.
-std::string htmlOf(const BlowReport& report, const std::vector<ReportPlot>& plots, const ReadingStyle& style,
-                   const QString& title) {
+std::string htmlOf(const BlowReport& report, const std::vector<ReportPlot>& plots,
+                   const ReadingStyle& style) {
+    const QString title = QString::fromStdString(reportTitle(report, style));
     std::vector<ReportPicture> pictures;
     for (const ReportPlot& plot : plots) {
         const QByteArray svg = renderPlot(*plot.paper.plot, plot.paper.size, QStringLiteral("svg"), title);
@@ -24,9 +27,11 @@ std::string htmlOf(const BlowReport& report, const std::vector<ReportPlot>& plot
     return reportHtml(report, pictures, ReportMedium::screen, style);
 }
 
-/// Where the reader has the numbers of the commands, the page is that of the commands to the byte.
+/// Where the reader has the words and numbers of the commands, the page is that of the commands to the byte.
 template <class Use>
 auto inStyleOf(const PaperReader& reader, const Use& use) {
+    std::optional<EnglishTexts> english;
+    if (!reader.isSpokenTo) english.emplace();
     if (reader.isPlain()) return use(plainStyle());
     return use(LocalStyle(reader.locale, reader.system, reader.chosen));
 }
@@ -41,16 +46,15 @@ bool printReport(const BlowReport& report, const PaperReader& reader, QPrinter& 
 
 Pictures drawReport(const BlowReport& report, const PictureOrder& order, const PaperReader& reader) {
     Pictures drawn;
-    const QString title = QString::fromStdString(reportTitle(report));
-    const std::vector<ReportPlot> plots = reportPlots(report, reader, order.stop);
-    for (const std::string& format : order.formats) {
-        if (order.stop.stop_requested()) return drawn;
-        const std::string bytes = inStyleOf(reader, [&](const ReadingStyle& style) {
-            return format == "html" ? htmlOf(report, plots, style, title)
-                                    : reportPdf(report, plots, style).toStdString();
-        });
-        drawn.files.push_back({order.stem + "." + format, bytes});
-    }
+    inStyleOf(reader, [&](const ReadingStyle& style) {
+        const std::vector<ReportPlot> plots = reportPlots(report, reader, order.stop);
+        for (const std::string& format : order.formats) {
+            if (order.stop.stop_requested()) return;
+            const std::string bytes = format == "html" ? htmlOf(report, plots, style)
+                                                       : reportPdf(report, plots, style).toStdString();
+            drawn.files.push_back({order.stem + "." + format, bytes});
+        }
+    });
     return drawn;
 }
 

@@ -38,7 +38,7 @@ QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& pl
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
-    writer.setTitle(QString::fromStdString(reportTitle(report)));
+    writer.setTitle(QString::fromStdString(reportTitle(report, style)));
     writer.setCreator(fromView(reportMark));
     writer.setResolution(resolution);
     writer.setPageSize(QPageSize(QPageSize::A4));

@@ -4,25 +4,30 @@
 #include <qcustomplot.h>
 
 #include "core/model/blow_traits.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
 
 /// As much of a page of A4 as it can have together with the others.
-ReportPlot placed(const char* name, const std::string& caption, PaperPlot paper, Millimetres size) {
+ReportPlot placed(const char* name, const QString& caption, PaperPlot paper, Millimetres size) {
     paper.size = size;
-    return {{name, caption, name}, std::move(paper)};
+    return {{name, caption.toStdString(), name}, std::move(paper)};
 }
 
-std::string blowCaption(const BlowReport& report) {
+QString blowCaption(const BlowReport& report) {
     const bool ofSections = hasSections(report.blow.scenario);
     const MeasuredSignal* inside = firstInside(report.measured);
-    const std::string where = inside       ? "where \"" + inside->name + "\" was measured"
-                              : ofSections ? "in the middle of the longest section"
-                                           : "at the middle of the rod";
-    return "The force N " + where + " and its waves, the impact force, its impulse and the momentum of the " +
-           (ofSections ? "string" : "rod") + " over time." +
-           (report.measured.empty() ? "" : " What was measured is dashed.");
+    const QString where = inside ? tr("where \"%1\" was measured").arg(QString::fromStdString(inside->name))
+                          : ofSections ? tr("in the middle of the longest section")
+                                       : tr("at the middle of the rod");
+    const QString caption = ofSections
+                                ? tr("The force N %1 and its waves, the impact force, its impulse and the "
+                                     "momentum of the string over time.")
+                                : tr("The force N %1 and its waves, the impact force, its impulse and the "
+                                     "momentum of the rod over time.");
+    return caption.arg(where) +
+           (report.measured.empty() ? QString() : QLatin1Char(' ') + tr("What was measured is dashed."));
 }
 
 // Curves are there where the waves were kept. Of a rod, on paper, the first one fills the page of the tables,
@@ -31,24 +36,24 @@ void addCurves(std::vector<ReportPlot>& plots, const BlowReport& report, const P
                const std::stop_token& stop) {
     const Blow& blow = report.blow;
     const bool ofSections = hasSections(blow.scenario);
-    plots.push_back(placed("rock", "Force over penetration: the area inside stays in the rock as energy.",
+    plots.push_back(placed("rock", tr("Force over penetration: the area inside stays in the rock as energy."),
                            rockPaperPlot(blow, reader), {120, 66}));
     plots.push_back(
         placed("blow", blowCaption(report), blowPaperPlot(blow, reader, report.measured), {180, 128}));
     if (!ofSections)
         plots.push_back(
             placed("wave_picture",
-                   "The force in the rod over place and time, tension positive; bars at the right "
-                   "show the contact of bit and rock. On the scale of colours a line is the least or "
-                   "largest force, a triangle one beyond the colours.",
+                   tr("The force in the rod over place and time, tension positive; bars at the right "
+                      "show the contact of bit and rock. On the scale of colours a line is the least or "
+                      "largest force, a triangle one beyond the colours."),
                    wavePaperPlot(blow, reader), {180, 86}));
-    plots.push_back(
-        placed("rod",
-               ofSections ? "The largest tension and compression along hammer (below 0) and string while the "
-                            "blow lasts, with the strengths of the sections."
-                          : "The largest tension and compression along the rod, while the blow lasts and of "
-                            "the waves left.",
-               rodPaperPlot(blow, stop, reader), {180, 84}));
+    plots.push_back(placed(
+        "rod",
+        ofSections ? tr("The largest tension and compression along hammer (below 0) and string while the "
+                        "blow lasts, with the strengths of the sections.")
+                   : tr("The largest tension and compression along the rod, while the blow lasts and of "
+                        "the waves left."),
+        rodPaperPlot(blow, stop, reader), {180, 84}));
 }
 
 }  // namespace
@@ -59,17 +64,19 @@ std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader&
     if (hasSections(report.blow.scenario))
         plots.push_back(
             placed(stringPicture.data(),
-                   "Hammer (dark) and string to scale, lengths and diameters each to their own, with the "
-                   "places of the sections; the bore is dashed, the rock at the right.",
+                   tr("Hammer (dark) and string to scale, lengths and diameters each to their own, with the "
+                      "places of the sections; the bore is dashed, the rock at the right."),
                    stringPaperPlot(report.blow.scenario, reader), {180, 44}));
     if (report.blow.impact.hasHistories()) addCurves(plots, report, reader, stop);
     if (report.gap)
-        plots.push_back(placed("gap",
-                               "Restitution over one period of the gap between bit and rock, and how it is "
-                               "distributed when all gaps are alike.",
-                               gapPaperPlot(*report.gap, reader), {180, 72}));
+        plots.push_back(
+            placed("gap",
+                   tr("Restitution over one period of the gap between bit and rock, and how it is "
+                      "distributed when all gaps are alike."),
+                   gapPaperPlot(*report.gap, reader), {180, 72}));
     if (report.thrust && report.thrust->along)
-        plots.push_back(placed("thrust", "Needs of the thrust and the installed one over the blow frequency.",
+        plots.push_back(placed("thrust",
+                               tr("Needs of the thrust and the installed one over the blow frequency."),
                                thrustPaperPlot(*report.thrust, reader), {180, 58}));
     return plots;
 }

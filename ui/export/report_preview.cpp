@@ -12,7 +12,6 @@
 
 #include "ui/export/report_export.h"
 #include "ui/pages/study/flow_layout.h"
-#include "ui/text/language.h"
 #include "ui/text/settings.h"
 
 namespace drillwave {
@@ -121,7 +120,6 @@ int ReportPreview::pageCount() const {
 
 void ReportPreview::draw(QPrinter* printer) const {
     if (!m_report) return;
-    const EnglishTexts english;  // as on paper
     printReport(*m_report, m_reader, *printer);
 }
 

@@ -14,7 +14,6 @@
 #include "ui/export/report_comparison.h"
 #include "ui/export/report_export.h"
 #include "ui/export/report_preview.h"
-#include "ui/text/language.h"
 
 namespace drillwave {
 namespace {
@@ -151,10 +150,7 @@ void ReportWriter::addMeasured(BlowReport& report) const {
 void ReportWriter::writeTo(const QString& path, const BlowReport& report) {
     const WaitCursor wait;
     const std::string format = QFileInfo(path).suffix().toLower().toStdString();
-    const Pictures drawn = [&] {
-        const EnglishTexts english;
-        return drawReport(report, {"report", {format}, {}}, PaperReader::of(m_document.units()));
-    }();
+    const Pictures drawn = drawReport(report, {"report", {format}, {}}, PaperReader::of(m_document.units()));
     const QString problem = drawn.problem.isEmpty()
                                 ? writeWholeFile(path, QByteArray::fromStdString(drawn.files.front().bytes))
                                 : drawn.problem;
@@ -165,11 +161,7 @@ void ReportWriter::writeTo(const QString& path, const BlowReport& report) {
 
 void ReportWriter::printOn(QPrinter& printer, const BlowReport& report) {
     const WaitCursor wait;
-    const bool isPrinted = [&] {
-        const EnglishTexts english;
-        return printReport(report, PaperReader::of(m_document.units()), printer);
-    }();
-    if (!isPrinted)
+    if (!printReport(report, PaperReader::of(m_document.units()), printer))
         return fail(
             tr("%1 takes no pages; look after the printer, or write the report as PDF")
                 .arg(printer.printerName().isEmpty() ? printer.outputFileName() : printer.printerName()));

@@ -22,7 +22,7 @@ WorstNeed::WorstNeed(QObject* parent) : QObject(parent) {
 void WorstNeed::ask(const SolvedBlow& blow) {
     std::optional<Scenario> asked;
     if (blow.fault.isEmpty() && gapHasPeriod(blow.request.scenario) &&
-        thrustProblem(blow.request.scenario).empty()) {
+        thrustProblem(blow.request.scenario).isEmpty()) {
         asked = blow.request.scenario;
         asked->title.clear();
     }

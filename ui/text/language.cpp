@@ -14,6 +14,7 @@ namespace {
 const QString languageKey = QStringLiteral("language");
 
 thread_local int wantingEnglish = 0;
+const Language* spoken = &languages[0];
 
 QString codeOf(const Language& language) {
     return fromView(language.code);
@@ -78,6 +79,11 @@ void speak(const Language& language) {
                    QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(ofQt);
     QCoreApplication::installTranslator(new Catalogue(language, qApp));
+    spoken = &language;
+}
+
+const Language& spokenLanguage() {
+    return EnglishTexts::areWanted() ? languages[0] : *spoken;
 }
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The language of the window: which one it is, and its texts. Files are in English.
+// The language of the window: which one it is, and its texts. Files are in English, but for reports.
 #pragma once
 
 #include <QStringList>
@@ -46,5 +46,7 @@ class Catalogue : public QTranslator {
 
 /// From now on the application has its texts in that language, and Qt its own where they are installed.
 void speak(const Language& language);
+/// That language; English before there is one, and while EnglishTexts are wanted.
+const Language& spokenLanguage();
 
 }  // namespace drillwave

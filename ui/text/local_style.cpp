@@ -6,7 +6,9 @@
 #include <optional>
 #include <utility>
 
+#include "ui/text/language.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
 #include "ui/text/unit_choice.h"
 
@@ -55,9 +57,18 @@ ReadUnit LocalStyle::unitFor(double si, Quantity quantity) const {
     return read;
 }
 
-std::string LocalStyle::unitsTitle() const {
-    if (!m_chosen.empty()) return "with its unit";
-    return m_system == UnitSystem::us ? "in US units" : "in SI";
+Message LocalStyle::unitsTitle() const {
+    if (!m_chosen.empty()) return translatable("drillwave::Message", "with its unit");
+    if (m_system == UnitSystem::us) return translatable("drillwave::Message", "in US units");
+    return ReadingStyle::unitsTitle();
+}
+
+std::string LocalStyle::patternFor(const std::string& english) const {
+    return translatedPattern(english);
+}
+
+std::string LocalStyle::language() const {
+    return std::string(spokenLanguage().code);
 }
 
 }  // namespace drillwave

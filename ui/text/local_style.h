@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Sentences and tables of the core in the numbers and units of the one at the window.
+// Sentences and tables of the core in the words, numbers and units of the one at the window.
 #pragma once
 
 #include <QLocale>
@@ -11,7 +11,8 @@ namespace drillwave {
 
 class UnitChoice;
 
-/// Numbers as numberText() writes them, in SI or US units or those chosen by kind.
+/// Words in the language that is spoken, numbers as numberText() writes them, in SI or US units or those
+/// chosen by kind.
 class LocalStyle : public ReadingStyle {
   public:
     /// `system` is taken as SI where it is dimensionless: what is told in sentences has no other unit.
@@ -23,7 +24,9 @@ class LocalStyle : public ReadingStyle {
     std::string number(double value, int digits) const override;
     ReadUnit unitFor(double si, Quantity quantity) const override;
     bool keepsUnitsOfFile() const override { return false; }
-    std::string unitsTitle() const override;
+    Message unitsTitle() const override;
+    std::string patternFor(const std::string& english) const override;
+    std::string language() const override;
 
   private:
     QLocale m_locale;

@@ -11,12 +11,14 @@ QString fromView(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
+std::string translatedPattern(const std::string& pattern) {
+    const QString here = QCoreApplication::translate("drillwave::Message", pattern.c_str());
+    // what is in a table of the core too, as the name of a parameter
+    return (here == fromView(pattern) ? coreText(pattern) : here).toStdString();
+}
+
 QString translated(const Message& message) {
-    return QString::fromStdString(message.said([](const std::string& pattern) {
-        const QString here = QCoreApplication::translate("drillwave::Message", pattern.c_str());
-        // what is in a table of the core too, as the name of a parameter
-        return (here == fromView(pattern) ? coreText(pattern) : here).toStdString();
-    }));
+    return QString::fromStdString(message.said(translatedPattern));
 }
 
 QString shownSymbol(std::string_view symbol) {

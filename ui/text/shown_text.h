@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <string>
 #include <string_view>
 
 #include "core/text/message.h"
@@ -11,6 +12,9 @@ namespace drillwave {
 
 /// UTF-8 as Qt's own text.
 QString fromView(std::string_view text);
+
+/// A pattern of a Message in the language of the window.
+std::string translatedPattern(const std::string& pattern);
 
 /// A sentence of the core in the language of the window.
 QString translated(const Message& message);

@@ -34,8 +34,8 @@ void LanguageMenu::choose(const Language* language) {
     const QString name = fromView(languageToSpeak().name);
     m_questions.tell(m_window, Questions::Tone::information,
                      tr("The window speaks %1 when it is opened the next time.").arg(name),
-                     tr("Close it and start Drillwave again. Numbers stay as the system writes them; files, "
-                        "reports and the manual are in English."));
+                     tr("Close it and start Drillwave again. Numbers stay as the system writes them; files "
+                        "and the manual are in English."));
 }
 
 }  // namespace drillwave

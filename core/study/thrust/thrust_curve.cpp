@@ -29,7 +29,7 @@ ScenarioAt scenarioAt(const Scenario& base, const Parameter& parameter, double v
         !problems.empty())
         at.obstacle = problems.front().text;
     if (at.obstacle.empty()) at.obstacle = readBackProblem(parameter, at.scenario, value);
-    if (at.obstacle.empty()) at.obstacle = thrustProblem(at.scenario);
+    if (at.obstacle.empty()) at.obstacle = thrustProblem(at.scenario).text();
     return at;
 }
 
@@ -67,7 +67,7 @@ ThrustPoint stringPoint(const Scenario& scenario, ThrustPoint point, const Point
 
 ThrustPoint solvedPoint(const Scenario& scenario, double value, const PointSolvers& solvers,
                         const std::stop_token& stop) {
-    assert(thrustProblem(scenario).empty());
+    assert(thrustProblem(scenario).isEmpty());
     ThrustPoint point{.value = value, .needs = {}, .verdict = {}, .reason = {}};
     if (!gapHasPeriod(scenario)) return stringPoint(scenario, std::move(point), solvers, stop);
     const Problem problem = problemOf(scenario);

@@ -28,13 +28,13 @@ ThrustNeed needOf(const Scenario& scenario, const Estimate& cor, double transfer
 }  // namespace
 
 ThrustNeeds thrustNeeds(const Scenario& scenario, const Estimate& cor, const GapRebounds& rebounds) {
-    assert(thrustProblem(scenario).empty() && rebounds.quantile.known() && rebounds.worst.known());
+    assert(thrustProblem(scenario).isEmpty() && rebounds.quantile.known() && rebounds.worst.known());
     return {needOf(scenario, cor), needOf(scenario, rebounds.quantile.cor), needOf(scenario, {1, 0}),
             needOf(scenario, rebounds.worst.cor)};
 }
 
 ThrustNeeds stringThrustNeeds(const Scenario& scenario, const Estimate& cor, double transferred) {
-    assert(!gapHasPeriod(scenario) && thrustProblem(scenario).empty());
+    assert(!gapHasPeriod(scenario) && thrustProblem(scenario).isEmpty());
     ThrustNeed unknown;
     unknown.known = false;
     return {needOf(scenario, cor, transferred), unknown, needOf(scenario, {1, 0}, transferred), unknown};

@@ -35,7 +35,7 @@ std::optional<double> ThrustStudy::margin() const {
 
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const GapProgress& progress,
                         long mostPieces, const WorkLimits& limits) {
-    assert(thrustProblem(scenario).empty());
+    assert(thrustProblem(scenario).isEmpty());
     MethodSolver solver(limits);
     if (!gapHasPeriod(scenario)) return studyStringThrust(scenario, NetworkAccuracy::sure, solver, stop);
     const Problem problem = problemOf(scenario);

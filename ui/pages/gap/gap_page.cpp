@@ -13,7 +13,9 @@
 #include "ui/pages/gap/scatter_fields.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/runs/run_overlay.h"
+#include "ui/text/local_style.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -179,8 +181,8 @@ void GapPage::takeGap(double shownGap, Qt::KeyboardModifiers modifiers) {
 QString GapPage::sentence() const {
     const GapReport& report = m_shown.answer->report;
     if (!m_shown.answer->isComplete()) return tr("A first look; the curve follows.");
-    if (const std::string remark = report.periodRemark(); !remark.empty())
-        return QString::fromStdString(remark);
+    if (const Message remark = report.periodRemark(LocalStyle::of(document().units())); !remark.isEmpty())
+        return translated(remark);
     const QLocale locale;
     const QString period =
         m_picture.gap.dimensionless ? tr("d₀") : tr("d₀ = %1").arg(quantityText(1, m_picture.gap, locale));

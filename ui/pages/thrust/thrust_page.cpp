@@ -85,7 +85,7 @@ void ThrustPage::ask() {
 void ThrustPage::present() {
     const std::shared_ptr<const ThrustAnswer> answer = m_study.job().value();
     if (!answer) return;
-    if (!answer->problem.empty())
+    if (!answer->problem.isEmpty())
         return refuse(translated(feedDecisionMessage(decideFeed(answer->scenario, {}))));
     if (!answer->here.reason.empty()) return refuse(QString::fromStdString(answer->here.reason));
     const UnitChoice& choice = document().units();
@@ -174,7 +174,7 @@ void ThrustPage::moveHeld(double shownForce) {
 
 QString ThrustPage::obstacle() const {
     if (QString unfinished = StudyPage::obstacle(); !unfinished.isEmpty()) return unfinished;
-    return m_shown ? QString() : QString::fromStdString(m_study.value()->problem);
+    return m_shown ? QString() : translated(m_study.value()->problem);
 }
 
 QByteArray ThrustPage::csv() const {
@@ -183,7 +183,7 @@ QByteArray ThrustPage::csv() const {
 }
 
 QStringList ThrustPage::commandWords() const {
-    if (!thrustProblem(scenario()).empty()) return {};
+    if (!thrustProblem(scenario()).isEmpty()) return {};
     return {QStringLiteral("thrust"), QStringLiteral("--along"), fromView(axisText(m_axis->range()))};
 }
 

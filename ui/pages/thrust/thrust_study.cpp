@@ -27,7 +27,7 @@ SweepAxis axisOf(const StudyRange& range) {
 ThrustAnswer ThrustStudent::answer(const ThrustQuestion& question, const StudyFeed<ThrustAnswer>& feed) {
     ThrustAnswer found{
         .scenario = question.scenario, .along = {}, .here = {}, .problem = thrustProblem(question.scenario)};
-    if (!found.problem.empty()) return found;
+    if (!found.problem.isEmpty()) return found;
     found.along.axis = axisOf(question.range);
     const Parameter& parameter = *question.range.parameter;
     const double value = parameter.value(question.scenario).value_or(std::nan(""));

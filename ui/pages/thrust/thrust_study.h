@@ -20,9 +20,9 @@ struct ThrustQuestion {
 struct ThrustAnswer {
     Scenario scenario;  ///< as it was asked
     ThrustAlong along;
-    ThrustPoint here;     ///< of the scenario itself; its reason says why there are no numbers
-    std::string problem;  ///< thrustProblem(): then there is nothing else
-    bool isComplete() const { return problem.empty() && along.curve.points.size() == along.axis.count; }
+    ThrustPoint here;  ///< of the scenario itself; its reason says why there are no numbers
+    Message problem;   ///< thrustProblem(): then there is nothing else
+    bool isComplete() const { return problem.isEmpty() && along.curve.points.size() == along.axis.count; }
 };
 
 /// The range as the command takes it, with a number of points where the customary one will not do.
