@@ -37,7 +37,8 @@ double quantityArgument(const std::string& option, const std::string& word, Quan
     const TypedQuantity typed =
         parseQuantity(word, quantity, BareNumber::inDefaultUnit, &unitsOf(quantity).front());
     if (!typed.valid())
-        throw CommandError(ExitCode::usage, "--" + option + " " + shortened(word) + ": " + typed.problem);
+        throw CommandError(ExitCode::usage,
+                           "--" + option + " " + shortened(word) + ": " + typed.problem.text());
     return typed.si;
 }
 

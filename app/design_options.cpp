@@ -72,7 +72,7 @@ void addLimit(DesignStudy& study, const std::string& option, const std::string& 
     const TypedQuantity value =
         parseQuantity(std::string_view(word).substr(equals + 1),
                       inUnit ? read.output->quantity() : Quantity::ratio, BareNumber::refused);
-    if (!value.valid()) return refuse(ExitCode::invalidScenario, value.problem);
+    if (!value.valid()) return refuse(ExitCode::invalidScenario, value.problem.text());
     study.limits.push_back({option == "at-most", read.output, read.statistic, value.si});
 }
 

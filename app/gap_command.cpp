@@ -30,7 +30,7 @@ double gapOf(const Arguments& arguments, const char* option, const Scenario& sce
         throw CommandError(ExitCode::invalidScenario,
                            std::string("--") + option + " = " + shortened(text) + " (" + reason + ")");
     };
-    if (!typed.valid()) refuse(typed.problem);
+    if (!typed.valid()) refuse(typed.problem.text());
     const double scale = dimensional ? scalesOf(scenario).penetration : 1;
     const auto shown = [&](double gap) {
         return dimensional ? formatNumber(gap * scale * 1000) + " mm" : formatNumber(gap);

@@ -189,7 +189,7 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
         refusePair(all[pair->one].word, all[pair->other].word, pair->problem);
     const std::string with = arguments.has(setOption.name) ? " with --set: " : ": ";
     for (const InputProblem& problem : validate(scenario))
-        problems.push_back(inputName(path) + with + problem.text);
+        problems.push_back(inputName(path) + with + problem.text.text());
     if (!problems.empty())
         throw CommandError(ExitCode::invalidScenario, problems, CommandError::Begin::withOption);
     return input;

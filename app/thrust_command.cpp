@@ -82,7 +82,7 @@ ThrustStudy study(const Scenario& scenario, const WorkLimits& limits, const Inte
 void checkQuestion(const Scenario& scenario, const std::optional<SweepAxis>& axis, const std::string& path) {
     std::string problem = thrustProblem(scenario).text();
     if (problem.empty() && axis) {
-        problem = whyNotApplicable(*axis->parameter, scenario);
+        problem = whyNotApplicable(*axis->parameter, scenario).text();
         if (!problem.empty()) problem = std::string(axis->key()) + " has no meaning here: " + problem;
     }
     if (!problem.empty()) throw CommandError(ExitCode::invalidScenario, path + ": " + problem);

@@ -23,7 +23,7 @@ namespace {
 
 using Node = YamlNode;
 
-[[noreturn]] void refuseResult(const std::string& source, std::string reason) {
+[[noreturn]] void refuseResult(const std::string& source, Message reason) {
     throw ScenarioError(ScenarioError::Kind::unreadable, source, {{"", std::move(reason)}});
 }
 
@@ -34,7 +34,7 @@ bool endsWith(std::string_view path, std::string_view suffix) {
 }
 
 [[noreturn]] void refuseResultValue(const std::string& source, std::string_view key, std::string_view value,
-                                    std::string_view reason) {
+                                    const Message& reason) {
     throw ScenarioError(ScenarioError::Kind::invalid, source, {valueProblem(key, shortened(value), reason)});
 }
 
@@ -75,7 +75,7 @@ std::optional<MethodChoice> methodOf(const Node& record) {
 /// JSON is YAML with braces: one reader does for both.
 std::optional<ScenarioInput> parseRecord(std::string_view text, const std::string& source) {
     const YamlTree tree = parseYaml(text);
-    const std::string* scenario = tree.problem.text.empty() ? tree.root.textOf("scenario") : nullptr;
+    const std::string* scenario = tree.problem.text.isEmpty() ? tree.root.textOf("scenario") : nullptr;
     if (!scenario) return std::nullopt;
     checkRecord(tree.root, source);
     const std::string* version = tree.root.textOf("version");

@@ -64,7 +64,7 @@ std::string rangesOf(const std::vector<std::uint64_t>& numbers) {
 RowPart parseRowPart(std::string_view record, const std::string& file) {
     if (!record.starts_with(rowRecordKey)) refusePart(file, "is no record of rows");
     const YamlTree tree = parseYaml(record);
-    if (!tree.problem.text.empty()) refusePart(file, "cannot be read: " + tree.problem.text);
+    if (!tree.problem.text.isEmpty()) refusePart(file, "cannot be read: " + tree.problem.text.text());
     const std::string* format = tree.root.textOf(rowRecordFormatKey);
     const std::string known = std::to_string(rowRecordFormat);
     if (!format || *format != known)

@@ -15,10 +15,12 @@ bool Range::contains(double value) const {
            (highOpen ? value < high : value <= high);
 }
 
+std::string Range::ends() const {
+    return (lowOpen ? "(" : "[") + formatNumber(low) + ", " + formatNumber(high) + (highOpen ? ")" : "]");
+}
+
 std::string Range::text() const {
-    if (std::isfinite(high))
-        return std::string("in ") + (lowOpen ? "(" : "[") + formatNumber(low) + ", " + formatNumber(high) +
-               (highOpen ? ")" : "]");
+    if (std::isfinite(high)) return "in " + ends();
     return (lowOpen ? "greater than " : "at least ") + formatNumber(low);
 }
 
@@ -90,32 +92,38 @@ KeptParameter findParameter(std::string_view key) {
     return ofLaw ? ofLaw : findSectionParameter(key);
 }
 
-std::string Range::problem(double value, const Unit& si) const {
-    if (!std::isfinite(value)) return "must be a finite number";
+Message Range::problem(double value, const Unit& si) const {
+    if (!std::isfinite(value)) return translatable("drillwave::Message", "must be a finite number");
     if (contains(value)) return {};
     // Who gives nothing, or less, need not be told how little or how much would do.
     if (low >= 0 && value <= 0 && !si.name.empty())
-        return low > 0 || lowOpen ? "must be greater than 0" : "must be at least 0";
-    std::string problem = "must be " + text();
-    if (std::isfinite(high) && !si.name.empty()) problem += " " + std::string(si.name);
-    return value > high && !whyNotMore.empty() ? problem + ": " + std::string(whyNotMore) : problem;
+        return low > 0 || lowOpen ? translatable("drillwave::Message", "must be greater than 0")
+                                  : translatable("drillwave::Message", "must be at least 0");
+    const std::string unit = std::isfinite(high) && !si.name.empty() ? " " + std::string(si.name) : "";
+    const Message problem{std::isfinite(high) ? translatable("drillwave::Message", "must be in %1%2")
+                          : lowOpen           ? translatable("drillwave::Message", "must be greater than %1")
+                                              : translatable("drillwave::Message", "must be at least %1"),
+                          {std::isfinite(high) ? ends() : formatNumber(low), unit}};
+    return value > high && *whyNotMore ? Message("%1: %2", {problem, whyNotMore}) : problem;
 }
 
-std::string rangeProblem(const Parameter& parameter, double value) {
+Message rangeProblem(const Parameter& parameter, double value) {
     if (parameter.rules.wholeNumber && std::isfinite(value) && value != std::floor(value))
-        return "must be a whole number";
+        return translatable("drillwave::Message", "must be a whole number");
     return parameter.hard.problem(value, unitsOf(parameter.quantity).front());
 }
 
-std::string readBackProblem(const Parameter& parameter, const Scenario& scenario, double wanted) {
+Message readBackProblem(const Parameter& parameter, const Scenario& scenario, double wanted) {
     assert(parameter.applies(scenario));
     constexpr double rounding = 1e-12;
     if (parameter.address) return {};  // a section keeps what it is given; where several differ none is read
     const double kept = parameter.value(scenario).value_or(std::nan(""));
     if (std::abs(kept - wanted) <= rounding * std::abs(wanted)) return {};
-    return "cannot be kept: the values that it follows from are at the end of double precision, it reads "
-           "back as " +
-           formatNumber(kept);
+    return {
+        translatable("drillwave::Message",
+                     "cannot be kept: the values that it follows from are at the end of double precision, "
+                     "it reads back as %1"),
+        {formatNumber(kept)}};
 }
 
 bool isGiven(const Parameter& parameter, const Scenario& scenario) {

@@ -21,14 +21,16 @@ struct Range {
     double low;
     double high;
     bool lowOpen = false;
-    std::string_view whyNotMore = {};  ///< why there is an upper end, for messages; may be empty
+    const char* whyNotMore = "";  ///< why there is an upper end, for messages; may be empty
     bool highOpen = false;
     bool contains(double value) const;
     /// "in (0, 1]", "greater than 0", "at least 0", for messages.
     std::string text() const;
+    /// "(0, 1]", of a range with an upper end.
+    std::string ends() const;
     /// Why a value (SI, finite or not) is outside: "must be in (0, 1]", with the SI unit where it has one;
     /// empty when it is inside.
-    std::string problem(double value, const Unit& si) const;
+    Message problem(double value, const Unit& si) const;
 };
 
 enum class SliderScale { linear, logarithmic };
@@ -146,11 +148,11 @@ KeptParameter findParameter(std::string_view key);
 bool isGiven(const Parameter& parameter, const Scenario& scenario);
 
 /// Why `value` (SI, finite or not) is outside the hard range: "must be in (0, 1]"; empty when it is inside.
-std::string rangeProblem(const Parameter& parameter, double value);
+Message rangeProblem(const Parameter& parameter, double value);
 
 /// Why the scenario does not hold `wanted` (SI) now that it was assigned: what is kept is the physical value
 /// of a group, or the impulse of a force, and that may be at the end of double precision. "cannot be kept …";
 /// empty when it reads back to 1e-12. Requires applies().
-std::string readBackProblem(const Parameter& parameter, const Scenario& scenario, double wanted);
+Message readBackProblem(const Parameter& parameter, const Scenario& scenario, double wanted);
 
 }  // namespace drillwave

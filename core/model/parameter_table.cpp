@@ -22,8 +22,8 @@ constexpr Range notNegative{0, infinity};
 /// Rounding of a gap or a transit time must stay a small part of a wave: at 1e9 two neighbouring doubles are
 /// 1e-7 of a period or of t0 apart.
 constexpr double largestTime = 1e9;
-constexpr std::string_view lostPhase =
-    "in a larger one the numbers of double precision are too coarse to place a wave";
+constexpr const char* lostPhase = translatable(
+    "drillwave::Message", "in a larger one the numbers of double precision are too coarse to place a wave");
 using enum SliderScale;
 
 Value diameter(const S& s) {

@@ -13,18 +13,21 @@
 namespace drillwave {
 namespace {
 
-constexpr std::string_view notOfUniformRod =
-    "only a drill string has it (`drillwave: 2`), this is a uniform rod";
+constexpr const char* notOfUniformRod =
+    translatable("drillwave::Message", "only a drill string has it (`drillwave: 2`), this is a uniform rod");
 
 std::string refusal(std::string_view key, std::string_view text, std::string_view reason) {
     return std::string(key) + " = " + shortened(trimmed(text)) + " (" + std::string(reason) + ")";
 }
 
-constexpr std::string_view notOfString = "only a uniform rod has it (`drillwave: 1`), this is a drill string";
-constexpr std::string_view notOfHammer =
-    "only a force in place of the hammer has it (`pulse`), this string is struck by a hammer";
-constexpr std::string_view notOfForce =
-    "only a hammer of sections has it (`hammer`), this string is driven by a force (`pulse`)";
+constexpr const char* notOfString =
+    translatable("drillwave::Message", "only a uniform rod has it (`drillwave: 1`), this is a drill string");
+constexpr const char* notOfHammer =
+    translatable("drillwave::Message",
+                 "only a force in place of the hammer has it (`pulse`), this string is struck by a hammer");
+constexpr const char* notOfForce =
+    translatable("drillwave::Message",
+                 "only a hammer of sections has it (`hammer`), this string is driven by a force (`pulse`)");
 
 std::string assignWord(Scenario& scenario, const WordParameter& parameter, std::string_view text) {
     const auto words = parameter.words();
@@ -34,9 +37,9 @@ std::string assignWord(Scenario& scenario, const WordParameter& parameter, std::
             parameter.assign(scenario, static_cast<std::size_t>(found - words.begin()));
         return reason.empty() ? reason : refusal(parameter.key, text, reason);
     }
-    if (const std::string_view reason = shapeRefusal(scenario, PulseShape());
-        parameter.key == pulseShapeKey && !reason.empty())
-        return refusal(parameter.key, text, reason);
+    if (const Message reason = shapeRefusal(scenario, PulseShape());
+        parameter.key == pulseShapeKey && !reason.isEmpty())
+        return refusal(parameter.key, text, reason.text());
     return refusal(parameter.key, text, "must be one of " + parameter.list());
 }
 
@@ -58,29 +61,34 @@ std::string unknownKey(std::string_view key) {
 }
 
 /// Names the group that does in a dimensionless scenario what this parameter does in a dimensional one.
-std::string whyNotInDimensionless(const Parameter& parameter) {
+Message whyNotInDimensionless(const Parameter& parameter) {
     const auto group = std::ranges::find_if(parameters(), [&](const Parameter& other) {
         return other.isGroup() && other.rules.rival == parameter.key;
     });
-    return "the scenario is given by its dimensionless groups" +
-           (group == parameters().end() ? "" : "; set `" + std::string(group->key) + "` instead");
+    if (group == parameters().end())
+        return translatable("drillwave::Message", "the scenario is given by its dimensionless groups");
+    return {translatable("drillwave::Message",
+                         "the scenario is given by its dimensionless groups; set `%1` instead"),
+            {std::string(group->key)}};
 }
 
-std::string whyNotInString(const Parameter& parameter) {
+Message whyNotInString(const Parameter& parameter) {
     if (parameter.scope == Scope::uniformRod)
-        return "follows from the lengths of hammer and string; set those, as `string.1.length`";
-    return std::string(notOfString) +
-           std::string(parameter.section() == "rod" ? "; set its sections, as `string.1.length`" : "");
+        return translatable("drillwave::Message",
+                            "follows from the lengths of hammer and string; set those, as `string.1.length`");
+    if (parameter.section() != "rod") return notOfString;
+    return {translatable("drillwave::Message", "%1; set its sections, as `string.1.length`"), {notOfString}};
 }
 
 /// Of a parameter that only one law of the rock has.
-std::string whyNotOfLaw(const Parameter& parameter, const Scenario& scenario) {
+Message whyNotOfLaw(const Parameter& parameter, const Scenario& scenario) {
     const RockLaw law = *parameter.rules.law;
     if (scenario.bitRock.law != law)
-        return "only " + std::string(phrase(law)) + " has it; set `" + std::string(rockLawKey) + "=" +
-               std::string(name(law)) + "` too";
-    return hasUnits(scenario) ? "needs a unit, as this scenario is in physical quantities"
-                              : "has no unit in a dimensionless scenario";
+        return {translatable("drillwave::Message", "only %1 has it; set `%2=%3` too"),
+                {Message::ofTable(phrase(law)), std::string(rockLawKey), std::string(name(law))}};
+    return hasUnits(scenario) ? translatable("drillwave::Message",
+                                             "needs a unit, as this scenario is in physical quantities")
+                              : translatable("drillwave::Message", "has no unit in a dimensionless scenario");
 }
 
 }  // namespace
@@ -95,38 +103,42 @@ std::string pulseShapeList() {
     return findWordParameter(pulseShapeKey)->list();
 }
 
-std::string_view shapeRefusal(const Scenario& scenario, PulseShape shape) {
+Message shapeRefusal(const Scenario& scenario, PulseShape shape) {
     if (!isForced(scenario)) return notOfHammer;
     if (isString(scenario) && shape == PulseShape::rigidBody) return notOfString;
     return {};
 }
 
-std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenario) {
+Message whyNotApplicable(const Parameter& parameter, const Scenario& scenario) {
     if (parameter.applies(scenario)) return {};
     if (parameter.scope == Scope::section) return whyNoSection(parameter, scenario);
-    if (parameter.scope == Scope::string) return std::string(notOfUniformRod);
-    if (parameter.scope == Scope::hammer)
-        return std::string(isString(scenario) ? notOfForce : notOfUniformRod);
+    if (parameter.scope == Scope::string) return notOfUniformRod;
+    if (parameter.scope == Scope::hammer) return isString(scenario) ? notOfForce : notOfUniformRod;
     if (parameter.rules.law) return whyNotOfLaw(parameter, scenario);
     const bool ofPulse = parameter.section() == "pulse";
-    if (!isForced(scenario) && ofPulse) return std::string(notOfHammer);
+    if (!isForced(scenario) && ofPulse) return notOfHammer;
     if (isString(scenario) && !ofPulse) return whyNotInString(parameter);
     const std::string shape(name(scenario.pulse.shape));
-    if (parameter.scope == Scope::trapezoid) return "only a trapezoid has it, the shape is " + shape;
+    if (parameter.scope == Scope::trapezoid)
+        return {translatable("drillwave::Message", "only a trapezoid has it, the shape is %1"), {shape}};
     if (parameter.scope == Scope::pistonByRatio && scenario.pulse.shape == PulseShape::piston)
-        return "follows from the diameters and materials of hammer and rod";
-    if (parameter.scope == Scope::pistonByRatio) return "only a piston has it, the shape is " + shape;
+        return translatable("drillwave::Message",
+                            "follows from the diameters and materials of hammer and rod");
+    if (parameter.scope == Scope::pistonByRatio)
+        return {translatable("drillwave::Message", "only a piston has it, the shape is %1"), {shape}};
     if (!hasUnits(scenario)) return whyNotInDimensionless(parameter);
     if (parameter.scope == Scope::withoutArea)
-        return "the rod is given by its area; set `rod.area` or `rod.diameter`";
-    if (parameter.scope == Scope::givenPulse) return "follows from the data of the " + shape;
-    return "only a piston has it, the shape is " + shape;
+        return translatable("drillwave::Message",
+                            "the rod is given by its area; set `rod.area` or `rod.diameter`");
+    if (parameter.scope == Scope::givenPulse)
+        return {translatable("drillwave::Message", "follows from the data of the %1"), {shape}};
+    return {translatable("drillwave::Message", "only a piston has it, the shape is %1"), {shape}};
 }
 
 std::string assignNumber(Scenario& scenario, const Parameter& parameter, double si) {
-    if (const std::string reason = whyNotApplicable(parameter, scenario); !reason.empty())
-        return "has no meaning here: " + reason;
-    if (std::string problem = rangeProblem(parameter, si); !problem.empty()) return problem;
+    if (const Message reason = whyNotApplicable(parameter, scenario); !reason.isEmpty())
+        return "has no meaning here: " + reason.text();
+    if (const Message problem = rangeProblem(parameter, si); !problem.isEmpty()) return problem.text();
     parameter.assign(scenario, si);
     return {};
 }
@@ -153,17 +165,17 @@ std::string assignText(Scenario& scenario, const Parameter& parameter, std::stri
         other && &*other != &parameter)
         return assignText(scenario, *other, text, unit);
     const std::string_view key = parameter.key;
-    const std::string inapplicable = whyNotApplicable(parameter, scenario);
-    if (!inapplicable.empty()) return refusal(key, text, inapplicable);
+    const Message inapplicable = whyNotApplicable(parameter, scenario);
+    if (!inapplicable.isEmpty()) return refusal(key, text, inapplicable.text());
     const BareNumber bare = unit ? BareNumber::inDefaultUnit : BareNumber::refused;
     const TypedQuantity typed =
         parseQuantity(text, parameter.quantity, bare, unit ? unit : &parameter.displayUnit());
-    if (!typed.valid()) return refusal(key, text, typed.problem);
-    const std::string problem = rangeProblem(parameter, typed.si);
-    if (!problem.empty()) return refusal(key, text, problem);
+    if (!typed.valid()) return refusal(key, text, typed.problem.text());
+    const Message problem = rangeProblem(parameter, typed.si);
+    if (!problem.isEmpty()) return refusal(key, text, problem.text());
     parameter.assign(scenario, typed.si);
-    const std::string lost = readBackProblem(parameter, scenario, typed.si);
-    return lost.empty() ? std::string() : refusal(key, text, lost);
+    const Message lost = readBackProblem(parameter, scenario, typed.si);
+    return lost.isEmpty() ? std::string() : refusal(key, text, lost.text());
 }
 
 }  // namespace drillwave

@@ -17,10 +17,10 @@ std::optional<bool> findTruth(std::string_view word);
 std::string pulseShapeList();
 
 /// Why a scenario has no such shape of the force; empty when it may have it.
-std::string_view shapeRefusal(const Scenario& scenario, PulseShape shape);
+Message shapeRefusal(const Scenario& scenario, PulseShape shape);
 
 /// Why a parameter has no meaning in this scenario and what to do instead; empty when it applies.
-std::string whyNotApplicable(const Parameter& parameter, const Scenario& scenario);
+Message whyNotApplicable(const Parameter& parameter, const Scenario& scenario);
 
 /// Sets a parameter to a number in SI. Returns why the scenario cannot have it, "has no meaning here: …" or
 /// "must be in (0, 1]", and sets nothing then; empty when done.

@@ -129,12 +129,16 @@ std::string nearestSectionKey(std::string_view key) {
     return near == key || !findSectionAddress(near) ? std::string() : near;
 }
 
-std::string sectionNameProblem(std::string_view name) {
-    if (isWholeNumber(name)) return "must not be a whole number: numbers are the places of sections";
-    if (name != trimmed(name)) return "must not begin or end with a blank";
+Message sectionNameProblem(std::string_view name) {
+    if (isWholeNumber(name))
+        return translatable("drillwave::Message",
+                            "must not be a whole number: numbers are the places of sections");
+    if (name != trimmed(name))
+        return translatable("drillwave::Message", "must not begin or end with a blank");
     if (name.size() > maximumNameBytes)
-        return "must have at most " + std::to_string(maximumNameBytes) + " bytes";
-    return name.empty() ? std::string() : nameProblem(name);
+        return {translatable("drillwave::Message", "must have at most %1 bytes"),
+                {std::to_string(maximumNameBytes)}};
+    return name.empty() ? Message() : nameProblem(name);
 }
 
 }  // namespace drillwave

@@ -79,6 +79,6 @@ std::string whyNoneThere(const SectionAddress& address, const DrillString& drill
 std::string nearestSectionKey(std::string_view key);
 
 /// Why a section cannot have that name: "must be …"; empty when it can.
-std::string sectionNameProblem(std::string_view name);
+Message sectionNameProblem(std::string_view name);
 
 }  // namespace drillwave

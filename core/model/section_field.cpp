@@ -104,7 +104,7 @@ bool areRivals(const SectionField& a, const SectionField& b) {
     return &a == &b || replaces(a, b) || replaces(b, a);
 }
 
-std::string rangeProblem(const SectionField& field, double value) {
+Message rangeProblem(const SectionField& field, double value) {
     return field.hard.problem(value, unitsOf(field.quantity).front());
 }
 

@@ -47,6 +47,6 @@ const SectionField* findSectionField(std::string_view key);
 bool areRivals(const SectionField& a, const SectionField& b);
 
 /// Why `value` (SI) is outside the hard range: "must be greater than 0"; empty when it is inside.
-std::string rangeProblem(const SectionField& field, double value);
+Message rangeProblem(const SectionField& field, double value);
 
 }  // namespace drillwave

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/model/drill_string.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -33,7 +34,7 @@ std::string_view endKey(const Section& section);
 /// What is wrong with sizes that are each in their range.
 struct ShapeProblem {
     std::string_view field;  ///< key of one of them
-    std::string reason;      ///< "must be less than the diameter of 39 mm"
+    Message reason;          ///< "must be less than the diameter of 39 mm"
 };
 /// Every one.
 std::vector<ShapeProblem> shapeProblems(const Section& section);

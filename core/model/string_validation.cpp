@@ -33,7 +33,7 @@ class SectionCheck {
     }
 
   private:
-    void report(const std::string& key, const std::string& value, const std::string& reason) {
+    void report(const std::string& key, const std::string& value, const Message& reason) {
         m_problems.push_back(valueProblem(key, value, reason));
     }
 
@@ -52,23 +52,28 @@ class SectionCheck {
     }
 
     void checkParts() {
-        if (m_string.parts.empty()) report("string", "", "must have at least one section");
+        if (m_string.parts.empty())
+            report("string", "", translatable("drillwave::Message", "must have at least one section"));
         for (const StringPart& part : m_string.parts) {
             if (part.sections.empty() || (!part.group && part.sections.size() != 1))
-                report("string", "", "each part must be one section, or a repeat of at least one");
-            const std::string reason =
+                report("string", "",
+                       translatable("drillwave::Message",
+                                    "each part must be one section, or a repeat of at least one"));
+            const Message reason =
                 rangeProblem(*findParameter("string.repeat"), static_cast<double>(part.repeat));
-            if (!reason.empty()) report("string.repeat", std::to_string(part.repeat), reason);
+            if (!reason.isEmpty()) report("string.repeat", std::to_string(part.repeat), reason);
             if (!part.group && part.repeat > 1)
-                report("string.repeat", std::to_string(part.repeat), "only a repeat has it");
+                report("string.repeat", std::to_string(part.repeat),
+                       translatable("drillwave::Message", "only a repeat has it"));
         }
         if (const std::uint64_t count = sectionCount(m_string); count > maximumSections)
             report("string", "", tooMany(count));
     }
 
-    static std::string tooMany(std::uint64_t count) {
-        return "has " + std::to_string(count) + " sections, its repeats written out; at most " +
-               std::to_string(maximumSections) + " are followed";
+    static Message tooMany(std::uint64_t count) {
+        return {translatable("drillwave::Message",
+                             "has %1 sections, its repeats written out; at most %2 are followed"),
+                {std::to_string(count), std::to_string(maximumSections)}};
     }
 
     void checkSection(const std::string& key, const Section& section) {
@@ -77,15 +82,15 @@ class SectionCheck {
         };
         for (const SectionField& field : sectionFields()) {
             const std::optional<double> value = field.value(section);
-            const std::string reason = value ? rangeProblem(field, *value) : std::string();
-            if (!reason.empty()) report(key + "." + std::string(field.key), text(field, *value), reason);
+            const Message reason = value ? rangeProblem(field, *value) : Message();
+            if (!reason.isEmpty()) report(key + "." + std::string(field.key), text(field, *value), reason);
         }
         for (const ShapeProblem& problem : shapeProblems(section)) {
             const SectionField& field = *findSectionField(problem.field);
             report(key + "." + std::string(field.key), text(field, *field.value(section)), problem.reason);
         }
-        const std::string reason = sectionNameProblem(section.name);
-        if (!reason.empty()) report(key + ".name", section.name, reason);
+        const Message reason = sectionNameProblem(section.name);
+        if (!reason.isEmpty()) report(key + ".name", section.name, reason);
     }
 
     /// A hammer that flies loses nothing: waves that decay while it does would slow it down.
@@ -93,9 +98,12 @@ class SectionCheck {
         const std::vector<Section>& sections = m_string.hammer.sections;
         const auto refuse = [this](std::size_t i, const char* field, double value) {
             const SectionField& losing = *findSectionField(field);
-            report(sectionKey(Chain::hammer, i + 1) + "." + field,
-                   formatQuantity(value, losing.quantity, losing.displayUnit()),
-                   "losses inside the hammer are not part of the model: give them to sections of the string");
+            report(
+                sectionKey(Chain::hammer, i + 1) + "." + field,
+                formatQuantity(value, losing.quantity, losing.displayUnit()),
+                translatable("drillwave::Message",
+                             "losses inside the hammer are not part of the model: give them to sections of "
+                             "the string"));
         };
         for (std::size_t i = 0; i < sections.size() && goesOn(); ++i) {
             if (sections[i].attenuation > 0) refuse(i, "attenuation", sections[i].attenuation);
@@ -115,8 +123,10 @@ class SectionCheck {
         const SectionField& bore = *findSectionField("bore");
         report(sectionKey(Chain::hammer, m_string.hammer.sections.size()) + "." + std::string(end.key),
                formatQuantity(*end.value(last), end.quantity, end.displayUnit()),
-               "is so narrow that the face meets no more than the bore of " +
-                   formatQuantity(hole, bore.quantity, bore.displayUnit()) + " of the section it strikes");
+               {translatable("drillwave::Message",
+                             "is so narrow that the face meets no more than the bore of %1 of the section it "
+                             "strikes"),
+                {formatQuantity(hole, bore.quantity, bore.displayUnit())}});
     }
 
     void checkDerived(const std::string& key, const Section& section) {
@@ -124,9 +134,11 @@ class SectionCheck {
         for (const double value :
              {properties.area, properties.impedance, properties.transitTime, properties.mass})
             if (!std::isfinite(value) || value <= 0)
-                return report(key, "",
-                              "the values are so large or small that its impedance, transit time or mass "
-                              "overflows");
+                return report(
+                    key, "",
+                    translatable("drillwave::Message",
+                                 "the values are so large or small that its impedance, transit time "
+                                 "or mass overflows"));
     }
 
     const DrillString& m_string;

@@ -20,7 +20,7 @@ std::string valueText(const Parameter& parameter, double value) {
 }
 
 void report(std::vector<InputProblem>& problems, std::string_view key, std::string_view value,
-            std::string_view reason) {
+            const Message& reason) {
     problems.push_back(valueProblem(key, value, reason));
 }
 
@@ -28,17 +28,17 @@ void checkRanges(const Scenario& scenario, std::vector<InputProblem>& problems) 
     for (const Parameter& parameter : parameters()) {
         if (!isGiven(parameter, scenario)) continue;
         const std::optional<double> value = parameter.value(scenario);
-        const std::string reason = value ? rangeProblem(parameter, *value) : std::string();
-        if (!reason.empty()) report(problems, parameter.key, valueText(parameter, *value), reason);
+        const Message reason = value ? rangeProblem(parameter, *value) : Message();
+        if (!reason.isEmpty()) report(problems, parameter.key, valueText(parameter, *value), reason);
     }
 }
 
 /// Beneath a string the rock has a range too: a uniform rod judges it by its groups.
 void checkRockOfString(const BitRock& rock, std::vector<InputProblem>& problems) {
     const Parameter& stiffness = *findParameter("bit_rock.stiffness");
-    const std::string reason =
+    const Message reason =
         string_ranges::stiffness.problem(rock.stiffness, unitsOf(stiffness.quantity).front());
-    if (!reason.empty()) report(problems, stiffness.key, valueText(stiffness, rock.stiffness), reason);
+    if (!reason.isEmpty()) report(problems, stiffness.key, valueText(stiffness, rock.stiffness), reason);
 }
 
 /// The corners of the loading curve, each behind the one before and none steeper than the way down.
@@ -53,14 +53,15 @@ class CornerCheck {
     void check() {
         if (m_rock.corners.empty()) {
             add("bit_rock.corners", "",
-                "is missing: a law with corners needs at least one, as `bit_rock.corner.1.force` and "
-                "`bit_rock.corner.1.slope`");
+                translatable("drillwave::Message",
+                             "is missing: a law with corners needs at least one, as "
+                             "`bit_rock.corner.1.force` and `bit_rock.corner.1.slope`"));
             return;
         }
         if (m_rock.corners.size() > mostRockCorners) {
             add("bit_rock.corners", "",
-                "has " + std::to_string(m_rock.corners.size()) + " corners, at most " +
-                    std::to_string(mostRockCorners) + " are possible");
+                {translatable("drillwave::Message", "has %1 corners, at most %2 are possible"),
+                 {std::to_string(m_rock.corners.size()), std::to_string(mostRockCorners)}});
             return;
         }
         for (std::size_t i = 0; i < m_rock.corners.size(); ++i) checkCorner(i);
@@ -77,22 +78,26 @@ class CornerCheck {
         if (isRight(i, "force", corner.force) && i > 0 && !(corner.force > m_rock.corners[i - 1].force) &&
             !std::isnan(m_rock.corners[i - 1].force))
             add(pathOf(i, "force"), textOf(i, "force", corner.force),
-                "must be greater than the force of the corner before it, " +
-                    textOf(i - 1, "force", m_rock.corners[i - 1].force));
+                {translatable("drillwave::Message",
+                              "must be greater than the force of the corner before it, %1"),
+                 {textOf(i - 1, "force", m_rock.corners[i - 1].force)}});
         if (isRight(i, "slope", corner.slope) && corner.slope * m_gamma > 1 + rounding)
             add(pathOf(i, "slope"), formatNumber(corner.slope),
-                "must be at most 1/gamma = " + formatNumber(1 / m_gamma) +
-                    ": loading steeper than unloading would create energy");
+                {translatable("drillwave::Message",
+                              "must be at most 1/gamma = %1: loading steeper than unloading would create "
+                              "energy"),
+                 {formatNumber(1 / m_gamma)}});
     }
 
     bool isRight(std::size_t i, std::string_view field, double value) {
         if (std::isnan(value)) {
-            add(pathOf(i, field), "", "is missing: a corner has a force and a slope");
+            add(pathOf(i, field), "",
+                translatable("drillwave::Message", "is missing: a corner has a force and a slope"));
             return false;
         }
-        const std::string reason = rangeProblem(*parameterOf(i, field), value);
-        if (!reason.empty()) add(pathOf(i, field), textOf(i, field, value), reason);
-        return reason.empty();
+        const Message reason = rangeProblem(*parameterOf(i, field), value);
+        if (!reason.isEmpty()) add(pathOf(i, field), textOf(i, field, value), reason);
+        return reason.isEmpty();
     }
 
     KeptParameter parameterOf(std::size_t i, std::string_view field) const {
@@ -105,7 +110,7 @@ class CornerCheck {
     static std::string pathOf(std::size_t i, std::string_view field) {
         return "bit_rock.corners." + std::to_string(i + 1) + "." + std::string(field);
     }
-    void add(std::string_view key, std::string_view value, std::string_view reason) {
+    void add(std::string_view key, std::string_view value, const Message& reason) {
         report(m_problems, key, value, reason);
     }
 
@@ -119,8 +124,8 @@ void checkLaw(const Scenario& scenario, std::vector<InputProblem>& problems) {
     if (scenario.bitRock.law == RockLaw::corners) CornerCheck(scenario, problems).check();
     for (const KeptParameter& parameter : numbersInScales(scenario)) {
         const double value = *parameter->value(scenario);
-        const std::string reason = rangeProblem(*parameter, value);
-        if (!reason.empty()) report(problems, parameter->key, formatNumber(value), reason);
+        const Message reason = rangeProblem(*parameter, value);
+        if (!reason.isEmpty()) report(problems, parameter->key, formatNumber(value), reason);
     }
 }
 
@@ -129,7 +134,8 @@ void checkBore(const Scenario& scenario, std::vector<InputProblem>& problems) {
     if (scenario.form != ScenarioForm::dimensional || rod.area || !(rod.bore >= rod.diameter)) return;
     const Parameter& bore = *findParameter("rod.bore");
     report(problems, bore.key, valueText(bore, rod.bore),
-           "must be less than the diameter of " + valueText(bore, rod.diameter));
+           {translatable("drillwave::Message", "must be less than the diameter of %1"),
+            {valueText(bore, rod.diameter)}});
 }
 
 void checkTrapezoid(const Pulse& pulse, std::vector<InputProblem>& problems) {
@@ -137,13 +143,14 @@ void checkTrapezoid(const Pulse& pulse, std::vector<InputProblem>& problems) {
     // 0.7 + 0.3 may be a rounding error above 1: accept it, the plateau is then empty.
     if (pulse.rise + pulse.fall <= 1 + 1e-12) return;
     report(problems, "pulse.fall", formatNumber(pulse.fall),
-           "rise and fall together must not exceed 1, they are " + formatNumber(pulse.rise + pulse.fall));
+           {translatable("drillwave::Message", "rise and fall together must not exceed 1, they are %1"),
+            {formatNumber(pulse.rise + pulse.fall)}});
 }
 
 void checkTable(const Scenario& scenario, std::vector<InputProblem>& problems) {
     if (scenario.pulse.shape != PulseShape::table) return;
-    const std::string reason = pointProblem(scenario.pulse.tablePoints).reason;
-    if (!reason.empty()) report(problems, "pulse.points", "", reason);
+    const Message reason = pointProblem(scenario.pulse.tablePoints).reason;
+    if (!reason.isEmpty()) report(problems, "pulse.points", "", reason);
 }
 
 /// A string that arrives as a whole is no blow of a force.
@@ -151,7 +158,9 @@ void checkShape(const Scenario& scenario, std::vector<InputProblem>& problems) {
     if (isString(scenario) && scenario.pulse.shape == PulseShape::rigidBody)
         report(
             problems, pulseShapeKey, std::string(name(scenario.pulse.shape)),
-            "is the reference case of a uniform rod (`drillwave: 1`); a drill string takes any other shape");
+            translatable("drillwave::Message",
+                         "is the reference case of a uniform rod (`drillwave: 1`); a drill string takes any "
+                         "other shape"));
 }
 
 void checkPiston(const Scenario& scenario, std::vector<InputProblem>& problems) {
@@ -161,8 +170,10 @@ void checkPiston(const Scenario& scenario, std::vector<InputProblem>& problems) 
     const bool given = scenario.form == ScenarioForm::dimensionless;
     report(problems, given ? "pulse.impedance_ratio" : "pulse.diameter",
            given ? formatNumber(ratio) : std::string(),
-           "the hammer's impedance is " + formatNumber(ratio) +
-               " times the rod's, too many steps to follow; use the shape exponential, a rigid hammer");
+           {translatable("drillwave::Message",
+                         "the hammer's impedance is %1 times the rod's, too many steps to follow; use the "
+                         "shape exponential, a rigid hammer"),
+            {formatNumber(ratio)}});
 }
 
 bool isPositiveAndFinite(double value) {
@@ -170,17 +181,15 @@ bool isPositiveAndFinite(double value) {
 }
 
 /// The bit closes the gap by one d0 in each round trip.
-void checkFirstContact(const Groups& groups, const std::string& follows,
-                       std::vector<InputProblem>& problems) {
+void checkFirstContact(const Groups& groups, const Message& follows, std::vector<InputProblem>& problems) {
     constexpr double latest = 1e12;  // neighbouring doubles are 1e-4 t0 apart there
     const double firstContact = groups.tau * (1 + 2 * groups.delta);
     if (firstContact <= latest) return;
     report(problems, "delta", formatNumber(groups.delta),
-           "with tau = " + formatNumber(groups.tau) + " the bit meets the rock after " +
-               formatNumber(firstContact) +
-               " t0, too late for double precision to tell what happens within one "
-               "t0 (at most " +
-               formatNumber(latest) + ")" + follows);
+           {translatable("drillwave::Message",
+                         "with tau = %1 the bit meets the rock after %2 t0, too late for double precision "
+                         "to tell what happens within one t0 (at most %3)%4"),
+            {formatNumber(groups.tau), formatNumber(firstContact), formatNumber(latest), follows}});
 }
 
 /// Each value may be fine and the conversion still overflow or vanish.
@@ -189,48 +198,57 @@ void checkGroups(const Scenario& scenario, std::vector<InputProblem>& problems) 
     for (const double scale : {scales.time, scales.impulse, scales.force, scales.velocity, scales.penetration,
                                scales.stiffness, scales.energy}) {
         if (isPositiveAndFinite(scale)) continue;
-        const std::string reason =
-            "the values are so large or small that the force or energy of the blow overflows";
+        const Message reason =
+            translatable("drillwave::Message",
+                         "the values are so large or small that the force or energy of the blow overflows");
         problems.push_back({.key = "", .text = reason, .reason = reason});
         return;
     }
-    const std::string follows = hasUnits(scenario) ? "; it follows from the other values" : "";
+    const Message follows =
+        hasUnits(scenario) ? translatable("drillwave::Message", "; it follows from the other values") : "";
     for (const Parameter& parameter : parameters()) {
         if (parameter.section() != "groups") continue;
         const double value = *parameter.value(scenario);
-        const std::string reason = rangeProblem(parameter, value);
-        if (!reason.empty()) report(problems, parameter.key, formatNumber(value), reason + follows);
+        const Message reason = rangeProblem(parameter, value);
+        if (!reason.isEmpty())
+            report(problems, parameter.key, formatNumber(value), {"%1%2", {reason, follows}});
     }
     if (problems.empty()) checkFirstContact(groupsOf(scenario), follows, problems);
 }
 
 }  // namespace
 
-InputProblem valueProblem(std::string_view key, std::string_view value, std::string_view reason) {
-    const std::string equals = value.empty() ? " " : " = " + std::string(value) + " ";
-    const std::string name(key), why(reason);
-    return {.key = name, .text = name + equals + "(" + why + ")", .reason = name + " " + why};
+InputProblem valueProblem(std::string_view key, std::string_view value, const Message& reason) {
+    const std::string name(key), given = value.empty() ? name : name + " = " + std::string(value);
+    return {.key = name, .text = {"%1 (%2)", {given, reason}}, .reason = {"%1 %2", {name, reason}}};
 }
 
 PointProblem pointProblem(const TablePoints& points) {
     const std::size_t last = points.empty() ? 0 : points.size() - 1;
-    if (points.size() < 2) return {last, "needs at least two points of time and force"};
+    if (points.size() < 2)
+        return {last, translatable("drillwave::Message", "needs at least two points of time and force")};
     if (points.size() > static_cast<std::size_t>(maximumPulseSegments))
-        return {last, "has more than " + std::to_string(maximumPulseSegments) + " points"};
+        return {last,
+                {translatable("drillwave::Message", "has more than %1 points"),
+                 {std::to_string(maximumPulseSegments)}}};
     double largest = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto that = [i](const char* text) -> PointProblem {
-            return {i, "point " + std::to_string(i + 1) + text};
+            return {i, {text, {std::to_string(i + 1)}}};
         };
         if (!std::isfinite(points[i].time) || !std::isfinite(points[i].force))
-            return that(" must be finite numbers");
-        if (points[i].force < 0) return that(" has a negative force, a hammer only pushes");
+            return that(translatable("drillwave::Message", "point %1 must be finite numbers"));
+        if (points[i].force < 0)
+            return that(
+                translatable("drillwave::Message", "point %1 has a negative force, a hammer only pushes"));
         if (i > 0 && points[i].time <= points[i - 1].time)
-            return that(" must be later than the one before it");
+            return that(translatable("drillwave::Message", "point %1 must be later than the one before it"));
         largest = std::max(largest, points[i].force);
     }
-    if (largest == 0) return {last, "must have a force greater than 0 somewhere"};
-    if (!isPositiveAndFinite(points.back().time - points.front().time)) return {last, "lasts too long"};
+    if (largest == 0)
+        return {last, translatable("drillwave::Message", "must have a force greater than 0 somewhere")};
+    if (!isPositiveAndFinite(points.back().time - points.front().time))
+        return {last, translatable("drillwave::Message", "lasts too long")};
     return {};
 }
 

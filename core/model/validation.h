@@ -8,23 +8,24 @@
 #include <vector>
 
 #include "core/model/scenario.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
 /// One thing wrong with a scenario. Line and column are 1-based, 0 when it did not come from a file.
 struct InputProblem {
-    std::string key;   ///< "bit_rock.gamma", may be empty
-    std::string text;  ///< "bit_rock.gamma = 1.3 (must be in (0, 1])"
+    std::string key;  ///< "bit_rock.gamma", may be empty
+    Message text;     ///< "bit_rock.gamma = 1.3 (must be in (0, 1])"
     int line = 0;
     int column = 0;
     std::string source = {};  ///< the file it is in, where that is not the scenario file (a pulse table)
     /// "bit_rock.gamma must be in (0, 1]", whatever the value is: to be counted. From validate() alone.
-    std::string reason = {};
+    Message reason = {};
     bool operator==(const InputProblem&) const = default;
 };
 
 /// A key, its value or none where it has none, and why it will not do: "must be in (0, 1]".
-InputProblem valueProblem(std::string_view key, std::string_view value, std::string_view reason);
+InputProblem valueProblem(std::string_view key, std::string_view value, const Message& reason);
 
 /// Every hard-range violation and inconsistency (rise + fall > 1, bore ≥ diameter, table times not
 /// increasing, a hammer or string without sections, groups not finite or zero after conversion), physical
@@ -34,7 +35,7 @@ std::vector<InputProblem> validate(const Scenario& scenario);
 /// The first reason why points are no hammer force, and the point (from 0) that it is about.
 struct PointProblem {
     std::size_t index = 0;
-    std::string reason;  ///< "point 3 must be later than the one before it"; empty when the points will do
+    Message reason;  ///< "point 3 must be later than the one before it"; empty when the points will do
 };
 PointProblem pointProblem(const TablePoints& points);
 

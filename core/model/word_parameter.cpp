@@ -13,7 +13,7 @@ namespace {
 
 std::string setShape(Scenario& scenario, std::size_t word) {
     const auto shape = static_cast<PulseShape>(word);
-    std::string refusal(shapeRefusal(scenario, shape));
+    std::string refusal = shapeRefusal(scenario, shape).text();
     if (refusal.empty()) scenario.pulse.shape = shape;
     return refusal;
 }

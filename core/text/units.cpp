@@ -133,7 +133,7 @@ std::string quoted(std::string_view text) {
     return "`" + shortened(text) + "`";
 }
 
-TypedQuantity refused(std::string problem) {
+TypedQuantity refused(Message problem) {
     return {0, nullptr, std::move(problem)};
 }
 
@@ -146,16 +146,20 @@ bool isNotFinite(std::string_view text) {
     return start == "nan" || start == "inf";
 }
 
-std::string missingUnit(std::string_view number, Quantity quantity, const Unit* example) {
+Message missingUnit(std::string_view number, Quantity quantity, const Unit* example) {
     const std::string_view unit = (example ? *example : unitsOf(quantity).front()).name;
-    return "has no unit: write for example `" + shortened(number) + " " + std::string(unit) +
-           "`; units that would do: " + unitList(quantity);
+    return {
+        translatable("drillwave::Message", "has no unit: write for example `%1 %2`; units that would do: %3"),
+        {shortened(number), std::string(unit), unitList(quantity)}};
 }
 
-std::string unknownUnit(std::string_view unit, Quantity quantity) {
-    if (unit.front() == ',') return "a decimal comma is not read here: write a decimal point";
-    if (quantity == Quantity::ratio) return "must be a plain number, " + quoted(unit) + " is too much";
-    return "unit " + quoted(unit) + " is not known here; units that would do: " + unitList(quantity);
+Message unknownUnit(std::string_view unit, Quantity quantity) {
+    if (unit.front() == ',')
+        return translatable("drillwave::Message", "a decimal comma is not read here: write a decimal point");
+    if (quantity == Quantity::ratio)
+        return {translatable("drillwave::Message", "must be a plain number, %1 is too much"), {quoted(unit)}};
+    return {translatable("drillwave::Message", "unit %1 is not known here; units that would do: %2"),
+            {quoted(unit), unitList(quantity)}};
 }
 
 /// The shortest decimal text near si/factor that parseQuantity() turns into exactly `si`.
@@ -265,9 +269,11 @@ std::string formatNumber(double value) {
 TypedQuantity parseQuantity(std::string_view text, Quantity quantity, BareNumber bare,
                             const Unit* defaultUnit) {
     text = trimmed(text);
-    if (text.empty()) return refused("is empty");
+    if (text.empty()) return refused(translatable("drillwave::Message", "is empty"));
     const std::size_t length = numberLength(text);
-    if (length == 0) return refused(isNotFinite(text) ? "must be a finite number" : "is not a number");
+    if (length == 0)
+        return refused(isNotFinite(text) ? translatable("drillwave::Message", "must be a finite number")
+                                         : translatable("drillwave::Message", "is not a number"));
     const std::string_view number = text.substr(0, length);
     const std::string_view unitName = trimmed(text.substr(length));
 
@@ -280,7 +286,9 @@ TypedQuantity parseQuantity(std::string_view text, Quantity quantity, BareNumber
 
     const std::optional<double> value = scaledNumber(number, unit->decimalExponent.value_or(0));
     const double si = !value ? HUGE_VAL : unit->decimalExponent ? *value : unit->toSi(*value);
-    if (!std::isfinite(si)) return refused("is too large or too small for a number of double precision");
+    if (!std::isfinite(si))
+        return refused(
+            translatable("drillwave::Message", "is too large or too small for a number of double precision"));
     return {si, unit, {}};
 }
 

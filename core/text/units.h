@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/text/message.h"
+
 namespace drillwave {
 
 /// What kind of physical quantity a number is; `ratio` is dimensionless.
@@ -63,8 +65,8 @@ std::string formatNumber(double value);
 struct TypedQuantity {
     double si = 0;               ///< the value in SI
     const Unit* unit = nullptr;  ///< the unit that was typed, never nullptr when valid
-    std::string problem;         ///< why the text was refused; empty when it was read
-    bool valid() const { return problem.empty(); }
+    Message problem;             ///< why the text was refused; empty when it was read
+    bool valid() const { return problem.isEmpty(); }
 };
 
 /// Whether a number without a unit is refused (files) or taken in the given default unit (form fields).

@@ -7,7 +7,8 @@
 namespace drillwave {
 namespace {
 
-constexpr std::string_view cornersExample = "must be a list of corners: `- {force: 90 kN, slope: 0.35}`";
+constexpr const char* cornersExample =
+    translatable("drillwave::Message", "must be a list of corners: `- {force: 90 kN, slope: 0.35}`");
 
 /// "bit_rock.corners.2", from 1 as in keys.
 std::string pathOf(std::size_t place) {
@@ -27,7 +28,9 @@ void readCorner(SectionReader& reader, const YamlNode& item, std::size_t place) 
         const auto found = entries.find(field);
         if (found == entries.end()) {
             if (!reader.isThere(entries, path, field))
-                reader.reportMissing(path, field, "is missing: a corner has a force and a slope");
+                reader.reportMissing(
+                    path, field,
+                    translatable("drillwave::Message", "is missing: a corner has a force and a slope"));
             continue;
         }
         reader.setPlace(joinedKey(path, field), found->second.place());
@@ -48,7 +51,8 @@ bool readLaw(SectionReader& reader, const YamlEntries& entries) {
         reader.scenario().bitRock.law = *law;
     else
         reader.problems().reportValue(entry.place(), rockLawKey, entry.value->text,
-                                      "must be one of " + findWordParameter(rockLawKey)->list());
+                                      {translatable("drillwave::Message", "must be one of %1"),
+                                       {findWordParameter(rockLawKey)->list()}});
     return law.has_value();
 }
 
@@ -57,16 +61,19 @@ void readCorners(SectionReader& reader, const YamlEntries& entries) {
     const auto found = entries.find(cornersKey);
     if (found == entries.end()) {
         if (has && !reader.isThere(entries, "bit_rock", cornersKey))
-            reader.reportMissing("bit_rock", cornersKey,
-                                 "is missing: write for example `corners: [{force: 90 kN, slope: 0.35}]`");
+            reader.reportMissing(
+                "bit_rock", cornersKey,
+                translatable("drillwave::Message",
+                             "is missing: write for example `corners: [{force: 90 kN, slope: 0.35}]`"));
         return;
     }
     const YamlEntry& entry = found->second;
     const std::string path = joinedKey("bit_rock", cornersKey);
     reader.setPlace(path, entry.place());
     if (!has) {
-        reader.problems().reportKey(entry.key->offset, path,
-                                    "only a law with corners has it; write `law: corners`");
+        reader.problems().reportKey(
+            entry.key->offset, path,
+            translatable("drillwave::Message", "only a law with corners has it; write `law: corners`"));
         return;
     }
     if (entry.value->kind != YamlKind::sequence || entry.value->children.empty()) {
@@ -75,9 +82,10 @@ void readCorners(SectionReader& reader, const YamlEntries& entries) {
     }
     const std::vector<YamlNode>& items = entry.value->children;
     if (items.size() > mostRockCorners) {
-        reader.problems().reportKey(entry.place(), path,
-                                    "has " + std::to_string(items.size()) + " corners, at most " +
-                                        std::to_string(mostRockCorners) + " are possible");
+        reader.problems().reportKey(
+            entry.place(), path,
+            {translatable("drillwave::Message", "has %1 corners, at most %2 are possible"),
+             {std::to_string(items.size()), std::to_string(mostRockCorners)}});
         return;
     }
     for (std::size_t i = 0; i < items.size(); ++i) readCorner(reader, items[i], i + 1);

@@ -10,7 +10,7 @@ namespace drillwave {
 namespace {
 
 [[noreturn]] void refuse(ScenarioError::Kind kind, std::string_view text, const std::string& source,
-                         std::size_t offset, const std::string& reason) {
+                         std::size_t offset, Message reason) {
     const TextPosition at = positionOf(text, offset);
     throw ScenarioError(kind, source, {{"", reason, at.line, at.column}});
 }
@@ -20,9 +20,10 @@ namespace {
 PresetFile parsePresets(std::string_view text, const std::string& source) {
     if (const TextProblem problem = checkText(text); !problem.reason.empty())
         refuse(ScenarioError::Kind::unreadable, text, source, problem.offset,
-               "is not a text file: it holds " + problem.reason);
+               {translatable("drillwave::Message", "is not a text file: it holds %1"),
+                {Message::ofTable(problem.reason)}});
     const YamlTree tree = parseYaml(text);
-    if (!tree.problem.text.empty())
+    if (!tree.problem.text.isEmpty())
         refuse(tree.problem.isYaml ? ScenarioError::Kind::invalid : ScenarioError::Kind::unreadable, text,
                source, tree.problem.offset, tree.problem.text);
     PresetReader reader(text);

@@ -14,18 +14,17 @@ constexpr std::size_t maximumProblems = 100;
 }  // namespace
 
 void ProblemList::reportValue(std::size_t offset, std::string_view key, std::string_view value,
-                              std::string_view reason) {
+                              const Message& reason) {
     reportKey(offset, key, "");
     if (m_leftOut == 0)
-        m_problems.back().text =
-            std::string(key) + " = " + shortened(trimmed(value)) + " (" + std::string(reason) + ")";
+        m_problems.back().text = {"%1 (%2)", {std::string(key) + " = " + shortened(trimmed(value)), reason}};
 }
 
-void ProblemList::reportKey(std::size_t offset, std::string_view key, std::string_view reason) {
+void ProblemList::reportKey(std::size_t offset, std::string_view key, const Message& reason) {
     // Finding the place costs a walk through the text: not for problems nobody will see.
     const bool full = m_problems.size() >= maximumProblems;
     const TextPosition at = full ? TextPosition{} : position(offset);
-    report({std::string(key), shortened(key) + " (" + std::string(reason) + ")", at.line, at.column});
+    report({std::string(key), {"%1 (%2)", {shortened(key), reason}}, at.line, at.column});
 }
 
 void ProblemList::reportAt(std::size_t offset, InputProblem problem) {
@@ -49,7 +48,10 @@ std::vector<InputProblem> ProblemList::take() {
     if (m_leftOut > 0) {
         const InputProblem& last = m_problems.back();
         m_problems.push_back(
-            {"", "and " + std::to_string(m_leftOut) + " more problems", last.line, last.column});
+            {"",
+             {translatable("drillwave::Message", "and %1 more problems"), {std::to_string(m_leftOut)}},
+             last.line,
+             last.column});
     }
     return std::move(m_problems);
 }

@@ -19,10 +19,9 @@ class ProblemList {
     explicit ProblemList(std::string_view text) : m_text(text) {}
 
     /// "key = value (reason)" at a byte of the text.
-    void reportValue(std::size_t offset, std::string_view key, std::string_view value,
-                     std::string_view reason);
+    void reportValue(std::size_t offset, std::string_view key, std::string_view value, const Message& reason);
     /// "key (reason)" at a byte of the text.
-    void reportKey(std::size_t offset, std::string_view key, std::string_view reason);
+    void reportKey(std::size_t offset, std::string_view key, const Message& reason);
     /// A problem as it is, its place being known already.
     void report(InputProblem problem);
     /// A problem of what was read, at a byte of the text.

@@ -24,16 +24,19 @@ std::optional<PulseShape> readShape(SectionReader& reader, const YamlEntries& en
     if (shape)
         reader.scenario().pulse.shape = *shape;
     else
-        reader.problems().reportValue(entry.place(), pulseShapeKey, entry.value->text,
-                                      "must be one of " + pulseShapeList());
+        reader.problems().reportValue(
+            entry.place(), pulseShapeKey, entry.value->text,
+            {translatable("drillwave::Message", "must be one of %1"), {pulseShapeList()}});
     return shape;
 }
 
 void refuseTableKeys(SectionReader& reader, const YamlEntries& entries, PulseShape shape) {
     for (const std::string_view key : {"file", "points"})
         if (const auto found = entries.find(key); found != entries.end())
-            reader.problems().reportKey(found->second.key->offset, joinedKey("pulse", key),
-                                        "only a table has it, the shape is " + std::string(name(shape)));
+            reader.problems().reportKey(
+                found->second.key->offset, joinedKey("pulse", key),
+                {translatable("drillwave::Message", "only a table has it, the shape is %1"),
+                 {std::string(name(shape))}});
 }
 
 bool readCoordinate(SectionReader& reader, const YamlNode& node, Quantity quantity, std::string_view unit,
@@ -52,8 +55,10 @@ bool readPoint(SectionReader& reader, const YamlNode& item, TablePoint& point) {
                       parts[0].kind == YamlKind::scalar && parts[1].kind == YamlKind::scalar;
     if (!pair) {
         const std::string_view example = hasUnits(reader.scenario()) ? "[200 us, 255 kN]" : "[0.5, 1]";
-        reader.problems().reportKey(item.offset, "pulse.points",
-                                    "each point must be [time, force], as in " + std::string(example));
+        reader.problems().reportKey(
+            item.offset, "pulse.points",
+            {translatable("drillwave::Message", "each point must be [time, force], as in %1"),
+             {std::string(example)}});
         return false;
     }
     const bool time = readCoordinate(reader, parts[0], Quantity::time, "us", point.time);
@@ -64,7 +69,8 @@ bool readPoint(SectionReader& reader, const YamlNode& item, TablePoint& point) {
 void readPoints(SectionReader& reader, const YamlEntry& entry) {
     reader.setPlace("pulse.points", entry.place());
     if (entry.value->kind != YamlKind::sequence) {
-        reader.problems().reportKey(entry.place(), "pulse.points", "must be a list of [time, force]");
+        reader.problems().reportKey(entry.place(), "pulse.points",
+                                    translatable("drillwave::Message", "must be a list of [time, force]"));
         return;
     }
     std::vector<TablePoint> points;
@@ -81,7 +87,8 @@ bool readTableFile(SectionReader& reader, const YamlEntry& entry, const TableSou
     reader.setPlace("pulse.points", entry.place());
     const std::string& file = entry.value->text;
     if (entry.value->kind != YamlKind::scalar || file.empty()) {
-        reader.problems().reportKey(entry.place(), "pulse.file", "must be the name of a CSV file");
+        reader.problems().reportKey(entry.place(), "pulse.file",
+                                    translatable("drillwave::Message", "must be the name of a CSV file"));
         return false;
     }
     Pulse& pulse = reader.scenario().pulse;

@@ -40,7 +40,7 @@ class TableReader {
     bool dimensional() const { return m_form != ScenarioForm::dimensionless; }
     std::string expectedHeader() const { return dimensional() ? "time [us],force [kN]" : "time,force"; }
 
-    void report(int line, const std::string& reason) {
+    void report(int line, const Message& reason) {
         m_table.problems.push_back({"pulse.file", reason, line, 1, m_source});
     }
 
@@ -49,19 +49,23 @@ class TableReader {
         const Quantity expected = dimensional() ? quantity : Quantity::ratio;
         const Unit* unit = findUnit(expected, header.unit);
         if (header.name != name)
-            report(line, "`" + shortened(cell) + "` (the header must be `" + expectedHeader() + "`)");
+            report(line, {translatable("drillwave::Message", "%1 (the header must be %2)"),
+                          {"`" + shortened(cell) + "`", "`" + expectedHeader() + "`"}});
         else if (!unit)
-            report(line, "`" + shortened(cell) + "` (" +
-                             (dimensional() ? "needs a unit in brackets, one of " + unitList(quantity)
-                                            : std::string("must have no unit in a dimensionless scenario")) +
-                             ")");
+            report(line, {dimensional()
+                              ? translatable("drillwave::Message", "%1 (needs a unit in brackets, one of %2)")
+                              : translatable("drillwave::Message",
+                                             "%1 (must have no unit in a dimensionless scenario)"),
+                          {"`" + shortened(cell) + "`", unitList(quantity)}});
         return unit;
     }
 
     void readHeader(const CsvRecord& record, int line) {
         if (!record.problem.empty() || record.cells.size() != 2) {
-            report(line,
-                   record.problem.empty() ? "the header must be `" + expectedHeader() + "`" : record.problem);
+            report(line, record.problem.empty()
+                             ? Message(translatable("drillwave::Message", "the header must be %1"),
+                                       {"`" + expectedHeader() + "`"})
+                             : record.problem);
             return;
         }
         m_timeUnit = columnUnit(record.cells[0], "time", Quantity::time, line);
@@ -73,14 +77,16 @@ class TableReader {
         const Quantity expected = dimensional() ? quantity : Quantity::ratio;
         const TypedQuantity typed = parseQuantity(cell, expected, BareNumber::inDefaultUnit, unit);
         if (!typed.valid())
-            report(line, std::string(column) + " = " + shortened(cell) + " (" + typed.problem + ")");
+            report(line, {"%1 (%2)", {std::string(column) + " = " + shortened(cell), typed.problem}});
         return typed.si;
     }
 
     void readPoint(const CsvRecord& record, int line) {
         if (!m_timeUnit || !m_forceUnit) return;
         if (!record.problem.empty() || record.cells.size() != 2) {
-            report(line, record.problem.empty() ? "a row must be a time and a force" : record.problem);
+            report(line, record.problem.empty()
+                             ? Message(translatable("drillwave::Message", "a row must be a time and a force"))
+                             : record.problem);
             return;
         }
         const double time = number(record.cells[0], "time", Quantity::time, m_timeUnit, line);
@@ -92,7 +98,7 @@ class TableReader {
 
     void checkPoints(int lastLine) {
         const PointProblem problem = pointProblem(m_table.points);
-        if (problem.reason.empty()) return;
+        if (problem.reason.isEmpty()) return;
         report(problem.index < m_lines.size() ? m_lines[problem.index] : lastLine, problem.reason);
     }
 
@@ -111,14 +117,22 @@ PulseTable readPulseTable(const std::string& path, const std::string& source, Sc
     PulseTable table;
     table.unreadable = true;
     if (!file.problem.empty()) {
-        table.problems.push_back({"pulse.file", "the pulse table " + file.problem, 0, 0, source});
+        table.problems.push_back({"pulse.file",
+                                  {translatable("drillwave::Message", "the pulse table %1"), {file.problem}},
+                                  0,
+                                  0,
+                                  source});
         return table;
     }
     const TextProblem text = checkText(file.bytes);
     if (!text.reason.empty()) {
         const TextPosition at = positionOf(file.bytes, text.offset);
-        table.problems.push_back(
-            {"pulse.file", "is not text: it holds " + text.reason, at.line, at.column, source});
+        table.problems.push_back({"pulse.file",
+                                  {translatable("drillwave::Message", "is not text: it holds %1"),
+                                   {Message::ofTable(text.reason)}},
+                                  at.line,
+                                  at.column,
+                                  source});
         return table;
     }
     return TableReader(source, form).read(file.bytes);

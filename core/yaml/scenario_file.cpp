@@ -13,16 +13,17 @@
 namespace drillwave {
 namespace {
 
-std::string placed(const InputProblem& problem, const std::string& source) {
+Message placed(const InputProblem& problem, const std::string& source) {
     std::string place = problem.source.empty() ? source : problem.source;
     if (problem.line > 0) place += (place.empty() ? "line " : ":") + std::to_string(problem.line);
     if (problem.line > 0 && problem.column > 0) place += ":" + std::to_string(problem.column);
-    return place.empty() ? problem.text : place + ": " + problem.text;
+    return place.empty() ? problem.text : Message("%1: %2", {place, problem.text});
 }
 
 std::string joinedLines(const std::vector<InputProblem>& problems, const std::string& source) {
     std::string text;
-    for (const InputProblem& problem : problems) text += (text.empty() ? "" : "\n") + placed(problem, source);
+    for (const InputProblem& problem : problems)
+        text += (text.empty() ? "" : "\n") + placed(problem, source).text();
     return text;
 }
 
@@ -51,24 +52,31 @@ ScenarioError::ScenarioError(Kind kind, std::string source, std::vector<InputPro
       m_source(std::move(source)),
       m_problems(std::move(problems)) {}
 
+std::vector<Message> ScenarioError::messages() const {
+    std::vector<Message> messages;
+    for (const InputProblem& problem : m_problems) messages.push_back(placed(problem, m_source));
+    return messages;
+}
+
 std::vector<std::string> ScenarioError::lines() const {
     std::vector<std::string> lines;
-    for (const InputProblem& problem : m_problems) lines.push_back(placed(problem, m_source));
+    for (const Message& message : messages()) lines.push_back(message.text());
     return lines;
 }
 
 ScenarioDocument loadScenario(const std::string& path) {
     const FileBytes file = readFile(path, maximumScenarioBytes);
     if (!file.problem.empty())
-        throw ScenarioError(ScenarioError::Kind::unreadable, path,
-                            {{"", "the scenario file " + file.problem}});
+        throw ScenarioError(
+            ScenarioError::Kind::unreadable, path,
+            {{"", {translatable("drillwave::Message", "the scenario file %1"), {file.problem}}}});
     return parseScenario(file.bytes, path);
 }
 
 ScenarioDocument parseScenario(std::string_view text, const std::string& source) {
     if (text.size() > maximumScenarioBytes)
         throw ScenarioError(ScenarioError::Kind::unreadable, source,
-                            {{"", "the scenario is larger than 1 MiB"}});
+                            {{"", translatable("drillwave::Message", "the scenario is larger than 1 MiB")}});
     ReadScenario read = readScenario(text, source);
     if (!read.problems.empty())
         throw ScenarioError(read.unreadable ? ScenarioError::Kind::unreadable : ScenarioError::Kind::invalid,
@@ -90,10 +98,12 @@ std::string writeScenario(const ScenarioDocument& document) {
     const std::string_view old = std::string_view(document.text).substr(remarksLength(document.text));
     std::string text = std::string(leadingComments(old)) + scenarioText(scenario);
     if (text.size() > maximumScenarioBytes)
-        throw ScenarioError(ScenarioError::Kind::invalid, document.source,
-                            {{"pulse.points",
-                              "the scenario is larger than 1 MiB, which no file may be; keep the points of a "
-                              "table in a CSV file"}});
+        throw ScenarioError(
+            ScenarioError::Kind::invalid, document.source,
+            {{"pulse.points",
+              translatable("drillwave::Message",
+                           "the scenario is larger than 1 MiB, which no file may be; keep the "
+                           "points of a table in a CSV file")}});
     return text;
 }
 

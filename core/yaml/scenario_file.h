@@ -24,6 +24,8 @@ class ScenarioError : public std::runtime_error {
     Kind kind() const { return m_kind; }
     const std::vector<InputProblem>& problems() const { return m_problems; }
     /// "file:line:column: text" for each problem.
+    std::vector<Message> messages() const;
+    /// The same in English.
     std::vector<std::string> lines() const;
 
   private:

@@ -273,7 +273,7 @@ class Patcher {
 
 std::optional<std::string> patchedText(std::string_view text, const Scenario& scenario) {
     const YamlTree tree = parseYaml(text);
-    if (!tree.problem.text.empty() || tree.root.kind != YamlKind::map) return std::nullopt;
+    if (!tree.problem.text.isEmpty() || tree.root.kind != YamlKind::map) return std::nullopt;
     try {
         return Patcher(text, scenario).patched(tree.root);
     } catch (const NotPatchable&) {

@@ -52,11 +52,15 @@ std::optional<int> readFormat(SectionReader& reader, const YamlNode& root) {
     ProblemList& problems = reader.problems();
     const int likely = likelyFormat(root);
     if (at >= children.size()) {
-        problems.reportKey(root.offset, "drillwave",
-                           "is missing: the first line must be `drillwave: " + std::to_string(likely) + "`");
+        problems.reportKey(
+            root.offset, "drillwave",
+            {translatable("drillwave::Message", "is missing: the first line must be `drillwave: %1`"),
+             {std::to_string(likely)}});
         return likely;
     }
-    if (at > 0) problems.reportKey(children[at].offset, "drillwave", "must be the first key of the file");
+    if (at > 0)
+        problems.reportKey(children[at].offset, "drillwave",
+                           translatable("drillwave::Message", "must be the first key of the file"));
 
     const YamlEntry entry{&children[at], &children[at + 1]};
     const std::string& text = entry.value->text;
@@ -66,16 +70,19 @@ std::optional<int> readFormat(SectionReader& reader, const YamlNode& root) {
     if (whole && (number.ec == std::errc::result_out_of_range || format > newestFormat) &&
         text.front() != '-') {
         problems.reportValue(entry.place(), "drillwave", text,
-                             "this file says drillwave: " + text.substr(0, 20) +
-                                 "; this program reads up to " + std::to_string(newestFormat) +
-                                 ", use a newer one");
+                             {translatable("drillwave::Message",
+                                           "this file says drillwave: %1; this program reads up to %2, use a "
+                                           "newer one"),
+                              {text.substr(0, 20), std::to_string(newestFormat)}});
         return std::nullopt;
     }
     for (const int known : {rodFormat, stringFormat})
         if (text == std::to_string(known)) return known;
     problems.reportValue(entry.place(), "drillwave", text,
-                         "the format number must be " + std::to_string(rodFormat) + " for a uniform rod or " +
-                             std::to_string(stringFormat) + " for a drill string");
+                         {translatable("drillwave::Message",
+                                       "the format number must be %1 for a uniform rod or %2 for a drill "
+                                       "string"),
+                          {std::to_string(rodFormat), std::to_string(stringFormat)}});
     return likely;
 }
 
@@ -83,30 +90,36 @@ void readTitle(SectionReader& reader, const YamlEntries& file) {
     const auto found = file.find("title");
     if (found == file.end() || found->second.value->kind == YamlKind::null) return;
     if (found->second.value->kind != YamlKind::scalar)
-        reader.problems().reportKey(found->second.place(), "title", "must be text");
+        reader.problems().reportKey(found->second.place(), "title",
+                                    translatable("drillwave::Message", "must be text"));
     reader.scenario().title = found->second.value->text;
 }
 
 /// Reports keys that belong to a file of the other format. False where there are none of its own, so that
 /// what is missing need not be told.
 bool checkKeysOfFormat(SectionReader& reader, const YamlEntries& file, int format) {
-    const auto refuse = [&](std::span<const std::string_view> keys, const std::string& reason) {
+    const auto refuse = [&](std::span<const std::string_view> keys, const char* reason) {
         for (const std::string_view key : keys)
             if (const auto found = file.find(key); found != file.end())
                 reader.problems().reportKey(found->second.key->offset, key, reason);
     };
     if (format == rodFormat)
-        refuse(stringKeys, "belongs to a drill string: a file that has it begins with `drillwave: 2`");
+        refuse(stringKeys,
+               translatable("drillwave::Message",
+                            "belongs to a drill string: a file that has it begins with `drillwave: 2`"));
     else
-        refuse(rodKeys,
-               "belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill string has "
-               "`string` in place of `rod`, and `hammer` or `pulse`");
+        refuse(
+            rodKeys,
+            translatable("drillwave::Message",
+                         "belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill "
+                         "string has `string` in place of `rod`, and `hammer` or `pulse`"));
     const auto isThere = [&](std::string_view key) { return file.contains(key); };
     return !std::ranges::any_of(keysOf(format == rodFormat ? stringFormat : rodFormat), isThere) ||
            std::ranges::any_of(keysOf(format), isThere) || isThere("pulse");
 }
 
-constexpr std::string_view notBesideGroups = "cannot stand beside `dimensionless`: give one or the other";
+constexpr const char* notBesideGroups =
+    translatable("drillwave::Message", "cannot stand beside `dimensionless`: give one or the other");
 
 /// All that `bit_rock` may say there is the loading curve.
 void readLawBesideGroups(SectionReader& reader, const YamlEntries& file) {
@@ -155,8 +168,9 @@ void readRod(SectionReader& reader, const YamlEntries& file) {
     reader.requireParameters(*entries, "rod");
     const auto bore = entries->find("bore");
     if (entries->contains("area") && !entries->contains("diameter") && bore != entries->end())
-        reader.problems().reportKey(bore->second.key->offset, "rod.bore",
-                                    "goes with a diameter, not with an area");
+        reader.problems().reportKey(
+            bore->second.key->offset, "rod.bore",
+            translatable("drillwave::Message", "goes with a diameter, not with an area"));
 }
 
 void readBitRock(SectionReader& reader, const YamlEntries& file) {
@@ -178,7 +192,8 @@ void readIndexing(SectionReader& reader, const YamlEntries& entries) {
         reader.scenario().drill.indexing = *indexing;
     else
         reader.problems().reportValue(entry.place(), rockIndexingKey, entry.value->text,
-                                      "must be one of " + findWordParameter(rockIndexingKey)->list());
+                                      {translatable("drillwave::Message", "must be one of %1"),
+                                       {findWordParameter(rockIndexingKey)->list()}});
 }
 
 void readDrill(SectionReader& reader, const YamlEntries& file) {
@@ -262,22 +277,29 @@ ReadScenario unreadableText(InputProblem problem) {
 ReadScenario readScenario(std::string_view text, const std::string& source, const TablePoints* tablePoints) {
     if (const TextProblem problem = checkText(text); !problem.reason.empty()) {
         const TextPosition at = positionOf(text, problem.offset);
-        return unreadableText({"", "is not a text file: it holds " + problem.reason, at.line, at.column});
+        return unreadableText({"",
+                               {translatable("drillwave::Message", "is not a text file: it holds %1"),
+                                {Message::ofTable(problem.reason)}},
+                               at.line,
+                               at.column});
     }
     const YamlTree tree = parseYaml(text);
-    if (!tree.problem.text.empty()) {
+    if (!tree.problem.text.isEmpty()) {
         const TextPosition at = positionOf(text, tree.problem.offset);
         ReadScenario result = unreadableText({"", tree.problem.text, at.line, at.column});
         result.unreadable = !tree.problem.isYaml;
         return result;
     }
-    if (tree.root.kind == YamlKind::null) return unreadableText({"", "the file is empty", 1, 1});
+    if (tree.root.kind == YamlKind::null)
+        return unreadableText({"", translatable("drillwave::Message", "the file is empty"), 1, 1});
 
     SectionReader reader(text);
     ReadScenario result;
     if (tree.root.kind != YamlKind::map)
-        reader.problems().reportKey(tree.root.offset, "drillwave",
-                                    "the file must be lines of `key: value`, the first `drillwave: 1`");
+        reader.problems().reportKey(
+            tree.root.offset, "drillwave",
+            translatable("drillwave::Message",
+                         "the file must be lines of `key: value`, the first `drillwave: 1`"));
     else if (const std::optional<int> format = readFormat(reader, tree.root))
         result.unreadable = readFile(reader, tree.root, *format, {source, tablePoints});
     result.problems = reader.problems().take();

@@ -48,8 +48,8 @@ class ListReader {
         const YamlNode& value = *found->second.value;
         const TypedQuantity typed =
             parseQuantity(value.text, velocity.quantity, BareNumber::refused, &velocity.displayUnit());
-        const std::string reason = typed.valid() ? rangeProblem(velocity, typed.si) : typed.problem;
-        if (reason.empty())
+        const Message reason = typed.valid() ? rangeProblem(velocity, typed.si) : typed.problem;
+        if (reason.isEmpty())
             preset.velocity = typed.si;
         else
             m_reader.problems().reportValue(found->second.place(), key("velocity"), value.text, reason);
@@ -61,7 +61,9 @@ class ListReader {
             found->second.value->children.empty()) {
             const std::size_t place = found == entries.end() ? item.offset : found->second.place();
             m_reader.problems().reportKey(
-                place, key("sections"), "must be a list of sections: `- {length: 300 mm, diameter: 50 mm}`");
+                place, key("sections"),
+                translatable("drillwave::Message",
+                             "must be a list of sections: `- {length: 300 mm, diameter: 50 mm}`"));
             return;
         }
         const bool wasGood = m_reader.problems().empty();
@@ -78,8 +80,9 @@ class ListReader {
         constexpr std::string_view prefix = "hammer";
         for (InputProblem& problem : sectionProblems(drill)) {
             if (!problem.key.starts_with(prefix)) continue;
-            if (problem.text.starts_with(prefix)) problem.text.replace(0, prefix.size(), key("sections"));
             problem.key.replace(0, prefix.size(), key("sections"));
+            std::string& given = problem.text.arguments.front().pattern;  // of valueProblem()
+            if (given.starts_with(prefix)) given.replace(0, prefix.size(), key("sections"));
             m_reader.problems().reportAt(place, std::move(problem));
         }
     }

@@ -22,11 +22,12 @@ std::string pathOf(const Parameter& parameter) {
 }
 
 /// ": write for example `length: 3.66 m`", where there is a usual value.
-std::string example(const Parameter& parameter) {
+Message example(const Parameter& parameter) {
     const std::optional<double> value = parameter.value(Scenario());
-    if (!value) return "";
-    return ": write for example `" + std::string(parameter.localKey()) + ": " +
-           formatQuantity(*value, parameter.quantity, parameter.displayUnit()) + "`";
+    if (!value) return {};
+    return {translatable("drillwave::Message", ": write for example `%1`"),
+            {std::string(parameter.localKey()) + ": " +
+             formatQuantity(*value, parameter.quantity, parameter.displayUnit())}};
 }
 
 }  // namespace
@@ -48,12 +49,15 @@ YamlEntries SectionReader::entriesOf(const YamlNode& map, std::string_view secti
         if (std::ranges::find(known, key.text) == known.end()) {
             const std::string_view near = nearestName(key.text, known);
             m_mistyped.insert(joinedKey(section, near));
-            m_problems.reportKey(key.offset, path,
-                                 near.empty()
-                                     ? "is not a known key; known here: " + listOf(known)
-                                     : "is not a known key, did you mean `" + std::string(near) + "`?");
+            m_problems.reportKey(
+                key.offset, path,
+                near.empty()
+                    ? Message(translatable("drillwave::Message", "is not a known key; known here: %1"),
+                              {listOf(known)})
+                    : Message(translatable("drillwave::Message", "is not a known key, did you mean `%1`?"),
+                              {std::string(near)}));
         } else if (!entries.try_emplace(key.text, YamlEntry{&key, &map.children[i + 1]}).second) {
-            m_problems.reportKey(key.offset, path, "is given twice");
+            m_problems.reportKey(key.offset, path, translatable("drillwave::Message", "is given twice"));
         }
     }
     return entries;
@@ -64,14 +68,16 @@ std::optional<YamlEntries> SectionReader::section(const YamlEntries& file, std::
                                                   std::vector<std::string_view> moreKeys) {
     const auto found = file.find(name);
     if (found == file.end()) {
-        if (!m_mistyped.contains(name)) reportMissing("", name, "is missing");
+        if (!m_mistyped.contains(name))
+            reportMissing("", name, translatable("drillwave::Message", "is missing"));
         return std::nullopt;
     }
     const YamlEntry& entry = found->second;
     setPlace(name, entry.key->offset);
     if (entry.value->kind == YamlKind::null) return YamlEntries();
     if (entry.value->kind != YamlKind::map) {
-        m_problems.reportKey(entry.place(), name, "must be a section of `key: value` lines");
+        m_problems.reportKey(entry.place(), name,
+                             translatable("drillwave::Message", "must be a section of `key: value` lines"));
         return std::nullopt;
     }
     for (const Parameter& parameter : parameters())
@@ -85,9 +91,9 @@ void SectionReader::readParameters(const YamlEntries& entries, std::string_view 
         const auto found = entries.find(parameter.localKey());
         if (parameter.section() != group || found == entries.end()) continue;
         setPlace(parameter.key, found->second.place());
-        const std::string reason =
-            applicability == Applicability::checked ? whyNotApplicable(parameter, m_scenario) : std::string();
-        if (reason.empty())
+        const Message reason =
+            applicability == Applicability::checked ? whyNotApplicable(parameter, m_scenario) : Message();
+        if (reason.isEmpty())
             readNumber(parameter, found->second);
         else
             m_problems.reportKey(found->second.key->offset, pathOf(parameter), reason);
@@ -99,14 +105,17 @@ void SectionReader::readNumber(const Parameter& parameter, const YamlEntry& entr
     if (path.empty()) path = pathOf(parameter);
     setPlace(parameter.key, entry.place());
     if (value.kind != YamlKind::scalar) {
-        const std::string_view what = value.kind == YamlKind::null ? "has no value" : "must be one value";
-        m_problems.reportKey(entry.place(), path, std::string(what) + example(parameter));
+        m_problems.reportKey(
+            entry.place(), path,
+            {value.kind == YamlKind::null ? translatable("drillwave::Message", "has no value%1")
+                                          : translatable("drillwave::Message", "must be one value%1"),
+             {example(parameter)}});
         return;
     }
     const TypedQuantity typed =
         parseQuantity(value.text, parameter.quantity, BareNumber::refused, &parameter.displayUnit());
-    const std::string reason = typed.valid() ? rangeProblem(parameter, typed.si) : typed.problem;
-    if (reason.empty())
+    const Message reason = typed.valid() ? rangeProblem(parameter, typed.si) : typed.problem;
+    if (reason.isEmpty())
         parameter.assign(m_scenario, typed.si);
     else
         m_problems.reportValue(entry.place(), path, value.text, reason);
@@ -114,12 +123,14 @@ void SectionReader::readNumber(const Parameter& parameter, const YamlEntry& entr
 
 void SectionReader::requireShape(const YamlEntries& entries) {
     if (!isThere(entries, "pulse", "shape"))
-        reportMissing("pulse", "shape", "is missing, one of " + pulseShapeList());
+        reportMissing("pulse", "shape",
+                      {translatable("drillwave::Message", "is missing, one of %1"), {pulseShapeList()}});
 }
 
 void SectionReader::require(const YamlEntries& entries, const Parameter& parameter) {
     if (!isThere(entries, parameter.fileSection(), parameter.localKey()))
-        reportMissing(parameter.fileSection(), parameter.localKey(), "is missing" + example(parameter));
+        reportMissing(parameter.fileSection(), parameter.localKey(),
+                      {translatable("drillwave::Message", "is missing%1"), {example(parameter)}});
 }
 
 void SectionReader::requireParameters(const YamlEntries& entries, std::string_view group) {
@@ -141,10 +152,14 @@ void SectionReader::requireOneOf(const YamlEntries& entries, std::string_view se
     const auto second = entries.find(other);
     const bool both = entries.contains(one) && second != entries.end();
     if (!isThere(entries, section, one) && !isThere(entries, section, other))
-        reportMissing(section, one, "is missing: give it or " + joinedKey(section, other));
+        reportMissing(
+            section, one,
+            {translatable("drillwave::Message", "is missing: give it or %1"), {joinedKey(section, other)}});
     if (both)
-        m_problems.reportKey(second->second.key->offset, joinedKey(section, other),
-                             "cannot stand beside " + joinedKey(section, one) + ": give one or the other");
+        m_problems.reportKey(
+            second->second.key->offset, joinedKey(section, other),
+            {translatable("drillwave::Message", "cannot stand beside %1: give one or the other"),
+             {joinedKey(section, one)}});
 }
 
 bool SectionReader::isThere(const YamlEntries& entries, std::string_view section,
@@ -152,7 +167,7 @@ bool SectionReader::isThere(const YamlEntries& entries, std::string_view section
     return entries.contains(key) || m_mistyped.contains(joinedKey(section, key));
 }
 
-void SectionReader::reportMissing(std::string_view section, std::string_view key, std::string_view reason) {
+void SectionReader::reportMissing(std::string_view section, std::string_view key, const Message& reason) {
     m_problems.reportKey(placeOf(section).value_or(0), joinedKey(section, key), reason);
 }
 

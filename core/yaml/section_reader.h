@@ -61,7 +61,7 @@ class SectionReader {
     /// Reports it unless exactly one of the two keys is there.
     void requireOneOf(const YamlEntries& entries, std::string_view section, std::string_view one,
                       std::string_view other);
-    void reportMissing(std::string_view section, std::string_view key, std::string_view reason);
+    void reportMissing(std::string_view section, std::string_view key, const Message& reason);
     /// Given, or mistyped, which is reported already.
     bool isThere(const YamlEntries& entries, std::string_view section, std::string_view key) const;
 

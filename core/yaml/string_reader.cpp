@@ -13,10 +13,11 @@ namespace {
 
 using Chain = SectionAddress::Chain;
 
-constexpr std::string_view stringExample =
-    "must be a list of sections: `- {name: rod, length: 3660 mm, diameter: 39 mm}`";
+constexpr const char* stringExample = translatable(
+    "drillwave::Message", "must be a list of sections: `- {name: rod, length: 3660 mm, diameter: 39 mm}`");
 
-constexpr std::string_view sectionExample = "must be a section: `{length: 300 mm, diameter: 50 mm}`";
+constexpr const char* sectionExample =
+    translatable("drillwave::Message", "must be a section: `{length: 300 mm, diameter: 50 mm}`");
 
 /// One section, the place of whose keys is that of `path`: "string.3".
 class SectionOfFile {
@@ -44,11 +45,13 @@ class SectionOfFile {
         if (found == entries.end() || found->second.value->kind == YamlKind::null) return;
         const YamlEntry& entry = found->second;
         m_reader.setPlace(key("name"), entry.place());
-        const std::string reason = entry.value->kind != YamlKind::scalar ? "must be text"
-                                   : entry.value->text.empty()
-                                       ? "is empty; a section without a name is written without it"
-                                       : sectionNameProblem(entry.value->text);
-        if (reason.empty())
+        const Message reason = entry.value->kind != YamlKind::scalar
+                                   ? translatable("drillwave::Message", "must be text")
+                               : entry.value->text.empty()
+                                   ? translatable("drillwave::Message",
+                                                  "is empty; a section without a name is written without it")
+                                   : sectionNameProblem(entry.value->text);
+        if (reason.isEmpty())
             m_section.name = entry.value->text;
         else
             m_reader.problems().reportValue(entry.place(), key("name"), entry.value->text, reason);
@@ -58,14 +61,16 @@ class SectionOfFile {
         m_reader.setPlace(key(field.key), entry.place());
         const YamlNode& value = *entry.value;
         if (value.kind != YamlKind::scalar) {
-            const std::string_view what = value.kind == YamlKind::null ? "has no value" : "must be one value";
+            const char* what = value.kind == YamlKind::null
+                                   ? translatable("drillwave::Message", "has no value")
+                                   : translatable("drillwave::Message", "must be one value");
             m_reader.problems().reportKey(entry.place(), key(field.key), what);
             return;
         }
         const TypedQuantity typed =
             parseQuantity(value.text, field.quantity, BareNumber::refused, &field.displayUnit());
-        const std::string reason = typed.valid() ? rangeProblem(field, typed.si) : typed.problem;
-        if (!reason.empty())
+        const Message reason = typed.valid() ? rangeProblem(field, typed.si) : typed.problem;
+        if (!reason.isEmpty())
             m_reader.problems().reportValue(entry.place(), key(field.key), value.text, reason);
         else
             field.assign(m_section, typed.si);
@@ -73,16 +78,19 @@ class SectionOfFile {
 
     void require(const YamlEntries& entries) {
         if (!m_reader.isThere(entries, m_path, "length"))
-            m_reader.reportMissing(m_path, "length", "is missing: write for example `length: 3660 mm`");
+            m_reader.reportMissing(
+                m_path, "length",
+                translatable("drillwave::Message", "is missing: write for example `length: 3660 mm`"));
         m_reader.requireOneOf(entries, m_path, "diameter", "area");
         for (const SectionField& field : sectionFields()) {
             const auto found = entries.find(field.key);
             if (found == entries.end() || field.with == SectionField::With::both) continue;
             const bool ofArea = field.with == SectionField::With::area;
             if (entries.contains("diameter") == ofArea && entries.contains("area") != ofArea)
-                m_reader.problems().reportKey(found->second.key->offset, key(field.key),
-                                              ofArea ? "goes with an area, not with a diameter"
-                                                     : "goes with a diameter, not with an area");
+                m_reader.problems().reportKey(
+                    found->second.key->offset, key(field.key),
+                    ofArea ? translatable("drillwave::Message", "goes with an area, not with a diameter")
+                           : translatable("drillwave::Message", "goes with a diameter, not with an area"));
         }
     }
 
@@ -106,10 +114,11 @@ std::vector<Section> readSections(SectionReader& reader, const YamlNode& list, C
             reader.problems().reportKey(item.offset, path, sectionExample);
             sections.emplace_back();
         } else if (isRepeat(item)) {
-            reader.problems().reportKey(item.offset, path,
-                                        chain == Chain::hammer
-                                            ? "a hammer has no repeats; write its sections out"
-                                            : "a repeat cannot stand inside another one");
+            reader.problems().reportKey(
+                item.offset, path,
+                chain == Chain::hammer
+                    ? translatable("drillwave::Message", "a hammer has no repeats; write its sections out")
+                    : translatable("drillwave::Message", "a repeat cannot stand inside another one"));
             sections.emplace_back();
         } else {
             sections.push_back(SectionOfFile(reader, path).read(item));
@@ -141,7 +150,8 @@ class StringReader {
     void readString(const YamlEntries& file) {
         const auto found = file.find("string");
         if (found == file.end()) {
-            if (!m_reader.isThere(file, "", "string")) m_reader.reportMissing("", "string", "is missing");
+            if (!m_reader.isThere(file, "", "string"))
+                m_reader.reportMissing("", "string", translatable("drillwave::Message", "is missing"));
             return;
         }
         const YamlEntry& entry = found->second;
@@ -151,7 +161,9 @@ class StringReader {
             return;
         }
         if (entry.value->children.empty())
-            m_reader.problems().reportKey(entry.place(), "string", "must have at least one section");
+            m_reader.problems().reportKey(
+                entry.place(), "string",
+                translatable("drillwave::Message", "must have at least one section"));
         for (const YamlNode& item : entry.value->children) {
             if (m_place > maximumSections) break;
             readPart(item);
@@ -159,7 +171,8 @@ class StringReader {
         if (m_place > maximumSections)
             m_reader.problems().reportKey(
                 entry.key->offset, "string",
-                "has more than " + std::to_string(maximumSections) + " sections, its repeats written out");
+                {translatable("drillwave::Message", "has more than %1 sections, its repeats written out"),
+                 {std::to_string(maximumSections)}});
     }
 
   private:
@@ -172,14 +185,15 @@ class StringReader {
             m_string.hammer.restrike = *restrike;
         else
             m_reader.problems().reportValue(entry.place(), restrikeKey, entry.value->text,
-                                            "must be true or false");
+                                            translatable("drillwave::Message", "must be true or false"));
     }
 
     void readHammerSections(const YamlEntries& entries) {
         const auto found = entries.find("sections");
         if (found == entries.end()) {
             if (!m_reader.isThere(entries, "hammer", "sections"))
-                m_reader.reportMissing("hammer", "sections", "is missing");
+                m_reader.reportMissing("hammer", "sections",
+                                       translatable("drillwave::Message", "is missing"));
             return;
         }
         const YamlEntry& entry = found->second;
@@ -187,9 +201,12 @@ class StringReader {
         if (entry.value->kind != YamlKind::sequence)
             m_reader.problems().reportKey(
                 entry.place(), "hammer.sections",
-                "must be a list of sections: `- {length: 300 mm, diameter: 50 mm}`");
+                translatable("drillwave::Message",
+                             "must be a list of sections: `- {length: 300 mm, diameter: 50 mm}`"));
         else if (entry.value->children.empty())
-            m_reader.problems().reportKey(entry.place(), "hammer.sections", "must have at least one section");
+            m_reader.problems().reportKey(
+                entry.place(), "hammer.sections",
+                translatable("drillwave::Message", "must have at least one section"));
         else
             m_string.hammer.sections = readSections(m_reader, *entry.value, Chain::hammer, 0);
     }
@@ -206,8 +223,9 @@ class StringReader {
         else
             m_reader.problems().reportKey(
                 item.offset, path,
-                "must be a section, `{name: rod, length: 3660 mm, diameter: 39 mm}`, or "
-                "`{repeat: 3, of: […]}`");
+                translatable("drillwave::Message",
+                             "must be a section, `{name: rod, length: 3660 mm, diameter: 39 mm}`, or "
+                             "`{repeat: 3, of: […]}`"));
         part.sections.resize(1);  // those behind it keep their places
         ++m_place;
         m_string.parts.push_back(std::move(part));
@@ -222,10 +240,13 @@ class StringReader {
         part.repeat = readCount(entries, path);
         if (const auto found = entries.find("of"); found == entries.end()) {
             if (!m_reader.isThere(entries, path, "of"))
-                m_reader.reportMissing(path, "of", "is missing: the list of the sections that come again");
+                m_reader.reportMissing(path, "of",
+                                       translatable("drillwave::Message",
+                                                    "is missing: the list of the sections that come again"));
         } else if (found->second.value->kind != YamlKind::sequence || found->second.value->children.empty()) {
-            m_reader.problems().reportKey(found->second.place(), joinedKey(path, "of"),
-                                          "must be a list of at least one section");
+            m_reader.problems().reportKey(
+                found->second.place(), joinedKey(path, "of"),
+                translatable("drillwave::Message", "must be a list of at least one section"));
         } else {
             part.sections = readSections(m_reader, *found->second.value, Chain::string, m_place);
         }
@@ -239,15 +260,17 @@ class StringReader {
         const auto found = entries.find("repeat");
         if (found == entries.end()) {
             if (!m_reader.isThere(entries, path, "repeat"))
-                m_reader.reportMissing(path, "repeat", "is missing: write for example `repeat: 3`");
+                m_reader.reportMissing(
+                    path, "repeat",
+                    translatable("drillwave::Message", "is missing: write for example `repeat: 3`"));
             return 1;
         }
         const YamlEntry& entry = found->second;
         m_reader.setPlace("string.repeat", entry.place());
         const TypedQuantity typed = parseQuantity(entry.value->text, Quantity::ratio);
-        const std::string reason =
+        const Message reason =
             typed.valid() ? rangeProblem(*findParameter("string.repeat"), typed.si) : typed.problem;
-        if (reason.empty()) return static_cast<int>(typed.si);
+        if (reason.isEmpty()) return static_cast<int>(typed.si);
         m_reader.problems().reportValue(entry.place(), key, entry.value->text, reason);
         return 1;
     }
@@ -281,7 +304,8 @@ void readDrillString(SectionReader& reader, const YamlEntries& file) {
     if (const auto pulse = file.find("pulse"); pulse != file.end() && file.contains("hammer"))
         reader.problems().reportKey(
             pulse->second.key->offset, "pulse",
-            "stands beside `hammer`: keep one, a hammer of sections or a force in its place");
+            translatable("drillwave::Message",
+                         "stands beside `hammer`: keep one, a hammer of sections or a force in its place"));
     string.readString(file);
     // At the top level, beside the sections.
     reader.readParameters(file, "", SectionReader::Applicability::checked);

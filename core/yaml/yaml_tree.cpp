@@ -38,8 +38,9 @@ std::size_t excessiveBracket(std::string_view text) {
     return std::string_view::npos;
 }
 
-std::string tooDeep() {
-    return "more than " + std::to_string(maximumDepth) + " levels of nesting are not accepted";
+Message tooDeep() {
+    return {translatable("drillwave::Message", "more than %1 levels of nesting are not accepted"),
+            {std::to_string(maximumDepth)}};
 }
 
 /// The parser's words; it may quote half a character.
@@ -63,7 +64,8 @@ class TreeBuilder final : public YAML::EventHandler {
         add(node(YamlKind::null, mark, "", anchor));
     }
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-        refuse(mark, "an alias (*) is not accepted here: write the value itself");
+        refuse(mark, translatable("drillwave::Message",
+                                  "an alias (*) is not accepted here: write the value itself"));
     }
     void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   const std::string& value) override {
@@ -101,20 +103,27 @@ class TreeBuilder final : public YAML::EventHandler {
         return false;
     }
 
-    [[noreturn]] void refuse(const YAML::Mark& mark, std::string reason) const {
+    [[noreturn]] void refuse(const YAML::Mark& mark, Message reason) const {
         throw Refusal{{offsetOf(mark), std::move(reason), true}};
     }
 
     YamlNode node(YamlKind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
-        if (anchor != 0) refuse(mark, "an anchor (&) is not accepted here: write the value itself");
+        if (anchor != 0)
+            refuse(mark, translatable("drillwave::Message",
+                                      "an anchor (&) is not accepted here: write the value itself"));
         const std::size_t offset = offsetOf(mark);
         // A plain scalar has the tag "?", a quoted one "!", as has one with an explicit "!".
         const bool quoted = tag == "!" && offset < m_text.size() && m_text[offset] != '!';
         if (!tag.empty() && tag != "?" && !quoted)
-            refuse(mark, "a tag (!) is not accepted here: write the value alone");
+            refuse(mark, translatable("drillwave::Message",
+                                      "a tag (!) is not accepted here: write the value alone"));
         if (quoted && (m_text[offset] == '"' || m_text[offset] == '\'') && !isClosed(offset))
-            throw Refusal{{offset, "not YAML: the quote that begins here is not closed", false}};
-        if (++m_count > maximumNodes) refuse(mark, "there are too many values from here on");
+            throw Refusal{
+                {offset,
+                 translatable("drillwave::Message", "not YAML: the quote that begins here is not closed"),
+                 false}};
+        if (++m_count > maximumNodes)
+            refuse(mark, translatable("drillwave::Message", "there are too many values from here on"));
         YamlNode result;
         result.kind = kind;
         result.offset = static_cast<std::uint32_t>(offset);
@@ -209,7 +218,8 @@ YamlTree parseYaml(std::string_view text) {
     } catch (const YAML::Exception& error) {
         const std::size_t position = error.mark.pos < 0 ? 0 : static_cast<std::size_t>(error.mark.pos);
         const std::size_t offset = std::min(position + byteOrderMarkLength(text), text.size());
-        tree.problem = {offset, "not YAML: " + asciiOnly(error.msg), false};
+        tree.problem = {
+            offset, {translatable("drillwave::Message", "not YAML: %1"), {asciiOnly(error.msg)}}, false};
     }
     return tree;
 }

@@ -7,6 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text/message.h"
+
 namespace drillwave {
 
 enum class YamlKind : std::uint8_t { null, scalar, sequence, map };
@@ -30,7 +32,7 @@ struct YamlNode {
 /// Something in the text that is not accepted although it may be YAML, and where.
 struct YamlProblem {
     std::size_t offset = 0;
-    std::string text;    ///< empty when nothing is wrong
+    Message text;        ///< empty when nothing is wrong
     bool isYaml = true;  ///< false: the text is not YAML at all
 };
 

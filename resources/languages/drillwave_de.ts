@@ -1642,6 +1642,18 @@ Trotzdem löschen?</translation>
         <source>work of loading</source>
         <translation>Arbeit der Belastung</translation>
     </message>
+    <message>
+        <source>a law of one line</source>
+        <translation>ein Gesetz aus einer Geraden</translation>
+    </message>
+    <message>
+        <source>a law with corners</source>
+        <translation>ein Gesetz mit Ecken</translation>
+    </message>
+    <message>
+        <source>a power law</source>
+        <translation>ein Potenzgesetz</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -6092,6 +6104,574 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>The rod %1: %2, %3 from the hammer at %4, during the blow, against a strength of %5.</source>
         <translation>Die Stange %1: %2, %3 vom Hammer bei %4, während des Schlags, gegenüber einer Festigkeit von %5.</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>muss eine endliche Zahl sein</translation>
+    </message>
+    <message>
+        <source>must be greater than 0</source>
+        <translation>muss größer als 0 sein</translation>
+    </message>
+    <message>
+        <source>must be at least 0</source>
+        <translation>darf nicht kleiner als 0 sein</translation>
+    </message>
+    <message>
+        <source>must be in %1%2</source>
+        <translation>muss in %1%2 liegen</translation>
+    </message>
+    <message>
+        <source>must be greater than %1</source>
+        <translation>muss größer als %1 sein</translation>
+    </message>
+    <message>
+        <source>must be at least %1</source>
+        <translation>muss mindestens %1 sein</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>muss eine ganze Zahl sein</translation>
+    </message>
+    <message>
+        <source>cannot be kept: the values that it follows from are at the end of double precision, it reads back as %1</source>
+        <translation>lässt sich nicht behalten: die Werte, aus denen es folgt, sind am Ende der doppelten Genauigkeit, es liest sich wieder als %1</translation>
+    </message>
+    <message>
+        <source>in a larger one the numbers of double precision are too coarse to place a wave</source>
+        <translation>in einem größeren sind die Zahlen doppelter Genauigkeit zu grob, um eine Welle zu verorten</translation>
+    </message>
+    <message>
+        <source>must not be a whole number: numbers are the places of sections</source>
+        <translation>darf keine ganze Zahl sein: Zahlen sind die Nummern der Abschnitte</translation>
+    </message>
+    <message>
+        <source>must not begin or end with a blank</source>
+        <translation>darf nicht mit einem Leerzeichen beginnen oder enden</translation>
+    </message>
+    <message>
+        <source>must have at most %1 bytes</source>
+        <translation>darf höchstens %1 Byte haben</translation>
+    </message>
+    <message>
+        <source>must be less than the diameter of %1</source>
+        <translation>muss kleiner als der Durchmesser von %1 sein</translation>
+    </message>
+    <message>
+        <source>must be larger than the bore of %1</source>
+        <translation>muss größer als die Bohrung von %1 sein</translation>
+    </message>
+    <message>
+        <source>must have at least one section</source>
+        <translation>muss mindestens einen Abschnitt haben</translation>
+    </message>
+    <message>
+        <source>each part must be one section, or a repeat of at least one</source>
+        <translation>jeder Teil muss ein Abschnitt sein, oder eine Wiederholung von mindestens einem</translation>
+    </message>
+    <message>
+        <source>only a repeat has it</source>
+        <translation>nur eine Wiederholung hat es</translation>
+    </message>
+    <message>
+        <source>has %1 sections, its repeats written out; at most %2 are followed</source>
+        <translation>hat %1 Abschnitte, Wiederholungen ausgeschrieben; höchstens %2 werden verfolgt</translation>
+    </message>
+    <message>
+        <source>losses inside the hammer are not part of the model: give them to sections of the string</source>
+        <translation>Verluste im Hammer gehören nicht zum Modell: sie Abschnitten des Strangs geben</translation>
+    </message>
+    <message>
+        <source>is so narrow that the face meets no more than the bore of %1 of the section it strikes</source>
+        <translation>ist so schmal, dass die Stirnfläche nur die Bohrung von %1 des getroffenen Abschnitts trifft</translation>
+    </message>
+    <message>
+        <source>the values are so large or small that its impedance, transit time or mass overflows</source>
+        <translation>die Werte sind so groß oder klein, dass Impedanz, Laufzeit oder Masse überlaufen</translation>
+    </message>
+    <message>
+        <source>is missing: a law with corners needs at least one, as `bit_rock.corner.1.force` and `bit_rock.corner.1.slope`</source>
+        <translation>fehlt: ein Gesetz mit Ecken braucht mindestens eine, als `bit_rock.corner.1.force` und `bit_rock.corner.1.slope`</translation>
+    </message>
+    <message>
+        <source>has %1 corners, at most %2 are possible</source>
+        <translation>hat %1 Ecken, höchstens %2 sind möglich</translation>
+    </message>
+    <message>
+        <source>must be greater than the force of the corner before it, %1</source>
+        <translation>muss größer als die Kraft der Ecke davor sein, %1</translation>
+    </message>
+    <message>
+        <source>must be at most 1/gamma = %1: loading steeper than unloading would create energy</source>
+        <translation>darf höchstens 1/gamma = %1 sein: Belastung steiler als Entlastung würde Energie erzeugen</translation>
+    </message>
+    <message>
+        <source>is missing: a corner has a force and a slope</source>
+        <translation>fehlt: eine Ecke hat eine Kraft und eine Steigung</translation>
+    </message>
+    <message>
+        <source>rise and fall together must not exceed 1, they are %1</source>
+        <translation>Anstieg und Abfall dürfen zusammen nicht über 1 liegen, sie sind %1</translation>
+    </message>
+    <message>
+        <source>is the reference case of a uniform rod (`drillwave: 1`); a drill string takes any other shape</source>
+        <translation>ist der Referenzfall einer gleichförmigen Stange (`drillwave: 1`); ein Bohrstrang nimmt jede andere Form</translation>
+    </message>
+    <message>
+        <source>the hammer&apos;s impedance is %1 times the rod&apos;s, too many steps to follow; use the shape exponential, a rigid hammer</source>
+        <translation>die Impedanz des Hammers ist das %1-fache der Stange, zu viele Stufen zum Verfolgen; die Form exponential nehmen, einen starren Hammer</translation>
+    </message>
+    <message>
+        <source>with tau = %1 the bit meets the rock after %2 t0, too late for double precision to tell what happens within one t0 (at most %3)%4</source>
+        <translation>bei tau = %1 trifft die Bohrkrone das Gestein nach %2 t0, zu spät, als dass doppelte Genauigkeit sagen könnte, was in einem t0 geschieht (höchstens %3)%4</translation>
+    </message>
+    <message>
+        <source>the values are so large or small that the force or energy of the blow overflows</source>
+        <translation>die Werte sind so groß oder klein, dass Kraft oder Energie des Schlags überlaufen</translation>
+    </message>
+    <message>
+        <source>; it follows from the other values</source>
+        <translation>; es folgt aus den anderen Werten</translation>
+    </message>
+    <message>
+        <source>needs at least two points of time and force</source>
+        <translation>braucht mindestens zwei Punkte aus Zeit und Kraft</translation>
+    </message>
+    <message>
+        <source>has more than %1 points</source>
+        <translation>hat mehr als %1 Punkte</translation>
+    </message>
+    <message>
+        <source>point %1 must be finite numbers</source>
+        <translation>Punkt %1 muss aus endlichen Zahlen bestehen</translation>
+    </message>
+    <message>
+        <source>point %1 has a negative force, a hammer only pushes</source>
+        <translation>Punkt %1 hat eine negative Kraft, ein Hammer drückt nur</translation>
+    </message>
+    <message>
+        <source>point %1 must be later than the one before it</source>
+        <translation>Punkt %1 muss später als der davor sein</translation>
+    </message>
+    <message>
+        <source>must have a force greater than 0 somewhere</source>
+        <translation>muss irgendwo eine Kraft größer als 0 haben</translation>
+    </message>
+    <message>
+        <source>lasts too long</source>
+        <translation>dauert zu lange</translation>
+    </message>
+    <message>
+        <source>has no unit: write for example `%1 %2`; units that would do: %3</source>
+        <translation>hat keine Einheit: zum Beispiel `%1 %2` schreiben; möglich sind: %3</translation>
+    </message>
+    <message>
+        <source>a decimal comma is not read here: write a decimal point</source>
+        <translation>ein Dezimalkomma wird hier nicht gelesen: einen Punkt schreiben</translation>
+    </message>
+    <message>
+        <source>must be a plain number, %1 is too much</source>
+        <translation>muss eine bloße Zahl sein, %1 ist zu viel</translation>
+    </message>
+    <message>
+        <source>unit %1 is not known here; units that would do: %2</source>
+        <translation>die Einheit %1 ist hier nicht bekannt; möglich sind: %2</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>ist leer</translation>
+    </message>
+    <message>
+        <source>is not a number</source>
+        <translation>ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>is too large or too small for a number of double precision</source>
+        <translation>ist zu groß oder zu klein für eine Zahl doppelter Genauigkeit</translation>
+    </message>
+    <message>
+        <source>must be a list of corners: `- {force: 90 kN, slope: 0.35}`</source>
+        <translation>muss eine Liste von Ecken sein: `- {force: 90 kN, slope: 0.35}`</translation>
+    </message>
+    <message>
+        <source>must be one of %1</source>
+        <translation>muss eines von %1 sein</translation>
+    </message>
+    <message>
+        <source>is missing: write for example `corners: [{force: 90 kN, slope: 0.35}]`</source>
+        <translation>fehlt: zum Beispiel `corners: [{force: 90 kN, slope: 0.35}]` schreiben</translation>
+    </message>
+    <message>
+        <source>only a law with corners has it; write `law: corners`</source>
+        <translation>nur ein Gesetz mit Ecken hat es; `law: corners` schreiben</translation>
+    </message>
+    <message>
+        <source>must be a list of presets, `- name: …`</source>
+        <translation>muss eine Liste von Vorlagen sein, `- name: …`</translation>
+    </message>
+    <message>
+        <source>each preset must begin with `name: …`</source>
+        <translation>jede Vorlage muss mit `name: …` beginnen</translation>
+    </message>
+    <message>
+        <source>must be text</source>
+        <translation>muss Text sein</translation>
+    </message>
+    <message>
+        <source>is the name of another preset too</source>
+        <translation>ist auch der Name einer anderen Vorlage</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>the file must begin with `drillwave_presets: 1`</source>
+        <translation>die Datei muss mit `drillwave_presets: 1` beginnen</translation>
+    </message>
+    <message>
+        <source>is missing: the first line must be `drillwave_presets: 1`</source>
+        <translation>fehlt: die erste Zeile muss `drillwave_presets: 1` sein</translation>
+    </message>
+    <message>
+        <source>this program reads the format %1</source>
+        <translation>dieses Programm liest das Format %1</translation>
+    </message>
+    <message>
+        <source>the source %1</source>
+        <translation>die Quelle %1</translation>
+    </message>
+    <message>
+        <source>must be [value, source], the source being `assumed` where there is none</source>
+        <translation>muss [Wert, Quelle] sein, die Quelle `assumed`, wo es keine gibt</translation>
+    </message>
+    <message>
+        <source>must be a shape of a hammer blow that needs no table</source>
+        <translation>muss eine Form des Hammerschlags sein, die keine Tabelle braucht</translation>
+    </message>
+    <message>
+        <source>goes with a diameter, not with an area</source>
+        <translation>gehört zu einem Durchmesser, nicht zu einer Fläche</translation>
+    </message>
+    <message>
+        <source>and %1 more problems</source>
+        <translation>und %1 weitere Fehler</translation>
+    </message>
+    <message>
+        <source>only a table has it, the shape is %1</source>
+        <translation>nur eine Tabelle hat es, die Form ist %1</translation>
+    </message>
+    <message>
+        <source>each point must be [time, force], as in %1</source>
+        <translation>jeder Punkt muss [Zeit, Kraft] sein, wie in %1</translation>
+    </message>
+    <message>
+        <source>must be a list of [time, force]</source>
+        <translation>muss eine Liste von [Zeit, Kraft] sein</translation>
+    </message>
+    <message>
+        <source>must be the name of a CSV file</source>
+        <translation>muss der Name einer CSV-Datei sein</translation>
+    </message>
+    <message>
+        <source>%1 (the header must be %2)</source>
+        <translation>%1 (der Kopf muss %2 sein)</translation>
+    </message>
+    <message>
+        <source>%1 (needs a unit in brackets, one of %2)</source>
+        <translation>%1 (braucht eine Einheit in Klammern, eine von %2)</translation>
+    </message>
+    <message>
+        <source>%1 (must have no unit in a dimensionless scenario)</source>
+        <translation>%1 (darf in einem dimensionslosen Szenario keine Einheit haben)</translation>
+    </message>
+    <message>
+        <source>the header must be %1</source>
+        <translation>der Kopf muss %1 sein</translation>
+    </message>
+    <message>
+        <source>a row must be a time and a force</source>
+        <translation>eine Zeile muss eine Zeit und eine Kraft sein</translation>
+    </message>
+    <message>
+        <source>the pulse table %1</source>
+        <translation>die Tabelle des Schlags %1</translation>
+    </message>
+    <message>
+        <source>is not text: it holds %1</source>
+        <translation>ist kein Text: sie enthält %1</translation>
+    </message>
+    <message>
+        <source>the scenario file %1</source>
+        <translation>die Szenariodatei %1</translation>
+    </message>
+    <message>
+        <source>the scenario is larger than 1 MiB</source>
+        <translation>das Szenario ist größer als 1 MiB</translation>
+    </message>
+    <message>
+        <source>the scenario is larger than 1 MiB, which no file may be; keep the points of a table in a CSV file</source>
+        <translation>das Szenario ist größer als 1 MiB, was keine Datei sein darf; die Punkte einer Tabelle in einer CSV-Datei halten</translation>
+    </message>
+    <message>
+        <source>is missing: the first line must be `drillwave: %1`</source>
+        <translation>fehlt: die erste Zeile muss `drillwave: %1` sein</translation>
+    </message>
+    <message>
+        <source>must be the first key of the file</source>
+        <translation>muss der erste Schlüssel der Datei sein</translation>
+    </message>
+    <message>
+        <source>this file says drillwave: %1; this program reads up to %2, use a newer one</source>
+        <translation>diese Datei sagt drillwave: %1; dieses Programm liest bis %2, ein neueres nehmen</translation>
+    </message>
+    <message>
+        <source>the format number must be %1 for a uniform rod or %2 for a drill string</source>
+        <translation>die Formatnummer muss %1 für eine gleichförmige Stange oder %2 für einen Bohrstrang sein</translation>
+    </message>
+    <message>
+        <source>belongs to a drill string: a file that has it begins with `drillwave: 2`</source>
+        <translation>gehört zu einem Bohrstrang: eine Datei, die es hat, beginnt mit `drillwave: 2`</translation>
+    </message>
+    <message>
+        <source>belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill string has `string` in place of `rod`, and `hammer` or `pulse`</source>
+        <translation>gehört zu einer gleichförmigen Stange: eine Datei, die es hat, beginnt mit `drillwave: 1`; ein Bohrstrang hat `string` anstelle von `rod`, und `hammer` oder `pulse`</translation>
+    </message>
+    <message>
+        <source>cannot stand beside `dimensionless`: give one or the other</source>
+        <translation>kann nicht neben `dimensionless` stehen: das eine oder das andere angeben</translation>
+    </message>
+    <message>
+        <source>the file must be lines of `key: value`, the first `drillwave: 1`</source>
+        <translation>die Datei muss aus Zeilen `key: value` bestehen, die erste `drillwave: 1`</translation>
+    </message>
+    <message>
+        <source>must be a list of sections: `- {length: 300 mm, diameter: 50 mm}`</source>
+        <translation>muss eine Liste von Abschnitten sein: `- {length: 300 mm, diameter: 50 mm}`</translation>
+    </message>
+    <message>
+        <source>: write for example `%1`</source>
+        <translation>: zum Beispiel `%1` schreiben</translation>
+    </message>
+    <message>
+        <source>is not a known key; known here: %1</source>
+        <translation>ist kein bekannter Schlüssel; bekannt sind hier: %1</translation>
+    </message>
+    <message>
+        <source>is not a known key, did you mean `%1`?</source>
+        <translation>ist kein bekannter Schlüssel, gemeint `%1`?</translation>
+    </message>
+    <message>
+        <source>is given twice</source>
+        <translation>ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>must be a section of `key: value` lines</source>
+        <translation>muss ein Abschnitt aus Zeilen `key: value` sein</translation>
+    </message>
+    <message>
+        <source>has no value%1</source>
+        <translation>hat keinen Wert%1</translation>
+    </message>
+    <message>
+        <source>must be one value%1</source>
+        <translation>muss ein Wert sein%1</translation>
+    </message>
+    <message>
+        <source>is missing, one of %1</source>
+        <translation>fehlt, eines von %1</translation>
+    </message>
+    <message>
+        <source>is missing%1</source>
+        <translation>fehlt%1</translation>
+    </message>
+    <message>
+        <source>is missing: give it or %1</source>
+        <translation>fehlt: es oder %1 angeben</translation>
+    </message>
+    <message>
+        <source>cannot stand beside %1: give one or the other</source>
+        <translation>kann nicht neben %1 stehen: das eine oder das andere angeben</translation>
+    </message>
+    <message>
+        <source>must be a list of sections: `- {name: rod, length: 3660 mm, diameter: 39 mm}`</source>
+        <translation>muss eine Liste von Abschnitten sein: `- {name: rod, length: 3660 mm, diameter: 39 mm}`</translation>
+    </message>
+    <message>
+        <source>must be a section: `{length: 300 mm, diameter: 50 mm}`</source>
+        <translation>muss ein Abschnitt sein: `{length: 300 mm, diameter: 50 mm}`</translation>
+    </message>
+    <message>
+        <source>is empty; a section without a name is written without it</source>
+        <translation>ist leer; ein Abschnitt ohne Namen wird ohne ihn geschrieben</translation>
+    </message>
+    <message>
+        <source>has no value</source>
+        <translation>hat keinen Wert</translation>
+    </message>
+    <message>
+        <source>must be one value</source>
+        <translation>muss ein Wert sein</translation>
+    </message>
+    <message>
+        <source>is missing: write for example `length: 3660 mm`</source>
+        <translation>fehlt: zum Beispiel `length: 3660 mm` schreiben</translation>
+    </message>
+    <message>
+        <source>goes with an area, not with a diameter</source>
+        <translation>gehört zu einer Fläche, nicht zu einem Durchmesser</translation>
+    </message>
+    <message>
+        <source>a hammer has no repeats; write its sections out</source>
+        <translation>ein Hammer hat keine Wiederholungen; seine Abschnitte ausschreiben</translation>
+    </message>
+    <message>
+        <source>a repeat cannot stand inside another one</source>
+        <translation>eine Wiederholung kann nicht in einer anderen stehen</translation>
+    </message>
+    <message>
+        <source>has more than %1 sections, its repeats written out</source>
+        <translation>hat mehr als %1 Abschnitte, Wiederholungen ausgeschrieben</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>muss true oder false sein</translation>
+    </message>
+    <message>
+        <source>must be a section, `{name: rod, length: 3660 mm, diameter: 39 mm}`, or `{repeat: 3, of: […]}`</source>
+        <translation>muss ein Abschnitt sein, `{name: rod, length: 3660 mm, diameter: 39 mm}`, oder `{repeat: 3, of: […]}`</translation>
+    </message>
+    <message>
+        <source>is missing: the list of the sections that come again</source>
+        <translation>fehlt: die Liste der Abschnitte, die wiederkommen</translation>
+    </message>
+    <message>
+        <source>must be a list of at least one section</source>
+        <translation>muss eine Liste mit mindestens einem Abschnitt sein</translation>
+    </message>
+    <message>
+        <source>is missing: write for example `repeat: 3`</source>
+        <translation>fehlt: zum Beispiel `repeat: 3` schreiben</translation>
+    </message>
+    <message>
+        <source>stands beside `hammer`: keep one, a hammer of sections or a force in its place</source>
+        <translation>steht neben `hammer`: eines behalten, einen Hammer aus Abschnitten oder eine Kraft an seiner Stelle</translation>
+    </message>
+    <message>
+        <source>only a drill string has it (`drillwave: 2`), this is a uniform rod</source>
+        <translation>nur ein Bohrstrang hat es (`drillwave: 2`), dies ist eine gleichförmige Stange</translation>
+    </message>
+    <message>
+        <source>only a uniform rod has it (`drillwave: 1`), this is a drill string</source>
+        <translation>nur eine gleichförmige Stange hat es (`drillwave: 1`), dies ist ein Bohrstrang</translation>
+    </message>
+    <message>
+        <source>only a force in place of the hammer has it (`pulse`), this string is struck by a hammer</source>
+        <translation>nur eine Kraft anstelle des Hammers hat es (`pulse`), diesen Strang schlägt ein Hammer</translation>
+    </message>
+    <message>
+        <source>only a hammer of sections has it (`hammer`), this string is driven by a force (`pulse`)</source>
+        <translation>nur ein Hammer aus Abschnitten hat es (`hammer`), diesen Strang treibt eine Kraft (`pulse`)</translation>
+    </message>
+    <message>
+        <source>the scenario is given by its dimensionless groups</source>
+        <translation>das Szenario ist durch seine dimensionslosen Kennzahlen gegeben</translation>
+    </message>
+    <message>
+        <source>the scenario is given by its dimensionless groups; set `%1` instead</source>
+        <translation>das Szenario ist durch seine dimensionslosen Kennzahlen gegeben; stattdessen `%1` setzen</translation>
+    </message>
+    <message>
+        <source>follows from the lengths of hammer and string; set those, as `string.1.length`</source>
+        <translation>folgt aus den Längen von Hammer und Strang; diese setzen, wie `string.1.length`</translation>
+    </message>
+    <message>
+        <source>%1; set its sections, as `string.1.length`</source>
+        <translation>%1; seine Abschnitte setzen, wie `string.1.length`</translation>
+    </message>
+    <message>
+        <source>only %1 has it; set `%2=%3` too</source>
+        <translation>nur %1 hat es; auch `%2=%3` setzen</translation>
+    </message>
+    <message>
+        <source>needs a unit, as this scenario is in physical quantities</source>
+        <translation>braucht eine Einheit, da dieses Szenario in physikalischen Größen ist</translation>
+    </message>
+    <message>
+        <source>has no unit in a dimensionless scenario</source>
+        <translation>hat in einem dimensionslosen Szenario keine Einheit</translation>
+    </message>
+    <message>
+        <source>only a trapezoid has it, the shape is %1</source>
+        <translation>nur ein Trapez hat es, die Form ist %1</translation>
+    </message>
+    <message>
+        <source>follows from the diameters and materials of hammer and rod</source>
+        <translation>folgt aus den Durchmessern und Werkstoffen von Hammer und Stange</translation>
+    </message>
+    <message>
+        <source>only a piston has it, the shape is %1</source>
+        <translation>nur ein Kolben hat es, die Form ist %1</translation>
+    </message>
+    <message>
+        <source>the rod is given by its area; set `rod.area` or `rod.diameter`</source>
+        <translation>die Stange ist durch ihre Fläche gegeben; `rod.area` oder `rod.diameter` setzen</translation>
+    </message>
+    <message>
+        <source>follows from the data of the %1</source>
+        <translation>folgt aus den Daten von %1</translation>
+    </message>
+    <message>
+        <source>a carriage return without a line feed</source>
+        <translation>einen Wagenrücklauf ohne Zeilenvorschub</translation>
+    </message>
+    <message>
+        <source>a NUL byte</source>
+        <translation>ein NUL-Byte</translation>
+    </message>
+    <message>
+        <source>a control character</source>
+        <translation>ein Steuerzeichen</translation>
+    </message>
+    <message>
+        <source>a byte that is not UTF-8</source>
+        <translation>ein Byte, das kein UTF-8 ist</translation>
+    </message>
+    <message>
+        <source>is not a text file: it holds %1</source>
+        <translation>ist keine Textdatei: sie enthält %1</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>die Datei ist leer</translation>
+    </message>
+    <message>
+        <source>more than %1 levels of nesting are not accepted</source>
+        <translation>mehr als %1 Ebenen der Verschachtelung werden nicht angenommen</translation>
+    </message>
+    <message>
+        <source>an alias (*) is not accepted here: write the value itself</source>
+        <translation>ein Alias (*) wird hier nicht angenommen: den Wert selbst schreiben</translation>
+    </message>
+    <message>
+        <source>an anchor (&amp;) is not accepted here: write the value itself</source>
+        <translation>ein Anker (&amp;) wird hier nicht angenommen: den Wert selbst schreiben</translation>
+    </message>
+    <message>
+        <source>a tag (!) is not accepted here: write the value alone</source>
+        <translation>ein Tag (!) wird hier nicht angenommen: den Wert allein schreiben</translation>
+    </message>
+    <message>
+        <source>not YAML: the quote that begins here is not closed</source>
+        <translation>kein YAML: das Anführungszeichen, das hier beginnt, ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>there are too many values from here on</source>
+        <translation>ab hier sind es zu viele Werte</translation>
+    </message>
+    <message>
+        <source>not YAML: %1</source>
+        <translation>kein YAML: %1</translation>
     </message>
 </context>
 <context>

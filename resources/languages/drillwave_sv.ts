@@ -1642,6 +1642,18 @@ Ta bort ändå?</translation>
         <source>work of loading</source>
         <translation>arbete vid belastning</translation>
     </message>
+    <message>
+        <source>a law of one line</source>
+        <translation>en lag med en linje</translation>
+    </message>
+    <message>
+        <source>a law with corners</source>
+        <translation>en lag med hörn</translation>
+    </message>
+    <message>
+        <source>a power law</source>
+        <translation>en potenslag</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -6092,6 +6104,574 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>The rod %1: %2, %3 from the hammer at %4, during the blow, against a strength of %5.</source>
         <translation>Stången %1: %2, %3 från hammaren vid %4, under slaget, mot en hållfasthet på %5.</translation>
+    </message>
+    <message>
+        <source>must be a finite number</source>
+        <translation>måste vara ett ändligt tal</translation>
+    </message>
+    <message>
+        <source>must be greater than 0</source>
+        <translation>måste vara större än 0</translation>
+    </message>
+    <message>
+        <source>must be at least 0</source>
+        <translation>får inte vara mindre än 0</translation>
+    </message>
+    <message>
+        <source>must be in %1%2</source>
+        <translation>måste ligga i %1%2</translation>
+    </message>
+    <message>
+        <source>must be greater than %1</source>
+        <translation>måste vara större än %1</translation>
+    </message>
+    <message>
+        <source>must be at least %1</source>
+        <translation>måste vara minst %1</translation>
+    </message>
+    <message>
+        <source>must be a whole number</source>
+        <translation>måste vara ett heltal</translation>
+    </message>
+    <message>
+        <source>cannot be kept: the values that it follows from are at the end of double precision, it reads back as %1</source>
+        <translation>går inte att behålla: värdena det följer av är vid slutet av dubbel precision, det läses tillbaka som %1</translation>
+    </message>
+    <message>
+        <source>in a larger one the numbers of double precision are too coarse to place a wave</source>
+        <translation>i en större är talen i dubbel precision för grova för att placera en våg</translation>
+    </message>
+    <message>
+        <source>must not be a whole number: numbers are the places of sections</source>
+        <translation>får inte vara ett heltal: tal är sektionernas nummer</translation>
+    </message>
+    <message>
+        <source>must not begin or end with a blank</source>
+        <translation>får inte börja eller sluta med ett blanksteg</translation>
+    </message>
+    <message>
+        <source>must have at most %1 bytes</source>
+        <translation>får ha högst %1 byte</translation>
+    </message>
+    <message>
+        <source>must be less than the diameter of %1</source>
+        <translation>måste vara mindre än diametern på %1</translation>
+    </message>
+    <message>
+        <source>must be larger than the bore of %1</source>
+        <translation>måste vara större än hålet på %1</translation>
+    </message>
+    <message>
+        <source>must have at least one section</source>
+        <translation>måste ha minst en sektion</translation>
+    </message>
+    <message>
+        <source>each part must be one section, or a repeat of at least one</source>
+        <translation>varje del måste vara en sektion, eller en upprepning av minst en</translation>
+    </message>
+    <message>
+        <source>only a repeat has it</source>
+        <translation>bara en upprepning har det</translation>
+    </message>
+    <message>
+        <source>has %1 sections, its repeats written out; at most %2 are followed</source>
+        <translation>har %1 sektioner, upprepningar utskrivna; högst %2 följs</translation>
+    </message>
+    <message>
+        <source>losses inside the hammer are not part of the model: give them to sections of the string</source>
+        <translation>förluster inne i hammaren ingår inte i modellen: ge dem till sektioner i strängen</translation>
+    </message>
+    <message>
+        <source>is so narrow that the face meets no more than the bore of %1 of the section it strikes</source>
+        <translation>är så smal att ändytan bara träffar hålet på %1 i den sektion den slår mot</translation>
+    </message>
+    <message>
+        <source>the values are so large or small that its impedance, transit time or mass overflows</source>
+        <translation>värdena är så stora eller små att impedans, gångtid eller massa spiller över</translation>
+    </message>
+    <message>
+        <source>is missing: a law with corners needs at least one, as `bit_rock.corner.1.force` and `bit_rock.corner.1.slope`</source>
+        <translation>saknas: en lag med hörn behöver minst ett, som `bit_rock.corner.1.force` och `bit_rock.corner.1.slope`</translation>
+    </message>
+    <message>
+        <source>has %1 corners, at most %2 are possible</source>
+        <translation>har %1 hörn, högst %2 är möjliga</translation>
+    </message>
+    <message>
+        <source>must be greater than the force of the corner before it, %1</source>
+        <translation>måste vara större än kraften i hörnet före, %1</translation>
+    </message>
+    <message>
+        <source>must be at most 1/gamma = %1: loading steeper than unloading would create energy</source>
+        <translation>får vara högst 1/gamma = %1: belastning brantare än avlastning skulle skapa energi</translation>
+    </message>
+    <message>
+        <source>is missing: a corner has a force and a slope</source>
+        <translation>saknas: ett hörn har en kraft och en lutning</translation>
+    </message>
+    <message>
+        <source>rise and fall together must not exceed 1, they are %1</source>
+        <translation>stigning och fall får tillsammans inte överstiga 1, de är %1</translation>
+    </message>
+    <message>
+        <source>is the reference case of a uniform rod (`drillwave: 1`); a drill string takes any other shape</source>
+        <translation>är referensfallet för en likformig stång (`drillwave: 1`); en borrsträng tar vilken annan form som helst</translation>
+    </message>
+    <message>
+        <source>the hammer&apos;s impedance is %1 times the rod&apos;s, too many steps to follow; use the shape exponential, a rigid hammer</source>
+        <translation>hammarens impedans är %1 gånger stångens, för många steg att följa; använd formen exponential, en stel hammare</translation>
+    </message>
+    <message>
+        <source>with tau = %1 the bit meets the rock after %2 t0, too late for double precision to tell what happens within one t0 (at most %3)%4</source>
+        <translation>med tau = %1 möter borrkronan berget efter %2 t0, för sent för att dubbel precision ska kunna säga vad som händer inom ett t0 (högst %3)%4</translation>
+    </message>
+    <message>
+        <source>the values are so large or small that the force or energy of the blow overflows</source>
+        <translation>värdena är så stora eller små att slagets kraft eller energi spiller över</translation>
+    </message>
+    <message>
+        <source>; it follows from the other values</source>
+        <translation>; det följer av de andra värdena</translation>
+    </message>
+    <message>
+        <source>needs at least two points of time and force</source>
+        <translation>behöver minst två punkter av tid och kraft</translation>
+    </message>
+    <message>
+        <source>has more than %1 points</source>
+        <translation>har fler än %1 punkter</translation>
+    </message>
+    <message>
+        <source>point %1 must be finite numbers</source>
+        <translation>punkt %1 måste vara ändliga tal</translation>
+    </message>
+    <message>
+        <source>point %1 has a negative force, a hammer only pushes</source>
+        <translation>punkt %1 har en negativ kraft, en hammare bara trycker</translation>
+    </message>
+    <message>
+        <source>point %1 must be later than the one before it</source>
+        <translation>punkt %1 måste vara senare än den före</translation>
+    </message>
+    <message>
+        <source>must have a force greater than 0 somewhere</source>
+        <translation>måste ha en kraft större än 0 någonstans</translation>
+    </message>
+    <message>
+        <source>lasts too long</source>
+        <translation>varar för länge</translation>
+    </message>
+    <message>
+        <source>has no unit: write for example `%1 %2`; units that would do: %3</source>
+        <translation>har ingen enhet: skriv till exempel `%1 %2`; enheter som går: %3</translation>
+    </message>
+    <message>
+        <source>a decimal comma is not read here: write a decimal point</source>
+        <translation>ett decimalkomma läses inte här: skriv en decimalpunkt</translation>
+    </message>
+    <message>
+        <source>must be a plain number, %1 is too much</source>
+        <translation>måste vara ett rent tal, %1 är för mycket</translation>
+    </message>
+    <message>
+        <source>unit %1 is not known here; units that would do: %2</source>
+        <translation>enheten %1 är inte känd här; enheter som går: %2</translation>
+    </message>
+    <message>
+        <source>is empty</source>
+        <translation>är tomt</translation>
+    </message>
+    <message>
+        <source>is not a number</source>
+        <translation>är inget tal</translation>
+    </message>
+    <message>
+        <source>is too large or too small for a number of double precision</source>
+        <translation>är för stort eller för litet för ett tal i dubbel precision</translation>
+    </message>
+    <message>
+        <source>must be a list of corners: `- {force: 90 kN, slope: 0.35}`</source>
+        <translation>måste vara en lista med hörn: `- {force: 90 kN, slope: 0.35}`</translation>
+    </message>
+    <message>
+        <source>must be one of %1</source>
+        <translation>måste vara något av %1</translation>
+    </message>
+    <message>
+        <source>is missing: write for example `corners: [{force: 90 kN, slope: 0.35}]`</source>
+        <translation>saknas: skriv till exempel `corners: [{force: 90 kN, slope: 0.35}]`</translation>
+    </message>
+    <message>
+        <source>only a law with corners has it; write `law: corners`</source>
+        <translation>bara en lag med hörn har det; skriv `law: corners`</translation>
+    </message>
+    <message>
+        <source>must be a list of presets, `- name: …`</source>
+        <translation>måste vara en lista med förval, `- name: …`</translation>
+    </message>
+    <message>
+        <source>each preset must begin with `name: …`</source>
+        <translation>varje förval måste börja med `name: …`</translation>
+    </message>
+    <message>
+        <source>must be text</source>
+        <translation>måste vara text</translation>
+    </message>
+    <message>
+        <source>is the name of another preset too</source>
+        <translation>är namnet på ett annat förval också</translation>
+    </message>
+    <message>
+        <source>is missing</source>
+        <translation>saknas</translation>
+    </message>
+    <message>
+        <source>the file must begin with `drillwave_presets: 1`</source>
+        <translation>filen måste börja med `drillwave_presets: 1`</translation>
+    </message>
+    <message>
+        <source>is missing: the first line must be `drillwave_presets: 1`</source>
+        <translation>saknas: första raden måste vara `drillwave_presets: 1`</translation>
+    </message>
+    <message>
+        <source>this program reads the format %1</source>
+        <translation>detta program läser formatet %1</translation>
+    </message>
+    <message>
+        <source>the source %1</source>
+        <translation>källan %1</translation>
+    </message>
+    <message>
+        <source>must be [value, source], the source being `assumed` where there is none</source>
+        <translation>måste vara [värde, källa], källan `assumed` där det inte finns någon</translation>
+    </message>
+    <message>
+        <source>must be a shape of a hammer blow that needs no table</source>
+        <translation>måste vara en form på hammarslaget som inte behöver någon tabell</translation>
+    </message>
+    <message>
+        <source>goes with a diameter, not with an area</source>
+        <translation>hör till en diameter, inte till en area</translation>
+    </message>
+    <message>
+        <source>and %1 more problems</source>
+        <translation>och %1 fel till</translation>
+    </message>
+    <message>
+        <source>only a table has it, the shape is %1</source>
+        <translation>bara en tabell har det, formen är %1</translation>
+    </message>
+    <message>
+        <source>each point must be [time, force], as in %1</source>
+        <translation>varje punkt måste vara [tid, kraft], som i %1</translation>
+    </message>
+    <message>
+        <source>must be a list of [time, force]</source>
+        <translation>måste vara en lista med [tid, kraft]</translation>
+    </message>
+    <message>
+        <source>must be the name of a CSV file</source>
+        <translation>måste vara namnet på en CSV-fil</translation>
+    </message>
+    <message>
+        <source>%1 (the header must be %2)</source>
+        <translation>%1 (huvudet måste vara %2)</translation>
+    </message>
+    <message>
+        <source>%1 (needs a unit in brackets, one of %2)</source>
+        <translation>%1 (behöver en enhet inom hakparentes, en av %2)</translation>
+    </message>
+    <message>
+        <source>%1 (must have no unit in a dimensionless scenario)</source>
+        <translation>%1 (får inte ha någon enhet i ett dimensionslöst scenario)</translation>
+    </message>
+    <message>
+        <source>the header must be %1</source>
+        <translation>huvudet måste vara %1</translation>
+    </message>
+    <message>
+        <source>a row must be a time and a force</source>
+        <translation>en rad måste vara en tid och en kraft</translation>
+    </message>
+    <message>
+        <source>the pulse table %1</source>
+        <translation>slagets tabell %1</translation>
+    </message>
+    <message>
+        <source>is not text: it holds %1</source>
+        <translation>är inte text: den innehåller %1</translation>
+    </message>
+    <message>
+        <source>the scenario file %1</source>
+        <translation>scenariofilen %1</translation>
+    </message>
+    <message>
+        <source>the scenario is larger than 1 MiB</source>
+        <translation>scenariot är större än 1 MiB</translation>
+    </message>
+    <message>
+        <source>the scenario is larger than 1 MiB, which no file may be; keep the points of a table in a CSV file</source>
+        <translation>scenariot är större än 1 MiB, vilket ingen fil får vara; lägg tabellens punkter i en CSV-fil</translation>
+    </message>
+    <message>
+        <source>is missing: the first line must be `drillwave: %1`</source>
+        <translation>saknas: första raden måste vara `drillwave: %1`</translation>
+    </message>
+    <message>
+        <source>must be the first key of the file</source>
+        <translation>måste vara filens första nyckel</translation>
+    </message>
+    <message>
+        <source>this file says drillwave: %1; this program reads up to %2, use a newer one</source>
+        <translation>filen säger drillwave: %1; detta program läser upp till %2, använd ett nyare</translation>
+    </message>
+    <message>
+        <source>the format number must be %1 for a uniform rod or %2 for a drill string</source>
+        <translation>formatnumret måste vara %1 för en likformig stång eller %2 för en borrsträng</translation>
+    </message>
+    <message>
+        <source>belongs to a drill string: a file that has it begins with `drillwave: 2`</source>
+        <translation>hör till en borrsträng: en fil som har det börjar med `drillwave: 2`</translation>
+    </message>
+    <message>
+        <source>belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill string has `string` in place of `rod`, and `hammer` or `pulse`</source>
+        <translation>hör till en likformig stång: en fil som har det börjar med `drillwave: 1`; en borrsträng har `string` i stället för `rod`, och `hammer` eller `pulse`</translation>
+    </message>
+    <message>
+        <source>cannot stand beside `dimensionless`: give one or the other</source>
+        <translation>kan inte stå bredvid `dimensionless`: ange det ena eller det andra</translation>
+    </message>
+    <message>
+        <source>the file must be lines of `key: value`, the first `drillwave: 1`</source>
+        <translation>filen måste vara rader av `key: value`, den första `drillwave: 1`</translation>
+    </message>
+    <message>
+        <source>must be a list of sections: `- {length: 300 mm, diameter: 50 mm}`</source>
+        <translation>måste vara en lista med sektioner: `- {length: 300 mm, diameter: 50 mm}`</translation>
+    </message>
+    <message>
+        <source>: write for example `%1`</source>
+        <translation>: skriv till exempel `%1`</translation>
+    </message>
+    <message>
+        <source>is not a known key; known here: %1</source>
+        <translation>är ingen känd nyckel; kända här: %1</translation>
+    </message>
+    <message>
+        <source>is not a known key, did you mean `%1`?</source>
+        <translation>är ingen känd nyckel, menade du `%1`?</translation>
+    </message>
+    <message>
+        <source>is given twice</source>
+        <translation>är angivet två gånger</translation>
+    </message>
+    <message>
+        <source>must be a section of `key: value` lines</source>
+        <translation>måste vara ett avsnitt av rader `key: value`</translation>
+    </message>
+    <message>
+        <source>has no value%1</source>
+        <translation>har inget värde%1</translation>
+    </message>
+    <message>
+        <source>must be one value%1</source>
+        <translation>måste vara ett värde%1</translation>
+    </message>
+    <message>
+        <source>is missing, one of %1</source>
+        <translation>saknas, något av %1</translation>
+    </message>
+    <message>
+        <source>is missing%1</source>
+        <translation>saknas%1</translation>
+    </message>
+    <message>
+        <source>is missing: give it or %1</source>
+        <translation>saknas: ange det eller %1</translation>
+    </message>
+    <message>
+        <source>cannot stand beside %1: give one or the other</source>
+        <translation>kan inte stå bredvid %1: ange det ena eller det andra</translation>
+    </message>
+    <message>
+        <source>must be a list of sections: `- {name: rod, length: 3660 mm, diameter: 39 mm}`</source>
+        <translation>måste vara en lista med sektioner: `- {name: rod, length: 3660 mm, diameter: 39 mm}`</translation>
+    </message>
+    <message>
+        <source>must be a section: `{length: 300 mm, diameter: 50 mm}`</source>
+        <translation>måste vara en sektion: `{length: 300 mm, diameter: 50 mm}`</translation>
+    </message>
+    <message>
+        <source>is empty; a section without a name is written without it</source>
+        <translation>är tomt; en sektion utan namn skrivs utan det</translation>
+    </message>
+    <message>
+        <source>has no value</source>
+        <translation>har inget värde</translation>
+    </message>
+    <message>
+        <source>must be one value</source>
+        <translation>måste vara ett värde</translation>
+    </message>
+    <message>
+        <source>is missing: write for example `length: 3660 mm`</source>
+        <translation>saknas: skriv till exempel `length: 3660 mm`</translation>
+    </message>
+    <message>
+        <source>goes with an area, not with a diameter</source>
+        <translation>hör till en area, inte till en diameter</translation>
+    </message>
+    <message>
+        <source>a hammer has no repeats; write its sections out</source>
+        <translation>en hammare har inga upprepningar; skriv ut dess sektioner</translation>
+    </message>
+    <message>
+        <source>a repeat cannot stand inside another one</source>
+        <translation>en upprepning kan inte stå inne i en annan</translation>
+    </message>
+    <message>
+        <source>has more than %1 sections, its repeats written out</source>
+        <translation>har fler än %1 sektioner, upprepningar utskrivna</translation>
+    </message>
+    <message>
+        <source>must be true or false</source>
+        <translation>måste vara true eller false</translation>
+    </message>
+    <message>
+        <source>must be a section, `{name: rod, length: 3660 mm, diameter: 39 mm}`, or `{repeat: 3, of: […]}`</source>
+        <translation>måste vara en sektion, `{name: rod, length: 3660 mm, diameter: 39 mm}`, eller `{repeat: 3, of: […]}`</translation>
+    </message>
+    <message>
+        <source>is missing: the list of the sections that come again</source>
+        <translation>saknas: listan över de sektioner som kommer igen</translation>
+    </message>
+    <message>
+        <source>must be a list of at least one section</source>
+        <translation>måste vara en lista med minst en sektion</translation>
+    </message>
+    <message>
+        <source>is missing: write for example `repeat: 3`</source>
+        <translation>saknas: skriv till exempel `repeat: 3`</translation>
+    </message>
+    <message>
+        <source>stands beside `hammer`: keep one, a hammer of sections or a force in its place</source>
+        <translation>står bredvid `hammer`: behåll ett, en hammare av sektioner eller en kraft i dess ställe</translation>
+    </message>
+    <message>
+        <source>only a drill string has it (`drillwave: 2`), this is a uniform rod</source>
+        <translation>bara en borrsträng har det (`drillwave: 2`), detta är en likformig stång</translation>
+    </message>
+    <message>
+        <source>only a uniform rod has it (`drillwave: 1`), this is a drill string</source>
+        <translation>bara en likformig stång har det (`drillwave: 1`), detta är en borrsträng</translation>
+    </message>
+    <message>
+        <source>only a force in place of the hammer has it (`pulse`), this string is struck by a hammer</source>
+        <translation>bara en kraft i hammarens ställe har det (`pulse`), denna sträng slås av en hammare</translation>
+    </message>
+    <message>
+        <source>only a hammer of sections has it (`hammer`), this string is driven by a force (`pulse`)</source>
+        <translation>bara en hammare av sektioner har det (`hammer`), denna sträng drivs av en kraft (`pulse`)</translation>
+    </message>
+    <message>
+        <source>the scenario is given by its dimensionless groups</source>
+        <translation>scenariot är givet genom sina dimensionslösa tal</translation>
+    </message>
+    <message>
+        <source>the scenario is given by its dimensionless groups; set `%1` instead</source>
+        <translation>scenariot är givet genom sina dimensionslösa tal; sätt `%1` i stället</translation>
+    </message>
+    <message>
+        <source>follows from the lengths of hammer and string; set those, as `string.1.length`</source>
+        <translation>följer av längderna på hammare och sträng; sätt dem, som `string.1.length`</translation>
+    </message>
+    <message>
+        <source>%1; set its sections, as `string.1.length`</source>
+        <translation>%1; sätt dess sektioner, som `string.1.length`</translation>
+    </message>
+    <message>
+        <source>only %1 has it; set `%2=%3` too</source>
+        <translation>bara %1 har det; sätt även `%2=%3`</translation>
+    </message>
+    <message>
+        <source>needs a unit, as this scenario is in physical quantities</source>
+        <translation>behöver en enhet, eftersom scenariot är i fysikaliska storheter</translation>
+    </message>
+    <message>
+        <source>has no unit in a dimensionless scenario</source>
+        <translation>har ingen enhet i ett dimensionslöst scenario</translation>
+    </message>
+    <message>
+        <source>only a trapezoid has it, the shape is %1</source>
+        <translation>bara en trapets har det, formen är %1</translation>
+    </message>
+    <message>
+        <source>follows from the diameters and materials of hammer and rod</source>
+        <translation>följer av diametrar och material hos hammare och stång</translation>
+    </message>
+    <message>
+        <source>only a piston has it, the shape is %1</source>
+        <translation>bara en kolv har det, formen är %1</translation>
+    </message>
+    <message>
+        <source>the rod is given by its area; set `rod.area` or `rod.diameter`</source>
+        <translation>stången är given genom sin area; sätt `rod.area` eller `rod.diameter`</translation>
+    </message>
+    <message>
+        <source>follows from the data of the %1</source>
+        <translation>följer av data för %1</translation>
+    </message>
+    <message>
+        <source>a carriage return without a line feed</source>
+        <translation>en vagnretur utan radmatning</translation>
+    </message>
+    <message>
+        <source>a NUL byte</source>
+        <translation>en NUL-byte</translation>
+    </message>
+    <message>
+        <source>a control character</source>
+        <translation>ett styrtecken</translation>
+    </message>
+    <message>
+        <source>a byte that is not UTF-8</source>
+        <translation>en byte som inte är UTF-8</translation>
+    </message>
+    <message>
+        <source>is not a text file: it holds %1</source>
+        <translation>är ingen textfil: den innehåller %1</translation>
+    </message>
+    <message>
+        <source>the file is empty</source>
+        <translation>filen är tom</translation>
+    </message>
+    <message>
+        <source>more than %1 levels of nesting are not accepted</source>
+        <translation>fler än %1 nivåer av nästling godtas inte</translation>
+    </message>
+    <message>
+        <source>an alias (*) is not accepted here: write the value itself</source>
+        <translation>ett alias (*) godtas inte här: skriv själva värdet</translation>
+    </message>
+    <message>
+        <source>an anchor (&amp;) is not accepted here: write the value itself</source>
+        <translation>ett ankare (&amp;) godtas inte här: skriv själva värdet</translation>
+    </message>
+    <message>
+        <source>a tag (!) is not accepted here: write the value alone</source>
+        <translation>en tagg (!) godtas inte här: skriv bara värdet</translation>
+    </message>
+    <message>
+        <source>not YAML: the quote that begins here is not closed</source>
+        <translation>inte YAML: citattecknet som börjar här är inte stängt</translation>
+    </message>
+    <message>
+        <source>there are too many values from here on</source>
+        <translation>härifrån är det för många värden</translation>
+    </message>
+    <message>
+        <source>not YAML: %1</source>
+        <translation>inte YAML: %1</translation>
     </message>
 </context>
 <context>

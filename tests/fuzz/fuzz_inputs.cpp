@@ -207,7 +207,7 @@ bool takesSamples(const std::string& text) {
 bool takesPulseTable(const std::string& text) {
     const PulseTable table =
         readPulseTable(folder().write("pulse.csv", text), "pulse.csv", ScenarioForm::dimensional);
-    for (const InputProblem& problem : table.problems) requireLine(problem.text);
+    for (const InputProblem& problem : table.problems) requireLine(problem.text.text());
     return table.problems.empty();
 }
 
@@ -246,7 +246,7 @@ bool takesAssignment(const std::string& text) {
             continue;
         }
         isTaken = true;
-        for (const InputProblem& fault : validate(scenario)) requireLine(fault.text);
+        for (const InputProblem& fault : validate(scenario)) requireLine(fault.text.text());
     }
     return isTaken;
 }
@@ -256,7 +256,7 @@ bool takesQuantity(const std::string& text) {
     for (const Parameter& parameter : parameters()) {
         const TypedQuantity typed = parseQuantity(text, parameter.quantity);
         if (!typed.valid()) {
-            requireLine(typed.problem);
+            requireLine(typed.problem.text());
             continue;
         }
         isTaken = true;

@@ -49,6 +49,7 @@ inline std::set<std::string> coreTexts() {
     }
     for (const Feed feed : allValues<Feed>) add(feedWord(feed));
     for (const PulseShape shape : allValues<PulseShape>) addName(name(shape));
+    for (const RockLaw law : allValues<RockLaw>) add(phrase(law));
     for (const auto& column : accuracyColumns) add(column.title);
     for (const auto& column : stringAccuracyColumns) add(column.title);
     texts.erase(std::string());

@@ -27,12 +27,6 @@ std::string nativePath(const QString& path) {
     return QFile::encodeName(path).toStdString();
 }
 
-QString lines(const ScenarioError& error) {
-    QStringList all;
-    for (const std::string& line : error.lines()) all.append(QString::fromStdString(line));
-    return all.join(QLatin1Char('\n'));
-}
-
 QString keyOf(const Parameter& parameter) {
     return fromView(parameter.key);
 }
@@ -143,12 +137,12 @@ QString Document::assign(const std::vector<ParameterValue>& values, int gesture)
 
 QString Document::change(Scenario& scenario, const std::vector<ParameterValue>& values) const {
     for (const auto& [parameter, si] : values) {
-        const std::string outside = rangeProblem(*parameter, si);
-        if (!outside.empty()) return QString::fromStdString(outside);
+        const Message outside = rangeProblem(*parameter, si);
+        if (!outside.isEmpty()) return translated(outside);
         parameter->assign(scenario, si);
     }
     const std::vector<InputProblem> problems = m_check(scenario);
-    return problems.empty() ? QString() : QString::fromStdString(problems.front().text);
+    return problems.empty() ? QString() : translated(problems.front().text);
 }
 
 QString Document::contentsWith(const std::vector<ParameterValue>& values, ScenarioDocument& changed) const {
@@ -249,7 +243,7 @@ QString Document::startFrom(std::string_view text, const QString& name) {
     try {
         take(parseScenario(text, name.toStdString()), {}, {});
     } catch (const ScenarioError& error) {
-        return lines(error);
+        return translated(error);
     }
     m_example = m_scenario;
     return {};
@@ -264,7 +258,7 @@ QString Document::open(const QString& path) {
         const QString toSave = input.isResult ? QString() : absolute;
         take(std::move(input.document), toSave, absolute);
     } catch (const ScenarioError& error) {
-        return lines(error);
+        return translated(error);
     }
     return {};
 }
@@ -276,7 +270,7 @@ QString Document::reload() {
         pushContents(source.scenario, source.text, tr("reload the file"));
         m_source = std::move(source);
     } catch (const ScenarioError& error) {
-        return lines(error);
+        return translated(error);
     }
     m_undoStack.setClean();
     emit tableRead();
@@ -289,7 +283,7 @@ QString Document::restore(const std::string& text, const QString& origin) {
     try {
         take(parseScenario(text, source), {}, origin);
     } catch (const ScenarioError& error) {
-        return lines(error);
+        return translated(error);
     }
     markUnsaved();
     return {};
@@ -311,7 +305,7 @@ QString Document::applyPreset(const Preset& preset) {
     Scenario changed = withPreset(m_scenario, preset);
     std::vector<InputProblem> problems = m_check(changed);
     if (!problems.empty())
-        return lines(ScenarioError(ScenarioError::Kind::invalid, preset.name, std::move(problems)));
+        return translated(ScenarioError(ScenarioError::Kind::invalid, preset.name, std::move(problems)));
     if (changed == m_scenario) return {};
     try {
         const std::string text = writeWithPreset({changed, m_text, m_source.source}, preset);
@@ -319,7 +313,7 @@ QString Document::applyPreset(const Preset& preset) {
         pushContents(std::move(changed), text,
                      tr("take the preset %1").arg(QString::fromStdString(preset.name)));
     } catch (const ScenarioError& error) {
-        return lines(error);
+        return translated(error);
     }
     return {};
 }
@@ -327,7 +321,7 @@ QString Document::applyPreset(const Preset& preset) {
 QString Document::useScenario(const Scenario& scenario, const QString& step) {
     std::vector<InputProblem> problems = m_check(scenario);
     if (!problems.empty())
-        return lines(ScenarioError(ScenarioError::Kind::invalid, scenario.title, std::move(problems)));
+        return translated(ScenarioError(ScenarioError::Kind::invalid, scenario.title, std::move(problems)));
     push(scenario, step);
     return {};
 }
@@ -335,7 +329,7 @@ QString Document::useScenario(const Scenario& scenario, const QString& step) {
 QString Document::useContents(const ScenarioDocument& contents, const QString& step) {
     std::vector<InputProblem> problems = m_check(contents.scenario);
     if (!problems.empty())
-        return lines(ScenarioError(ScenarioError::Kind::invalid, contents.source, std::move(problems)));
+        return translated(ScenarioError(ScenarioError::Kind::invalid, contents.source, std::move(problems)));
     Scenario after = contents.scenario;
     after.pulse.tableFile =
         tableSeenFrom(m_origin, QFile::decodeName(contents.source.c_str()), after.pulse.tableFile);
@@ -373,7 +367,7 @@ QString Document::takeTable(const QString& path, const std::string& name, const 
     changed.pulse.tableFile = name;
     if (problems.empty()) problems = m_check(changed);
     if (!problems.empty())
-        return lines(ScenarioError(ScenarioError::Kind::invalid, nativePath(path), std::move(problems)));
+        return translated(ScenarioError(ScenarioError::Kind::invalid, nativePath(path), std::move(problems)));
     push(std::move(changed), step);
     emit tableRead();
     return {};
@@ -401,7 +395,7 @@ QString Document::save(const QString& path) {
     try {
         bytes = text();
     } catch (const ScenarioError& error) {
-        return failed(lines(error));
+        return failed(translated(error));
     }
     if (const QString reason = replaceFile(absolute, bytes); !reason.isEmpty()) return failed(reason);
     // The text it came from stays: the bytes of every step of the history are what they were before.

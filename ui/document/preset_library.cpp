@@ -9,6 +9,7 @@
 
 #include "core/yaml/preset_file.h"
 #include "ui/text/settings.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -25,9 +26,7 @@ PresetSource read(const QString& path) {
         source.presets = std::move(file.presets);
         source.sectionPresets = std::move(file.sectionPresets);
     } catch (const ScenarioError& error) {
-        QStringList lines;
-        for (const std::string& line : error.lines()) lines.append(QString::fromStdString(line));
-        source.problem = lines.join(QLatin1Char('\n'));
+        source.problem = translated(error);
     }
     return source;
 }

@@ -9,6 +9,7 @@
 #include "ui/document/document.h"
 #include "ui/document/lost_changes.h"
 #include "ui/document/whole_file.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -25,7 +26,7 @@ QString written(const QString& path, const ScenarioDocument& contents, const QSt
     try {
         return writeWholeFile(path, recoveryBytes(contents, name, origin, QDateTime::currentDateTime()));
     } catch (const ScenarioError& error) {
-        return QString::fromUtf8(error.what());
+        return translated(error);
     }
 }
 

@@ -158,7 +158,7 @@ void ExportMenu::withRun(const QString& what, const UseRun& use) {
         try {
             use(solvedRun());
         } catch (const ScenarioError& error) {
-            fail(QString::fromUtf8(error.what()));
+            fail(translated(error));
         }
     });
 }

@@ -10,6 +10,7 @@
 #include "core/model/parameter.h"
 #include "core/model/scales.h"
 #include "ui/form/parameter_row.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
 
 namespace drillwave {
@@ -114,8 +115,8 @@ void PulseSection::addImpulse(QGridLayout* grid, QWidget* parent) {
 QString PulseSection::offerImpulse(double impulse) {
     m_wanted.reset();
     const Scenario& scenario = m_document.scenario();
-    if (const std::string outside = rangeProblem(*findParameter("pulse.impulse"), impulse); !outside.empty())
-        return QString::fromStdString(outside);
+    if (const Message outside = rangeProblem(*findParameter("pulse.impulse"), impulse); !outside.isEmpty())
+        return translated(outside);
     if (impulse != pulseImpulse(scenario) && scenario.pulse.tablePoints.size() > mostPointsKept)
         return tr("a table of more than %1 points stays in its file: scale the forces there")
             .arg(mostPointsKept);

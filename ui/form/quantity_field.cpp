@@ -144,7 +144,7 @@ void QuantityField::readText(const QString& text) {
         return empty();
     }
     const TypedQuantity typed = typedQuantity(text, m_quantity, *m_unit, locale());
-    if (!typed.valid()) return refuse(QString::fromStdString(typed.problem));
+    if (!typed.valid()) return refuse(translated(typed.problem));
     const QString objection = offer(typed.si);
     if (!objection.isEmpty()) return refuse(objection);
     accept();

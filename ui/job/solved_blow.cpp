@@ -7,6 +7,7 @@
 #include "core/study/drilling/marched_blow.h"
 #include "ui/job/solved_again.h"
 #include "ui/text/local_style.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -53,7 +54,7 @@ SolvedBlowPtr answerWith(const SolveRequest& request, const SolvedBlow* before, 
     try {
         blow->request = request;
         const std::vector<InputProblem> problems = validate(request.scenario);
-        if (!problems.empty()) return failedBlow(request, QString::fromStdString(problems.front().text));
+        if (!problems.empty()) return failedBlow(request, translated(problems.front().text));
         static_cast<Blow&>(*blow) = make();
         blow->units = shownUnits(request.units, blow->scales, request.chosenUnits);
         blow->fault = whyUnsolved(*blow);

@@ -179,7 +179,7 @@ QString RunKeeper::prepare() {
         m_job = std::make_shared<Job>(Job{m_write, m_folder, std::move(wanted), order->existing, {}, {}});
         return {};
     } catch (const ScenarioError& error) {
-        return QString::fromUtf8(error.what());
+        return translated(error);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include <QCoreApplication>
 
+#include "core/yaml/scenario_file.h"
 #include "ui/text/core_text.h"
 
 namespace drillwave {
@@ -19,6 +20,12 @@ std::string translatedPattern(const std::string& pattern) {
 
 QString translated(const Message& message) {
     return QString::fromStdString(message.said(translatedPattern));
+}
+
+QString translated(const ScenarioError& error) {
+    QStringList lines;
+    for (const Message& line : error.messages()) lines << translated(line);
+    return lines.join(QLatin1Char('\n'));
 }
 
 QString shownSymbol(std::string_view symbol) {

@@ -10,6 +10,8 @@
 
 namespace drillwave {
 
+class ScenarioError;
+
 /// UTF-8 as Qt's own text.
 QString fromView(std::string_view text);
 
@@ -18,6 +20,9 @@ std::string translatedPattern(const std::string& pattern);
 
 /// A sentence of the core in the language of the window.
 QString translated(const Message& message);
+
+/// What is wrong with a file or with values, a line each, likewise.
+QString translated(const ScenarioError& error);
 
 /// "t₀" for "t0".
 QString shownSymbol(std::string_view symbol);

@@ -10,6 +10,7 @@
 
 #include "ui/pages/compare/compare_page.h"
 #include "ui/result/result_panel.h"
+#include "ui/text/shown_text.h"
 #include "ui/window/page_tabs.h"
 
 namespace drillwave {
@@ -89,7 +90,7 @@ void PinnedRuns::pin() {
         contents.text = m_document.text().toStdString();
         pin(std::move(contents), m_now);
     } catch (const ScenarioError& error) {
-        fail(tr("This result cannot be pinned."), QString::fromUtf8(error.what()));
+        fail(tr("This result cannot be pinned."), translated(error));
     }
 }
 

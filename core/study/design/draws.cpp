@@ -47,10 +47,10 @@ void readCell(const CaseColumn& column, const std::string& cell, const std::stri
         parseQuantity(cell, parameter.quantity, column.unit ? BareNumber::inDefaultUnit : BareNumber::refused,
                       column.unit ? column.unit : &parameter.displayUnit());
     value = typed.si;
-    const std::string problem = typed.valid() ? rangeProblem(parameter, typed.si) : typed.problem;
-    if (!problem.empty())
+    const Message problem = typed.valid() ? rangeProblem(parameter, typed.si) : typed.problem;
+    if (!problem.isEmpty())
         read.invalid.push_back(place + ": " + std::string(parameter.key) + " = " + shortened(cell) + " (" +
-                               problem + ")");
+                               problem.text() + ")");
 }
 
 }  // namespace

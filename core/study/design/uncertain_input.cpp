@@ -25,8 +25,8 @@ std::string rangeRefusal(const UncertainInput& input, std::string_view text) {
     if (input.low == input.high) return refuse("has no width; give LOW below HIGH");
     if (!(input.low < input.high)) return refuse("is upside down; give LOW below HIGH");
     for (const double end : {input.low, input.high})
-        if (const std::string problem = rangeProblem(parameter, end); !problem.empty())
-            return refuse(problem);
+        if (const Message problem = rangeProblem(parameter, end); !problem.isEmpty())
+            return refuse(problem.text());
     if (input.low <= 0 && input.kind == DistributionKind::log)
         return refuse("must begin above 0 where it is `log`");
     if (input.low <= 0 && input.kind == DistributionKind::lognormal)
@@ -44,7 +44,7 @@ std::string readEnd(UncertainInput& input, std::string_view text, double& end) {
     const Parameter& parameter = *input.parameter;
     const TypedQuantity typed =
         parseQuantity(text, parameter.quantity, BareNumber::refused, &parameter.displayUnit());
-    if (!typed.valid()) return refusal(parameter.key, text, typed.problem);
+    if (!typed.valid()) return refusal(parameter.key, text, typed.problem.text());
     const bool sameUnit = !input.unit || input.unit == typed.unit;
     input.unit = sameUnit ? typed.unit : &unitsOf(parameter.quantity).front();
     end = typed.si;
@@ -128,18 +128,18 @@ Distribution UncertainInput::in(const Scenario& design) const {
 
 std::string UncertainInput::problemIn(const Scenario& design) const {
     const std::string key(parameter->key);
-    if (const std::string why = whyNotApplicable(*parameter, design); !why.empty())
-        return key + " has no meaning here: " + why;
+    if (const Message why = whyNotApplicable(*parameter, design); !why.isEmpty())
+        return key + " has no meaning here: " + why.text();
     if (kind != DistributionKind::percent) return {};
     const std::optional<double> value = parameter->value(design);
     if (!value || *value == 0)
         return key + " = +-" + formatNumber(percent) + "% (the scenario has " + (value ? "0" : "no value") +
                " there; give LOW:HIGH)";
     for (const double share : {1 - percent / 100, 1 + percent / 100})
-        if (const std::string problem = rangeProblem(*parameter, *value * share); !problem.empty())
+        if (const Message problem = rangeProblem(*parameter, *value * share); !problem.isEmpty())
             return key + " = +-" + formatNumber(percent) + "% of " +
-                   formatQuantity(*value, parameter->quantity, parameter->displayUnit()) + " (" + problem +
-                   ")";
+                   formatQuantity(*value, parameter->quantity, parameter->displayUnit()) + " (" +
+                   problem.text() + ")";
     return {};
 }
 

@@ -80,7 +80,8 @@ std::optional<PointObstacle> AxisScenario::judge(std::span<const double> values)
         return PointObstacle{one, reason, reason};
     }
     if (const auto problems = validate(m_scenario); !problems.empty())
-        return PointObstacle{problems.front().key, problems.front().reason, problems.front().text};
+        return PointObstacle{problems.front().key, problems.front().reason.text(),
+                             problems.front().text.text()};
     for (std::size_t a = 0; a < m_axes.size(); ++a)
         if (const std::string lost = m_axes[a].readBackProblem(m_scenario, values[a]); !lost.empty()) {
             const std::string key(m_axes[a].key());

@@ -44,12 +44,12 @@ std::string readValue(ParsedAxis& parsed, std::string_view text, double& value) 
     const TypedQuantity typed =
         parseQuantity(text, parameter.quantity, BareNumber::refused, &parameter.displayUnit());
     parsed.kind = ParsedAxis::Kind::badValue;
-    if (!typed.valid()) return refusal(parameter.key, text, typed.problem);
+    if (!typed.valid()) return refusal(parameter.key, text, typed.problem.text());
     const bool sameUnit = !axis.unit || axis.unit == typed.unit;
     axis.unit = sameUnit ? typed.unit : &unitsOf(parameter.quantity).front();
     value = typed.si;
-    const std::string problem = rangeProblem(parameter, value);
-    if (!problem.empty()) return refusal(parameter.key, text, problem);
+    const Message problem = rangeProblem(parameter, value);
+    if (!problem.isEmpty()) return refusal(parameter.key, text, problem.text());
     parsed.kind = ParsedAxis::Kind::badText;
     return {};
 }
@@ -95,7 +95,7 @@ std::string wholeNumberProblem(const SweepAxis& axis) {
         std::string(axis.key()) + " takes whole numbers alone; give a COUNT that hits them, or a list A,B,C";
     if (static_cast<double>(axis.count) > most) return advice;
     for (std::uint64_t i = 0; i < axis.count; ++i)
-        if (!rangeProblem(*axis.parameter, axis.value(i)).empty()) return advice;
+        if (!rangeProblem(*axis.parameter, axis.value(i)).isEmpty()) return advice;
     return {};
 }
 
@@ -242,7 +242,7 @@ std::string SweepAxis::assign(Scenario& scenario, double value) const {
 
 std::string SweepAxis::readBackProblem(const Scenario& scenario, double value) const {
     if (!parameter || !parameter->applies(scenario)) return {};
-    return drillwave::readBackProblem(*parameter, scenario, value);
+    return drillwave::readBackProblem(*parameter, scenario, value).text();
 }
 
 std::vector<std::uint64_t> SweepAxis::extremes() const {

@@ -46,7 +46,7 @@ std::vector<std::string> TableRowAssigner::assign(const CsvRecord& row, int line
     std::vector<std::string> problems = assignCells(row, line);
     if (!problems.empty()) return problems;
     for (const InputProblem& problem : validate(m_scenario))
-        problems.push_back(place(line) + ": " + problem.text);
+        problems.push_back(place(line) + ": " + problem.text.text());
     return problems;
 }
 

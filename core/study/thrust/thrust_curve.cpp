@@ -27,8 +27,8 @@ ScenarioAt scenarioAt(const Scenario& base, const Parameter& parameter, double v
     if (!at.obstacle.empty()) at.obstacle = std::string(parameter.key) + " " + at.obstacle;
     if (const auto problems = at.obstacle.empty() ? validate(at.scenario) : std::vector<InputProblem>();
         !problems.empty())
-        at.obstacle = problems.front().text;
-    if (at.obstacle.empty()) at.obstacle = readBackProblem(parameter, at.scenario, value);
+        at.obstacle = problems.front().text.text();
+    if (at.obstacle.empty()) at.obstacle = readBackProblem(parameter, at.scenario, value).text();
     if (at.obstacle.empty()) at.obstacle = thrustProblem(at.scenario).text();
     return at;
 }

@@ -30,7 +30,7 @@ bool hasAlert(const Scenario& scenario, AlertCode code) {
 
 QString onlyProblem(const Scenario& scenario) {
     const std::vector<InputProblem> problems = validate(scenario);
-    return problems.size() == 1 ? QString::fromStdString(problems.front().text)
+    return problems.size() == 1 ? QString::fromStdString(problems.front().text.text())
                                 : QString("%1 problems").arg(problems.size());
 }
 
@@ -81,8 +81,10 @@ void TestValidation::everyProblemIsFoundAtOnce() {
     QStringList keys;
     for (const InputProblem& problem : problems) keys << QString::fromStdString(problem.key);
     QCOMPARE(keys, QStringList({"rod.length", "bit_rock.gamma", "drill.thrust", "rod.bore", "pulse.fall"}));
-    QCOMPARE(QString::fromStdString(problems[0].text), QString("rod.length = -1 m (must be greater than 0)"));
-    QCOMPARE(QString::fromStdString(problems[1].text), QString("bit_rock.gamma = 1.3 (must be in (0, 1])"));
+    QCOMPARE(QString::fromStdString(problems[0].text.text()),
+             QString("rod.length = -1 m (must be greater than 0)"));
+    QCOMPARE(QString::fromStdString(problems[1].text.text()),
+             QString("bit_rock.gamma = 1.3 (must be in (0, 1])"));
 }
 
 void TestValidation::everyHardRangeIsHeld() {
@@ -224,7 +226,8 @@ void TestValidation::moreCornersThanThereMayBeAreOneProblem() {
     for (int i = 1; i <= 65; ++i) scenario.bitRock.corners.push_back({i * 1e3, 0.5});
     const std::vector<InputProblem> problems = validate(scenario);
     QCOMPARE(problems.size(), std::size_t(1));
-    QVERIFY2(problems.front().text.find("at most 64") != std::string::npos, problems.front().text.c_str());
+    QVERIFY2(problems.front().text.text().find("at most 64") != std::string::npos,
+             problems.front().text.text().c_str());
     scenario.bitRock.corners.pop_back();
     QVERIFY(validate(scenario).empty());
 }

@@ -101,7 +101,7 @@ void TestSignalRecipe::aBlowFromStrainHasTheImpulseOfItsIntegral() {
     QCOMPARE(blow.zero, 7.0);
     QVERIFY(blow.points.size() <= 50);
     QCOMPARE(blow.points.front().time, 0.0);
-    QVERIFY(pointProblem(blow.points).reason.empty());
+    QVERIFY(pointProblem(blow.points).reason.isEmpty());
 }
 
 // A rectangle as the program itself writes it.
@@ -110,7 +110,7 @@ void TestSignalRecipe::aBlowMayJump() {
     const ShapedSignal blow = shapedSignal(
         samplesOf({0, 1e-4, up, 3e-4, down, 4e-4}, {0, 0, 255e3, 255e3, 0, 0}), {.use = SignalUse::blow});
     QCOMPARE(blow.points.size(), std::size_t{6});
-    QVERIFY(pointProblem(blow.points).reason.empty());
+    QVERIFY(pointProblem(blow.points).reason.isEmpty());
     QVERIFY(std::abs(blow.impulse / 51 - 1) < 1e-8);
 }
 
@@ -127,7 +127,7 @@ void TestSignalRecipe::noiseBelowZeroIsClippedAndCounted() {
     unclipped.points = 10000;
     const double whole = shapedSignal(samples, unclipped).impulse;
     QVERIFY(std::abs(blow.impulse - blow.clippedImpulse - whole) < 1e-8 * whole);
-    QVERIFY(pointProblem(blow.points).reason.empty());
+    QVERIFY(pointProblem(blow.points).reason.isEmpty());
 }
 
 // A short blow in a long record, whose clipped noise has more impulse than the blow: thinned to a few points

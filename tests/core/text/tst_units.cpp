@@ -30,7 +30,7 @@ double anyDouble(std::mt19937_64& random) {
 }
 
 std::string reason(std::string_view text, Quantity quantity) {
-    return parseQuantity(text, quantity).problem;
+    return parseQuantity(text, quantity).problem.text();
 }
 
 }  // namespace
@@ -106,7 +106,7 @@ void TestUnits::typedTextIsTheNearestDoubleOfItsSiValue() {
     QFETCH(Quantity, quantity);
     QFETCH(double, si);
     const TypedQuantity typed = parseQuantity(text.toStdString(), quantity);
-    QCOMPARE(QString::fromStdString(typed.problem), QString());
+    QCOMPARE(QString::fromStdString(typed.problem.text()), QString());
     QVERIFY(typed.unit != nullptr);
     // No tolerance: the decimal point is moved in the text, and the definitions of inch and foot are
     // integers.
@@ -247,7 +247,8 @@ void TestUnits::wrongTextIsRefusedWithTheReason() {
     QFETCH(QString, reason);
     const TypedQuantity typed = parseQuantity(text.toStdString(), quantity);
     QVERIFY(!typed.valid());
-    QVERIFY2(typed.problem.find(reason.toStdString()) != std::string::npos, typed.problem.c_str());
+    QVERIFY2(typed.problem.text().find(reason.toStdString()) != std::string::npos,
+             typed.problem.text().c_str());
 }
 
 void TestUnits::aBareNumberIsTakenInTheDefaultUnitWhereThatIsAllowed() {
@@ -255,8 +256,8 @@ void TestUnits::aBareNumberIsTakenInTheDefaultUnitWhereThatIsAllowed() {
     QCOMPARE(parseQuantity("38", Quantity::length, BareNumber::inDefaultUnit, mm).si, 0.038);
     QCOMPARE(parseQuantity("1.5 in", Quantity::length, BareNumber::inDefaultUnit, mm).si, 0.0381);
     QVERIFY(reason("38", Quantity::length) ==
-            parseQuantity("38", Quantity::length, BareNumber::inDefaultUnit, nullptr).problem);
-    const std::string refused = parseQuantity("38", Quantity::length, BareNumber::refused, mm).problem;
+            parseQuantity("38", Quantity::length, BareNumber::inDefaultUnit, nullptr).problem.text());
+    const std::string refused = parseQuantity("38", Quantity::length, BareNumber::refused, mm).problem.text();
     QVERIFY2(refused.find("`38 mm`") != std::string::npos, refused.c_str());
 }
 

@@ -40,7 +40,7 @@ std::string problemsOf(const std::string& text) {
     try {
         parseScenario(text, "file");
     } catch (const ScenarioError& error) {
-        for (const InputProblem& problem : error.problems()) all += problem.text + "\n";
+        for (const InputProblem& problem : error.problems()) all += problem.text.text() + "\n";
     }
     return all;
 }

@@ -286,9 +286,18 @@ void TestMalformedFiles::malformedFilesAreRefusedWithTheirPlace() {
     } catch (const ScenarioError& error) {
         QVERIFY2(error.kind() == kind, error.what());
         const auto isExpected = [&](const InputProblem& problem) {
-            return problem.line == line && QString::fromStdString(problem.text).contains(message);
+            return problem.line == line && QString::fromStdString(problem.text.text()).contains(message);
         };
         QVERIFY2(std::ranges::any_of(error.problems(), isExpected), error.what());
+        // Each says why in words that other languages have, too.
+        for (const InputProblem& problem : error.problems()) {
+            const auto nothing = [](const std::string& english) {
+                return QString::fromStdString(english)
+                    .remove(QRegularExpression(QStringLiteral("\\p{L}")))
+                    .toStdString();
+            };
+            QVERIFY2(problem.text.said(nothing) != problem.text.text(), problem.text.text().c_str());
+        }
         // Whatever is in the file, a message is one short line of text.
         for (const std::string& said : error.lines()) {
             QVERIFY(said.starts_with(path.toStdString() + ":"));

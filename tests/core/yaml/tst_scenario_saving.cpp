@@ -279,7 +279,7 @@ void TestScenarioSaving::everyNewScenarioReadsBackTheSame() {
         if (scenario.pulse.rise + scenario.pulse.fall > 1)
             scenario.pulse.rise = scenario.pulse.fall = 1.0 / 3;
         const std::vector<InputProblem> problems = validate(scenario);
-        QVERIFY2(problems.empty(), problems.empty() ? "" : problems.front().text.c_str());
+        QVERIFY2(problems.empty(), problems.empty() ? "" : problems.front().text.text().c_str());
         const std::string text = writeScenario({scenario, "", ""});
         QVERIFY2(parsed(text).scenario == withoutUnusedValues(scenario), text.c_str());
     }

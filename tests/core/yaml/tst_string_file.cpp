@@ -455,7 +455,7 @@ void TestStringFile::everyNewStringReadsBackTheSame() {
     for (int i = 0; i < 500; ++i) {
         const Scenario scenario = randomString(random);
         const std::vector<InputProblem> problems = validate(scenario);
-        QVERIFY2(problems.empty(), problems.empty() ? "" : problems.front().text.c_str());
+        QVERIFY2(problems.empty(), problems.empty() ? "" : problems.front().text.text().c_str());
         const std::string text = writeScenario({scenario, "", ""});
         QVERIFY2(parsed(text).scenario == withoutUnusedValues(scenario), text.c_str());
     }

@@ -7,7 +7,10 @@
 #include <QWheelEvent>
 #include <bit>
 
+#include "core/model/parameter.h"
 #include "ui/form/quantity_field.h"
+#include "ui/text/language.h"
+#include "ui/text/shown_text.h"
 
 using namespace drillwave;
 
@@ -47,6 +50,7 @@ class TestQuantityField : public QObject {
     void aHundredUnitChangesLeaveEveryBitOfTheValue();
     void wrongTextStaysWithItsReasonAndTheOldValue_data();
     void wrongTextStaysWithItsReasonAndTheOldValue();
+    void reasonsAreInTheLanguageOfTheWindow();
     void escapeBringsTheValueBack();
     void aNewValueFromElsewhereReplacesWrongText();
     void theWheelTurnsOnlyAFocusedField();
@@ -153,6 +157,18 @@ void TestQuantityField::wrongTextStaysWithItsReasonAndTheOldValue() {
     QVERIFY(taken.isEmpty() || taken.last() == 0.05);
     field.setValue(0.05);  // another field was edited: this one is shown again
     QCOMPARE(shown(field), typed);
+}
+
+void TestQuantityField::reasonsAreInTheLanguageOfTheWindow() {
+    Catalogue german(*findLanguage("de"));
+    QCoreApplication::installTranslator(&german);
+    QuantityField field(Quantity::length, unit(Quantity::length, "mm"));
+    field.setTaker([](double si) { return translated(rangeProblem(*findParameter("rod.length"), si)); });
+    type(field, QStringLiteral("drei"));
+    QCOMPARE(field.problem(), QStringLiteral("ist keine Zahl"));
+    type(field, QStringLiteral("-3"));
+    QCOMPARE(field.problem(), QStringLiteral("muss größer als 0 sein"));
+    QCoreApplication::removeTranslator(&german);
 }
 
 void TestQuantityField::escapeBringsTheValueBack() {

@@ -67,7 +67,7 @@ void TestTypedQuantity::arithmeticIsDoneBeforeTheUnit() {
     QFETCH(const QString, typed);
     QFETCH(const double, metres);
     const TypedQuantity quantity = read(typed);
-    QVERIFY2(quantity.valid(), quantity.problem.c_str());
+    QVERIFY2(quantity.valid(), quantity.problem.text().c_str());
     QVERIFY2(std::abs(quantity.si - metres) <= 2e-16 * metres, formatNumber(quantity.si).c_str());
 }
 
@@ -118,7 +118,8 @@ void TestTypedQuantity::whatCannotBeCalculatedIsRefusedWithAReason() {
     QFETCH(const QString, reason);
     const TypedQuantity quantity = read(typed);
     QVERIFY(!quantity.valid());
-    QVERIFY2(quantity.problem.find(reason.toStdString()) != std::string::npos, quantity.problem.c_str());
+    QVERIFY2(quantity.problem.text().find(reason.toStdString()) != std::string::npos,
+             quantity.problem.text().c_str());
 }
 
 void TestTypedQuantity::capitalsNeverMakeMegaOfMilli() {

@@ -151,7 +151,8 @@ QString TestMonkey::wrongNow() const {
     Document& document = m_window->document();
     const std::vector<InputProblem> problems = validate(document.scenario());
     if (!problems.empty())
-        return QStringLiteral("the scenario is invalid: ") + QString::fromStdString(problems.front().text);
+        return QStringLiteral("the scenario is invalid: ") +
+               QString::fromStdString(problems.front().text.text());
     const QUndoStack& stack = document.undoStack();
     if (stack.index() < 0 || stack.index() > stack.count() || stack.count() > stack.undoLimit())
         return QStringLiteral("undo step %1 of %2").arg(stack.index()).arg(stack.count());

@@ -2,6 +2,7 @@
 #include "ui/pages/curve/goal_field.h"
 
 #include "ui/text/field_text.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/typed_quantity.h"
 #include "ui/text/typed_text.h"
 
@@ -45,7 +46,7 @@ void GoalField::read() {
         if (typed.valid())
             value = typed.si;
         else
-            m_problem = QString::fromStdString(typed.problem);
+            m_problem = translated(typed.problem);
     }
     presentProblem();
     if (!m_problem.isEmpty() || value == m_value) return;

@@ -19,6 +19,7 @@
 #include "ui/pages/design/density_mark.h"
 #include "ui/pages/study/flow_layout.h"
 #include "ui/pages/study/parameter_names.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -195,8 +196,8 @@ QuantityField* RangeRow::addField(double StudyRange::*end, const QString& name, 
 }
 
 QString RangeRow::take(double StudyRange::*end, double si) {
-    const std::string outside = rangeProblem(*m_range.parameter, si);
-    if (!outside.empty()) return QString::fromStdString(outside);
+    const Message outside = rangeProblem(*m_range.parameter, si);
+    if (!outside.isEmpty()) return translated(outside);
     StudyRange range = m_range;
     range.*end = si;
     if (range.start == range.stop) return tr("must differ from the other end");

@@ -19,7 +19,7 @@ QString objection(const Document& document, const KeptParameter& parameter, doub
         ScenarioDocument changed;
         return document.contentsWith({{parameter, si}}, changed);
     } catch (const ScenarioError& error) {
-        return QString::fromUtf8(error.what());
+        return translated(error);
     }
 }
 

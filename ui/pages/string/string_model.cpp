@@ -316,8 +316,8 @@ bool StringModel::setData(const QModelIndex& index, const QVariant& value, int r
 }
 
 bool StringModel::rename(const StringRow& row, const QString& name) {
-    if (const std::string problem = sectionNameProblem(name.toStdString()); !problem.empty())
-        return told(tr("The name %1").arg(QString::fromStdString(problem)));
+    if (const Message problem = sectionNameProblem(name.toStdString()); !problem.isEmpty())
+        return told(tr("The name %1").arg(translated(problem)));
     Scenario changed = m_document.scenario();
     sectionAt(changed.drillString, row.spot).name = name.toStdString();
     return told(m_document.useScenario(changed, tr("call %1 “%2”").arg(row.name(), name)));

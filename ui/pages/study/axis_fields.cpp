@@ -12,6 +12,7 @@
 #include "ui/form/choice_box.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/study/flow_layout.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -142,8 +143,8 @@ QuantityField* AxisFields::addField(QWidget& part, const QString& words, const Q
 }
 
 QString AxisFields::take(double StudyRange::*end, double si) {
-    const std::string outside = rangeProblem(*m_range.parameter, si);
-    if (!outside.empty()) return QString::fromStdString(outside);
+    const Message outside = rangeProblem(*m_range.parameter, si);
+    if (!outside.isEmpty()) return translated(outside);
     if (m_range.logarithmic && !(si > 0)) return tr("must be greater than 0 on a logarithmic axis");
     StudyRange range = m_range;
     range.*end = si;

@@ -8,6 +8,7 @@
 
 #include "ui/form/choice_box.h"
 #include "ui/pages/study/parameter_names.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
 #include "ui/text/unit_choice.h"
 
@@ -104,9 +105,9 @@ void FamilyFields::read() {
         if (!plain.problem.isEmpty())
             m_problem = plain.problem;
         else if (!typed.valid())
-            m_problem = QString::fromStdString(typed.problem);
+            m_problem = translated(typed.problem);
         else
-            m_problem = QString::fromStdString(rangeProblem(parameter, typed.si));
+            m_problem = translated(rangeProblem(parameter, typed.si));
         if (!m_problem.isEmpty()) m_problem = QStringLiteral("%1: %2").arg(item.trimmed(), m_problem);
         if (!m_problem.isEmpty()) break;
         if (std::ranges::find(family.values, typed.si) == family.values.end())

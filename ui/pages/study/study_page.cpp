@@ -16,6 +16,7 @@
 #include "ui/plot/study_frame.h"
 #include "ui/result/stale_veil.h"
 #include "ui/text/scrolled_label.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -174,7 +175,7 @@ void StudyPage::pin(const std::vector<ParameterValue>& values) {
     try {
         m_refusal = m_document.contentsWith(values, contents);
     } catch (const ScenarioError& error) {
-        m_refusal = QString::fromUtf8(error.what());
+        m_refusal = translated(error);
     }
     showWords();
     if (m_refusal.isEmpty()) emit pinRequested(contents);
@@ -219,7 +220,7 @@ void StudyPage::copyCommand() {
         const QString text = command();
         if (!text.isEmpty()) QGuiApplication::clipboard()->setText(text);
     } catch (const ScenarioError& error) {
-        m_refusal = QString::fromUtf8(error.what());
+        m_refusal = translated(error);
         showWords();
     }
 }

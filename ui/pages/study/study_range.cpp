@@ -19,7 +19,7 @@ std::string valueText(const Parameter& parameter, double si) {
 }
 
 bool isValidAt(const Parameter& parameter, Scenario scenario, double si) {
-    if (!rangeProblem(parameter, si).empty()) return false;
+    if (!rangeProblem(parameter, si).isEmpty()) return false;
     parameter.assign(scenario, si);
     return validate(scenario).empty();
 }

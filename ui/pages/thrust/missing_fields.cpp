@@ -27,8 +27,7 @@ MissingFields::MissingFields(const std::vector<std::string_view>& keys, const Un
         field->setOptional(tr("not given"));
         label->setBuddy(field);
         // A value is taken when it is complete: the first digit of it would already take the field away.
-        field->setTaker(
-            [parameter](double si) { return QString::fromStdString(rangeProblem(*parameter, si)); });
+        field->setTaker([parameter](double si) { return translated(rangeProblem(*parameter, si)); });
         connect(field, &QuantityField::editsEnded, this, [this, parameter, field] {
             if (field->value() && field->problem().isEmpty()) emit entered(parameter, *field->value());
         });
