@@ -11,6 +11,7 @@
 #include "ui/export/report_plots.h"
 #include "ui/text/language.h"
 #include "ui/text/shown_text.h"
+#include "ui/text/unit_choice.h"
 
 using namespace drillwave;
 
@@ -78,6 +79,7 @@ class TestReportLanguage : public QObject {
     void theReportSpeaksTheLanguageOfItsReader_data();
     void theReportSpeaksTheLanguageOfItsReader();
     void withoutALanguageItIsInEnglishWhateverIsSpoken();
+    void aWindowWritesItsOwn();
 };
 
 void TestReportLanguage::wordsInPlotsHaveRoom() {
@@ -126,6 +128,20 @@ void TestReportLanguage::withoutALanguageItIsInEnglishWhateverIsSpoken() {
             english.find("lang=\"en\"") != english.npos);
     const Spoken spoken(*findLanguage("de"));
     QVERIFY(page() == english);
+}
+
+// Once it is spoken, a language stays: the last one.
+void TestReportLanguage::aWindowWritesItsOwn() {
+    const UnitChoice units;
+    QVERIFY(!PaperReader::of(units).isSpokenTo);
+    speak(*findLanguage("sv"));
+    const PaperReader reader = PaperReader::of(units);
+    QVERIFY(reader.isSpokenTo && !reader.isPlain());
+    const Pictures drawn = drawReport(reportOf("t38_string"), {"report", {"html"}, {}}, reader);
+    const std::string page = drawn.files.front().bytes;
+    QVERIFY(page.find("lang=\"sv\"") != page.npos && page.find("Hammare och sträng") != page.npos);
+    const EnglishTexts english;
+    QVERIFY(!PaperReader::of(units).isSpokenTo);
 }
 
 QTEST_MAIN(TestReportLanguage)

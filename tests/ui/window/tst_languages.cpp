@@ -14,12 +14,16 @@
 #include "core/yaml/examples.h"
 #include "core/yaml/preset_file.h"
 #include "tests/support/files.h"
+#include "tests/support/import_fixture.h"
 #include "tests/support/pseudo_translator.h"
 #include "tests/support/window_fixture.h"
 #include "tests/ui/window/layout_check.h"
 #include "tests/ui/window/shown_texts.h"
 #include "ui/export/export_menu.h"
 #include "ui/export/figure_plot.h"
+#include "ui/export/numbers_window.h"
+#include "ui/export/report_preview.h"
+#include "ui/help/help_window.h"
 #include "ui/questions/picture_dialog.h"
 #include "ui/result/alert_list.h"
 #include "ui/text/language.h"
@@ -27,6 +31,7 @@
 #include "ui/text/typed_text.h"
 #include "ui/window/figure_dialog.h"
 #include "ui/window/language_menu.h"
+#include "ui/window/manual_help.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
 
@@ -136,6 +141,9 @@ class TestLanguages : public QObject, WindowFixture {
     void everythingIsTranslated_data();
     void everythingIsTranslated();
     void dialogsAreTranslated();
+    void importsAreTranslated_data();
+    void importsAreTranslated();
+    void helpAndReportsAreTranslated();
     void nothingIsCutOff_data();
     void nothingIsCutOff();
     void menusAndFieldsSpeak_data();
@@ -216,6 +224,71 @@ void TestLanguages::dialogsAreTranslated() {
         if (!shown.where.contains(QStringLiteral("QCustomPlot")) && !shown.where.contains("cell") &&
             shown.text != figureText(figure.figure().caption))
             found += untranslated(shown);
+    QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
+}
+
+void TestLanguages::importsAreTranslated_data() {
+    QTest::addColumn<QString>("code");
+    QTest::addColumn<ImportUse>("use");
+    for (const char* code : {"pseudo", "de", "sv"})
+        for (const ImportUse use : {ImportUse::blow, ImportUse::normalForce})
+            QTest::addRow("%s, %s", code, use == ImportUse::blow ? "blow" : "measured") << code << use;
+}
+
+// What the file has is quoted, and units have their names.
+void TestLanguages::importsAreTranslated() {
+    QFETCH(QString, code);
+    QFETCH(ImportUse, use);
+    const Speaking speaking(code);
+    openIn(QStringLiteral("t38_medium_rock"));
+    m_answers.import = m_folder.filePath(QStringLiteral("record.csv"));
+    QFile file(m_answers.import);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(gaugeRecord());
+    file.close();
+    window().findChild<QPushButton*>(QStringLiteral("importBlow"))->click();
+    auto& dialog = part<ImportDialog>(window());
+    auto& choice = control<ChoiceBox>(dialog, "use");
+    choice.setCurrentIndex(choice.findData(static_cast<int>(use)));
+    QVERIFY(QTest::qWaitFor([&] { return !dialog.isBusy(); }, 60000));
+    QCoreApplication::processEvents();
+    QVERIFY(QTest::qWaitFor([&] { return !dialog.isBusy(); }, 60000));
+    QStringList found;
+    if (code != QLatin1String("pseudo")) {
+        found = clippedTexts(dialog) + overlaps(dialog);
+    } else {
+        for (const ShownText& shown : shownTexts(dialog)) {
+            ShownText bare = shown;
+            for (const char* quoted : {"Recorder", "record", "Zeit", "DMS", "microstrain"})
+                bare.text.remove(QLatin1String(quoted));
+            if (const QStringList words = untranslated(bare); !words.isEmpty())
+                found << shown.where + QStringLiteral(": ") + shown.text.left(120) + words.join(u' ');
+        }
+    }
+    QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
+}
+
+// Around the manual, which is in English, and the pages of a report.
+void TestLanguages::helpAndReportsAreTranslated() {
+    const Speaking speaking(QStringLiteral("pseudo"));
+    openIn(QStringLiteral("t38_medium_rock"));
+    QStringList found;
+    const auto look = [&found](QWidget& shown, const QString& name, const QRegularExpression& quoting) {
+        for (const ShownText& text : shownTexts(shown))
+            if (!text.where.contains(quoting) && !untranslated(text).isEmpty())
+                found << name + QStringLiteral(": ") + text.where + QStringLiteral(": ") +
+                             text.text.left(120);
+    };
+    QTest::keyClick(&window(), Qt::Key_F1);
+    look(*part<ManualHelp>(window()).helpWindow(), QStringLiteral("help"),
+         QRegularExpression(QStringLiteral("cell|“manual”.*description")));
+    window().findChild<QAction*>(QStringLiteral("previewReport"))->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(window().findChild<ReportPreview*>(), 120000);
+    look(part<ReportPreview>(window()), QStringLiteral("preview"), QRegularExpression(QStringLiteral("^$")));
+    window().findChild<QAction*>(QStringLiteral("numbersAsTable"))->trigger();
+    QTRY_VERIFY_WITH_TIMEOUT(window().findChild<NumbersWindow*>(), 60000);
+    look(part<NumbersWindow>(window()), QStringLiteral("numbers"),
+         QRegularExpression(QStringLiteral("cell|column|QHeader")));  // those of a file
     QVERIFY2(found.isEmpty(), qPrintable(found.join(u'\n')));
 }
 
