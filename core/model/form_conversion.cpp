@@ -33,17 +33,18 @@ Section sectionOf(const Piston& piston) {
 }
 
 /// Sections of whole millimetres share a cell of the solver.
-double wholeMillimetres(double length, std::vector<std::string>& lost) {
+double wholeMillimetres(double length, std::vector<Message>& lost) {
     const double rounded = std::round(length * 1000) / 1000;
     if (length < 0.02 || std::abs(rounded - length) <= 1e-12 * length) return length;
     lost.emplace_back(
-        "The hammer is rounded to whole millimetres; it gives the same impulse, in a blow that "
-        "is so much longer or shorter.");
+        translatable("drillwave::Message",
+                     "The hammer is rounded to whole millimetres; it gives the same impulse, in a blow that "
+                     "is so much longer or shorter."));
     return rounded;
 }
 
 /// The hammer of a rectangular blow or a piston.
-Hammer hammerOf(const Scenario& scenario, std::vector<std::string>& lost) {
+Hammer hammerOf(const Scenario& scenario, std::vector<Message>& lost) {
     const Pulse& pulse = scenario.pulse;
     Hammer hammer;
     hammer.restrike = false;
@@ -51,9 +52,10 @@ Hammer hammerOf(const Scenario& scenario, std::vector<std::string>& lost) {
         hammer.velocity = pulse.piston.velocity;
         hammer.sections = {sectionOf(pulse.piston)};
         if (pistonImpedanceRatio(scenario) > 1)
-            lost.emplace_back(
+            lost.emplace_back(translatable(
+                "drillwave::Message",
                 "The blow is no prescribed force any more: waves that come back to the hammer while it still "
-                "pushes part it from the rod.");
+                "pushes part it from the rod."));
         return hammer;
     }
     Section section;
@@ -74,7 +76,7 @@ bool isOfHammer(PulseShape shape) {
 }
 
 /// What differs from the section that is kept, in words; the rod itself not.
-void nameLostSections(const DrillString& drill, std::vector<std::string>& lost) {
+void nameLostSections(const DrillString& drill, std::vector<Message>& lost) {
     const double kept = propertiesOf(ruleSection(drill), drill.material).impedance;
     int others = 0, losses = 0;
     double mass = 0;
@@ -86,25 +88,32 @@ void nameLostSections(const DrillString& drill, std::vector<std::string>& lost) 
         mass += section->massAfter;
     }
     if (others > 0)
-        lost.push_back(std::to_string(others) + " of " + std::to_string(sections.size()) +
-                       " sections are of another impedance (couplings, adapter, bit): they have become rod, "
-                       "which reflects nothing.");
-    if (mass > 0) lost.emplace_back("The lumped masses, that of the bit among them.");
-    if (losses > 0) lost.emplace_back("The losses in joints and along the rods.");
+        lost.push_back({translatable("drillwave::Message",
+                                     "%1 of %2 sections are of another impedance (couplings, adapter, bit): "
+                                     "they have become rod, which reflects nothing."),
+                        {std::to_string(others), std::to_string(sections.size())}});
+    if (mass > 0)
+        lost.emplace_back(
+            translatable("drillwave::Message", "The lumped masses, that of the bit among them."));
+    if (losses > 0)
+        lost.emplace_back(translatable("drillwave::Message", "The losses in joints and along the rods."));
 }
 
-void nameLostHammer(const Hammer& hammer, std::vector<std::string>& lost) {
+void nameLostHammer(const Hammer& hammer, std::vector<Message>& lost) {
     if (hammer.sections.size() > 1)
-        lost.emplace_back(
+        lost.emplace_back(translatable(
+            "drillwave::Message",
             "The steps of the hammer: it has become uniform, of the same mass, velocity and wave travel "
-            "time.");
-    if (hammer.faceStiffness) lost.emplace_back("The elastic face of the hammer: it is rigid.");
+            "time."));
+    if (hammer.faceStiffness)
+        lost.emplace_back(translatable("drillwave::Message", "The elastic face of the hammer: it is rigid."));
     if (hammer.restrike)
-        lost.emplace_back("The hammer is not hit again once it has separated: it is withdrawn.");
+        lost.emplace_back(translatable(
+            "drillwave::Message", "The hammer is not hit again once it has separated: it is withdrawn."));
 }
 
 /// The uniform hammer of the mass, velocity and transit time of this one.
-Pulse pistonOf(const DrillString& drill, std::vector<std::string>& lost) {
+Pulse pistonOf(const DrillString& drill, std::vector<Message>& lost) {
     const ChainProperties hammer = hammerProperties(drill);
     const Section& front = drill.hammer.sections.back();
     Pulse pulse;
@@ -135,11 +144,14 @@ Section sectionOf(const Rod& rod, const Material& material) {
     return section;
 }
 
-std::string whyNoString(const Scenario& scenario) {
-    if (hasSections(scenario)) return "it is a drill string already";
-    if (!hasUnits(scenario)) return "a drill string has physical units, and this scenario has none";
+Message whyNoString(const Scenario& scenario) {
+    if (hasSections(scenario)) return translatable("drillwave::Message", "it is a drill string already");
+    if (!hasUnits(scenario))
+        return translatable("drillwave::Message",
+                            "a drill string has physical units, and this scenario has none");
     if (scenario.pulse.shape == PulseShape::rigidBody)
-        return "the reference case of a rod that arrives without waves has no hammer";
+        return translatable("drillwave::Message",
+                            "the reference case of a rod that arrives without waves has no hammer");
     return {};
 }
 
@@ -157,7 +169,7 @@ Scenario oneSectionOf(const Scenario& scenario) {
 }
 
 Conversion stringOf(const Scenario& scenario) {
-    assert(whyNoString(scenario).empty());
+    assert(whyNoString(scenario).isEmpty());
     Conversion converted{oneSectionOf(scenario), {}};
     Scenario& string = converted.scenario;
     string.title = titleAs(scenario.title, asString);
@@ -173,7 +185,8 @@ Conversion forcedStringOf(const Scenario& scenario) {
     converted.scenario.pulse = pistonOf(scenario.drillString, converted.lost);
     converted.scenario.drillString.hammer = Hammer();
     converted.lost.emplace_back(
-        "What comes back to the hammer: the force is that of the hammer on a rod without end.");
+        translatable("drillwave::Message",
+                     "What comes back to the hammer: the force is that of the hammer on a rod without end."));
     return converted;
 }
 
@@ -197,7 +210,9 @@ Conversion uniformRodOf(const Scenario& scenario) {
                    .fatigueStrength = kept.fatigueStrength};
     nameLostSections(drill, converted.lost);
     uniform.pulse = isForced(scenario) ? scenario.pulse : pistonOf(drill, converted.lost);
-    if (drill.endTime) converted.lost.emplace_back("The time until which the blow is followed.");
+    if (drill.endTime)
+        converted.lost.emplace_back(
+            translatable("drillwave::Message", "The time until which the blow is followed."));
     return converted;
 }
 

@@ -6,20 +6,21 @@
 #include <vector>
 
 #include "core/model/scenario.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
 /// A scenario in another form.
 struct Conversion {
     Scenario scenario;
-    std::vector<std::string> lost;  ///< what it does not say any more, or not exactly: sentences
+    std::vector<Message> lost;  ///< what it does not say any more, or not exactly: sentences
 };
 
 /// A rod as a section of that name; its material is told where it is another one.
 Section sectionOf(const Rod& rod, const Material& material);
 
 /// Why a scenario cannot be a string: it has no units, or no hammer. Empty where it can.
-std::string whyNoString(const Scenario& scenario);
+Message whyNoString(const Scenario& scenario);
 
 /// The rod as the only section of a string under the same force, whatever its shape. Requires a uniform rod
 /// with units.

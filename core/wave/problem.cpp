@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/problem.h"
+#include "core/text/message.h"
 
 #include <cassert>
 #include <numeric>
@@ -67,8 +68,10 @@ Problem stringProblem(const Scenario& scenario, const std::vector<int>& pieces) 
 std::string_view rodRefusal(const Problem& problem) {
     const UniformSection plain{.transitTime = problem.sections.front().transitTime};
     if (problem.isForced() && problem.sections.size() == 1 && problem.sections.front() == plain) return {};
-    return "a hammer that strikes, several sections, masses and losses are not for this method, which "
-           "follows a force on a uniform rod";
+    return translatable(
+        "drillwave::Message",
+        "a hammer that strikes, several sections, masses and losses are not for this method, which "
+        "follows a force on a uniform rod");
 }
 
 Problem problemOf(const Scenario& scenario, const std::vector<int>& pieces) {

@@ -6673,6 +6673,166 @@ eine Projektion weiterer Dimensionen</translation>
         <source>not YAML: %1</source>
         <translation>kein YAML: %1</translation>
     </message>
+    <message>
+        <source>The hammer is rounded to whole millimetres; it gives the same impulse, in a blow that is so much longer or shorter.</source>
+        <translation>Der Hammer ist auf ganze Millimeter gerundet; er gibt denselben Kraftstoß, in einem um so viel längeren oder kürzeren Schlag.</translation>
+    </message>
+    <message>
+        <source>The blow is no prescribed force any more: waves that come back to the hammer while it still pushes part it from the rod.</source>
+        <translation>Der Schlag ist keine vorgegebene Kraft mehr: Wellen, die zum Hammer zurückkommen, während er noch drückt, trennen ihn von der Stange.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sections are of another impedance (couplings, adapter, bit): they have become rod, which reflects nothing.</source>
+        <translation>%1 von %2 Abschnitten haben eine andere Impedanz (Muffen, Adapter, Krone): sie sind Stange geworden, die nichts zurückwirft.</translation>
+    </message>
+    <message>
+        <source>The lumped masses, that of the bit among them.</source>
+        <translation>Die Punktmassen, darunter die der Krone.</translation>
+    </message>
+    <message>
+        <source>The losses in joints and along the rods.</source>
+        <translation>Die Verluste in Verbindungen und entlang der Stangen.</translation>
+    </message>
+    <message>
+        <source>The steps of the hammer: it has become uniform, of the same mass, velocity and wave travel time.</source>
+        <translation>Die Stufen des Hammers: er ist gleichförmig geworden, mit derselben Masse, Geschwindigkeit und Wellenlaufzeit.</translation>
+    </message>
+    <message>
+        <source>The elastic face of the hammer: it is rigid.</source>
+        <translation>Die elastische Stirnfläche des Hammers: sie ist starr.</translation>
+    </message>
+    <message>
+        <source>The hammer is not hit again once it has separated: it is withdrawn.</source>
+        <translation>Der Hammer wird nach der Trennung nicht noch einmal getroffen: er ist zurückgezogen.</translation>
+    </message>
+    <message>
+        <source>it is a drill string already</source>
+        <translation>es ist schon ein Bohrstrang</translation>
+    </message>
+    <message>
+        <source>a drill string has physical units, and this scenario has none</source>
+        <translation>ein Bohrstrang hat physikalische Einheiten, und dieses Szenario hat keine</translation>
+    </message>
+    <message>
+        <source>the reference case of a rod that arrives without waves has no hammer</source>
+        <translation>der Referenzfall einer Stange, die ohne Wellen ankommt, hat keinen Hammer</translation>
+    </message>
+    <message>
+        <source>What comes back to the hammer: the force is that of the hammer on a rod without end.</source>
+        <translation>Was zum Hammer zurückkommt: die Kraft ist die des Hammers auf eine Stange ohne Ende.</translation>
+    </message>
+    <message>
+        <source>The time until which the blow is followed.</source>
+        <translation>Die Zeit, bis zu der der Schlag verfolgt wird.</translation>
+    </message>
+    <message>
+        <source>the waves of such a blow are too many to be kept</source>
+        <translation>die Wellen eines solchen Schlags sind zu viele, um sie zu behalten</translation>
+    </message>
+    <message>
+        <source>it has no number of some output</source>
+        <translation>es hat zu einem der Ergebnisse keine Zahl</translation>
+    </message>
+    <message>
+        <source>its waves are more than can be kept</source>
+        <translation>seine Wellen sind mehr, als behalten werden können</translation>
+    </message>
+    <message>
+        <source>the hammer still pushes when its wave has returned more often than is followed</source>
+        <translation>der Hammer drückt noch, wenn seine Welle öfter zurückgekehrt ist, als verfolgt wird</translation>
+    </message>
+    <message>
+        <source>its blows over all gaps have more wave pieces than are followed in passing</source>
+        <translation>seine Schläge über alle Spalte haben mehr Wellenstücke, als nebenbei verfolgt werden</translation>
+    </message>
+    <message>
+        <source>it has no such output</source>
+        <translation>es hat kein solches Ergebnis</translation>
+    </message>
+    <message>
+        <source>the damper, or the face of the hammer, is too stiff for the cells of the march</source>
+        <translation>der Dämpfer oder die Stirnfläche des Hammers ist zu steif für die Zellen der Rechnung</translation>
+    </message>
+    <message>
+        <source>the damper, or the hammer, meets and leaves the rear end without end</source>
+        <translation>der Dämpfer oder der Hammer trifft und verlässt das hintere Ende ohne Ende</translation>
+    </message>
+    <message>
+        <source>an event at the rear end cannot be placed</source>
+        <translation>ein Ereignis am hinteren Ende lässt sich nicht verorten</translation>
+    </message>
+    <message>
+        <source>the wave force overflowed</source>
+        <translation>die Wellenkraft ist übergelaufen</translation>
+    </message>
+    <message>
+        <source>its energies do not balance, so that its numbers are wrong</source>
+        <translation>seine Energien gehen nicht auf, so dass seine Zahlen falsch sind</translation>
+    </message>
+    <message>
+        <source>its error would be larger than permitted</source>
+        <translation>sein Fehler wäre größer als erlaubt</translation>
+    </message>
+    <message>
+        <source>the order of two events hangs on rounding</source>
+        <translation>die Reihenfolge zweier Ereignisse hängt an der Rundung</translation>
+    </message>
+    <message>
+        <source>its histories need more than 4 million wave pieces: each of very many reflections leaves its mark; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>seine Verläufe brauchen mehr als 4 Millionen Wellenstücke: jede von sehr vielen Reflexionen hinterlässt ihre Spur; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
+    </message>
+    <message>
+        <source>it needs more wave pieces than permitted: each of very many reflections leaves its mark; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>er braucht mehr Wellenstücke als erlaubt: jede von sehr vielen Reflexionen hinterlässt ihre Spur; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
+    </message>
+    <message>
+        <source>its numbers are beyond the range of double precision</source>
+        <translation>seine Zahlen liegen jenseits der doppelten Genauigkeit</translation>
+    </message>
+    <message>
+        <source>its histories need more than 4 million wave pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
+        <translation>seine Verläufe brauchen mehr als 4 Millionen Wellenstücke: das Gestein ist so weich, dass die Wellen die Stange in einem Kontakt millionenfach durchlaufen; ein steiferes braucht weniger</translation>
+    </message>
+    <message>
+        <source>an event at the rock cannot be placed</source>
+        <translation>ein Ereignis am Gestein lässt sich nicht verorten</translation>
+    </message>
+    <message>
+        <source>bit and rock meet and part, or a small bit mass swings, faster than can be followed</source>
+        <translation>Krone und Gestein treffen und trennen sich, oder eine kleine Kronenmasse schwingt, schneller, als verfolgt werden kann</translation>
+    </message>
+    <message>
+        <source>the faces of hammer and string meet and part without end</source>
+        <translation>die Stirnflächen von Hammer und Strang treffen und trennen sich ohne Ende</translation>
+    </message>
+    <message>
+        <source>a contact of hammer and string cannot be placed</source>
+        <translation>ein Kontakt von Hammer und Strang lässt sich nicht verorten</translation>
+    </message>
+    <message>
+        <source>bit and rock, or hammer and string, meet and part too often, or a bit mass swings too fast, to be followed: a softer rock, a larger gamma, no bit mass or an earlier end_time needs less</source>
+        <translation>Krone und Gestein, oder Hammer und Strang, treffen und trennen sich zu oft, oder eine Kronenmasse schwingt zu schnell, um verfolgt zu werden: ein weicheres Gestein, ein größeres gamma, keine Kronenmasse oder ein früheres end_time braucht weniger</translation>
+    </message>
+    <message>
+        <source>it takes more wave cells than permitted: fewer sections, lengths that share a unit or an earlier end_time need fewer</source>
+        <translation>er braucht mehr Wellenzellen als erlaubt: weniger Abschnitte, Längen mit gemeinsamem Teiler oder ein früheres end_time brauchen weniger</translation>
+    </message>
+    <message>
+        <source>a rod that moves towards the rock as a whole is not for polynomial cells, which follow a force or a hammer</source>
+        <translation>eine Stange, die sich als Ganzes auf das Gestein zubewegt, ist nichts für polynomiale Zellen, die einer Kraft oder einem Hammer folgen</translation>
+    </message>
+    <message>
+        <source>losses inside the hammer are not part of the model: give loss and attenuation to the string only</source>
+        <translation>Verluste im Hammer gehören nicht zum Modell: loss und attenuation nur dem Strang geben</translation>
+    </message>
+    <message>
+        <source>the bit mass swings too fast on this rock to be followed: leave it out, it is too small to matter, or give a softer rock</source>
+        <translation>die Kronenmasse schwingt auf diesem Gestein zu schnell, um verfolgt zu werden: sie weglassen, sie ist zu klein, um zu zählen, oder ein weicheres Gestein angeben</translation>
+    </message>
+    <message>
+        <source>a hammer that strikes, several sections, masses and losses are not for this method, which follows a force on a uniform rod</source>
+        <translation>ein Hammer, der schlägt, mehrere Abschnitte, Massen und Verluste sind nichts für dieses Verfahren, das einer Kraft auf eine gleichförmige Stange folgt</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

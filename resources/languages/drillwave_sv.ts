@@ -6673,6 +6673,166 @@ en projektion av fler dimensioner</translation>
         <source>not YAML: %1</source>
         <translation>inte YAML: %1</translation>
     </message>
+    <message>
+        <source>The hammer is rounded to whole millimetres; it gives the same impulse, in a blow that is so much longer or shorter.</source>
+        <translation>Hammaren är avrundad till hela millimeter; den ger samma impuls, i ett slag som är så mycket längre eller kortare.</translation>
+    </message>
+    <message>
+        <source>The blow is no prescribed force any more: waves that come back to the hammer while it still pushes part it from the rod.</source>
+        <translation>Slaget är ingen föreskriven kraft längre: vågor som kommer tillbaka till hammaren medan den ännu trycker skiljer den från stången.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 sections are of another impedance (couplings, adapter, bit): they have become rod, which reflects nothing.</source>
+        <translation>%1 av %2 sektioner har en annan impedans (hylsor, adapter, krona): de har blivit stång, som inte reflekterar något.</translation>
+    </message>
+    <message>
+        <source>The lumped masses, that of the bit among them.</source>
+        <translation>Punktmassorna, kronans bland dem.</translation>
+    </message>
+    <message>
+        <source>The losses in joints and along the rods.</source>
+        <translation>Förlusterna i skarvar och längs stängerna.</translation>
+    </message>
+    <message>
+        <source>The steps of the hammer: it has become uniform, of the same mass, velocity and wave travel time.</source>
+        <translation>Hammarens steg: den har blivit likformig, med samma massa, hastighet och gångtid.</translation>
+    </message>
+    <message>
+        <source>The elastic face of the hammer: it is rigid.</source>
+        <translation>Hammarens elastiska ändyta: den är stel.</translation>
+    </message>
+    <message>
+        <source>The hammer is not hit again once it has separated: it is withdrawn.</source>
+        <translation>Hammaren träffas inte igen när den har skilts: den är tillbakadragen.</translation>
+    </message>
+    <message>
+        <source>it is a drill string already</source>
+        <translation>det är redan en borrsträng</translation>
+    </message>
+    <message>
+        <source>a drill string has physical units, and this scenario has none</source>
+        <translation>en borrsträng har fysikaliska enheter, och detta scenario har inga</translation>
+    </message>
+    <message>
+        <source>the reference case of a rod that arrives without waves has no hammer</source>
+        <translation>referensfallet med en stång som kommer utan vågor har ingen hammare</translation>
+    </message>
+    <message>
+        <source>What comes back to the hammer: the force is that of the hammer on a rod without end.</source>
+        <translation>Det som kommer tillbaka till hammaren: kraften är hammarens på en stång utan slut.</translation>
+    </message>
+    <message>
+        <source>The time until which the blow is followed.</source>
+        <translation>Tiden tills vilken slaget följs.</translation>
+    </message>
+    <message>
+        <source>the waves of such a blow are too many to be kept</source>
+        <translation>vågorna i ett sådant slag är för många för att behållas</translation>
+    </message>
+    <message>
+        <source>it has no number of some output</source>
+        <translation>det har inget tal för något resultat</translation>
+    </message>
+    <message>
+        <source>its waves are more than can be kept</source>
+        <translation>dess vågor är fler än som kan behållas</translation>
+    </message>
+    <message>
+        <source>the hammer still pushes when its wave has returned more often than is followed</source>
+        <translation>hammaren trycker fortfarande när dess våg har återvänt oftare än som följs</translation>
+    </message>
+    <message>
+        <source>its blows over all gaps have more wave pieces than are followed in passing</source>
+        <translation>dess slag över alla spalter har fler vågbitar än som följs i förbigående</translation>
+    </message>
+    <message>
+        <source>it has no such output</source>
+        <translation>det har inget sådant resultat</translation>
+    </message>
+    <message>
+        <source>the damper, or the face of the hammer, is too stiff for the cells of the march</source>
+        <translation>dämparen, eller hammarens ändyta, är för styv för beräkningens celler</translation>
+    </message>
+    <message>
+        <source>the damper, or the hammer, meets and leaves the rear end without end</source>
+        <translation>dämparen, eller hammaren, möter och lämnar bakänden utan slut</translation>
+    </message>
+    <message>
+        <source>an event at the rear end cannot be placed</source>
+        <translation>en händelse vid bakänden går inte att placera</translation>
+    </message>
+    <message>
+        <source>the wave force overflowed</source>
+        <translation>vågkraften spillde över</translation>
+    </message>
+    <message>
+        <source>its energies do not balance, so that its numbers are wrong</source>
+        <translation>dess energier går inte ihop, så att dess tal är fel</translation>
+    </message>
+    <message>
+        <source>its error would be larger than permitted</source>
+        <translation>dess fel skulle vara större än tillåtet</translation>
+    </message>
+    <message>
+        <source>the order of two events hangs on rounding</source>
+        <translation>ordningen mellan två händelser hänger på avrundningen</translation>
+    </message>
+    <message>
+        <source>its histories need more than 4 million wave pieces: each of very many reflections leaves its mark; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>dess förlopp behöver mer än 4 miljoner vågbitar: var och en av väldigt många reflexioner lämnar spår; ett styvare berg, ett större gamma eller ett kortare slag behöver färre</translation>
+    </message>
+    <message>
+        <source>it needs more wave pieces than permitted: each of very many reflections leaves its mark; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
+        <translation>det behöver fler vågbitar än tillåtet: var och en av väldigt många reflexioner lämnar spår; ett styvare berg, ett större gamma eller ett kortare slag behöver färre</translation>
+    </message>
+    <message>
+        <source>its numbers are beyond the range of double precision</source>
+        <translation>dess tal ligger utanför dubbel precision</translation>
+    </message>
+    <message>
+        <source>its histories need more than 4 million wave pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
+        <translation>dess förlopp behöver mer än 4 miljoner vågbitar: berget är så mjukt att vågorna passerar stången miljontals gånger i en kontakt; ett styvare berg behöver färre</translation>
+    </message>
+    <message>
+        <source>an event at the rock cannot be placed</source>
+        <translation>en händelse vid berget går inte att placera</translation>
+    </message>
+    <message>
+        <source>bit and rock meet and part, or a small bit mass swings, faster than can be followed</source>
+        <translation>krona och berg möts och skiljs, eller en liten kronmassa svänger, fortare än som kan följas</translation>
+    </message>
+    <message>
+        <source>the faces of hammer and string meet and part without end</source>
+        <translation>hammarens och strängens ändytor möts och skiljs utan slut</translation>
+    </message>
+    <message>
+        <source>a contact of hammer and string cannot be placed</source>
+        <translation>en kontakt mellan hammare och sträng går inte att placera</translation>
+    </message>
+    <message>
+        <source>bit and rock, or hammer and string, meet and part too often, or a bit mass swings too fast, to be followed: a softer rock, a larger gamma, no bit mass or an earlier end_time needs less</source>
+        <translation>krona och berg, eller hammare och sträng, möts och skiljs för ofta, eller en kronmassa svänger för fort, för att följas: ett mjukare berg, ett större gamma, ingen kronmassa eller ett tidigare end_time behöver mindre</translation>
+    </message>
+    <message>
+        <source>it takes more wave cells than permitted: fewer sections, lengths that share a unit or an earlier end_time need fewer</source>
+        <translation>det tar fler vågceller än tillåtet: färre sektioner, längder med en gemensam delare eller ett tidigare end_time behöver färre</translation>
+    </message>
+    <message>
+        <source>a rod that moves towards the rock as a whole is not for polynomial cells, which follow a force or a hammer</source>
+        <translation>en stång som rör sig mot berget som helhet är inget för polynomceller, som följer en kraft eller en hammare</translation>
+    </message>
+    <message>
+        <source>losses inside the hammer are not part of the model: give loss and attenuation to the string only</source>
+        <translation>förluster inne i hammaren ingår inte i modellen: ge loss och attenuation bara till strängen</translation>
+    </message>
+    <message>
+        <source>the bit mass swings too fast on this rock to be followed: leave it out, it is too small to matter, or give a softer rock</source>
+        <translation>kronmassan svänger för fort på detta berg för att följas: utelämna den, den är för liten för att spela roll, eller ange ett mjukare berg</translation>
+    </message>
+    <message>
+        <source>a hammer that strikes, several sections, masses and losses are not for this method, which follows a force on a uniform rod</source>
+        <translation>en hammare som slår, flera sektioner, massor och förluster är inget för denna metod, som följer en kraft på en likformig stång</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

@@ -2,6 +2,7 @@
 #include "ui/export/plot_export.h"
 
 #include "ui/export/paper_plots.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -10,7 +11,7 @@ namespace {
 QString obstacle(const Impact& impact) {
     if (!impact.isSolved())
         return QStringLiteral("no plots written: the blow could not be solved: %1")
-            .arg(QString::fromStdString(impact.reason));
+            .arg(translatedReason(impact.reason));
     if (!impact.hasHistories())
         return QStringLiteral("no plots written: the blow was solved without its histories");
     return {};

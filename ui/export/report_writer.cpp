@@ -14,6 +14,7 @@
 #include "ui/export/report_comparison.h"
 #include "ui/export/report_export.h"
 #include "ui/export/report_preview.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -134,8 +135,7 @@ void ReportWriter::follow() {
             if (m_measured) addMeasured(report);
             use(report);
         } else {
-            fail(tr("The blow could not be solved: %1")
-                     .arg(QString::fromStdString(report.blow.impact.reason)));
+            fail(tr("The blow could not be solved: %1").arg(translatedReason(report.blow.impact.reason)));
         }
     }
     emit ended();

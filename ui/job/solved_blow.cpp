@@ -15,7 +15,7 @@ namespace {
 QString whyUnsolved(const Blow& blow) {
     if (blow.isSolved()) return {};
     if (blow.impact.reason.empty()) return QStringLiteral("The blow could not be solved.");
-    return QString::fromStdString(blow.impact.reason);
+    return translatedReason(blow.impact.reason);
 }
 
 void preparePages(SolvedBlow& blow) {

@@ -3,6 +3,7 @@
 
 #include "core/blow/thrust.h"
 #include "core/model/blow_traits.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -64,7 +65,7 @@ std::optional<double> WorstNeed::thrust() const {
 
 QString WorstNeed::problem() const {
     const auto& study = m_job.value();
-    return study ? QString::fromStdString(study->reason) : m_job.problem();
+    return study ? translatedReason(study->reason) : m_job.problem();
 }
 
 bool WorstNeed::isAwaited() const {

@@ -22,6 +22,10 @@ QString translated(const Message& message) {
     return QString::fromStdString(message.said(translatedPattern));
 }
 
+QString translatedReason(std::string_view reason) {
+    return QCoreApplication::translate("drillwave::Message", std::string(reason).c_str());
+}
+
 QString translated(const ScenarioError& error) {
     QStringList lines;
     for (const Message& line : error.messages()) lines << translated(line);

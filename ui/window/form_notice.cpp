@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/form_notice.h"
+#include "ui/text/shown_text.h"
 
 #include <QPushButton>
 
@@ -45,14 +46,13 @@ void FormNotice::convert(const Conversion& conversion, const QString& step, cons
     if (!problem.isEmpty()) return say(tr("Nothing was converted: %1").arg(problem));
     QString text = done;
     if (!conversion.lost.empty()) text += QLatin1Char('\n') + tr("Lost or changed:");
-    for (const std::string& sentence : conversion.lost)
-        text += QStringLiteral("\n• ") + QString::fromStdString(sentence);
+    for (const Message& sentence : conversion.lost) text += QStringLiteral("\n• ") + translated(sentence);
     say(text);
 }
 
 void FormNotice::offer() {
     const Scenario& scenario = m_document.scenario();
-    const QString reason = QString::fromStdString(whyNoString(scenario));
+    const QString reason = translated(whyNoString(scenario));
     m_toString->setEnabled(reason.isEmpty());
     m_toString->setToolTip(
         reason.isEmpty()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/curve/curve_sampler.h"
+#include "core/text/message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -92,7 +93,8 @@ FitSample CurveSampler::operator()(double share, std::size_t output) {
     if (!sample.solved) {
         m_reason = !blow.reason.empty() ? blow.reason
                    : !blow.lack.empty() ? blow.lack
-                                        : "the waves of such a blow are too many to be kept";
+                                        : translatable("drillwave::Message",
+                                                       "the waves of such a blow are too many to be kept");
         return sample;
     }
     sample.values[0] = blow.values[output];

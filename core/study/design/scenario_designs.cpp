@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/design/scenario_designs.h"
+#include "core/text/message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -70,7 +71,7 @@ class ScenarioSolver : public DesignSolver {
     static std::string told(std::string reason, std::span<const double> outputs) {
         if (!reason.empty()) return reason;
         return std::ranges::any_of(outputs, [](double value) { return std::isnan(value); })
-                   ? "it has no number of some output"
+                   ? translatable("drillwave::Message", "it has no number of some output")
                    : std::string();
     }
 

@@ -113,7 +113,8 @@ Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, lon
     if (!march.trouble().empty() || stop.stop_requested()) {
         blow.impact = Impact::unsolved(march.trouble().empty() ? "stopped" : march.trouble());
     } else if (!kept.waves) {
-        blow.impact = Impact::unsolved("its waves are more than can be kept", Hindrance::histories);
+        blow.impact = Impact::unsolved(
+            translatable("drillwave::Message", "its waves are more than can be kept"), Hindrance::histories);
     } else {
         blow.marched->rememberedForce = kept.rememberedForce;
         blow.problem.gap = -kept.place * lawUnitOfPenetration;

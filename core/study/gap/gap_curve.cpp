@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/gap/gap_curve.h"
+#include "core/text/message.h"
 
 #include <algorithm>
 #include <cassert>
@@ -126,7 +127,9 @@ GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop
     GapCurve curve;
     curve.periodStart = gapPeriodStart(problem);
     if (!std::isfinite(curve.periodStart)) {
-        curve.reason = "the hammer still pushes when its wave has returned more often than is followed";
+        curve.reason =
+            translatable("drillwave::Message",
+                         "the hammer still pushes when its wave has returned more often than is followed");
         return curve;
     }
     curve.start = std::min(std::floor(start), curve.periodStart);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/map/contours.h"
+#include "core/text/message.h"
 
 #include <algorithm>
 #include <cassert>
@@ -50,7 +51,9 @@ class Surveyor {
             const double y = edge.isAlongX ? m_nodes.y(edge.j) : place;
             finding.reason = m_point.solve(x, y, sample.value, stop);
             if (finding.reason.empty() && std::isnan(sample.value))
-                finding.reason = m_point.lack().empty() ? "it has no such output" : m_point.lack();
+                finding.reason = m_point.lack().empty()
+                                     ? translatable("drillwave::Message", "it has no such output")
+                                     : m_point.lack();
             isIrregular |= m_point.isIrregular();
             if (!finding.reason.empty()) return 0.0;  // ends the search
             (sample.value < m_level ? m_below : m_above) = sample;

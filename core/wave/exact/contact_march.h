@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/text/message.h"
 #include "core/wave/exact/contact_march_flight.h"
 #include "core/wave/exact/contact_march_steps.h"
 
@@ -50,7 +51,8 @@ bool ContactMarch<Basis>::march() {
         else
             advanceContact();
         if (m_basis.failed()) return undecided();
-        if (!(m_force >= 0 || m_force < 0)) return fail("the wave force overflowed");
+        if (!(m_force >= 0 || m_force < 0))
+            return fail(translatable("drillwave::Message", "the wave force overflowed"));
         if (isOver()) return true;
     }
 }

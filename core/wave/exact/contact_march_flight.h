@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/text/message.h"
 #include "core/wave/exact/contact_march_state.h"
 
 namespace drillwave {
@@ -143,7 +144,8 @@ void ContactMarch<Basis>::summarise() {
     impact.finalMomentum = double(momentum);
     impact.finalEnergy = double(energy);
     if (!(std::abs(impact.energyResidual()) <= mostMissingEnergy))
-        fail("its energies do not balance, so that its numbers are wrong");
+        fail(
+            translatable("drillwave::Message", "its energies do not balance, so that its numbers are wrong"));
 }
 
 }  // namespace drillwave

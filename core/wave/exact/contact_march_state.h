@@ -12,6 +12,7 @@
 #include "core/model/pulse_force.h"
 #include "core/model/scenario.h"
 #include "core/numeric/compensated_sum.h"
+#include "core/text/message.h"
 #include "core/wave/exact/input_move.h"
 #include "core/wave/exact/passing_march.h"
 #include "core/wave/exact/wave_queue.h"
@@ -132,7 +133,8 @@ class ContactMarch {
     /// Whether the work must end, and why; cheap enough for every piece.
     bool isOver() {
         if (m_waves.size() > mostWaiting) return failAtLimit();
-        if (m_error > m_limits.error) return fail("its error would be larger than permitted");
+        if (m_error > m_limits.error)
+            return fail(translatable("drillwave::Message", "its error would be larger than permitted"));
         return m_impact->pieces > m_nextLook && lookForEnd();
     }
     bool lookForEnd() {
@@ -149,18 +151,23 @@ class ContactMarch {
 
     /// What the basis cannot decide, or not represent.
     bool undecided() {
-        fail("the order of two events hangs on rounding");
+        fail(translatable("drillwave::Message", "the order of two events hangs on rounding"));
         return false;
     }
 
     bool failAtLimit() {
         const bool atMemory = m_mostPieces < m_limits.pieces;
-        fail(atMemory ? "its histories need more than 4 million wave pieces"
-                      : "it needs more wave pieces than permitted");
+        fail(atMemory
+                 ? translatable(
+                       "drillwave::Message",
+                       "its histories need more than 4 million wave pieces: each of very many "
+                       "reflections leaves its mark; a stiffer rock, a larger gamma or a shorter blow "
+                       "needs fewer")
+                 : translatable("drillwave::Message",
+                                "it needs more wave pieces than permitted: each of very many reflections "
+                                "leaves its mark; a stiffer rock, a larger gamma or a shorter blow needs "
+                                "fewer"));
         m_impact->hindrance = atMemory ? Hindrance::histories : Hindrance::workLimit;
-        m_impact->reason +=
-            ": each of very many reflections leaves its mark; a stiffer rock, a larger gamma or a "
-            "shorter blow needs fewer";
         return true;
     }
 

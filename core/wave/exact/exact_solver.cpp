@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/exact/exact_solver.h"
+#include "core/text/message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -42,7 +43,8 @@ void refuseOverflow(Impact& impact) {
                            impact.finalEnergy};
     if (std::isfinite(impact.cor + impact.corError) && std::ranges::none_of(numbers, isBeyond)) return;
     impact.outcome = Outcome::notSolved;
-    impact.reason = "its numbers are beyond the range of double precision";
+    impact.reason =
+        translatable("drillwave::Message", "its numbers are beyond the range of double precision");
 }
 
 }  // namespace

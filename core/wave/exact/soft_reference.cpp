@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/exact/soft_reference.h"
+#include "core/text/message.h"
 
 #include <cmath>
 #include <limits>
@@ -19,9 +20,10 @@ Impact softReference(const Problem& problem, Detail detail) {
     impact.roundTrip = 2 * problem.transitTime();
     if (detail == Detail::histories) {
         impact.hindrance = Hindrance::histories;
-        impact.reason =
+        impact.reason = translatable(
+            "drillwave::Message",
             "its histories need more than 4 million wave pieces: the rock is so soft that the waves pass the "
-            "rod millions of times in one contact; a stiffer rock needs fewer";
+            "rod millions of times in one contact; a stiffer rock needs fewer");
         return impact;
     }
     const double softness = problem.law.beta * problem.transitTime();

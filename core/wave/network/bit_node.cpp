@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/network/bit_node.h"
+#include "core/text/message.h"
 
 #include <algorithm>
 #include <cassert>
@@ -305,7 +306,8 @@ BitNode::LineEvent BitNode::nextEvent(const EventPiece& piece) {
     SearchCount uncounted;
     const auto meet = [&](const double* c, int count, ContactLine line, bool isCorner = false) {
         const auto zero = firstZero(c, count, event.zero.found ? event.zero.u : 1.0, uncounted);
-        if (zero.undecided) m_trouble = "an event at the rock cannot be placed";
+        if (zero.undecided)
+            m_trouble = translatable("drillwave::Message", "an event at the rock cannot be placed");
         if (zero.found && (!event.zero.found || zero.u < event.zero.u)) event = {zero, line, isCorner};
     };
     const auto meetForce = [&](double force, bool isCorner) {
@@ -374,7 +376,9 @@ WaveCell BitNode::follow(const WaveCell& g, double width, double time, CutAt cut
     int standing = 0;  // events at one point
     for (int pieces = 0; from < 1 && m_trouble.empty(); ++pieces, ++m_pieces) {
         if (pieces == mostPieces) {
-            m_trouble = "bit and rock meet and part, or a small bit mass swings, faster than can be followed";
+            m_trouble = translatable(
+                "drillwave::Message",
+                "bit and rock meet and part, or a small bit mass swings, faster than can be followed");
             break;
         }
         const EventPiece piece = nextPiece(powers, width, from, 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/network/network_march.h"
+#include "core/text/message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -173,8 +174,10 @@ Impact NetworkMarch::notSolved(std::string_view reason, Hindrance hindrance) {
 /// What took most of the work, and what takes less.
 std::string_view NetworkMarch::overspent() const {
     if (m_lattice.workOfEvents() > work() / 2)
-        return "bit and rock, or hammer and string, meet and part too often, or a bit mass swings too fast, "
-               "to be followed: a softer rock, a larger gamma, no bit mass or an earlier end_time needs less";
+        return translatable(
+            "drillwave::Message",
+            "bit and rock, or hammer and string, meet and part too often, or a bit mass swings too fast, "
+            "to be followed: a softer rock, a larger gamma, no bit mass or an earlier end_time needs less");
     return tooManyCells;
 }
 

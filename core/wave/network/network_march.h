@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "core/text/message.h"
 #include "core/wave/impact.h"
 #include "core/wave/network/cell_lattice.h"
 #include "core/wave/network/free_flight.h"
@@ -29,9 +30,10 @@ class NetworkMarch {
     const ForeseenWork& plan(const Problem& problem, const CellGrid& grid, const NetworkWants& wants);
     /// Follows the blow that was planned last, with at most as much work as `mostCells` cells times nodes.
     Impact run(long mostCells, const std::stop_token& stop);
-    static constexpr std::string_view tooManyCells =
+    static constexpr std::string_view tooManyCells = translatable(
+        "drillwave::Message",
         "it takes more wave cells than permitted: fewer sections, lengths that share a unit or an earlier "
-        "end_time need fewer";
+        "end_time need fewer");
     /// Cells on their way at the end of the blow.
     double held() const { return m_lattice.held(); }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/network/network_solver.h"
+#include "core/text/message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -143,20 +144,26 @@ double balanceError(const Impact& impact) {
 
 std::string_view networkRefusal(const Problem& problem) {
     if (problem.isForced() && problem.force().isRigidBody())
-        return "a rod that moves towards the rock as a whole is not for polynomial cells, which follow a "
-               "force or a hammer";
+        return translatable(
+            "drillwave::Message",
+            "a rod that moves towards the rock as a whole is not for polynomial cells, which follow a "
+            "force or a hammer");
     for (std::size_t j = 0; j < problem.hammerSections(); ++j)
         if (problem.sections[j].decay > 0 ||
             (j + 1 < problem.hammerSections() && problem.sections[j].loss > 0))
-            return "losses inside the hammer are not part of the model: give loss and attenuation to the "
-                   "string only";
+            return translatable(
+                "drillwave::Message",
+                "losses inside the hammer are not part of the model: give loss and attenuation to the "
+                "string only");
     const double mass = problem.sections.back().massAfter;
     if (mass > 0) {
         const double slope = problem.law.beta / problem.law.gamma;
         const OscillationRates rates{problem.sections.back().impedance, mass, slope};
         if (rates.fastest() * roundTripOf(problem) > mostSwings)
-            return "the bit mass swings too fast on this rock to be followed: leave it out, it is too small "
-                   "to matter, or give a softer rock";
+            return translatable(
+                "drillwave::Message",
+                "the bit mass swings too fast on this rock to be followed: leave it out, it is too small "
+                "to matter, or give a softer rock");
     }
     return {};
 }
@@ -277,7 +284,8 @@ Impact NetworkSolver::Workspace::run(const NetworkSettings& settings, const std:
     Impact impact = m_march.run(settings.mostCells, stop);
     m_held = std::max(m_held, m_march.held());
     if (!impact.isSolved() || impact.balances()) return impact;
-    return Impact::unsolved("its energies do not balance, so that its numbers are wrong");
+    return Impact::unsolved(
+        translatable("drillwave::Message", "its energies do not balance, so that its numbers are wrong"));
 }
 
 NetworkSolver::NetworkSolver() = default;

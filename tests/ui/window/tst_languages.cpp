@@ -82,10 +82,7 @@ const QStringList& data() {
         for (const SectionPreset& preset : builtInSectionPresets())
             all << QString::fromStdString(description(preset)) << QString::fromStdString(preset.name);
         all << QStringLiteral("T38 rod") << QStringLiteral("shank adapter") << QStringLiteral("coupling");
-        // names of sections, and why a scenario has no other form, which the core says
-        for (const char* name : {"bit skirt", "bit head", "adapter", "rod", "it is a drill string already",
-                                 "a drill string has physical units, and this scenario has none"})
-            all << QString::fromLatin1(name);
+        for (const char* name : {"bit skirt", "bit head", "adapter", "rod"}) all << QString::fromLatin1(name);
         std::ranges::sort(all, std::ranges::greater(), &QString::size);
         return all;
     }();

@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "core/model/blow_traits.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -20,7 +21,7 @@ StudyProgress partOf(double done) {
 
 std::runtime_error notSolved(const std::string& reason) {
     return std::runtime_error(QCoreApplication::translate("drillwave::ProofStudy", "Not solved: %1")
-                                  .arg(QString::fromStdString(reason))
+                                  .arg(translatedReason(reason))
                                   .toStdString());
 }
 

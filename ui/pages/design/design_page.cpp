@@ -149,7 +149,7 @@ void DesignPage::present() {
         std::string reason;
         for (const DesignSamples& design : answer->report.findings.designs)
             if (reason.empty()) reason = design.reason;
-        return refuse(tr("Too many of the samples have no answer: %1").arg(QString::fromStdString(reason)));
+        return refuse(tr("Too many of the samples have no answer: %1").arg(translatedReason(reason)));
     }
     const ShownUnits units = shownUnitsOf(answer->report.study.base);
     if (answer != m_shown || !(units == m_shownUnits)) {

@@ -8,6 +8,7 @@
 #include "core/model/parameter.h"
 #include "core/wave/exact/exact_solver.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
 
 namespace drillwave {
@@ -102,9 +103,8 @@ GapAnswer answer(const GapQuestion& question, const StudyFeed<GapAnswer>& feed) 
     GapAnswer found{.report = studyGap(question.scenario, question.normal, feed.stop, progress),
                     .samples = {}};
     if (!feed.stop.stop_requested() && !found.isComplete())
-        throw std::runtime_error(tr("Not solved at all gaps: %1")
-                                     .arg(QString::fromStdString(found.report.curve.reason))
-                                     .toStdString());
+        throw std::runtime_error(
+            tr("Not solved at all gaps: %1").arg(translatedReason(found.report.curve.reason)).toStdString());
     return found;
 }
 
