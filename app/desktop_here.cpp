@@ -173,13 +173,9 @@ std::unique_ptr<const Drawing> startDrawing(int argc, char** argv) {
         if (type == QtFatalMsg) std::fprintf(stderr, "%s\n", message.toUtf8().constData());
     });
     // A signal while that folder is there would leave it behind.
-    holdInterruptions();
-    std::unique_ptr<const Drawing> drawing;
-    {
-        const RuntimeFolder runtimeFolder;
-        drawing = std::make_unique<const QtDrawing>(argc, argv);
-    }
-    exitOnInterruption();
+    const HeldInterruptions held;
+    const RuntimeFolder runtimeFolder;
+    auto drawing = std::make_unique<const QtDrawing>(argc, argv);
     writePlainly();
     return drawing;
 }

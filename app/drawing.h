@@ -53,8 +53,8 @@ class Drawing {
     virtual std::vector<NamedFile> blow(const Blow& blow, const std::vector<std::string>& formats,
                                         const std::stop_token& stop) const = 0;
 
-    /// The report on a blow that was solved, "html" and "pdf", in words and numbers of that
-    /// language, of English as the commands write them.
+    /// The report on a blow that was solved, "html" and "pdf", in that language, numbers too; in
+    /// English as the commands write them.
     virtual std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order,
                                           const Language& language) const = 0;
 

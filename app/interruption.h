@@ -14,6 +14,15 @@ void exitOnInterruption();
 /// Keeps these signals waiting until exitOnInterruption(), also in the program that this one goes on as.
 void holdInterruptions();
 
+/// Keeps them waiting as long as one lives, and then ends the program where one has come.
+class HeldInterruptions {
+  public:
+    HeldInterruptions() { holdInterruptions(); }
+    ~HeldInterruptions() { exitOnInterruption(); }
+    HeldInterruptions(const HeldInterruptions&) = delete;
+    HeldInterruptions& operator=(const HeldInterruptions&) = delete;
+};
+
 /// While one exists, the first of these signals requests a stop instead of ending the program; a second one
 /// of its kind ends it at once. At most one at a time.
 class Interruption {

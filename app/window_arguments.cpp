@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "app/command.h"
+#include "app/language_option.h"
 #include "core/text/decimal_text.h"
 #include "core/text/nearest_name.h"
 

@@ -270,8 +270,7 @@ std::vector<ReportInput> inputsOf(const Scenario& scenario, std::string_view tex
     if (const TablePoints& points = scenario.pulse.tablePoints;
         scenario.pulse.shape == PulseShape::table && scenario.pulse.tableFile.empty())
         inputs.push_back({"pulse.points", translatable("drillwave::Message", "points of the blow"),
-                          std::to_string(points.size()) + " points", static_cast<double>(points.size()),
-                          inScenario()});
+                          std::to_string(points.size()), static_cast<double>(points.size()), inScenario()});
     return inputs;
 }
 

@@ -13,6 +13,7 @@
 #include "core/report/report_html.h"
 #include "core/report/result_remarks.h"
 #include "core/text/decimal_text.h"
+#include "core/text/message.h"
 #include "core/text/text_input.h"
 #include "core/yaml/remark_lines.h"
 #include "core/yaml/scenario_reader.h"
@@ -48,12 +49,14 @@ void checkRecord(const Node& record, const std::string& source) {
             times += record.children[i].text == key;
         if (times > 1)
             refuseResultValue(source, key, "",
-                              "is given " + std::to_string(times) + " times; keep one of them");
+                              {translatable("drillwave::Message", "is given %1 times; keep one of them"),
+                               {std::to_string(times)}});
     }
     if (const std::string* format = record.textOf(rowRecordFormatKey);
         format && *format != std::to_string(rowRecordFormat))
         refuseResultValue(source, rowRecordFormatKey, *format,
-                          "this program reads the format " + std::to_string(rowRecordFormat));
+                          {translatable("drillwave::Message", "this program reads the format %1"),
+                           {std::to_string(rowRecordFormat)}});
     if (const std::string* method = record.textOf("method"); method && *method != methodOfStrings)
         if (const std::string problem = methodProblem(*method); !problem.empty())
             refuseResultValue(source, "method", *method, problem);
@@ -88,10 +91,11 @@ std::optional<ScenarioInput> parseRecord(std::string_view text, const std::strin
 ScenarioInput parseCsv(std::string_view text, const std::string& source) {
     const std::string yaml = scenarioFromHeader(text);
     if (yaml.empty())
-        refuseResult(
-            source,
-            "is taken for a result, as its name ends in .csv, and holds no scenario; only the CSV files of "
-            "run, gap, thrust and accuracy begin with one (a sweep or table has it in the .yaml beside it)");
+        refuseResult(source, translatable("drillwave::Message",
+                                          "is taken for a result, as its name ends in .csv, and holds no "
+                                          "scenario; only the CSV files of "
+                                          "run, gap, thrust and accuracy begin with one (a sweep or table "
+                                          "has it in the .yaml beside it)"));
     const ResultRemarks remarks = remarksOf(yaml);
     if (!remarks.problem.empty()) refuseResult(source, remarks.problem);
     return {.document = parseScenario(std::string_view(yaml).substr(remarks.length), source),
@@ -109,7 +113,9 @@ ScenarioInput parsePage(std::string_view text, const std::string& source) {
         return std::move(*input);
     refuseResult(
         source,
-        "is a web page and holds no scenario; only the HTML files of `drillwave report` begin with one");
+        translatable(
+            "drillwave::Message",
+            "is a web page and holds no scenario; only the HTML files of `drillwave report` begin with one"));
 }
 
 /// Whether a text looks like a record or JSON; a scenario may be in braces too.
@@ -132,16 +138,19 @@ ScenarioInput parseInput(std::string_view text, const std::string& source) {
     if (isCsvName(source) || plain.starts_with(csvRemarksBegin)) return parseCsv(plain, source);
     if (mayBeRecord(plain)) {
         if (text.size() >= maximumInputBytes)
-            refuseResult(source, "is larger than 4 MiB, too large to be meant");
+            refuseResult(source,
+                         translatable("drillwave::Message", "is larger than 4 MiB, too large to be meant"));
         if (std::optional<ScenarioInput> input = parseRecord(plain, source)) return std::move(*input);
     }
     if (endsWith(source, ".json"))
-        refuseResult(
-            source,
-            "is taken for a result, as its name ends in .json, and holds no `scenario`; give the scenario "
-            "file");
+        refuseResult(source, translatable("drillwave::Message",
+                                          "is taken for a result, as its name ends in .json, and holds no "
+                                          "`scenario`; give the scenario "
+                                          "file"));
     if (text.size() > maximumScenarioBytes)
-        refuseResult(source, "the scenario file is larger than 1024 KiB, too large to be meant");
+        refuseResult(source,
+                     translatable("drillwave::Message",
+                                  "the scenario file is larger than 1024 KiB, too large to be meant"));
     const ResultRemarks remarks = remarksOf(plain);
     if (!remarks.problem.empty()) refuseResult(source, remarks.problem);
     return {.document = parseScenario(text, source),
@@ -152,13 +161,15 @@ ScenarioInput parseInput(std::string_view text, const std::string& source) {
 
 ScenarioInput loadInput(const std::string& path) {
     const FileBytes file = readStart(path, maximumInputBytes);
-    if (!file.problem.empty()) refuseResult(path, "the scenario file " + file.problem);
+    if (!file.problem.empty())
+        refuseResult(path, {translatable("drillwave::Message", "the scenario file %1"), {file.problem}});
     return parseInput(file.bytes, path);
 }
 
 ScenarioDocument loadResultScenario(const std::string& path) {
     ScenarioInput input = loadInput(path);
-    if (!input.isResult) refuseResult(path, "holds no scenario of a result");
+    if (!input.isResult)
+        refuseResult(path, translatable("drillwave::Message", "holds no scenario of a result"));
     return std::move(input.document);
 }
 

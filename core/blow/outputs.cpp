@@ -44,6 +44,14 @@ std::string whyNone(OutputOf which, const Scenario& scenario) {
                : "only faces with a stiffness have it (`hammer.face_stiffness`)";
 }
 
+std::string whyNoPower(const Scenario& scenario) {
+    return frequencyProblem(scenario, translatable("drillwave::Message", "the percussion power")).text();
+}
+
+std::string whyNoRate(const Scenario& scenario) {
+    return frequencyProblem(scenario, translatable("drillwave::Message", "the penetration rate")).text();
+}
+
 constexpr std::string_view thrustMarginName = "thrust_margin";
 
 /// Of all names of drillOutputs().
@@ -113,7 +121,7 @@ constexpr auto outputTable = std::to_array<Output>({
     {"percussion_power", "hammer work times blow frequency, W, when the scenario has a frequency",
      Measure::watt, Detail::summary, percussionPower, "percussion power", OutputOf::anyBlow,
      OutputGroup::work, "Work of the hammer on the rod times the blow frequency", std::nullopt, std::nullopt,
-     [](const Scenario& s) { return frequencyProblem(s, translatable("drillwave::Message", "the percussion power")).text(); }},
+     whyNoPower},
     {"penetration_rate",
      "penetration that stays times blow frequency, m/s, when the scenario has a frequency: an upper limit",
      Measure::speed, Detail::summary, penetrationRate, "penetration rate", OutputOf::anyBlow,
@@ -121,8 +129,7 @@ constexpr auto outputTable = std::to_array<Output>({
      "Penetration that stays times the blow frequency: an upper limit, which indexing, flushing and a bit "
      "off the rock do not reach, of blows that begin with a rod at rest; waves that are left may add to it "
      "(Drilling)",
-     std::nullopt, std::nullopt,
-     [](const Scenario& s) { return frequencyProblem(s, translatable("drillwave::Message", "the penetration rate")).text(); }},
+     std::nullopt, std::nullopt, whyNoRate},
     {"peak_compression", "largest compression in the rod while the blow lasts", Measure::stress,
      Detail::histories, [](const From& f) -> Number { return f.summary.largest.compression; },
      "compression, blow", OutputOf::anyBlow, OutputGroup::stress,

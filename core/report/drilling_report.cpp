@@ -160,7 +160,7 @@ Message damperWords(const Scenario& scenario, const ReadingStyle& style) {
 
 Message verdictSentence(const DrillingResult& result, const ReadingStyle& style) {
     if (result.outcome == DrillingOutcome::notSolved)
-        return {translatable("drillwave::Message", "Not solved: %1."), {result.reason}};
+        return {translatable("drillwave::Message", "Not solved: %1."), {Message::ofTable(result.reason)}};
     if (result.outcome == DrillingOutcome::stopped)
         return translatable("drillwave::Message", "Stopped before all blows were done.");
     const Message damper = damperWords(result.scenario, style);

@@ -35,6 +35,11 @@ std::string htmlElement(std::string_view tag, std::string_view text) {
     return "<" + name + ">" + escapedHtml(text) + "</" + name + ">";
 }
 
+std::string htmlHead(std::string_view text) {
+    const bool isWord = text.find(' ') == text.npos;
+    return isWord ? "<th class=\"whole\">" + escapedHtml(text) + "</th>" : htmlElement("th", text);
+}
+
 std::string htmlRows(const std::vector<std::vector<std::string>>& rows) {
     std::string html;
     for (const std::vector<std::string>& row : rows) {
@@ -42,10 +47,7 @@ std::string htmlRows(const std::vector<std::vector<std::string>>& rows) {
         // A class as well: paper breaks words where no blank lets it.
         html += isHead ? "<tr>" : "<tr class=\"whole\">";
         for (const std::string& cell : row) {
-            const bool isWord = isHead && cell.find(' ') == cell.npos;
-            html += isWord   ? "<th class=\"whole\">" + escapedHtml(cell) + "</th>"
-                    : isHead ? htmlElement("th", cell)
-                             : htmlElement("td", unbroken(cell));
+            html += isHead ? htmlHead(cell) : htmlElement("td", unbroken(cell));
         }
         html += "</tr>\n";
     }

@@ -14,6 +14,9 @@ std::string escapedHtml(std::string_view text);
 /// "<TAG>text</TAG>", the text escaped.
 std::string htmlElement(std::string_view tag, std::string_view text);
 
+/// The head of a column; a word is not broken.
+std::string htmlHead(std::string_view text);
+
 /// Lines of a table, the first of which names the columns; the texts of the others are not broken.
 std::string htmlRows(const std::vector<std::vector<std::string>>& rows);
 

@@ -64,7 +64,8 @@ std::vector<std::vector<std::string>> printedUnits(std::vector<std::vector<std::
 
 /// A reason with a capital and a full stop; names such as e stay as they are.
 std::string sentence(std::string text) {
-    const bool beginsWithWord = text.size() > 1 && text[1] >= 'a' && text[1] <= 'z';
+    const bool beginsWithWord = text.size() > 1 && ((text[1] >= 'a' && text[1] <= 'z') ||
+                                                    static_cast<unsigned char>(text[1]) >= 0x80);
     if (beginsWithWord && text[0] >= 'a' && text[0] <= 'z') text[0] = static_cast<char>(text[0] - 'a' + 'A');
     if (!text.empty() && !text.ends_with('.')) text += '.';
     return text;
@@ -203,7 +204,7 @@ class Page {
     std::string table(const std::string& id, const std::vector<Message>& titles,
                       const std::string& rows) const {
         std::string head = "<tr>";
-        for (const Message& title : titles) head += htmlElement("th", said(title));
+        for (const Message& title : titles) head += htmlHead(said(title));
         return tableOf(id, head + "</tr>\n" + rows);
     }
 

@@ -23,7 +23,8 @@ struct Message {
         : pattern(english), arguments(std::move(places)) {}
     /// A name or a number.
     Message(std::string words) : pattern(std::move(words)), isWords(true) {}
-    /// A word of a table of the core, for which the catalogues have words of their own.
+    /// A text that the catalogues have: a word of a table of the core, or a sentence that was marked where it
+    /// was made.
     static Message ofTable(std::string_view word) { return std::string(word).c_str(); }
 
     bool operator==(const Message&) const = default;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/text/text_input.h"
 
-#include "core/text/message.h"
-
 #include <algorithm>
+
+#include "core/text/message.h"
 
 namespace drillwave {
 namespace {

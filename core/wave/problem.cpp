@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/problem.h"
-#include "core/text/message.h"
 
 #include <cassert>
 #include <numeric>
@@ -10,6 +9,7 @@
 #include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/model/section_pieces.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

@@ -23,6 +23,11 @@ std::optional<std::size_t> placeBehind(std::string_view text, const YamlNode& ro
     return isLast ? std::optional(extent->end) : std::nullopt;
 }
 
+/// "preset T38, round 38 mm: nominal", as it stands behind a value.
+std::string presetRemark(const Preset& preset, const std::string& source) {
+    return "preset " + preset.name + ": " + source;
+}
+
 }  // namespace
 
 std::string presetSource(const Preset& preset, const SavedValue& saved) {
@@ -30,10 +35,6 @@ std::string presetSource(const Preset& preset, const SavedValue& saved) {
     if (!saved.parameter) return preset.shape && saved.key == "shape" ? preset.shapeSource : std::string();
     const auto found = std::ranges::find(preset.values, saved.parameter, &PresetValue::parameter);
     return found == preset.values.end() ? std::string() : found->source;
-}
-
-std::string presetRemark(const Preset& preset, const std::string& source) {
-    return "preset " + preset.name + ": " + source;
 }
 
 std::string writeWithPreset(const ScenarioDocument& document, const Preset& preset) {

@@ -10,9 +10,6 @@
 
 namespace drillwave {
 
-/// "preset T38, round 38 mm: nominal", as it stands behind a value and in a report.
-std::string presetRemark(const Preset& preset, const std::string& source);
-
 /// Where the preset says that the value is from; empty for values that are not of it.
 std::string presetSource(const Preset& preset, const SavedValue& saved);
 

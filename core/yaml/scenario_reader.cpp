@@ -7,6 +7,7 @@
 
 #include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
+#include "core/model/word_parameter.h"
 #include "core/yaml/law_reader.h"
 #include "core/yaml/pulse_reader.h"
 #include "core/yaml/section_reader.h"

@@ -81,8 +81,11 @@ class ListReader {
         for (InputProblem& problem : sectionProblems(drill)) {
             if (!problem.key.starts_with(prefix)) continue;
             problem.key.replace(0, prefix.size(), key("sections"));
-            std::string& given = problem.text.arguments.front().pattern;  // of valueProblem()
-            if (given.starts_with(prefix)) given.replace(0, prefix.size(), key("sections"));
+            // Key and value stand first in what valueProblem() makes.
+            if (Message& text = problem.text; !text.arguments.empty()) {
+                std::string& given = text.arguments.front().pattern;
+                if (given.starts_with(prefix)) given.replace(0, prefix.size(), key("sections"));
+            }
             m_reader.problems().reportAt(place, std::move(problem));
         }
     }

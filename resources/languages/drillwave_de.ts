@@ -1640,7 +1640,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>work of loading</source>
-        <translation>Arbeit der Belastung</translation>
+        <translation>Belastungsarbeit</translation>
     </message>
     <message>
         <source>a law of one line</source>
@@ -2457,15 +2457,15 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
     </message>
     <message>
         <source>what</source>
-        <translation>was</translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>shift</source>
-        <translation>Verschiebung</translation>
+        <translation>Versatz</translation>
     </message>
     <message>
         <source>rms</source>
-        <translation>Effektivwert</translation>
+        <translation>rms</translation>
     </message>
     <message>
         <source>peaks differ by</source>
@@ -2521,7 +2521,7 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
     </message>
     <message>
         <source>The largest tension and compression along the rod, while the blow lasts and of the waves left.</source>
-        <translation>Der größte Zug und Druck entlang der Stange, während der Schlag dauert und von den übrigen Wellen.</translation>
+        <translation>Der größte Zug und Druck entlang der Stange, während der Schlag dauert und von den verbleibenden Wellen.</translation>
     </message>
     <message>
         <source>Hammer (dark) and string to scale, lengths and diameters each to their own, with the places of the sections; the bore is dashed, the rock at the right.</source>
@@ -2533,7 +2533,7 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
     </message>
     <message>
         <source>Needs of the thrust and the installed one over the blow frequency.</source>
-        <translation>Nötiger Andruck und der aufgebrachte über der Schlagfrequenz.</translation>
+        <translation>Bedarfe an Andruck und der installierte Andruck über der Schlagfrequenz.</translation>
     </message>
 </context>
 <context>
@@ -4583,7 +4583,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>power</source>
-        <translation>Leistung</translation>
+        <translation>Potenz</translation>
     </message>
     <message>
         <source>+ corner</source>
@@ -5458,10 +5458,6 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Hammer %1</translation>
     </message>
     <message>
-        <source>page %1 of %2</source>
-        <translation>Seite %1 von %2</translation>
-    </message>
-    <message>
         <source>with its unit</source>
         <translation>mit Einheit</translation>
     </message>
@@ -5471,7 +5467,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>preset %1: %2</source>
-        <translation>Vorlage %1: %2</translation>
+        <translation>Vorgabe %1: %2</translation>
     </message>
     <message>
         <source>not stated</source>
@@ -5483,7 +5479,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>hammer may strike again</source>
-        <translation>Hammer darf noch einmal schlagen</translation>
+        <translation>Hammer darf wieder schlagen</translation>
     </message>
     <message>
         <source>law of bit and rock</source>
@@ -5503,7 +5499,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>its points are in the scenario</source>
-        <translation>seine Punkte stehen im Szenario</translation>
+        <translation>ihre Punkte stehen im Szenario</translation>
     </message>
     <message>
         <source>in the scenario</source>
@@ -5555,7 +5551,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The reference case does not depend on the gap: it only shifts the time of contact.</source>
-        <translation>Der Referenzfall hängt nicht vom Spalt ab: er verschiebt nur die Zeit des Kontakts.</translation>
+        <translation>Der Referenzfall hängt nicht vom Spalt ab: dieser verschiebt nur die Zeit des Kontakts.</translation>
     </message>
     <message>
         <source>The hammer still pushes when its first reflection is back: results have a period in the gap only from a gap of %1 d0 on, and the statistics are over the period that begins there.</source>
@@ -5667,7 +5663,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Report on one blow of a percussive drill, written by Drillwave %1, solved by %2. Tension is positive. %3</source>
-        <translation>Bericht über einen Schlag eines Schlagbohrers, geschrieben von Drillwave %1, Lösung: %2. Zug ist positiv. %3</translation>
+        <translation>Bericht über einen Schlag beim schlagenden Bohren, geschrieben von Drillwave %1, Lösung: %2. Zug ist positiv. %3</translation>
     </message>
     <message>
         <source>Hammer and string of uniform sections; bending, torsion and friction in threads beyond a loss factor are not modelled.</source>
@@ -5707,7 +5703,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>what</source>
-        <translation>was</translation>
+        <translation>Größe</translation>
     </message>
     <message>
         <source>value</source>
@@ -5735,7 +5731,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The other %1 sections are in the report as HTML.</source>
-        <translation>Die übrigen %1 Abschnitte stehen im Bericht als HTML.</translation>
+        <translation>Die übrigen %1 Abschnitte stehen im HTML-Bericht.</translation>
     </message>
     <message>
         <source>symbol</source>
@@ -5771,7 +5767,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Beside other runs</source>
-        <translation>Neben anderen Läufen</translation>
+        <translation>Vergleich mit anderen Läufen</translation>
     </message>
     <message>
         <source>quantity</source>
@@ -5779,7 +5775,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Beside what was measured</source>
-        <translation>Neben dem Gemessenen</translation>
+        <translation>Vergleich mit der Messung</translation>
     </message>
     <message>
         <source>signal</source>
@@ -5787,11 +5783,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Over the time that both have: the root of the mean square of their difference, the size of the largest force, measured less computed, and how much later the measured signal comes than where it fits best.</source>
-        <translation>Über die Zeit, die beide haben: die Wurzel des mittleren Quadrats ihrer Differenz, der Betrag der größten Kraft, gemessen minus berechnet, und wie viel später das gemessene Signal kommt als dort, wo es am besten passt.</translation>
+        <translation>Über die gemeinsame Zeit: die Wurzel aus dem mittleren Quadrat der Differenz, der Betrag der größten Kraft, gemessen minus berechnet, und um wie viel später das gemessene Signal kommt als dort, wo es am besten passt.</translation>
     </message>
     <message>
         <source>How well it is solved</source>
-        <translation>Wie gut gelöst ist</translation>
+        <translation>Genauigkeit der Lösung</translation>
     </message>
     <message>
         <source>error</source>
@@ -5799,7 +5795,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>size</source>
-        <translation>Größe</translation>
+        <translation>Betrag</translation>
     </message>
     <message>
         <source>The error of the efficiency and the errors of the balances are numerical; what is known of rock and string is far coarser.</source>
@@ -5827,11 +5823,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Places are from the rear end of a section. What a joint reflects is the energy of the waves from the hammer that the far end of the section throws back, of that of the hammer.</source>
-        <translation>Orte zählen vom hinteren Ende eines Abschnitts. Was eine Verbindung zurückwirft, ist der Anteil der Energie des Hammers, den das vordere Ende des Abschnitts von dessen Wellen zurückwirft.</translation>
+        <translation>Orte zählen vom hinteren Ende eines Abschnitts. Der Rückwurf ist der Anteil der Energie des Hammers, den die Verbindung am gesteinsseitigen Ende des Abschnitts von dem zurückwirft, was vom Hammer kommt.</translation>
     </message>
     <message>
         <source>Needs of the thrust</source>
-        <translation>Nötiger Andruck</translation>
+        <translation>Bedarfe an Andruck</translation>
     </message>
     <message>
         <source>All gaps between bit and rock</source>
@@ -5843,11 +5839,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The scenario is in the report as HTML.</source>
-        <translation>Das Szenario steht im Bericht als HTML.</translation>
+        <translation>Das Szenario steht im HTML-Bericht.</translation>
     </message>
     <message>
         <source>The rest of the scenario is in the report as HTML.</source>
-        <translation>Der Rest des Szenarios steht im Bericht als HTML.</translation>
+        <translation>Der Rest des Szenarios steht im HTML-Bericht.</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -6023,7 +6019,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>between the faces</source>
-        <translation>zwischen den Stirnflächen</translation>
+        <translation>zwischen den Flächen</translation>
     </message>
     <message>
         <source>work of the force</source>
@@ -6051,7 +6047,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>joint reflects</source>
-        <translation>Reflexion</translation>
+        <translation>Rückwurf</translation>
     </message>
     <message>
         <source>none</source>
@@ -6059,7 +6055,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>thrust needed for</source>
-        <translation>nötiger Andruck für</translation>
+        <translation>Bedarf an Andruck</translation>
     </message>
     <message>
         <source>enough ... bit back undamped</source>
@@ -6083,7 +6079,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>in SI</source>
-        <translation>in SI</translation>
+        <translation>in SI-Einheiten</translation>
     </message>
     <message>
         <source>compression reaches %1</source>
@@ -6135,11 +6131,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>cannot be kept: the values that it follows from are at the end of double precision, it reads back as %1</source>
-        <translation>lässt sich nicht behalten: die Werte, aus denen es folgt, sind am Ende der doppelten Genauigkeit, es liest sich wieder als %1</translation>
+        <translation>lässt sich nicht halten: die Werte, aus denen es folgt, liegen an der Grenze der doppelten Genauigkeit, zurückgelesen wird %1</translation>
     </message>
     <message>
         <source>in a larger one the numbers of double precision are too coarse to place a wave</source>
-        <translation>in einem größeren sind die Zahlen doppelter Genauigkeit zu grob, um eine Welle zu verorten</translation>
+        <translation>bei größeren Werten sind Zahlen doppelter Genauigkeit zu grob, um eine Welle zu verorten</translation>
     </message>
     <message>
         <source>must not be a whole number: numbers are the places of sections</source>
@@ -6171,7 +6167,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>only a repeat has it</source>
-        <translation>nur eine Wiederholung hat es</translation>
+        <translation>das hat nur eine Wiederholung</translation>
     </message>
     <message>
         <source>has %1 sections, its repeats written out; at most %2 are followed</source>
@@ -6179,11 +6175,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>losses inside the hammer are not part of the model: give them to sections of the string</source>
-        <translation>Verluste im Hammer gehören nicht zum Modell: sie Abschnitten des Strangs geben</translation>
+        <translation>Verluste im Hammer gehören nicht zum Modell: sie bei Abschnitten des Strangs angeben</translation>
     </message>
     <message>
         <source>is so narrow that the face meets no more than the bore of %1 of the section it strikes</source>
-        <translation>ist so schmal, dass die Stirnfläche nur die Bohrung von %1 des getroffenen Abschnitts trifft</translation>
+        <translation>ist so schmal, dass die Schlagfläche nur die Bohrung von %1 des getroffenen Abschnitts trifft</translation>
     </message>
     <message>
         <source>the values are so large or small that its impedance, transit time or mass overflows</source>
@@ -6215,11 +6211,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>is the reference case of a uniform rod (`drillwave: 1`); a drill string takes any other shape</source>
-        <translation>ist der Referenzfall einer gleichförmigen Stange (`drillwave: 1`); ein Bohrstrang nimmt jede andere Form</translation>
+        <translation>ist der Referenzfall einer gleichförmigen Stange (`drillwave: 1`); ein Bohrstrang erlaubt jede andere Form</translation>
     </message>
     <message>
         <source>the hammer&apos;s impedance is %1 times the rod&apos;s, too many steps to follow; use the shape exponential, a rigid hammer</source>
-        <translation>die Impedanz des Hammers ist das %1-fache der Stange, zu viele Stufen zum Verfolgen; die Form exponential nehmen, einen starren Hammer</translation>
+        <translation>die Impedanz des Hammers ist das %1-Fache von der der Stange, zu viele Stufen zum Verfolgen; die Form exponential nehmen, einen starren Hammer</translation>
     </message>
     <message>
         <source>with tau = %1 the bit meets the rock after %2 t0, too late for double precision to tell what happens within one t0 (at most %3)%4</source>
@@ -6303,15 +6299,15 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>only a law with corners has it; write `law: corners`</source>
-        <translation>nur ein Gesetz mit Ecken hat es; `law: corners` schreiben</translation>
+        <translation>das hat nur ein Gesetz mit Ecken; `law: corners` schreiben</translation>
     </message>
     <message>
         <source>must be a list of presets, `- name: …`</source>
-        <translation>muss eine Liste von Vorlagen sein, `- name: …`</translation>
+        <translation>muss eine Liste von Vorgaben sein, `- name: …`</translation>
     </message>
     <message>
         <source>each preset must begin with `name: …`</source>
-        <translation>jede Vorlage muss mit `name: …` beginnen</translation>
+        <translation>jede Vorgabe muss mit `name: …` beginnen</translation>
     </message>
     <message>
         <source>must be text</source>
@@ -6319,7 +6315,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>is the name of another preset too</source>
-        <translation>ist auch der Name einer anderen Vorlage</translation>
+        <translation>ist auch der Name einer anderen Vorgabe</translation>
     </message>
     <message>
         <source>is missing</source>
@@ -6351,7 +6347,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>goes with a diameter, not with an area</source>
-        <translation>gehört zu einem Durchmesser, nicht zu einer Fläche</translation>
+        <translation>gehört zu einem Durchmesser, nicht zu einem Querschnitt</translation>
     </message>
     <message>
         <source>and %1 more problems</source>
@@ -6359,7 +6355,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>only a table has it, the shape is %1</source>
-        <translation>nur eine Tabelle hat es, die Form ist %1</translation>
+        <translation>das hat nur eine Tabelle, die Form ist %1</translation>
     </message>
     <message>
         <source>each point must be [time, force], as in %1</source>
@@ -6379,7 +6375,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>%1 (needs a unit in brackets, one of %2)</source>
-        <translation>%1 (braucht eine Einheit in Klammern, eine von %2)</translation>
+        <translation>%1 (braucht eine Einheit in eckigen Klammern, eine von %2)</translation>
     </message>
     <message>
         <source>%1 (must have no unit in a dimensionless scenario)</source>
@@ -6459,7 +6455,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>is not a known key, did you mean `%1`?</source>
-        <translation>ist kein bekannter Schlüssel, gemeint `%1`?</translation>
+        <translation>ist kein bekannter Schlüssel, war `%1` gemeint?</translation>
     </message>
     <message>
         <source>is given twice</source>
@@ -6467,7 +6463,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>must be a section of `key: value` lines</source>
-        <translation>muss ein Abschnitt aus Zeilen `key: value` sein</translation>
+        <translation>muss ein Block aus Zeilen `key: value` sein</translation>
     </message>
     <message>
         <source>has no value%1</source>
@@ -6487,7 +6483,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>is missing: give it or %1</source>
-        <translation>fehlt: es oder %1 angeben</translation>
+        <translation>fehlt: dies oder %1 angeben</translation>
     </message>
     <message>
         <source>cannot stand beside %1: give one or the other</source>
@@ -6519,7 +6515,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>goes with an area, not with a diameter</source>
-        <translation>gehört zu einer Fläche, nicht zu einem Durchmesser</translation>
+        <translation>gehört zu einem Querschnitt, nicht zu einem Durchmesser</translation>
     </message>
     <message>
         <source>a hammer has no repeats; write its sections out</source>
@@ -6559,19 +6555,19 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>only a drill string has it (`drillwave: 2`), this is a uniform rod</source>
-        <translation>nur ein Bohrstrang hat es (`drillwave: 2`), dies ist eine gleichförmige Stange</translation>
+        <translation>das hat nur ein Bohrstrang (`drillwave: 2`), dies ist eine gleichförmige Stange</translation>
     </message>
     <message>
         <source>only a uniform rod has it (`drillwave: 1`), this is a drill string</source>
-        <translation>nur eine gleichförmige Stange hat es (`drillwave: 1`), dies ist ein Bohrstrang</translation>
+        <translation>das hat nur eine gleichförmige Stange (`drillwave: 1`), dies ist ein Bohrstrang</translation>
     </message>
     <message>
         <source>only a force in place of the hammer has it (`pulse`), this string is struck by a hammer</source>
-        <translation>nur eine Kraft anstelle des Hammers hat es (`pulse`), diesen Strang schlägt ein Hammer</translation>
+        <translation>das hat nur eine Kraft anstelle des Hammers (`pulse`), diesen Strang schlägt ein Hammer</translation>
     </message>
     <message>
         <source>only a hammer of sections has it (`hammer`), this string is driven by a force (`pulse`)</source>
-        <translation>nur ein Hammer aus Abschnitten hat es (`hammer`), diesen Strang treibt eine Kraft (`pulse`)</translation>
+        <translation>das hat nur ein Hammer aus Abschnitten (`hammer`), diesen Strang treibt eine Kraft (`pulse`)</translation>
     </message>
     <message>
         <source>the scenario is given by its dimensionless groups</source>
@@ -6591,7 +6587,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>only %1 has it; set `%2=%3` too</source>
-        <translation>nur %1 hat es; auch `%2=%3` setzen</translation>
+        <translation>das hat nur %1; auch `%2=%3` setzen</translation>
     </message>
     <message>
         <source>needs a unit, as this scenario is in physical quantities</source>
@@ -6603,7 +6599,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>only a trapezoid has it, the shape is %1</source>
-        <translation>nur ein Trapez hat es, die Form ist %1</translation>
+        <translation>das hat nur ein Trapez, die Form ist %1</translation>
     </message>
     <message>
         <source>follows from the diameters and materials of hammer and rod</source>
@@ -6611,11 +6607,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>only a piston has it, the shape is %1</source>
-        <translation>nur ein Kolben hat es, die Form ist %1</translation>
+        <translation>das hat nur ein Kolben, die Form ist %1</translation>
     </message>
     <message>
         <source>the rod is given by its area; set `rod.area` or `rod.diameter`</source>
-        <translation>die Stange ist durch ihre Fläche gegeben; `rod.area` oder `rod.diameter` setzen</translation>
+        <translation>die Stange ist durch ihren Querschnitt gegeben; `rod.area` oder `rod.diameter` setzen</translation>
     </message>
     <message>
         <source>follows from the data of the %1</source>
@@ -6683,7 +6679,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>%1 of %2 sections are of another impedance (couplings, adapter, bit): they have become rod, which reflects nothing.</source>
-        <translation>%1 von %2 Abschnitten haben eine andere Impedanz (Muffen, Adapter, Krone): sie sind Stange geworden, die nichts zurückwirft.</translation>
+        <translation>%1 von %2 Abschnitten haben eine andere Impedanz (Muffen, Einsteckende, Krone): sie sind zu Stange geworden, die nichts zurückwirft.</translation>
     </message>
     <message>
         <source>The lumped masses, that of the bit among them.</source>
@@ -6699,7 +6695,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The elastic face of the hammer: it is rigid.</source>
-        <translation>Die elastische Stirnfläche des Hammers: sie ist starr.</translation>
+        <translation>Die elastische Schlagfläche des Hammers: sie ist starr.</translation>
     </message>
     <message>
         <source>The hammer is not hit again once it has separated: it is withdrawn.</source>
@@ -6751,11 +6747,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>the damper, or the face of the hammer, is too stiff for the cells of the march</source>
-        <translation>der Dämpfer oder die Stirnfläche des Hammers ist zu steif für die Zellen der Rechnung</translation>
+        <translation>der Dämpfer oder die Schlagfläche des Hammers ist zu steif für die Zellen der Rechnung</translation>
     </message>
     <message>
         <source>the damper, or the hammer, meets and leaves the rear end without end</source>
-        <translation>der Dämpfer oder der Hammer trifft und verlässt das hintere Ende ohne Ende</translation>
+        <translation>der Dämpfer oder der Hammer trifft und verlässt das hintere Ende unaufhörlich</translation>
     </message>
     <message>
         <source>an event at the rear end cannot be placed</source>
@@ -6803,7 +6799,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>the faces of hammer and string meet and part without end</source>
-        <translation>die Stirnflächen von Hammer und Strang treffen und trennen sich ohne Ende</translation>
+        <translation>die Schlagflächen von Hammer und Strang treffen und trennen sich unaufhörlich</translation>
     </message>
     <message>
         <source>a contact of hammer and string cannot be placed</source>
@@ -6819,11 +6815,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>a rod that moves towards the rock as a whole is not for polynomial cells, which follow a force or a hammer</source>
-        <translation>eine Stange, die sich als Ganzes auf das Gestein zubewegt, ist nichts für polynomiale Zellen, die einer Kraft oder einem Hammer folgen</translation>
+        <translation>eine Stange, die sich als Ganzes auf das Gestein zubewegt, ist nichts für polynomiale Zellen, die eine Kraft oder einen Hammer verfolgen</translation>
     </message>
     <message>
         <source>losses inside the hammer are not part of the model: give loss and attenuation to the string only</source>
-        <translation>Verluste im Hammer gehören nicht zum Modell: loss und attenuation nur dem Strang geben</translation>
+        <translation>Verluste im Hammer gehören nicht zum Modell: loss und attenuation nur beim Strang angeben</translation>
     </message>
     <message>
         <source>the bit mass swings too fast on this rock to be followed: leave it out, it is too small to matter, or give a softer rock</source>
@@ -6831,7 +6827,55 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>a hammer that strikes, several sections, masses and losses are not for this method, which follows a force on a uniform rod</source>
-        <translation>ein Hammer, der schlägt, mehrere Abschnitte, Massen und Verluste sind nichts für dieses Verfahren, das einer Kraft auf eine gleichförmige Stange folgt</translation>
+        <translation>ein Hammer, der schlägt, mehrere Abschnitte, Massen und Verluste sind nichts für dieses Verfahren, das eine Kraft auf eine gleichförmige Stange verfolgt</translation>
+    </message>
+    <message>
+        <source>is given %1 times; keep one of them</source>
+        <translation>ist %1-mal angegeben; eines davon behalten</translation>
+    </message>
+    <message>
+        <source>is taken for a result, as its name ends in .csv, and holds no scenario; only the CSV files of run, gap, thrust and accuracy begin with one (a sweep or table has it in the .yaml beside it)</source>
+        <translation>gilt als Ergebnis, da der Name auf .csv endet, und enthält kein Szenario; nur die CSV-Dateien von run, gap, thrust und accuracy beginnen mit einem (sweep und table haben es in der .yaml daneben)</translation>
+    </message>
+    <message>
+        <source>is a web page and holds no scenario; only the HTML files of `drillwave report` begin with one</source>
+        <translation>ist eine Webseite und enthält kein Szenario; nur die HTML-Dateien von `drillwave report` beginnen mit einem</translation>
+    </message>
+    <message>
+        <source>is larger than 4 MiB, too large to be meant</source>
+        <translation>ist größer als 4 MiB, zu groß, um gemeint zu sein</translation>
+    </message>
+    <message>
+        <source>is taken for a result, as its name ends in .json, and holds no `scenario`; give the scenario file</source>
+        <translation>gilt als Ergebnis, da der Name auf .json endet, und enthält kein `scenario`; die Szenariodatei angeben</translation>
+    </message>
+    <message>
+        <source>the scenario file is larger than 1024 KiB, too large to be meant</source>
+        <translation>die Szenariodatei ist größer als 1024 KiB, zu groß, um gemeint zu sein</translation>
+    </message>
+    <message>
+        <source>holds no scenario of a result</source>
+        <translation>enthält kein Szenario eines Ergebnisses</translation>
+    </message>
+    <message>
+        <source>the reflections overlap, which the closed form neglects: the contact is not over when the third wave arrives; use the exact method or the lattice</source>
+        <translation>die Reflexionen überlappen, was die geschlossene Form vernachlässigt: der Kontakt ist nicht vorbei, wenn die dritte Welle ankommt; das exakte Verfahren oder das Gitter nehmen</translation>
+    </message>
+    <message>
+        <source>the momentum after a separation is zero within rounding: whether the rod returns is undecided</source>
+        <translation>der Impuls nach einer Trennung ist innerhalb der Rundung null: ob die Stange zurückkehrt, ist unentschieden</translation>
+    </message>
+    <message>
+        <source>the lattice needs more than the permitted number of steps; use fewer segments or the exact method</source>
+        <translation>das Gitter braucht mehr Schritte als erlaubt; weniger Segmente oder das exakte Verfahren nehmen</translation>
+    </message>
+    <message>
+        <source>the lattice found more than the permitted number of events; use the exact method</source>
+        <translation>das Gitter fand mehr Ereignisse als erlaubt; das exakte Verfahren nehmen</translation>
+    </message>
+    <message>
+        <source>lattices of other step lengths find no solution, so that its error cannot be estimated; use more segments or the exact method</source>
+        <translation>Gitter anderer Schrittlängen finden keine Lösung, so dass sich der Fehler nicht schätzen lässt; mehr Segmente oder das exakte Verfahren nehmen</translation>
     </message>
 </context>
 <context>
@@ -6907,6 +6951,13 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>of drill strings alone, and this scenario is a uniform rod: a click makes a drill string of it, as Edit ▸ Make a drill string of this does</source>
         <translation>nur für Bohrstränge, und dieses Szenario ist eine gleichförmige Stange: ein Klick macht einen Bohrstrang daraus, wie Bearbeiten ▸ Bohrstrang daraus machen</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::Pages</name>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
     </message>
 </context>
 <context>
@@ -7991,7 +8042,7 @@ der verbleibenden Wellen: %4 und %5</translation>
     </message>
     <message>
         <source>of the uniform rod; couplings and threads raise stresses locally, nothing damps the waves left</source>
-        <translation>der gleichförmigen Stange; Muffen und Gewinde erhöhen sie örtlich, nichts dämpft die übrigen Wellen</translation>
+        <translation>der gleichförmigen Stange; Muffen und Gewinde erhöhen Spannungen örtlich, nichts dämpft Restwellen</translation>
     </message>
     <message>
         <source>%1 up to %2 at %3, %4</source>

@@ -1640,7 +1640,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>work of loading</source>
-        <translation>arbete vid belastning</translation>
+        <translation>belastningsarbete</translation>
     </message>
     <message>
         <source>a law of one line</source>
@@ -2457,7 +2457,7 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
     </message>
     <message>
         <source>what</source>
-        <translation>vad</translation>
+        <translation>storhet</translation>
     </message>
     <message>
         <source>shift</source>
@@ -2469,7 +2469,7 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
     </message>
     <message>
         <source>peaks differ by</source>
-        <translation>toppar skiljer</translation>
+        <translation>topparna skiljer</translation>
     </message>
     <message>
         <source>lag</source>
@@ -2509,7 +2509,7 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
     </message>
     <message>
         <source>Force over penetration: the area inside stays in the rock as energy.</source>
-        <translation>Kraft över inträngning: ytan innanför stannar som energi i berget.</translation>
+        <translation>Kraft över inträngning: den inneslutna ytan stannar som energi i berget.</translation>
     </message>
     <message>
         <source>The force in the rod over place and time, tension positive; bars at the right show the contact of bit and rock. On the scale of colours a line is the least or largest force, a triangle one beyond the colours.</source>
@@ -2521,11 +2521,11 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
     </message>
     <message>
         <source>The largest tension and compression along the rod, while the blow lasts and of the waves left.</source>
-        <translation>Största drag och tryck längs stången, medan slaget varar och av de vågor som är kvar.</translation>
+        <translation>Största drag och tryck längs stången, medan slaget varar och i de kvarvarande vågorna.</translation>
     </message>
     <message>
         <source>Hammer (dark) and string to scale, lengths and diameters each to their own, with the places of the sections; the bore is dashed, the rock at the right.</source>
-        <translation>Hammare (mörk) och sträng skalenligt, längder och diametrar var för sig, med sektionernas nummer; hålet är streckat, berget till höger.</translation>
+        <translation>Hammare (mörk) och sträng skalenligt, längder och diametrar var för sig, med sektionernas nummer; borrningen är streckad, berget till höger.</translation>
     </message>
     <message>
         <source>Restitution over one period of the gap between bit and rock, and how it is distributed when all gaps are alike.</source>
@@ -2533,7 +2533,7 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
     </message>
     <message>
         <source>Needs of the thrust and the installed one over the blow frequency.</source>
-        <translation>Nödvändig matningskraft och den installerade över slagfrekvensen.</translation>
+        <translation>Behov av matningskraft och den installerade över slagfrekvensen.</translation>
     </message>
 </context>
 <context>
@@ -4583,7 +4583,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     </message>
     <message>
         <source>power</source>
-        <translation>effekt</translation>
+        <translation>potens</translation>
     </message>
     <message>
         <source>+ corner</source>
@@ -5458,10 +5458,6 @@ en projektion av fler dimensioner</translation>
         <translation>hammare %1</translation>
     </message>
     <message>
-        <source>page %1 of %2</source>
-        <translation>sida %1 av %2</translation>
-    </message>
-    <message>
         <source>with its unit</source>
         <translation>med enhet</translation>
     </message>
@@ -5539,7 +5535,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>%1 needs a scenario in physical units; this one is given by its dimensionless groups</source>
-        <translation>%1 kräver ett scenario i fysikaliska enheter; detta är givet genom sina dimensionslösa tal</translation>
+        <translation>%1 kräver ett scenario i fysikaliska enheter; detta är givet av sina dimensionslösa tal</translation>
     </message>
     <message>
         <source>%1 needs drill.blow_frequency; give it in the scenario or with --set</source>
@@ -5575,11 +5571,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>anywhere</source>
-        <translation>var som helst</translation>
+        <translation>överallt</translation>
     </message>
     <message>
         <source>%1 kink</source>
-        <translation>%1 knäck</translation>
+        <translation>%1 (knäck)</translation>
     </message>
     <message>
         <source>at a gap of</source>
@@ -5667,7 +5663,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>Report on one blow of a percussive drill, written by Drillwave %1, solved by %2. Tension is positive. %3</source>
-        <translation>Rapport om ett slag av en slagborrmaskin, skriven av Drillwave %1, lösning: %2. Drag är positivt. %3</translation>
+        <translation>Rapport om ett slag vid slående bergborrning, skriven av Drillwave %1, lösning: %2. Drag är positivt. %3</translation>
     </message>
     <message>
         <source>Hammer and string of uniform sections; bending, torsion and friction in threads beyond a loss factor are not modelled.</source>
@@ -5707,7 +5703,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>what</source>
-        <translation>vad</translation>
+        <translation>storhet</translation>
     </message>
     <message>
         <source>value</source>
@@ -5743,7 +5739,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>Groups and scales</source>
-        <translation>Tal och skalor</translation>
+        <translation>Dimensionslösa tal och referensstorheter</translation>
     </message>
     <message>
         <source>result</source>
@@ -5771,7 +5767,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>Beside other runs</source>
-        <translation>Bredvid andra körningar</translation>
+        <translation>Jämförelse med andra körningar</translation>
     </message>
     <message>
         <source>quantity</source>
@@ -5779,7 +5775,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>Beside what was measured</source>
-        <translation>Bredvid det uppmätta</translation>
+        <translation>Jämförelse med mätningen</translation>
     </message>
     <message>
         <source>signal</source>
@@ -5791,7 +5787,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>How well it is solved</source>
-        <translation>Hur väl det är löst</translation>
+        <translation>Lösningens noggrannhet</translation>
     </message>
     <message>
         <source>error</source>
@@ -5827,11 +5823,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>Places are from the rear end of a section. What a joint reflects is the energy of the waves from the hammer that the far end of the section throws back, of that of the hammer.</source>
-        <translation>Lägen räknas från sektionens bakände. Vad en skarv kastar tillbaka är den andel av hammarens energi som sektionens främre ände kastar tillbaka av dess vågor.</translation>
+        <translation>Lägen räknas från sektionens bakände. Skarvreflexen är den andel av hammarens energi som skarven vid änden mot berget kastar tillbaka av det som kommer från hammaren.</translation>
     </message>
     <message>
         <source>Needs of the thrust</source>
-        <translation>Nödvändig matningskraft</translation>
+        <translation>Behov av matningskraft</translation>
     </message>
     <message>
         <source>All gaps between bit and rock</source>
@@ -5911,7 +5907,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>twice the transit time of the hammer</source>
-        <translation>dubbla gångtiden genom hammaren</translation>
+        <translation>hammarens dubbla gångtid</translation>
     </message>
     <message>
         <source>momentum of the hammer</source>
@@ -6023,7 +6019,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>between the faces</source>
-        <translation>mellan ändytorna</translation>
+        <translation>mellan ytorna</translation>
     </message>
     <message>
         <source>work of the force</source>
@@ -6035,7 +6031,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>%1 of the momentum, %2 of the energy</source>
-        <translation>%1 av rörelsemängden, %2 av energin</translation>
+        <translation>%1 för rörelsemängden, %2 för energin</translation>
     </message>
     <message>
         <source>tension after</source>
@@ -6051,7 +6047,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>joint reflects</source>
-        <translation>reflexion</translation>
+        <translation>skarvreflex</translation>
     </message>
     <message>
         <source>none</source>
@@ -6063,7 +6059,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>enough ... bit back undamped</source>
-        <translation>räcker ... krona tillbaka odämpat</translation>
+        <translation>räcker ... kronan odämpat tillbaka</translation>
     </message>
     <message>
         <source>margin</source>
@@ -6071,7 +6067,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>enough up to</source>
-        <translation>räcker till</translation>
+        <translation>räcker upp till</translation>
     </message>
     <message>
         <source>gap at the blow</source>
@@ -6083,7 +6079,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>in SI</source>
-        <translation>i SI</translation>
+        <translation>i SI-enheter</translation>
     </message>
     <message>
         <source>compression reaches %1</source>
@@ -6095,7 +6091,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>Section %1 of hammer and string %2: %3, %4 from its rear end at %5, against a strength of %6.</source>
-        <translation>Sektion %1 av hammare och sträng %2: %3, %4 från dess bakre ände vid %5, mot en hållfasthet på %6.</translation>
+        <translation>Sektion %1 i hammare och sträng %2: %3, %4 från dess bakände vid %5, mot en hållfasthet på %6.</translation>
     </message>
     <message>
         <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the waves left (which nothing damps here), against a strength of %5.</source>
@@ -6135,11 +6131,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>cannot be kept: the values that it follows from are at the end of double precision, it reads back as %1</source>
-        <translation>går inte att behålla: värdena det följer av är vid slutet av dubbel precision, det läses tillbaka som %1</translation>
+        <translation>går inte att behålla: värdena som det följer av ligger vid gränsen för dubbel precision, det läses tillbaka som %1</translation>
     </message>
     <message>
         <source>in a larger one the numbers of double precision are too coarse to place a wave</source>
-        <translation>i en större är talen i dubbel precision för grova för att placera en våg</translation>
+        <translation>vid större värden är talen i dubbel precision för grova för att placera en våg</translation>
     </message>
     <message>
         <source>must not be a whole number: numbers are the places of sections</source>
@@ -6159,7 +6155,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>must be larger than the bore of %1</source>
-        <translation>måste vara större än hålet på %1</translation>
+        <translation>måste vara större än borrningen på %1</translation>
     </message>
     <message>
         <source>must have at least one section</source>
@@ -6179,15 +6175,15 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>losses inside the hammer are not part of the model: give them to sections of the string</source>
-        <translation>förluster inne i hammaren ingår inte i modellen: ge dem till sektioner i strängen</translation>
+        <translation>förluster inne i hammaren ingår inte i modellen: ange dem för sektioner i strängen</translation>
     </message>
     <message>
         <source>is so narrow that the face meets no more than the bore of %1 of the section it strikes</source>
-        <translation>är så smal att ändytan bara träffar hålet på %1 i den sektion den slår mot</translation>
+        <translation>är så smal att slagytan bara träffar borrningen på %1 i den sektion den slår mot</translation>
     </message>
     <message>
         <source>the values are so large or small that its impedance, transit time or mass overflows</source>
-        <translation>värdena är så stora eller små att impedans, gångtid eller massa spiller över</translation>
+        <translation>värdena är så stora eller små att impedans, gångtid eller massa hamnar utanför talområdet</translation>
     </message>
     <message>
         <source>is missing: a law with corners needs at least one, as `bit_rock.corner.1.force` and `bit_rock.corner.1.slope`</source>
@@ -6215,7 +6211,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>is the reference case of a uniform rod (`drillwave: 1`); a drill string takes any other shape</source>
-        <translation>är referensfallet för en likformig stång (`drillwave: 1`); en borrsträng tar vilken annan form som helst</translation>
+        <translation>är referensfallet för en likformig stång (`drillwave: 1`); en borrsträng kan ha vilken annan form som helst</translation>
     </message>
     <message>
         <source>the hammer&apos;s impedance is %1 times the rod&apos;s, too many steps to follow; use the shape exponential, a rigid hammer</source>
@@ -6227,7 +6223,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>the values are so large or small that the force or energy of the blow overflows</source>
-        <translation>värdena är så stora eller små att slagets kraft eller energi spiller över</translation>
+        <translation>värdena är så stora eller små att slagets kraft eller energi hamnar utanför talområdet</translation>
     </message>
     <message>
         <source>; it follows from the other values</source>
@@ -6391,7 +6387,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>a row must be a time and a force</source>
-        <translation>en rad måste vara en tid och en kraft</translation>
+        <translation>en rad måste bestå av en tid och en kraft</translation>
     </message>
     <message>
         <source>the pulse table %1</source>
@@ -6443,7 +6439,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>the file must be lines of `key: value`, the first `drillwave: 1`</source>
-        <translation>filen måste vara rader av `key: value`, den första `drillwave: 1`</translation>
+        <translation>filen måste bestå av rader `key: value`, den första `drillwave: 1`</translation>
     </message>
     <message>
         <source>must be a list of sections: `- {length: 300 mm, diameter: 50 mm}`</source>
@@ -6467,7 +6463,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>must be a section of `key: value` lines</source>
-        <translation>måste vara ett avsnitt av rader `key: value`</translation>
+        <translation>måste vara ett avsnitt med rader `key: value`</translation>
     </message>
     <message>
         <source>has no value%1</source>
@@ -6543,7 +6539,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>is missing: the list of the sections that come again</source>
-        <translation>saknas: listan över de sektioner som kommer igen</translation>
+        <translation>saknas: listan över de sektioner som upprepas</translation>
     </message>
     <message>
         <source>must be a list of at least one section</source>
@@ -6575,19 +6571,19 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>the scenario is given by its dimensionless groups</source>
-        <translation>scenariot är givet genom sina dimensionslösa tal</translation>
+        <translation>scenariot är givet av sina dimensionslösa tal</translation>
     </message>
     <message>
         <source>the scenario is given by its dimensionless groups; set `%1` instead</source>
-        <translation>scenariot är givet genom sina dimensionslösa tal; sätt `%1` i stället</translation>
+        <translation>scenariot är givet av sina dimensionslösa tal; sätt `%1` i stället</translation>
     </message>
     <message>
         <source>follows from the lengths of hammer and string; set those, as `string.1.length`</source>
-        <translation>följer av längderna på hammare och sträng; sätt dem, som `string.1.length`</translation>
+        <translation>följer av längderna på hammare och sträng; sätt dem, t.ex. `string.1.length`</translation>
     </message>
     <message>
         <source>%1; set its sections, as `string.1.length`</source>
-        <translation>%1; sätt dess sektioner, som `string.1.length`</translation>
+        <translation>%1; sätt dess sektioner, t.ex. `string.1.length`</translation>
     </message>
     <message>
         <source>only %1 has it; set `%2=%3` too</source>
@@ -6615,7 +6611,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>the rod is given by its area; set `rod.area` or `rod.diameter`</source>
-        <translation>stången är given genom sin area; sätt `rod.area` eller `rod.diameter`</translation>
+        <translation>stången är given av sin area; sätt `rod.area` eller `rod.diameter`</translation>
     </message>
     <message>
         <source>follows from the data of the %1</source>
@@ -6647,7 +6643,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>more than %1 levels of nesting are not accepted</source>
-        <translation>fler än %1 nivåer av nästling godtas inte</translation>
+        <translation>fler än %1 nästlingsnivåer godtas inte</translation>
     </message>
     <message>
         <source>an alias (*) is not accepted here: write the value itself</source>
@@ -6675,7 +6671,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>The hammer is rounded to whole millimetres; it gives the same impulse, in a blow that is so much longer or shorter.</source>
-        <translation>Hammaren är avrundad till hela millimeter; den ger samma impuls, i ett slag som är så mycket längre eller kortare.</translation>
+        <translation>Hammaren är avrundad till hela millimeter; den ger samma impuls, i ett motsvarande längre eller kortare slag.</translation>
     </message>
     <message>
         <source>The blow is no prescribed force any more: waves that come back to the hammer while it still pushes part it from the rod.</source>
@@ -6683,7 +6679,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>%1 of %2 sections are of another impedance (couplings, adapter, bit): they have become rod, which reflects nothing.</source>
-        <translation>%1 av %2 sektioner har en annan impedans (hylsor, adapter, krona): de har blivit stång, som inte reflekterar något.</translation>
+        <translation>%1 av %2 sektioner har en annan impedans (skarvhylsor, nackadapter, krona): de har blivit stång, som inte reflekterar något.</translation>
     </message>
     <message>
         <source>The lumped masses, that of the bit among them.</source>
@@ -6699,11 +6695,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>The elastic face of the hammer: it is rigid.</source>
-        <translation>Hammarens elastiska ändyta: den är stel.</translation>
+        <translation>Hammarens elastiska slagyta: den är stel.</translation>
     </message>
     <message>
         <source>The hammer is not hit again once it has separated: it is withdrawn.</source>
-        <translation>Hammaren träffas inte igen när den har skilts: den är tillbakadragen.</translation>
+        <translation>Hammaren träffas inte igen efter separationen: den är tillbakadragen.</translation>
     </message>
     <message>
         <source>it is a drill string already</source>
@@ -6715,7 +6711,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>the reference case of a rod that arrives without waves has no hammer</source>
-        <translation>referensfallet med en stång som kommer utan vågor har ingen hammare</translation>
+        <translation>referensfallet med en stång som kommer fram utan vågor har ingen hammare</translation>
     </message>
     <message>
         <source>What comes back to the hammer: the force is that of the hammer on a rod without end.</source>
@@ -6723,19 +6719,19 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>The time until which the blow is followed.</source>
-        <translation>Tiden tills vilken slaget följs.</translation>
+        <translation>Tiden till vilken slaget följs.</translation>
     </message>
     <message>
         <source>the waves of such a blow are too many to be kept</source>
-        <translation>vågorna i ett sådant slag är för många för att behållas</translation>
+        <translation>vågorna i ett sådant slag är för många för att sparas</translation>
     </message>
     <message>
         <source>it has no number of some output</source>
-        <translation>det har inget tal för något resultat</translation>
+        <translation>det saknar tal för ett av resultaten</translation>
     </message>
     <message>
         <source>its waves are more than can be kept</source>
-        <translation>dess vågor är fler än som kan behållas</translation>
+        <translation>dess vågor är fler än som kan sparas</translation>
     </message>
     <message>
         <source>the hammer still pushes when its wave has returned more often than is followed</source>
@@ -6751,7 +6747,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>the damper, or the face of the hammer, is too stiff for the cells of the march</source>
-        <translation>dämparen, eller hammarens ändyta, är för styv för beräkningens celler</translation>
+        <translation>dämparen, eller hammarens slagyta, är för styv för beräkningens celler</translation>
     </message>
     <message>
         <source>the damper, or the hammer, meets and leaves the rear end without end</source>
@@ -6763,11 +6759,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>the wave force overflowed</source>
-        <translation>vågkraften spillde över</translation>
+        <translation>vågkraften hamnade utanför talområdet</translation>
     </message>
     <message>
         <source>its energies do not balance, so that its numbers are wrong</source>
-        <translation>dess energier går inte ihop, så att dess tal är fel</translation>
+        <translation>dess energibalans går inte ihop, så att dess tal är fel</translation>
     </message>
     <message>
         <source>its error would be larger than permitted</source>
@@ -6787,7 +6783,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>its numbers are beyond the range of double precision</source>
-        <translation>dess tal ligger utanför dubbel precision</translation>
+        <translation>dess tal ligger utanför talområdet för dubbel precision</translation>
     </message>
     <message>
         <source>its histories need more than 4 million wave pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
@@ -6803,7 +6799,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>the faces of hammer and string meet and part without end</source>
-        <translation>hammarens och strängens ändytor möts och skiljs utan slut</translation>
+        <translation>hammarens och strängens slagytor möts och skiljs utan slut</translation>
     </message>
     <message>
         <source>a contact of hammer and string cannot be placed</source>
@@ -6819,11 +6815,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>a rod that moves towards the rock as a whole is not for polynomial cells, which follow a force or a hammer</source>
-        <translation>en stång som rör sig mot berget som helhet är inget för polynomceller, som följer en kraft eller en hammare</translation>
+        <translation>en stång som i sin helhet rör sig mot berget är inget för polynomceller, som följer en kraft eller en hammare</translation>
     </message>
     <message>
         <source>losses inside the hammer are not part of the model: give loss and attenuation to the string only</source>
-        <translation>förluster inne i hammaren ingår inte i modellen: ge loss och attenuation bara till strängen</translation>
+        <translation>förluster inne i hammaren ingår inte i modellen: ange loss och attenuation bara för strängen</translation>
     </message>
     <message>
         <source>the bit mass swings too fast on this rock to be followed: leave it out, it is too small to matter, or give a softer rock</source>
@@ -6832,6 +6828,54 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>a hammer that strikes, several sections, masses and losses are not for this method, which follows a force on a uniform rod</source>
         <translation>en hammare som slår, flera sektioner, massor och förluster är inget för denna metod, som följer en kraft på en likformig stång</translation>
+    </message>
+    <message>
+        <source>is given %1 times; keep one of them</source>
+        <translation>är angivet %1 gånger; behåll ett av dem</translation>
+    </message>
+    <message>
+        <source>is taken for a result, as its name ends in .csv, and holds no scenario; only the CSV files of run, gap, thrust and accuracy begin with one (a sweep or table has it in the .yaml beside it)</source>
+        <translation>tas för ett resultat, eftersom namnet slutar på .csv, och innehåller inget scenario; bara CSV-filerna från run, gap, thrust och accuracy börjar med ett (sweep och table har det i .yaml bredvid)</translation>
+    </message>
+    <message>
+        <source>is a web page and holds no scenario; only the HTML files of `drillwave report` begin with one</source>
+        <translation>är en webbsida och innehåller inget scenario; bara HTML-filerna från `drillwave report` börjar med ett</translation>
+    </message>
+    <message>
+        <source>is larger than 4 MiB, too large to be meant</source>
+        <translation>är större än 4 MiB, för stor för att vara avsedd</translation>
+    </message>
+    <message>
+        <source>is taken for a result, as its name ends in .json, and holds no `scenario`; give the scenario file</source>
+        <translation>tas för ett resultat, eftersom namnet slutar på .json, och innehåller inget `scenario`; ange scenariofilen</translation>
+    </message>
+    <message>
+        <source>the scenario file is larger than 1024 KiB, too large to be meant</source>
+        <translation>scenariofilen är större än 1024 KiB, för stor för att vara avsedd</translation>
+    </message>
+    <message>
+        <source>holds no scenario of a result</source>
+        <translation>innehåller inget scenario från ett resultat</translation>
+    </message>
+    <message>
+        <source>the reflections overlap, which the closed form neglects: the contact is not over when the third wave arrives; use the exact method or the lattice</source>
+        <translation>reflexionerna överlappar, vilket den slutna formen försummar: kontakten är inte över när den tredje vågen kommer; använd den exakta metoden eller gittret</translation>
+    </message>
+    <message>
+        <source>the momentum after a separation is zero within rounding: whether the rod returns is undecided</source>
+        <translation>rörelsemängden efter en separation är noll inom avrundningen: om stången återvänder är oavgjort</translation>
+    </message>
+    <message>
+        <source>the lattice needs more than the permitted number of steps; use fewer segments or the exact method</source>
+        <translation>gittret behöver fler steg än tillåtet; använd färre segment eller den exakta metoden</translation>
+    </message>
+    <message>
+        <source>the lattice found more than the permitted number of events; use the exact method</source>
+        <translation>gittret fann fler händelser än tillåtet; använd den exakta metoden</translation>
+    </message>
+    <message>
+        <source>lattices of other step lengths find no solution, so that its error cannot be estimated; use more segments or the exact method</source>
+        <translation>gitter med andra steglängder finner ingen lösning, så att felet inte kan uppskattas; använd fler segment eller den exakta metoden</translation>
     </message>
 </context>
 <context>
@@ -6907,6 +6951,13 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>of drill strings alone, and this scenario is a uniform rod: a click makes a drill string of it, as Edit ▸ Make a drill string of this does</source>
         <translation>bara för borrsträngar, och detta scenario är en likformig stång: ett klick gör en borrsträng av det, som Redigera ▸ Gör en borrsträng av detta</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::Pages</name>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>sida %1 av %2</translation>
     </message>
 </context>
 <context>
@@ -7991,7 +8042,7 @@ av de kvarvarande vågorna: %4 och %5</translation>
     </message>
     <message>
         <source>of the uniform rod; couplings and threads raise stresses locally, nothing damps the waves left</source>
-        <translation>för den likformiga stången; hylsor och gängor höjer dem lokalt, inget dämpar vågorna som är kvar</translation>
+        <translation>för den likformiga stången; hylsor och gängor höjer spänningar lokalt, inget dämpar restvågor</translation>
     </message>
     <message>
         <source>%1 up to %2 at %3, %4</source>
@@ -9388,7 +9439,7 @@ reflex</translation>
     </message>
     <message>
         <source>enough up to</source>
-        <translation>tillräckligt upp till</translation>
+        <translation>räcker upp till</translation>
     </message>
     <message>
         <source>gap at the blow</source>

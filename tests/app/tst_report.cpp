@@ -143,6 +143,9 @@ void TestReport::theHeadSaysWhoseItIs() {
              head);
     QVERIFY(head.contains("A. Bohrer") && head.contains("2 May"));
     QVERIFY(!head.contains("Customer"));  // not given
+    const QByteArray german = output({"report", "t38_medium_rock", "--language", "de", "-o", "-"});
+    QVERIFY(german.contains("<html lang=\"de\">") && german.contains("<h2>Urteil über den Vorschub</h2>"));
+    QVERIFY(german.contains("data-value=\"0.4297") && german.contains("0,429738"));
     QVERIFY(!output({"report", "t38_medium_rock", "-o", "-"}).contains("head-table"));
 }
 
@@ -181,6 +184,8 @@ void TestReport::badPlacesAreRefused_data() {
     QTest::newRow("a folder is no file") << QStringList{"-o", "folder.pdf"} << 4 << "is a folder";
     QTest::newRow("a head of two lines")
         << QStringList{"-o", "a.html", "--project", "a\nb"} << 2 << "--project: must be one line";
+    QTest::newRow("no such language")
+        << QStringList{"-o", "a.html", "--language", "tlh"} << 2 << "`tlh` is not one of en, de, sv";
     QTest::newRow("the input") << QStringList{"-o", "input.html", "--force"} << 2 << "is read as input";
 }
 
@@ -194,7 +199,7 @@ void TestReport::badPlacesAreRefused() {
     output({"report", "paper_fig4a", "-o", place.filePath("input.html")});
     const QStringList before = contents(place.path());
     for (QString& word : words)
-        if (!word.isEmpty() && !word.startsWith('-')) word = place.filePath(word);
+        if (!word.isEmpty() && !word.startsWith('-') && word != "tlh") word = place.filePath(word);
     const Finished finished = run(QStringList{"report", place.filePath("input.html")} + words);
     QCOMPARE(finished.exitCode, exitCode);
     QVERIFY2(finished.error.contains(reason.toUtf8()), finished.error);

@@ -105,6 +105,7 @@ try_opening() {
     words_of "$command" new "$place"
     in_background
     until compgen -G "$TMPDIR/runtime-*" >/dev/null; do kill -0 $pid 2>/dev/null || break; done
+    compgen -G "$TMPDIR/runtime-*" >/dev/null || leave_out "opening: the library that draws makes no folder here"
     kill -INT $pid 2>/dev/null
     reap
     expect_all_or_nothing "$command" none 130

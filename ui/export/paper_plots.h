@@ -33,7 +33,7 @@ struct PaperReader {
     QLocale locale = QLocale::c();
     bool isSpokenTo = false;  ///< in the language that the program speaks, which is another than English
 
-    /// The one at the window as it is now; that of the commands where the numbers are the same.
+    /// The one at the window as it is now; that of the commands where words, numbers and units are the same.
     static PaperReader of(const UnitChoice& units);
     /// Whether that is the reader of the commands.
     bool isPlain() const;

@@ -2,7 +2,6 @@
 #include "ui/export/plot_export.h"
 
 #include "ui/export/paper_plots.h"
-#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -11,7 +10,7 @@ namespace {
 QString obstacle(const Impact& impact) {
     if (!impact.isSolved())
         return QStringLiteral("no plots written: the blow could not be solved: %1")
-            .arg(translatedReason(impact.reason));
+            .arg(QString::fromStdString(impact.reason));
     if (!impact.hasHistories())
         return QStringLiteral("no plots written: the blow was solved without its histories");
     return {};

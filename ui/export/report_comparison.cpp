@@ -6,6 +6,7 @@
 #include "ui/pages/blow/blow_curves.h"
 #include "ui/pages/blow/measured_force.h"
 #include "ui/pages/compare/compare_table.h"
+#include "ui/text/language.h"
 #include "ui/text/number_text.h"
 #include "ui/text/translation.h"
 #include "ui/text/unit_choice.h"
@@ -32,14 +33,22 @@ ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const Uni
         if (run.isSolved()) columns.push_back({run.title(), &run.contents.scenario, run.blow.get()});
     if (columns.size() == 1) return {};
     const UnitSystem system = reader.unitsFor(blow.scenario).system;
-    const CompareTable table = compareTable(columns, 0, system, reader.chosen, units);
+    const auto tableNow = [&] { return compareTable(columns, 0, system, reader.chosen, units); };
+    const CompareTable table = tableNow();
+    const CompareTable english = [&] {
+        const EnglishTexts texts;
+        return tableNow();
+    }();
     ReportComparison comparison;
     for (const QString& title : table.titles) comparison.titles.push_back(title.toStdString());
-    for (const CompareRow& row : table.rows) {
+    const auto label = [](const CompareRow& row) {
+        return (row.unit.isEmpty() ? row.name : QStringLiteral("%1 [%2]").arg(row.name, row.unit))
+            .toStdString();
+    };
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+        const CompareRow& row = table.rows[i];
         if (row.kind == CompareRow::Kind::heading) continue;
-        const QString label =
-            row.unit.isEmpty() ? row.name : QStringLiteral("%1 [%2]").arg(row.name, row.unit);
-        comparison.rows.push_back({label.toStdString(), label.toStdString(), {}});
+        comparison.rows.push_back({label(english.rows[i]), label(row), {}});  // keys are the same everywhere
         for (std::size_t column = 0; column < columns.size(); ++column)
             comparison.rows.back().cells.push_back(cellOf(row, column, reader.locale));
     }

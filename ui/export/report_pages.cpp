@@ -13,6 +13,7 @@
 
 #include "core/model/version.h"
 #include "ui/export/plot_images.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {
@@ -51,7 +52,6 @@ class Pages {
     Pages(const BlowReport& report, const std::vector<ReportPlot>& plots, const ReadingStyle& style,
           QPagedPaintDevice& device)
         : m_title(QString::fromStdString(reportTitle(report, style))),
-          m_style(style),
           m_device(device),
           m_images(plots, device.logicalDpiX()),
           m_font(PlotStyle::forPaper().font.family()),
@@ -110,14 +110,11 @@ class Pages {
         painter.drawText(head, Qt::AlignLeft | Qt::AlignTop,
                          painter.fontMetrics().elidedText(m_title, Qt::ElideRight, int(room)));
         painter.drawText(head, Qt::AlignRight | Qt::AlignTop, program);
-        painter.drawText(
-            foot, Qt::AlignRight | Qt::AlignBottom,
-            QString::fromStdString(m_style.said({translatable("drillwave::Message", "page %1 of %2"),
-                                                 {std::to_string(page + 1), std::to_string(pages)}})));
+        painter.drawText(foot, Qt::AlignRight | Qt::AlignBottom,
+                         tr("page %1 of %2").arg(page + 1).arg(pages));
     }
 
     QString m_title;
-    const ReadingStyle& m_style;
     QPagedPaintDevice& m_device;
     PlotImages m_images;
     QFont m_font;

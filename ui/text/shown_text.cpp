@@ -23,7 +23,7 @@ QString translated(const Message& message) {
 }
 
 QString translatedReason(std::string_view reason) {
-    return QCoreApplication::translate("drillwave::Message", std::string(reason).c_str());
+    return translated(Message::ofTable(reason));
 }
 
 QString translated(const ScenarioError& error) {

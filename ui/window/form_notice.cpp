@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/form_notice.h"
-#include "ui/text/shown_text.h"
 
 #include <QPushButton>
 
 #include "core/model/blow_traits.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/curve/curve_sampler.h"
-#include "core/text/message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,6 +8,7 @@
 
 #include "core/model/scales.h"
 #include "core/study/gap/event_order.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

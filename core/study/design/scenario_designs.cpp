@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/design/scenario_designs.h"
-#include "core/text/message.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include "core/model/scales.h"
 #include "core/study/rows/axis_scenario.h"
 #include "core/study/rows/case_solver.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/gap/gap_curve.h"
-#include "core/text/message.h"
 
 #include <algorithm>
 #include <cassert>
@@ -11,6 +10,7 @@
 #include "core/blow/impact_summary.h"
 #include "core/numeric/brent.h"
 #include "core/study/gap/event_order.h"
+#include "core/text/message.h"
 #include "core/wave/exact/exact_solver.h"
 
 namespace drillwave {

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/map/contours.h"
-#include "core/text/message.h"
 
 #include <algorithm>
 #include <cassert>
@@ -12,6 +11,7 @@
 #include "core/numeric/ordered_work.h"
 #include "core/study/map/contour_course.h"
 #include "core/study/map/map_point.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

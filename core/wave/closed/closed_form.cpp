@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/text/message.h"
 #include "core/text/units.h"
 #include "core/wave/closed/decay_pieces.h"
 
@@ -188,9 +189,10 @@ Impact solveClosedForm(const Problem& problem, Detail detail) {
     if (!impact.reason.empty()) return impact;
     const double beta = problem.law.beta;
     if (!overlapIsSmall(beta, problem.transitTime())) {
-        impact.reason =
+        impact.reason = translatable(
+            "drillwave::Message",
             "the reflections overlap, which the closed form neglects: the contact is not over when the third "
-            "wave arrives; use the exact method or the lattice";
+            "wave arrives; use the exact method or the lattice");
         return impact;
     }
     impact.outcome = Outcome::rebounded;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/drilling/rear_node.h"
-#include "core/text/message.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/numeric/first_zero.h"
+#include "core/text/message.h"
 #include "core/wave/network/cell_event.h"
 #include "core/wave/network/relaxation.h"
 

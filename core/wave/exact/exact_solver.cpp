@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/exact/exact_solver.h"
-#include "core/text/message.h"
 
 #include <algorithm>
 #include <cmath>
 
+#include "core/text/message.h"
 #include "core/wave/exact/contact_march.h"
 #include "core/wave/exact/exponential_basis.h"
 #include "core/wave/exact/exponential_domain.h"

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/exact/soft_reference.h"
-#include "core/text/message.h"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
+
+#include "core/text/message.h"
 
 namespace drillwave {
 

@@ -12,6 +12,7 @@
 #include "core/model/pulse_force.h"
 #include "core/model/scenario.h"
 #include "core/numeric/compensated_sum.h"
+#include "core/text/message.h"
 #include "core/text/units.h"
 #include "core/wave/impact.h"
 #include "core/wave/lattice/hammer_cells.h"
@@ -249,7 +250,9 @@ void LatticeMarch<Waves>::decide() {
     if (momentum > uncertain) return skipPeriods(momentum);
     finish();
     if (!touches && momentum > -uncertain)
-        fail("the momentum after a separation is zero within rounding: whether the rod returns is undecided");
+        fail(translatable(
+            "drillwave::Message",
+            "the momentum after a separation is zero within rounding: whether the rod returns is undecided"));
 }
 
 template <class Waves>
@@ -291,13 +294,16 @@ void LatticeMarch<Waves>::countWork(const std::stop_token& stop) {
     if (stop.stop_requested()) return fail("stopped");
     const bool atMemory = m_history.pieces() > mostRecorded;
     if (double(m_step) > mostSteps || m_moves > mostMoves || atMemory) {
-        fail(
+        fail(translatable(
+            "drillwave::Message",
             "the lattice needs more than the permitted number of steps; use fewer segments or the exact "
-            "method");
+            "method"));
         if (atMemory) m_impact->hindrance = Hindrance::histories;
     }
     if (m_impact->events.size() > mostRecorded)
-        fail("the lattice found more than the permitted number of events; use the exact method");
+        fail(
+            translatable("drillwave::Message",
+                         "the lattice found more than the permitted number of events; use the exact method"));
 }
 
 }  // namespace drillwave

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <vector>
 
+#include "core/text/message.h"
 #include "core/wave/lattice/comparison_lattices.h"
 #include "core/wave/lattice/lattice_march.h"
 #include "core/wave/lattice/segment_waves.h"
@@ -67,10 +68,12 @@ Impact LatticeSolver::solve(const Problem& problem, Detail detail, const Lattice
     impact.corError = 2 * spread(impact.cor, options.segments, others, corOf) + rounding;
     if (std::isnan(impact.corError)) {
         impact.outcome = Outcome::notSolved;
-        impact.reason = stop.stop_requested()
-                            ? "stopped"
-                            : "lattices of other step lengths find no solution, so that its error cannot be "
-                              "estimated; use more segments or the exact method";
+        impact.reason =
+            stop.stop_requested()
+                ? "stopped"
+                : translatable("drillwave::Message",
+                               "lattices of other step lengths find no solution, so that its error cannot be "
+                               "estimated; use more segments or the exact method");
     }
     return impact;
 }

@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/network/bit_node.h"
-#include "core/text/message.h"
 
 #include <algorithm>
 #include <cassert>
 #include <cmath>
 #include <limits>
+
+#include "core/text/message.h"
 
 namespace drillwave {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/network/face_node.h"
-#include "core/text/message.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "core/numeric/first_zero.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/network/network_march.h"
-#include "core/text/message.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "core/text/message.h"
 #include "core/wave/network/census_impact.h"
 
 namespace drillwave {
