@@ -2535,6 +2535,10 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <source>Needs of the thrust and the installed one over the blow frequency.</source>
         <translation>Bedarfe an Andruck und der installierte Andruck über der Schlagfrequenz.</translation>
     </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>Seite %1 von %2</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -6951,13 +6955,6 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>of drill strings alone, and this scenario is a uniform rod: a click makes a drill string of it, as Edit ▸ Make a drill string of this does</source>
         <translation>nur für Bohrstränge, und dieses Szenario ist eine gleichförmige Stange: ein Klick macht einen Bohrstrang daraus, wie Bearbeiten ▸ Bohrstrang daraus machen</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::Pages</name>
-    <message>
-        <source>page %1 of %2</source>
-        <translation>Seite %1 von %2</translation>
     </message>
 </context>
 <context>

@@ -2535,6 +2535,10 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
         <source>Needs of the thrust and the installed one over the blow frequency.</source>
         <translation>Behov av matningskraft och den installerade över slagfrekvensen.</translation>
     </message>
+    <message>
+        <source>page %1 of %2</source>
+        <translation>sida %1 av %2</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -6951,13 +6955,6 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>of drill strings alone, and this scenario is a uniform rod: a click makes a drill string of it, as Edit ▸ Make a drill string of this does</source>
         <translation>bara för borrsträngar, och detta scenario är en likformig stång: ett klick gör en borrsträng av det, som Redigera ▸ Gör en borrsträng av detta</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::Pages</name>
-    <message>
-        <source>page %1 of %2</source>
-        <translation>sida %1 av %2</translation>
     </message>
 </context>
 <context>

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Memory of the process while values change with each study in view: bench_memory [CHANGES], 20000 in all by
 // default. Not run by ctest but for a trial: memory depends on the machine.
-#include <unistd.h>
-#include <QFile>
 #include <QTest>
 #include <cmath>
 #include <cstdio>
@@ -14,13 +12,6 @@
 using namespace drillwave;
 
 namespace {
-
-// Of the process, resident.
-double megabytes() {
-    QFile file(QStringLiteral("/proc/self/statm"));
-    if (!file.open(QIODevice::ReadOnly)) qFatal("no /proc/self/statm here");
-    return file.readAll().split(' ').at(1).toDouble() * double(sysconf(_SC_PAGESIZE)) / 1e6;
-}
 
 // The gap goes up and down, each time as a step of its own to undo.
 void change(MainWindow& window, int count) {
@@ -41,10 +32,10 @@ void measure(MainWindow& window, int changes) {
     for (int page = 0; page < pages.count(); ++page) {
         pages.setCurrentIndex(page);
         QTest::qWait(200);
-        std::printf("%-16s %6.1f", qPrintable(pages.page(page).title()), megabytes());
+        std::printf("%-16s %6.1f", qPrintable(pages.page(page).title()), test::megabytes());
         for (int n = 0; n < parts; ++n) {
             change(window, share);
-            std::printf(" %6.1f", megabytes());
+            std::printf(" %6.1f", test::megabytes());
             std::fflush(stdout);
         }
         std::printf("\n");

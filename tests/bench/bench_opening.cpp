@@ -3,9 +3,7 @@
 // again: bench_opening [CYCLES], 100 by default. Run by ctest with few, to see that it runs: memory depends
 // on the machine.
 #include <malloc.h>
-#include <unistd.h>
 #include <QElapsedTimer>
-#include <QFile>
 #include <QPixmapCache>
 #include <QTest>
 #include <cstdio>
@@ -18,13 +16,6 @@
 using namespace drillwave;
 
 namespace {
-
-// Of the process, resident.
-double megabytes() {
-    QFile file(QStringLiteral("/proc/self/statm"));
-    if (!file.open(QIODevice::ReadOnly)) qFatal("no /proc/self/statm here");
-    return file.readAll().split(' ').at(1).toDouble() * double(sysconf(_SC_PAGESIZE)) / 1e6;
-}
 
 // What is allocated, without what the allocator keeps for later, and without the pictures that Qt keeps, up
 // to 10 MB.
@@ -50,7 +41,7 @@ void measure(MainWindow& /*window*/, int cycles) {
     constexpr int parts = 8;
     std::printf("cycles   MB in use   MB resident   ms a cycle\n");
     cycle(0);
-    std::printf("%6d %11.1f %13.1f\n", 1, megabytesInUse(), megabytes());
+    std::printf("%6d %11.1f %13.1f\n", 1, megabytesInUse(), test::megabytes());
     int done = 1;
     for (int part = 1; part <= parts; ++part) {
         QElapsedTimer timer;
@@ -58,7 +49,7 @@ void measure(MainWindow& /*window*/, int cycles) {
         const int before = done;
         for (; done < cycles * part / parts; ++done) cycle(done);
         if (done > before)
-            std::printf("%6d %11.1f %13.1f %12.1f\n", done, megabytesInUse(), megabytes(),
+            std::printf("%6d %11.1f %13.1f %12.1f\n", done, megabytesInUse(), test::megabytes(),
                         double(timer.elapsed()) / (done - before));
         std::fflush(stdout);
     }

@@ -2,7 +2,9 @@
 // What programs that measure the window begin with.
 #pragma once
 
+#include <unistd.h>
 #include <QApplication>
+#include <QFile>
 #include <QTemporaryDir>
 #include <cstdio>
 #include <functional>
@@ -10,6 +12,13 @@
 #include "tests/support/window.h"
 
 namespace drillwave::test {
+
+/// Of the process, resident.
+inline double megabytes() {
+    QFile file(QStringLiteral("/proc/self/statm"));
+    if (!file.open(QIODevice::ReadOnly)) qFatal("no /proc/self/statm here");
+    return file.readAll().split(' ').at(1).toDouble() * double(sysconf(_SC_PAGESIZE)) / 1e6;
+}
 
 /// Calls measure(window, count) with a window of the usual size and the count of the command line, `usual`
 /// where there is none; without a screen if need be, with settings of its own, and numbers as in files.

@@ -111,7 +111,7 @@ class Pages {
                          painter.fontMetrics().elidedText(m_title, Qt::ElideRight, int(room)));
         painter.drawText(head, Qt::AlignRight | Qt::AlignTop, program);
         painter.drawText(foot, Qt::AlignRight | Qt::AlignBottom,
-                         tr("page %1 of %2").arg(page + 1).arg(pages));
+                         drillwave::tr("page %1 of %2").arg(page + 1).arg(pages));
     }
 
     QString m_title;
