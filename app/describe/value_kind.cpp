@@ -10,6 +10,7 @@
 #include "core/blow/outputs.h"
 #include "core/model/parameter.h"
 #include "core/text/enum_names.h"
+#include "core/text/languages.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/preset_file.h"
 
@@ -27,6 +28,7 @@ constexpr EnumNames<ValueKind> kindNames{{{ValueKind::free, "free"},
                                           {ValueKind::outputs, "outputs"},
                                           {ValueKind::formats, "formats"},
                                           {ValueKind::method, "method"},
+                                          {ValueKind::language, "language"},
                                           {ValueKind::rod, "rod"},
                                           {ValueKind::hammer, "hammer"},
                                           {ValueKind::rock, "rock"},
@@ -37,10 +39,10 @@ struct NamedKind {
     std::string_view option;
     ValueKind kind;
 };
-constexpr NamedKind namedKinds[]{{"outputs", ValueKind::outputs}, {"output", ValueKind::output},
-                                 {"plots", ValueKind::formats},   {"method", ValueKind::method},
-                                 {"rod", ValueKind::rod},         {"hammer", ValueKind::hammer},
-                                 {"rock", ValueKind::rock}};
+constexpr NamedKind namedKinds[]{{"outputs", ValueKind::outputs},   {"output", ValueKind::output},
+                                 {"plots", ValueKind::formats},     {"method", ValueKind::method},
+                                 {"language", ValueKind::language}, {"rod", ValueKind::rod},
+                                 {"hammer", ValueKind::hammer},     {"rock", ValueKind::rock}};
 
 std::vector<std::string> parameterWords() {
     std::vector<std::string> words = parameterNames();
@@ -58,6 +60,12 @@ std::vector<std::string> outputWords() {
 std::vector<std::string> exampleWords() {
     std::vector<std::string> words;
     for (const Example& example : builtInExamples()) words.push_back(example.name);
+    return words;
+}
+
+std::vector<std::string> languageWords() {
+    std::vector<std::string> words;
+    for (const Language& language : languages) words.emplace_back(language.code);
     return words;
 }
 
@@ -102,6 +110,8 @@ std::vector<std::string> wordsOf(ValueKind kind) {
             return {pictureFormats.begin(), pictureFormats.end()};
         case ValueKind::method:
             return {methodNames().begin(), methodNames().end()};
+        case ValueKind::language:
+            return languageWords();
         case ValueKind::rod:
             return presetWords(PresetKind::rod);
         case ValueKind::hammer:

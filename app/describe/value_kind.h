@@ -22,6 +22,7 @@ enum class ValueKind {
     outputs,    ///< several, with commas between them
     formats,    ///< of pictures, likewise
     method,
+    language,
     rod,
     hammer,
     rock,
