@@ -160,9 +160,7 @@ ReportInput inputOf(const Scenario& scenario, const SavedValue& saved, const Sce
     input.key = saved.parameter->key;
     input.si = saved.number;
     input.quantity = saved.parameter->quantity;
-    input.label = labelMessage(*saved.parameter);
-    if (std::string symbol = printedSymbol(saved.parameter->symbol); !symbol.empty())
-        input.label = {"%1 %2", {std::move(input.label), std::move(symbol)}};
+    input.label = titleMessage(*saved.parameter, printedSymbol(saved.parameter->symbol));
     return input;
 }
 

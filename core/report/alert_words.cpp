@@ -28,20 +28,14 @@ std::string inUnit(const Alert& alert, std::string_view name, const ReadingStyle
     return style.quantity(argument.value, argument.quantity, 4);
 }
 
-/// "stiffness k", as in the form: in words, not as in a file.
-Message nameOf(const Parameter& parameter) {
-    if (parameter.symbol.empty()) return labelMessage(parameter);
-    return {"%1 %2", {labelMessage(parameter), std::string(parameter.symbol)}};
-}
-
 Message implausible(const Alert& alert, const ReadingStyle& style) {
     const KeptParameter named = findParameter(alert.parameter);
     const bool isByRatio = alert.argument("value").quantity != named->quantity;
     const KeptParameter parameter = isByRatio ? inScales(*named) : named;
     const auto end = [&](double value) { return style.quantity(value, parameter->quantity, 4); };
     return {translatable("drillwave::Message", "The %1 = %2 is outside the usual range, %3 to %4."),
-            {nameOf(*parameter), inUnit(alert, "value", style), end(parameter->plausible.low),
-             end(parameter->plausible.high)}};
+            {titleMessage(*parameter, parameter->symbol), inUnit(alert, "value", style),
+             end(parameter->plausible.low), end(parameter->plausible.high)}};
 }
 
 Message longPulse(const Alert& alert, const ReadingStyle& style) {

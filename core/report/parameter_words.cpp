@@ -38,4 +38,9 @@ Message labelMessage(const Parameter& parameter) {
     return Message::ofTable(parameter.label);
 }
 
+Message titleMessage(const Parameter& parameter, std::string_view symbol) {
+    if (symbol.empty()) return labelMessage(parameter);
+    return {"%1 %2", {labelMessage(parameter), std::string(symbol)}};
+}
+
 }  // namespace drillwave

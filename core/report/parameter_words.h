@@ -2,6 +2,8 @@
 // How a parameter is called by people, in parts that a window can say in the user's language.
 #pragma once
 
+#include <string_view>
+
 #include "core/model/parameter.h"
 #include "core/text/message.h"
 
@@ -9,5 +11,9 @@ namespace drillwave {
 
 /// "stiffness", "length of hammer section 1", "force of corner 2": the label, without the symbol.
 Message labelMessage(const Parameter& parameter);
+
+/// "stiffness k", as in the form: the label, and behind it the symbol as it is written there, where it has
+/// one.
+Message titleMessage(const Parameter& parameter, std::string_view symbol);
 
 }  // namespace drillwave
