@@ -111,7 +111,7 @@ class QtDrawing : public Drawing {
 
     std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order,
                                   const Language& language) const override {
-        if (&language == &languages[0]) return filesOf(drawReport(report, order));
+        if (isEnglish(language)) return filesOf(drawReport(report, order));
         speak(language);
         PaperReader reader;
         reader.locale = QLocale(fromView(language.code));

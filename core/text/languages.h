@@ -16,6 +16,11 @@ struct Language {
 /// English, which the texts are written in, and those with a whole catalogue.
 inline constexpr Language languages[] = {{"en", "English"}, {"de", "Deutsch"}, {"sv", "Svenska"}};
 
+/// Whether it is the first of them, which needs no catalogue.
+constexpr bool isEnglish(const Language& language) {
+    return &language == &languages[0];
+}
+
 /// The language of that code, or nullptr.
 constexpr const Language* findLanguage(std::string_view code) {
     const auto* const found = std::ranges::find(languages, code, &Language::code);

@@ -20,8 +20,7 @@
 namespace drillwave {
 
 PaperReader PaperReader::of(const UnitChoice& units) {
-    const PaperReader reader{units.physicalSystem(), units.chosen(), QLocale(),
-                             &spokenLanguage() != &languages[0]};
+    const PaperReader reader{units.physicalSystem(), units.chosen(), QLocale(), !isEnglish(spokenLanguage())};
     return reader.isPlain() ? PaperReader() : reader;
 }
 

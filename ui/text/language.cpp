@@ -60,7 +60,7 @@ bool EnglishTexts::areWanted() {
 
 Catalogue::Catalogue(const Language& language, QObject* parent) : QTranslator(parent) {
     // English has no file; its texts are those of the sources.
-    if (&language == &languages[0]) return;
+    if (isEnglish(language)) return;
     const bool loaded = load(QStringLiteral(":/languages/drillwave_%1.qm").arg(codeOf(language)));
     Q_ASSERT(loaded);
     Q_UNUSED(loaded);

@@ -98,7 +98,7 @@ void TestCatalogues::faultsAreFound() {
 void TestCatalogues::allIsTranslated_data() {
     QTest::addColumn<QString>("code");
     for (const Language& language : languages)
-        if (&language != &languages[0]) {
+        if (!isEnglish(language)) {
             const QString code = fromView(language.code);
             QTest::newRow(qPrintable(code)) << code;
         }
