@@ -9,6 +9,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/text/language_style.h"
+
 namespace drillwave {
 
 /// One option of a command, "--set KEY=VALUE" or "-j N".
@@ -37,6 +39,10 @@ class Arguments {
     std::vector<std::string> values(std::string_view option) const;
     /// Of the options that are short for a key: the key and the option, in the order given.
     const std::vector<std::pair<std::string_view, std::string_view>>& shorts() const { return m_shorts; }
+    /// That of what the command says.
+    const Language& language() const { return *m_language; }
+    const ReadingStyle& style() const { return styleOf(*m_language); }
+    void speak(const Language& language) { m_language = &language; }
     /// Another word in place of the value of an option that is given once.
     void replaceValue(std::string_view option, std::string value);
     const std::vector<std::string>& operands() const { return m_operands; }
@@ -55,6 +61,7 @@ class Arguments {
     std::vector<std::string_view> m_switches;                         // of these, the ones without a value
     std::vector<std::pair<std::string_view, std::string_view>> m_shorts;
     std::vector<std::string> m_operands;
+    const Language* m_language = &languages[0];
 };
 
 /// The words of a line as a shell would split it: what Arguments::shellText() put together.

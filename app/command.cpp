@@ -35,8 +35,10 @@ const Command* findCommand(std::string_view name) {
     return nullptr;
 }
 
-Arguments parseArguments(const Command& command, std::span<const std::string> words) {
+Arguments parseArguments(const Command& command, std::span<const std::string> words,
+                         const Language& language) {
     Arguments arguments = Arguments::parse(words, command.options);
+    arguments.speak(language);
     if (arguments.value("o") == std::string())
         throw CommandError(ExitCode::usage, "-o needs a name, this one is empty; - is standard output");
     // What belongs beside a file is beside the one that a link leads to.

@@ -52,6 +52,7 @@ std::span<const Command* const> commands();
 const Command* findCommand(std::string_view name);
 
 /// Parses the words behind the subcommand and checks the number of operands.
-Arguments parseArguments(const Command& command, std::span<const std::string> words);
+Arguments parseArguments(const Command& command, std::span<const std::string> words,
+                         const Language& language = languages[0]);
 
 }  // namespace drillwave

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/text/message.h"
+
 namespace drillwave {
 
 /// Exit codes of the program (commands §6).
@@ -25,26 +27,35 @@ enum class ExitCode : int {
 class CommandError : public std::runtime_error {
   public:
     /// One line, printed behind the name of the command.
-    CommandError(ExitCode code, const std::string& line)
-        : std::runtime_error(line), m_code(code), m_lines{line}, m_isLocated(false) {}
+    CommandError(ExitCode code, const Message& line)
+        : std::runtime_error(line.text()), m_code(code), m_messages{line}, m_isLocated(false) {}
     /// Where the lines of a report begin.
     enum class Begin {
         withPlace,   ///< "file:line:column: …", printed as they are
         withOption,  ///< "--set x: …", printed behind the name of the command
     };
-    CommandError(ExitCode code, std::vector<std::string> problems, Begin begin = Begin::withPlace)
+    CommandError(ExitCode code, std::vector<Message> problems, Begin begin = Begin::withPlace)
         : std::runtime_error("problems in the input"),
           m_code(code),
-          m_lines(std::move(problems)),
+          m_messages(std::move(problems)),
           m_isLocated(begin == Begin::withPlace) {}
 
+    CommandError(ExitCode code, const std::vector<std::string>& problems, Begin begin = Begin::withPlace)
+        : CommandError(code, std::vector<Message>(problems.begin(), problems.end()), begin) {}
+
     ExitCode code() const { return m_code; }
-    const std::vector<std::string>& lines() const { return m_lines; }
+    const std::vector<Message>& messages() const { return m_messages; }
+    /// The same in English.
+    std::vector<std::string> lines() const {
+        std::vector<std::string> lines;
+        for (const Message& message : m_messages) lines.push_back(message.text());
+        return lines;
+    }
     bool isLocated() const { return m_isLocated; }
 
   private:
     ExitCode m_code;
-    std::vector<std::string> m_lines;
+    std::vector<Message> m_messages;
     bool m_isLocated;
 };
 

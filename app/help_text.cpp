@@ -3,12 +3,17 @@
 
 #include <algorithm>
 
+#include "app/language_option.h"
 #include "app/scenario_argument.h"
 #include "core/manual/chapter.h"
 
 namespace drillwave {
 
 namespace {
+
+constexpr std::string_view optionsTitle = "Options:";
+constexpr std::string_view ownHelp = "this text";
+constexpr std::string_view versionHelp = "version of the program";
 
 std::string line(const std::string& left, std::string_view right, std::size_t width) {
     return "  " + left + std::string(width - left.size() + 2, ' ') + std::string(right) + "\n";
@@ -26,37 +31,63 @@ std::string synopsis(const OptionSpec& option) {
     return option.value.empty() ? option.text() : option.text() + " " + std::string(option.value);
 }
 
-std::string programHelp() {
-    std::string help =
-        "Usage: drillwave [FILE]             open the window (with a scenario, a result or an example)\n"
-        "       drillwave COMMAND ARGUMENTS  work without a window\n"
-        "\nCommands:\n";
-    for (const Command* command : commands()) help += line(std::string(command->name), command->summary, 9);
-    help +=
-        "\n  drillwave help TOPIC  says more: of a command, as COMMAND --help and -h do; of a parameter\n"
-        "  (help bit_rock.gamma), an output (help cor), a symbol; it prints chapters of the manual and\n"
-        "  sections of them (help theory 10). drillwave version prints the version.\n"
-        "  Chapters: " +
-        chapterList() +
-        ".\n"
-        "  Without a display the window needs `-platform offscreen`.\n"
-        "  drillwave --reset-ui  opens the window with its first layout, page, units and choices;\n"
-        "  drillwave --language de  in German this once (sv: Swedish, en: English).\n"
-        "\nExit codes: ";
-    return help + std::string(exitCodesHelp) + ".\n";
+std::vector<OptionSpec> optionsOf(const Command& command) {
+    std::vector<OptionSpec> options = command.options;
+    options.push_back(languageOption);
+    return options;
 }
 
-std::string commandHelp(const Command& command) {
-    std::string help = "Usage: drillwave " + std::string(command.name) + " " + std::string(command.operands) +
-                       " [OPTION]…\n\n" + std::string(command.summary) + ".\n";
-    if (command.operands.starts_with("FILE")) help += "\n" + std::string(scenarioOperandHelp) + "\n";
-    std::size_t width = std::string_view("-h, --help").size();
-    for (const OptionSpec& option : command.options) width = std::max(width, synopsis(option).size());
-    help += "\nOptions:\n";
-    for (const OptionSpec& option : command.options) help += line(synopsis(option), option.help, width);
-    help += line("-h, --help", "this text", width) + line("--version", "version of the program", width);
-    if (!command.details.empty()) help += "\n" + std::string(command.details) + "\n";
+std::string programHelp(const ReadingStyle& style) {
+    std::string help = style.said(translatable(
+        "drillwave::Message",
+        "Usage: drillwave [FILE]             open the window (with a scenario, a result or an example)\n"
+        "       drillwave COMMAND ARGUMENTS  work without a window\n"
+        "\nCommands:\n"));
+    for (const Command* command : commands())
+        help += line(std::string(command->name), style.patternFor(std::string(command->summary)), 9);
+    help += style.said(
+        {translatable("drillwave::Message",
+                      "\n  drillwave help TOPIC  says more: of a command, as COMMAND --help and -h do; of a "
+                      "parameter\n"
+                      "  (help bit_rock.gamma), an output (help cor), a symbol; it prints chapters of the "
+                      "manual and\n"
+                      "  sections of them (help theory 10). drillwave version prints the version.\n"
+                      "  Chapters: %1.\n"
+                      "  Without a display the window needs `-platform offscreen`.\n"
+                      "  drillwave --reset-ui  opens the window with its first layout, page, units and "
+                      "choices;\n"
+                      "  drillwave --language de  in German this once (sv: Swedish, en: English).\n"
+                      "  Commands have --language, too; for all of them set DRILLWAVE_LANGUAGE=de.\n"
+                      "\nExit codes: %2.\n"),
+         {chapterList(), Message::ofTable(exitCodesHelp)}});
     return help;
+}
+
+std::string commandHelp(const Command& command, const ReadingStyle& style) {
+    const auto said = [&](std::string_view text) { return style.patternFor(std::string(text)); };
+    std::string help = style.said({translatable("drillwave::Message", "Usage: drillwave %1 [OPTION]…\n"),
+                                   {std::string(command.name) + " " + std::string(command.operands)}}) +
+                       "\n" + said(command.summary) + ".\n";
+    if (command.operands.starts_with("FILE")) help += "\n" + said(scenarioOperandHelp) + "\n";
+    const std::vector<OptionSpec> options = optionsOf(command);
+    std::size_t width = std::string_view("-h, --help").size();
+    for (const OptionSpec& option : options) width = std::max(width, synopsis(option).size());
+    help += "\n" + said(optionsTitle) + "\n";
+    for (const OptionSpec& option : options) help += line(synopsis(option), said(option.help), width);
+    help += line("-h, --help", said(ownHelp), width) + line("--version", said(versionHelp), width);
+    if (!command.details.empty()) help += "\n" + said(command.details) + "\n";
+    return help;
+}
+
+std::vector<std::string_view> helpTexts() {
+    std::vector<std::string_view> texts{scenarioOperandHelp, exitCodesHelp, optionsTitle, ownHelp,
+                                        versionHelp};
+    for (const Command* command : commands()) {
+        texts.push_back(command->summary);
+        if (!command->details.empty()) texts.push_back(command->details);
+        for (const OptionSpec& option : optionsOf(*command)) texts.push_back(option.help);
+    }
+    return texts;
 }
 
 }  // namespace drillwave

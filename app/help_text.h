@@ -4,6 +4,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "app/command.h"
 
@@ -24,10 +25,16 @@ inline constexpr std::string_view helpDetails =
 /// "--set KEY=VALUE", "--json".
 std::string synopsis(const OptionSpec& option);
 
+/// The options of a command and those that every command has, for completions: --help and --version apart.
+std::vector<OptionSpec> optionsOf(const Command& command);
+
 /// Help of the whole program.
-std::string programHelp();
+std::string programHelp(const ReadingStyle& style = plainStyle());
 
 /// Help of one subcommand.
-std::string commandHelp(const Command& command);
+std::string commandHelp(const Command& command, const ReadingStyle& style = plainStyle());
+
+/// The English texts of all that, which the catalogues have as "help".
+std::vector<std::string_view> helpTexts();
 
 }  // namespace drillwave

@@ -147,14 +147,14 @@ std::vector<std::string> topicNames() {
     return names;
 }
 
-std::string topicText(std::span<const std::string> words, std::size_t width) {
+std::string topicText(std::span<const std::string> words, std::size_t width, const ReadingStyle& style) {
     const std::string& name = words.front();
     std::string text;
     const auto add = [&text](const std::string& more) {
         text += text.empty() || more.empty() ? more : "\n" + more;
     };
     if (words.size() == 1)
-        if (const Command* command = findCommand(name)) add(commandHelp(*command));
+        if (const Command* command = findCommand(name)) add(commandHelp(*command, style));
     add(chapterText(words, width));
     if (words.size() == 1) add(referenceText(name, width));
     if (words.size() == 1 && text.empty()) add(rowText(name, width));

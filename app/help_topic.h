@@ -8,11 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "core/text/handy_text.h"
+
 namespace drillwave {
 
-/// The text of the topic that these words name, in lines of at most `width` columns. Throws CommandError
+/// The text of the topic that these words name, in lines of at most `width` columns: of a command in the
+/// language of the style, of what the manual has in English. Throws CommandError
 /// (usage) with the nearest names where there is none. Requires a word.
-std::string topicText(std::span<const std::string> words, std::size_t width);
+std::string topicText(std::span<const std::string> words, std::size_t width,
+                      const ReadingStyle& style = plainStyle());
 
 /// The keys of numbers and words that every scenario may have, which --set takes.
 std::vector<std::string> parameterNames();

@@ -1,19 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/language_option.h"
 
+#include <algorithm>
+#include <cstdlib>
+#include <optional>
+
 #include "app/command_error.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
 
-const Language& languageOf(const std::string& code) {
+namespace {
+
+const Language& languageNamed(const std::string& code, const std::string& by) {
     if (const Language* found = findLanguage(code)) return *found;
     std::string known;
     for (const Language& language : languages)
         known += (known.empty() ? "" : ", ") + std::string(language.code);
-    throw CommandError(ExitCode::usage, code.empty()
-                                            ? "--language needs one of " + known
-                                            : "--language: `" + shortened(code) + "` is not one of " + known);
+    if (code.empty())
+        throw CommandError(ExitCode::usage,
+                           Message(translatable("drillwave::Message", "%1 needs one of %2"), {by, known}));
+    throw CommandError(ExitCode::usage,
+                       Message(translatable("drillwave::Message", "%1: `%2` is not one of %3"),
+                               {by, shortened(code), known}));
+}
+
+}  // namespace
+
+const Language& languageOf(const std::string& code) {
+    return languageNamed(code, languageOption.text());
+}
+
+const Language& takeLanguage(std::vector<std::string>& words) {
+    const std::string name = languageOption.text();
+    std::optional<std::string> code;
+    const auto end = [&] { return std::ranges::find(words, "--"); };
+    const auto isIt = [&](const std::string& word) { return word == name || word.starts_with(name + "="); };
+    for (auto word = std::find_if(words.begin(), end(), isIt); word != end();
+         word = std::find_if(words.begin(), end(), isIt)) {
+        if (code)
+            throw CommandError(ExitCode::usage,
+                               Message(translatable("drillwave::Message", "%1 is given twice"), {name}));
+        if (*word != name) {
+            code = word->substr(name.size() + 1);
+            words.erase(word);
+            continue;
+        }
+        const bool hasCode = std::next(word) != words.end();
+        code = hasCode ? *std::next(word) : std::string();
+        words.erase(word, std::next(word, hasCode ? 2 : 1));
+    }
+    if (code) return languageOf(*code);
+    const char* variable = std::getenv(languageVariable);
+    return variable && *variable ? languageNamed(variable, languageVariable) : languages[0];
 }
 
 }  // namespace drillwave

@@ -23,9 +23,11 @@
 #include "app/help_text.h"
 #include "app/help_topic.h"
 #include "app/interruption.h"
+#include "app/language_option.h"
 #include "core/manual/chapter.h"
 #include "core/model/version.h"
 #include "core/text/decimal_text.h"
+#include "core/text/language_style.h"
 #include "core/text/name_text.h"
 #include "core/yaml/scenario_file.h"
 
@@ -68,9 +70,9 @@ void refuseMore(std::span<const std::string> words, std::size_t taken) {
 }
 
 /// `drillwave version`.
-int printVersionAlone(std::span<const std::string> words) {
+int printVersionAlone(std::span<const std::string> words, const ReadingStyle& style) {
     if (!asksForHelp(words) && !asksForVersion(words)) refuseMore(words, 0);
-    return asksForHelp(words) ? print(programHelp()) : printVersion();
+    return asksForHelp(words) ? print(programHelp(style)) : printVersion();
 }
 
 /// As wide as a terminal is, within what can be read; elsewhere as wide as terminals usually are.
@@ -82,19 +84,20 @@ std::size_t readableWidth() {
 }
 
 /// `drillwave help [TOPIC]`; of a chapter also the number of a section.
-int printHelp(std::span<const std::string> words) {
-    if (words.empty() || asksForHelp(words)) return print(programHelp());
+int printHelp(std::span<const std::string> words, const ReadingStyle& style) {
+    if (words.empty() || asksForHelp(words)) return print(programHelp(style));
     refuseMore(words, 2);
-    if (words.front() == "help" || words.front() == "version") return print(programHelp());
+    if (words.front() == "help" || words.front() == "version") return print(programHelp(style));
     if (words.size() > 1 && !findChapter(words.front())) refuseMore(words, 1);
-    return print(topicText(words, readableWidth()));
+    return print(topicText(words, readableWidth(), style));
 }
 
-int runCommand(const Command& command, std::span<const std::string> words, int argc, char** argv) {
-    if (asksForHelp(words)) return print(commandHelp(command));
+int runCommand(const Command& command, std::span<const std::string> words, const Language& language, int argc,
+               char** argv) {
+    if (asksForHelp(words)) return print(commandHelp(command, styleOf(language)));
     if (asksForVersion(words)) return printVersion();
     exitOnInterruption();
-    const Arguments arguments = parseArguments(command, words);
+    const Arguments arguments = parseArguments(command, words, language);
     const std::unique_ptr<const Drawing> drawing =
         command.draws(arguments) ? startDrawing(argc, argv) : nullptr;
     return static_cast<int>(command.run(arguments, drawing.get()));
@@ -122,10 +125,11 @@ std::string withShortWords(std::string line, std::span<const std::string> words)
     return line;
 }
 
-int report(const std::string& who, const CommandError& error, std::span<const std::string> words) {
-    for (const std::string& line : error.lines())
+int report(const std::string& who, const CommandError& error, std::span<const std::string> words,
+           const ReadingStyle& style) {
+    for (const Message& line : error.messages())
         std::fprintf(stderr, "%s%s\n", error.isLocated() ? "" : who.c_str(),
-                     printable(withShortWords(line, words)).c_str());
+                     printable(withShortWords(style.said(line), words)).c_str());
     return static_cast<int>(error.code());
 }
 
@@ -157,21 +161,28 @@ int main(int argc, char** argv) {
     occupyClosedStreams();
     // A file too large for a limit is an output that cannot be written, in words.
     std::signal(SIGXFSZ, SIG_IGN);
-    const std::vector<std::string> words(argv + 1, argv + argc);
-    const Command* command = words.empty() ? nullptr : findCommand(words.front());
-    const std::string who = command ? "drillwave " + std::string(command->name) + ": " : "drillwave: ";
+    std::vector<std::string> words(argv + 1, argv + argc);
+    std::string who = "drillwave: ";
+    const Language* language = &languages[0];
     try {
-        if (command) return runCommand(*command, std::span(words).subspan(1), argc, argv);
+        language = &takeLanguage(words);
+        const ReadingStyle& style = styleOf(*language);
         const std::string first = words.empty() ? std::string() : words.front();
-        if (first == "help") return printHelp(std::span(words).subspan(1));
-        if (asksForHelp(words)) return print(programHelp());
-        if (first == "version") return printVersionAlone(std::span(words).subspan(1));
+        const std::span behind = std::span<const std::string>(words).subspan(words.empty() ? 0 : 1);
+        if (const Command* command = findCommand(first)) {
+            who = "drillwave " + first + ": ";
+            return runCommand(*command, behind, *language, argc, argv);
+        }
+        if (first == "help") return printHelp(behind, style);
+        if (asksForHelp(words)) return print(programHelp(style));
+        if (first == "version") return printVersionAlone(behind, style);
         if (asksForVersion(words)) return printVersion();
         return openWindow(argc, argv);
     } catch (const CommandError& error) {
-        return report(who, error, words);
+        return report(who, error, words, styleOf(*language));
     } catch (const ScenarioError& error) {
-        return report(who, CommandError(ExitCode::invalidScenario, error.lines()), words);
+        return report(who, CommandError(ExitCode::invalidScenario, error.messages()), words,
+                      styleOf(*language));
     } catch (const std::bad_alloc&) {
         return outOfMemory(who);
     } catch (const std::exception& error) {

@@ -6,7 +6,6 @@
 
 #include "app/command.h"
 #include "app/interruption.h"
-#include "app/language_option.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/row_options.h"
@@ -103,8 +102,6 @@ ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const ReportPlace place = placeOf(arguments);
     const ReportHead head = headOf(arguments);
-    const Language& language =
-        languageOf(arguments.value("language").value_or(std::string(languages[0].code)));
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
     check(place, path, document, overwrite);
@@ -117,8 +114,8 @@ ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
         throw CommandError(ExitCode::unsolvedOrFailed,
                            path + ": could not be solved: " + report.blow.impact.reason +
                                limitHint(arguments, document.scenario, report.blow.impact.hindrance));
-    std::vector<NamedFile> files =
-        drawing->report(report, {std::string(stem), place.formats, interruption.token()}, language);
+    std::vector<NamedFile> files = drawing->report(
+        report, {std::string(stem), place.formats, interruption.token()}, arguments.language());
     interruption.check();
     write(place, std::move(files), overwrite, interruption);
     if (!isStream(place.path)) std::printf("report in %s\n", place.path.c_str());
@@ -143,7 +140,6 @@ const Command& reportCommand() {
                                     {"author", "TEXT", "who wrote it"},
                                     {"customer", "TEXT", "whom it is for"},
                                     {"date", "TEXT", "of when it is, as it is to be read; none unless given"},
-                                    {"language", "CODE", "of its words and numbers: de, sv; else en"},
                                     workLimitSpec(),
                                     {"o", "DIR|FILE.html|FILE.pdf", "where to write; - prints the HTML"},
                                     {"force", "", "overwrite existing files"}}),

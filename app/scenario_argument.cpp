@@ -123,7 +123,7 @@ std::vector<OptionSpec> scenarioOptions(std::initializer_list<OptionSpec> own) {
 
 void rethrow(const ScenarioError& error) {
     const bool unreadable = error.kind() == ScenarioError::Kind::unreadable;
-    throw CommandError(unreadable ? ExitCode::unreadableInput : ExitCode::invalidScenario, error.lines());
+    throw CommandError(unreadable ? ExitCode::unreadableInput : ExitCode::invalidScenario, error.messages());
 }
 
 std::string inputBytes(const std::string& path) {

@@ -31,7 +31,6 @@ namespace {
 }  // namespace
 
 WindowArguments windowArguments(std::span<const std::string> words) {
-    constexpr std::string_view languageOption = "--language";
     WindowArguments arguments;
     for (std::size_t i = 0; i < words.size(); ++i) {
         const std::string& word = words[i];
@@ -39,7 +38,7 @@ WindowArguments windowArguments(std::span<const std::string> words) {
             arguments.resetsUi = true;
             continue;
         }
-        if (word == languageOption) {
+        if (word == languageOption.text()) {
             arguments.language = &languageOf(i + 1 < words.size() ? words[i + 1] : std::string());
             ++i;
             continue;

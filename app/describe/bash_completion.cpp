@@ -5,6 +5,7 @@
 #include "app/command.h"
 #include "app/describe/completions.h"
 #include "app/describe/value_kind.h"
+#include "app/help_text.h"
 #include "core/text/enum_names.h"
 
 namespace drillwave {
@@ -109,7 +110,7 @@ std::string bashCompletion() {
     for (const Command* command : commands()) {
         names.emplace_back(command->name);
         std::vector<std::string> own;
-        for (const OptionSpec& option : command->options) {
+        for (const OptionSpec& option : optionsOf(*command)) {
             own.push_back(option.text());
             if (!option.value.empty())
                 values[std::string(name(valueKind(option)))].push_back(

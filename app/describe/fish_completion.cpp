@@ -56,7 +56,7 @@ std::string fishLines(const Command& command) {
     const std::string line =
         "complete -c drillwave -n '__fish_seen_subcommand_from " + std::string(command.name) + "'";
     std::string text = "\n";
-    for (const OptionSpec& option : command.options) {
+    for (const OptionSpec& option : optionsOf(command)) {
         text += line + (option.isLong() ? " -l " : " -s ") + std::string(option.name);
         if (!option.value.empty()) text += choice(valueKind(option));
         text += " -d " + fishWord(option.help) + "\n";

@@ -6,6 +6,7 @@
 
 #include "app/command.h"
 #include "app/help_text.h"
+#include "app/language_option.h"
 #include "app/scenario_argument.h"
 #include "core/model/version.h"
 
@@ -166,11 +167,17 @@ std::string manPage(std::string_view date) {
             ".SS version\n.B drillwave version\n.PP\nprint the version of the program.\n"
             ".SH OPTIONS\nEvery command also has\n" +
             item(bold("-h") + ", " + bold("--help"), "what it takes") +
-            item(bold("--version"), "version of the program") + "The window has\n" +
+            item(bold("--version"), "version of the program") +
+            item(bold(languageOption.text()) + " " + manText(languageOption.value), languageOption.help) +
+            "The window has\n" +
             item(bold("--reset-ui"), "open with the first layout, page, units and choices") +
             item(bold("--language") + " CODE",
                  "speak English (en), German (de) or Swedish (sv) this once, in place of the language chosen "
                  "under View, or of that of the system") +
+            ".SH ENVIRONMENT\n" +
+            item(bold(languageVariable),
+                 "the language of the commands, as --language; they speak English "
+                 "where neither says another") +
             ".SH EXIT STATUS\n" + exitCodes() +
             ".SH EXAMPLES\n.EX\ndrillwave run t38_medium_rock\n"
             "drillwave run t38_medium_rock \\-\\-set rod.length=4.27m gamma=0.2\n"

@@ -94,7 +94,8 @@ std::string zshCompletion() {
             "        help) ((CURRENT > 2)) || _drillwave_topic ;;\n";
     for (const Command* command : commands()) {
         text += "        " + std::string(command->name) + ")\n            _arguments -S";
-        for (const OptionSpec& option : command->options) text += " \\\n            " + specification(option);
+        for (const OptionSpec& option : optionsOf(*command))
+            text += " \\\n            " + specification(option);
         text += " \\\n            '(- *)'{-h,--help}'[what it takes]'" + operandSpecification(*command) +
                 "\n            ;;\n";
     }

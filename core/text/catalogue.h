@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The texts of the core and the commands in the languages of the program, where there is no Qt to say them.
+#pragma once
+
+#include <string>
+
+#include "core/text/languages.h"
+
+namespace drillwave {
+
+/// What the catalogue of the language has for an English text; the text itself in English, and where it has
+/// none.
+std::string inLanguage(const Language& language, const std::string& english);
+
+}  // namespace drillwave

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The style of the commands in each of the languages.
+#pragma once
+
+#include "core/text/handy_text.h"
+#include "core/text/languages.h"
+
+namespace drillwave {
+
+/// Sentences from the catalogue of the language, numbers with its decimal comma, units in SI: plainStyle() of
+/// English. Not for several threads at once.
+const ReadingStyle& styleOf(const Language& language);
+
+}  // namespace drillwave
