@@ -204,20 +204,20 @@ std::vector<OptionSpec> curveOptions() {
 }  // namespace
 
 const Command& curveCommand() {
-    static const std::string details =
+    static constexpr std::string_view details =
         "Follows outputs along a parameter by smooth pieces between kinks, which are found where the order\n"
         "of events changes; no grid to be chosen. Tells where each output is least and largest, its local\n"
         "extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is not\n"
         "smooth within the work permitted it is known by points alone, and the table says so.\n"
         "--goal asks the other way round: where along KEY the output is X. Each place is solved for, with "
         "its\nerror, and it is told whether there may be others; where there is none, what comes nearest.\n"
-        "Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log\n" +
-        outputHelp();
+        "Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log";
     static const Command command{
         .name = "curve",
         .operands = "FILE",
         .summary = "outputs along a parameter: extremes, kinks and crossings with places and errors",
         .details = details,
+        .furtherHelp = outputHelp,
         .options = curveOptions(),
         .leastOperands = 1,
         .mostOperands = 1,

@@ -124,7 +124,7 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
 
 const Command& designCommand() {
     using Times = OptionSpec::Times;
-    static const std::string details =
+    static constexpr std::string_view details =
         "Every design of the choices is solved at the same samples of what is uncertain. Told are the best\n"
         "one by the first aim (robust best), the one that would be best where all is as in FILE (nominal\n"
         "best), which others are as good as far as the samples tell, what is worth measuring, and the worst\n"
@@ -134,13 +134,13 @@ const Command& designCommand() {
         "  --uncertain KEY=+-P%                 about the value of FILE or of the design\n"
         "Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:\n"
         "max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. DIR gets designs.csv,\n"
-        "pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with --plots, design.png." +
-        outputHelp();
+        "pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with --plots, design.png.";
     static const Command command{
         .name = "design",
         .operands = "FILE",
         .summary = "which choice is best over what is not known, what it costs, what to measure",
         .details = details,
+        .furtherHelp = outputHelp,
         .options = scenarioOptions(
             {{"uncertain", "KEY=LOW:HIGH", "what is not known; see below", Times::list},
              {"draws", "FILE.csv", "rows of values that belong together, headed as for table",

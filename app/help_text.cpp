@@ -5,6 +5,7 @@
 
 #include "app/language_option.h"
 #include "app/scenario_argument.h"
+#include "core/blow/outputs.h"
 #include "core/manual/chapter.h"
 
 namespace drillwave {
@@ -35,6 +36,11 @@ std::vector<OptionSpec> optionsOf(const Command& command) {
     std::vector<OptionSpec> options = command.options;
     options.push_back(languageOption);
     return options;
+}
+
+std::string detailsOf(const Command& command, const ReadingStyle& style) {
+    const std::string details = style.patternFor(std::string(command.details));
+    return command.furtherHelp ? details + "\n\n" + command.furtherHelp(style) : details;
 }
 
 std::string programHelp(const ReadingStyle& style) {
@@ -75,7 +81,8 @@ std::string commandHelp(const Command& command, const ReadingStyle& style) {
     help += "\n" + said(optionsTitle) + "\n";
     for (const OptionSpec& option : options) help += line(synopsis(option), said(option.help), width);
     help += line("-h, --help", said(ownHelp), width) + line("--version", said(versionHelp), width);
-    if (!command.details.empty()) help += "\n" + said(command.details) + "\n";
+    if (const std::string details = detailsOf(command, style); !details.empty())
+        help += "\n" + details + "\n";
     return help;
 }
 
@@ -87,6 +94,7 @@ std::vector<std::string_view> helpTexts() {
         if (!command->details.empty()) texts.push_back(command->details);
         for (const OptionSpec& option : optionsOf(*command)) texts.push_back(option.help);
     }
+    for (const Output& output : drillOutputs()) texts.push_back(output.meaning);
     return texts;
 }
 

@@ -28,6 +28,9 @@ std::string synopsis(const OptionSpec& option);
 /// The options of a command and those that every command has, for completions: --help and --version apart.
 std::vector<OptionSpec> optionsOf(const Command& command);
 
+/// What the help of a command says below its options; empty where there is no more.
+std::string detailsOf(const Command& command, const ReadingStyle& style = plainStyle());
+
 /// Help of the whole program.
 std::string programHelp(const ReadingStyle& style = plainStyle());
 

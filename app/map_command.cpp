@@ -216,17 +216,17 @@ std::vector<OptionSpec> mapOptions() {
 }  // namespace
 
 const Command& mapCommand() {
-    static const std::string details =
+    static constexpr std::string_view details =
         "FILE.csv has the rows of `drillwave sweep` over the same two axes, --y fastest. A contour has one\n"
         "point between two neighbouring points on either side of the level, placed there by the solver, not\n"
         "by interpolation: FILE_contours.csv says how near the level it is, or that the output jumps "
-        "there.\n" +
-        outputHelp();
+        "there.";
     static const Command command{
         .name = "map",
         .operands = "FILE",
         .summary = "an output over two parameters, and its contours",
         .details = details,
+        .furtherHelp = outputHelp,
         .options = mapOptions(),
         .leastOperands = 1,
         .mostOperands = 1,

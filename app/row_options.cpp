@@ -114,19 +114,24 @@ OptionSpec shardOptionSpec() {
             "only the I-th of N contiguous parts, for `drillwave join`; header only in part 1"};
 }
 
-std::string outputHelp() {
-    std::string help = "\nOutputs:";
+std::string outputHelp(const ReadingStyle& style) {
+    std::string help = style.said(translatable("drillwave::Message", "Outputs:"));
     std::size_t width = 0;
     for (const std::span<const Output> table : {outputs(), drillOutputs()})
         for (const Output& output : table) width = std::max(width, output.name.size());
     const auto add = [&](std::string_view name, std::string_view meaning) {
-        help += "\n  " + std::string(name) + std::string(width - name.size() + 2, ' ') + std::string(meaning);
+        help += "\n  " + std::string(name) + std::string(width - name.size() + 2, ' ') +
+                style.patternFor(std::string(meaning));
     };
     for (const Output& output : outputs()) add(output.name, output.meaning);
-    add("all", "all of these that FILE has: some need a blow frequency, thrust_margin a thrust too");
+    add("all", translatable("drillwave::Message",
+                            "all of these that FILE has: some need a blow frequency, "
+                            "thrust_margin a thrust too"));
     help +=
-        "\nOf many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency and "
-        "drill.thrust:";
+        "\n" + style.said(translatable(
+                   "drillwave::Message",
+                   "Of many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency "
+                   "and drill.thrust:"));
     for (const Output& output : drillOutputs()) add(output.name, output.meaning);
     return help;
 }

@@ -32,8 +32,8 @@ std::vector<OptionSpec> rowOptionSpecs();
 /// --shard, for a table of options.
 OptionSpec shardOptionSpec();
 
-/// The names for --outputs with their meanings, for the help of both.
-std::string outputHelp();
+/// The names for --outputs with their meanings, for the help of commands.
+std::string outputHelp(const ReadingStyle& style);
 
 /// Threads by `-j N`, all of them where it is not given. Throws CommandError (usage).
 int jobsOf(const Arguments& arguments);

@@ -95,17 +95,17 @@ std::vector<OptionSpec> sweepOptions() {
 }  // namespace
 
 const Command& sweepCommand() {
-    static const std::string details =
+    static constexpr std::string_view details =
         "Every combination of the values of the axes is one row, later axes fastest. Values carry units\n"
         "where the parameter has one: --vary rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine\n"
         "FILE.csv.yaml beside FILE.csv says what the rows are: version, command, axes and scenario.\n"
-        "--plots draws one axis or two: curves along the one with more values, one for each of the other.\n" +
-        outputHelp();
+        "--plots draws one axis or two: curves along the one with more values, one for each of the other.";
     static const Command command{
         .name = "sweep",
         .operands = "FILE",
         .summary = "solve a grid of parameters, one CSV row per point",
         .details = details,
+        .furtherHelp = outputHelp,
         .options = sweepOptions(),
         .leastOperands = 1,
         .mostOperands = 1,

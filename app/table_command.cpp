@@ -59,17 +59,17 @@ ExitCode runTableCommand(const Arguments& arguments, const Drawing*) {
 }  // namespace
 
 const Command& tableCommand() {
-    static const std::string details =
+    static constexpr std::string_view details =
         "The header of CASES names parameters, with a unit in brackets or units in the cells: rod.length "
         "[m].\n"
         "An empty cell leaves the value of FILE. Columns that are no parameters are passed through.\n"
-        "CASES may be - or a pipe. FILE.csv.yaml beside FILE.csv says what the rows are.\n" +
-        outputHelp();
+        "CASES may be - or a pipe. FILE.csv.yaml beside FILE.csv says what the rows are.";
     static const Command command{
         .name = "table",
         .operands = "FILE CASES.csv",
         .summary = "solve every row of a table of cases; its columns and the outputs",
         .details = details,
+        .furtherHelp = outputHelp,
         .options = rowOptionSpecs(),
         .leastOperands = 2,
         .mostOperands = 2,

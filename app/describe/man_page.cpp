@@ -80,7 +80,7 @@ std::string manSection(const Command& command) {
     for (const OptionSpec& option : command.options)
         text += item(bold(option.text()) + (option.value.empty() ? "" : " " + manText(option.value)),
                      option.help);
-    if (!command.details.empty()) text += manDetails(command.details);
+    if (const std::string details = detailsOf(command); !details.empty()) text += manDetails(details);
     return text;
 }
 
