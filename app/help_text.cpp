@@ -12,6 +12,20 @@ namespace drillwave {
 
 namespace {
 
+constexpr const char* beforeCommands =
+    "Usage: drillwave [FILE]             open the window (with a scenario, a result or an example)\n"
+    "       drillwave COMMAND ARGUMENTS  work without a window\n"
+    "\nCommands:\n";
+constexpr const char* behindCommands =
+    "\n  drillwave help TOPIC  says more: of a command, as COMMAND --help and -h do; of a parameter\n"
+    "  (help bit_rock.gamma), an output (help cor), a symbol; it prints chapters of the manual and\n"
+    "  sections of them (help theory 10). drillwave version prints the version.\n"
+    "  Chapters: %1.\n"
+    "  Without a display the window needs `-platform offscreen`.\n"
+    "  drillwave --reset-ui  opens the window with its first layout, page, units and choices;\n"
+    "  drillwave --language de  in German this once (sv: Swedish, en: English).\n"
+    "  Commands have --language, too; for all of them set DRILLWAVE_LANGUAGE=de.\n"
+    "\nExit codes: %2.\n";
 constexpr std::string_view optionsTitle = "Options:";
 constexpr std::string_view ownHelp = "this text";
 constexpr std::string_view versionHelp = "version of the program";
@@ -44,29 +58,10 @@ std::string detailsOf(const Command& command, const ReadingStyle& style) {
 }
 
 std::string programHelp(const ReadingStyle& style) {
-    std::string help = style.said(translatable(
-        "drillwave::Message",
-        "Usage: drillwave [FILE]             open the window (with a scenario, a result or an example)\n"
-        "       drillwave COMMAND ARGUMENTS  work without a window\n"
-        "\nCommands:\n"));
+    std::string help = style.said(beforeCommands);
     for (const Command* command : commands())
         help += line(std::string(command->name), style.patternFor(std::string(command->summary)), 9);
-    help += style.said(
-        {translatable("drillwave::Message",
-                      "\n  drillwave help TOPIC  says more: of a command, as COMMAND --help and -h do; of a "
-                      "parameter\n"
-                      "  (help bit_rock.gamma), an output (help cor), a symbol; it prints chapters of the "
-                      "manual and\n"
-                      "  sections of them (help theory 10). drillwave version prints the version.\n"
-                      "  Chapters: %1.\n"
-                      "  Without a display the window needs `-platform offscreen`.\n"
-                      "  drillwave --reset-ui  opens the window with its first layout, page, units and "
-                      "choices;\n"
-                      "  drillwave --language de  in German this once (sv: Swedish, en: English).\n"
-                      "  Commands have --language, too; for all of them set DRILLWAVE_LANGUAGE=de.\n"
-                      "\nExit codes: %2.\n"),
-         {chapterList(), Message::ofTable(exitCodesHelp)}});
-    return help;
+    return help + style.said({behindCommands, {chapterList(), Message::ofTable(exitCodesHelp)}});
 }
 
 std::string commandHelp(const Command& command, const ReadingStyle& style) {
@@ -87,8 +82,8 @@ std::string commandHelp(const Command& command, const ReadingStyle& style) {
 }
 
 std::vector<std::string_view> helpTexts() {
-    std::vector<std::string_view> texts{scenarioOperandHelp, exitCodesHelp, optionsTitle, ownHelp,
-                                        versionHelp};
+    std::vector<std::string_view> texts{beforeCommands, behindCommands, scenarioOperandHelp, exitCodesHelp,
+                                        optionsTitle,   ownHelp,        versionHelp};
     for (const Command* command : commands()) {
         texts.push_back(command->summary);
         if (!command->details.empty()) texts.push_back(command->details);

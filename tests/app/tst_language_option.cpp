@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QtTest>
+
+#include "app/command_error.h"
+#include "app/language_option.h"
+
+using namespace drillwave;
+
+namespace {
+
+using Words = std::vector<std::string>;
+
+constexpr std::string_view german = "de";
+
+/// The line of the refusal, empty where there is none.
+QString refusal(Words words) {
+    try {
+        takeLanguage(words);
+    } catch (const CommandError& error) {
+        return error.code() == ExitCode::usage ? QString::fromStdString(error.lines().front())
+                                               : QStringLiteral("another exit code");
+    }
+    return {};
+}
+
+}  // namespace
+
+class TestLanguageOption : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void init() { qunsetenv(languageVariable); }
+    void cleanup() { qunsetenv(languageVariable); }
+
+    void itIsTakenFromAnyPlace() {
+        for (const Words& words :
+             {Words{"--language", "de", "run", "x"}, Words{"run", "--language", "de", "x"},
+              Words{"run", "x", "--language=de"}, Words{"run", "x", "--language", "de"}}) {
+            Words rest = words;
+            QCOMPARE(takeLanguage(rest).code, german);
+            QCOMPARE(rest, (Words{"run", "x"}));
+        }
+    }
+
+    void behindTheEndOfOptionsItIsAName() {
+        Words words{"run", "--", "--language", "de"};
+        QVERIFY(isEnglish(takeLanguage(words)));
+        QCOMPARE(words.size(), std::size_t(4));
+    }
+
+    void withoutItTheVariableCounts() {
+        Words words{"run", "x"};
+        QVERIFY(isEnglish(takeLanguage(words)));
+        qputenv(languageVariable, "sv");
+        QCOMPARE(takeLanguage(words).code, std::string_view("sv"));
+        qputenv(languageVariable, "");
+        QVERIFY(isEnglish(takeLanguage(words)));
+        qputenv(languageVariable, "sv");
+        words.insert(words.end(), {"--language", "de"});
+        QCOMPARE(takeLanguage(words).code, german);
+    }
+
+    void othersAreRefused() {
+        QCOMPARE(refusal({"run", "--language"}), QString("--language needs one of en, de, sv"));
+        QCOMPARE(refusal({"run", "--language="}), QString("--language needs one of en, de, sv"));
+        QCOMPARE(refusal({"--language", "fr"}), QString("--language: `fr` is not one of en, de, sv"));
+        QCOMPARE(refusal({"--language", "de", "--language=de"}), QString("--language is given twice"));
+        qputenv(languageVariable, "Deutsch");
+        QCOMPARE(refusal({"run"}), QString("DRILLWAVE_LANGUAGE: `Deutsch` is not one of en, de, sv"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLanguageOption)
+#include "tst_language_option.moc"
