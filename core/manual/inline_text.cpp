@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/text/text_layout.h"
+
 namespace drillwave {
 namespace {
 
@@ -66,12 +68,6 @@ std::vector<std::string_view> codeIn(std::string_view line) {
         open = line.find('`', close + 1);
     }
     return found;
-}
-
-std::size_t columnsOf(std::string_view text) {
-    std::size_t columns = 0;
-    for (const char byte : text) columns += (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
-    return columns;
 }
 
 std::vector<std::string> wrapped(std::string_view text, std::size_t width) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What stands inside a line of Markdown, and how wide a text is in a terminal.
+// What stands inside a line of Markdown, and how it is broken into lines.
 #pragma once
 
 #include <cstddef>
@@ -14,9 +14,6 @@ std::string withoutMarks(std::string_view line);
 
 /// What stands between backquotes, in order.
 std::vector<std::string_view> codeIn(std::string_view line);
-
-/// Characters of a text in UTF-8: columns of a terminal.
-std::size_t columnsOf(std::string_view text);
 
 /// Lines of at most so many columns, broken at blanks; a longer word has a line of its own. At least one
 /// line.

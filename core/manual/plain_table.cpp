@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "core/manual/inline_text.h"
+#include "core/text/text_layout.h"
 
 namespace drillwave {
 namespace {

@@ -3,6 +3,7 @@
 
 #include "core/manual/inline_text.h"
 #include "core/manual/plain_table.h"
+#include "core/text/text_layout.h"
 
 namespace drillwave {
 namespace {

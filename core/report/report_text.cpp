@@ -8,6 +8,7 @@
 #include "core/model/parameter.h"
 #include "core/model/scales.h"
 #include "core/text/handy_text.h"
+#include "core/text/text_layout.h"
 
 namespace drillwave {
 
@@ -18,44 +19,68 @@ std::string titleLine(const Scenario& scenario) {
     return title.empty() ? std::string() : title + "\n";
 }
 
-std::string groupsLine(const Scenario& scenario) {
+std::string groupsLine(const Scenario& scenario, const ReadingStyle& style) {
     const Groups groups = groupsOf(scenario);
-    return "  beta " + rounded(groups.beta) + "  gamma " + rounded(groups.gamma) + "  tau " +
-           rounded(groups.tau) + "  delta " + rounded(groups.delta) +
-           (followsFromGroups(scenario) ? "  pulse " + std::string(name(scenario.pulse.shape)) : "") + "\n";
+    std::string line = "  beta " + style.number(groups.beta) + "  gamma " + style.number(groups.gamma) +
+                       "  tau " + style.number(groups.tau) + "  delta " + style.number(groups.delta);
+    if (followsFromGroups(scenario))
+        line += "  " + style.said({translatable("drillwave::Message", "pulse %1"),
+                                   {std::string(name(scenario.pulse.shape))}});
+    return line + "\n";
 }
 
-std::string lawLine(const Scenario& scenario) {
+namespace {
+
+std::string lawQuantity(const Scenario& scenario, double value, Quantity of, const ReadingStyle& style) {
+    if (hasUnits(scenario) && of != Quantity::ratio) return style.quantity(value, of);
+    const char* scale = of == Quantity::force ? " F0" : of == Quantity::length ? " d0" : "";
+    return style.number(value) + scale;
+}
+
+/// "slope 0.5 k from 20 kN, 0.25 k from 40 kN, and 2 more".
+std::string cornersText(const Scenario& scenario, const ReadingStyle& style) {
+    const std::vector<RockCorner>& corners = scenario.bitRock.corners;
+    constexpr std::size_t enough = 4;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(enough, corners.size()); ++i)
+        text += (i == 0 ? "" : ", ") +
+                style.said({i == 0 ? translatable("drillwave::Message", "slope %1 k from %2")
+                                   : translatable("drillwave::Message", "%1 k from %2"),
+                            {style.number(corners[i].slope),
+                             lawQuantity(scenario, corners[i].force, Quantity::force, style)}});
+    if (corners.size() > enough)
+        text += ", " + style.said({translatable("drillwave::Message", "and %1 more"),
+                                   {std::to_string(corners.size() - enough)}});
+    return text;
+}
+
+}  // namespace
+
+std::string lawLine(const Scenario& scenario, const ReadingStyle& style) {
     const BitRock& rock = scenario.bitRock;
-    const auto quantity = [&](double value, Quantity of) {
-        if (hasUnits(scenario) && of != Quantity::ratio) return inHandyUnit(value, of);
-        const char* scale = of == Quantity::force ? " F0" : of == Quantity::length ? " d0" : "";
-        return rounded(value) + scale;
-    };
     std::string numbers;
     for (const Parameter& row : parameters())
         if (row.rules.law == rock.law)
-            numbers += (numbers.empty() ? " " : ", ") + std::string(row.label) + " " +
-                       quantity(*inFormOf(scenario, row)->value(scenario), row.quantity);
-    constexpr std::size_t enough = 4;
-    for (std::size_t i = 0; i < std::min(enough, rock.corners.size()); ++i)
-        numbers += (i == 0 ? " slope " : ", ") + rounded(rock.corners[i].slope) + " k from " +
-                   quantity(rock.corners[i].force, Quantity::force);
-    if (rock.corners.size() > enough)
-        numbers += ", and " + std::to_string(rock.corners.size() - enough) + " more";
-    return numbers.empty() ? numbers : "  rock law " + std::string(name(rock.law)) + " " + numbers + "\n";
+            numbers += (numbers.empty() ? "" : ", ") + style.said(Message::ofTable(row.label)) + " " +
+                       lawQuantity(scenario, *inFormOf(scenario, row)->value(scenario), row.quantity, style);
+    if (!rock.corners.empty()) numbers += " " + cornersText(scenario, style);
+    if (numbers.empty()) return numbers;
+    return "  " +
+           style.said({translatable("drillwave::Message", "rock law %1"), {std::string(name(rock.law))}}) +
+           " " + numbers + "\n";
 }
 
-std::string headingOf(const Scenario& scenario) {
-    return titleLine(scenario) + groupsLine(scenario) + lawLine(scenario);
+std::string headingOf(const Scenario& scenario, const ReadingStyle& style) {
+    return titleLine(scenario) + groupsLine(scenario, style) + lawLine(scenario, style);
 }
 
 namespace {
 
 /// Where the first line of such words ends: at a blank, and not behind a number, which stays with its unit.
 std::size_t lineEnd(std::string_view words) {
-    constexpr std::size_t width = 98;
-    if (words.size() <= width) return words.size();
+    constexpr std::size_t columns = 98;
+    const std::size_t width = byteOfColumn(words, columns);
+    if (width == words.size()) return width;
     const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
     for (std::size_t end = words.rfind(' ', width); end != words.npos && end > 0;
          end = words.rfind(' ', end - 1))
@@ -86,9 +111,8 @@ std::string TextGrid::text() const {
     for (const auto& row : m_rows) {
         std::string line = " ";
         for (std::size_t c = 0; c < row.size(); ++c) {
-            const std::string space(width(c) - std::min(width(c), row[c].size()), ' ');
             const bool left = c == 0 || m_alignment == CellAlignment::left;
-            line += " " + (left ? row[c] + space : space + row[c]) + " ";
+            line += " " + (left ? leftAligned(row[c], width(c)) : rightAligned(row[c], width(c))) + " ";
         }
         line.erase(line.find_last_not_of(' ') + 1);
         text += line + "\n";
@@ -100,7 +124,7 @@ std::size_t TextGrid::width(std::size_t column) const {
     std::size_t widest = 0;
     for (const auto& row : m_rows)
         if (column < row.size() && (row.size() > 2 || column + 1 < row.size()))
-            widest = std::max(widest, row[column].size());
+            widest = std::max(widest, columnsOf(row[column]));
     return widest;
 }
 

@@ -13,12 +13,12 @@ namespace drillwave {
 
 /// Title of a scenario in one line, nothing where it has none; and its groups in another.
 std::string titleLine(const Scenario& scenario);
-std::string groupsLine(const Scenario& scenario);
+std::string groupsLine(const Scenario& scenario, const ReadingStyle& style = plainStyle());
 /// The law of bit and rock in a line where it is not bilinear; nothing where it is.
-std::string lawLine(const Scenario& scenario);
+std::string lawLine(const Scenario& scenario, const ReadingStyle& style = plainStyle());
 
 /// All of them, as reports begin.
-std::string headingOf(const Scenario& scenario);
+std::string headingOf(const Scenario& scenario, const ReadingStyle& style = plainStyle());
 
 /// Broken into lines of at most 100 characters, two blanks before each.
 std::string paragraph(std::string_view words);

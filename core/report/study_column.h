@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text/handy_text.h"
 #include "core/text/json.h"
 #include "core/text/number_text.h"
 
@@ -16,7 +17,7 @@ namespace drillwave {
 enum class NumberStyle { error, time, count, factor, order };
 
 /// For people; "-" for none.
-std::string shownNumber(double value, NumberStyle style);
+std::string shownNumber(double value, NumberStyle form, const ReadingStyle& style = plainStyle());
 
 template <class Row>
 struct StudyColumn {
@@ -27,18 +28,20 @@ struct StudyColumn {
 };
 
 /// Behind the heading of what comes first.
-std::vector<std::string> withTitles(std::string first, const auto& columns) {
+std::vector<std::string> withTitles(std::string first, const auto& columns,
+                                    const ReadingStyle& style = plainStyle()) {
     std::vector<std::string> titles{std::move(first)};
     for (const auto& column : columns)
-        if (!column.title.empty()) titles.emplace_back(column.title);
+        if (!column.title.empty()) titles.push_back(style.said(Message::ofTable(column.title)));
     return titles;
 }
 
 /// Behind what the row is called.
-std::vector<std::string> withCells(std::string first, const auto& columns, const auto& row) {
+std::vector<std::string> withCells(std::string first, const auto& columns, const auto& row,
+                                   const ReadingStyle& style = plainStyle()) {
     std::vector<std::string> cells{std::move(first)};
     for (const auto& column : columns)
-        if (!column.title.empty()) cells.push_back(shownNumber(column.value(row), column.style));
+        if (!column.title.empty()) cells.push_back(shownNumber(column.value(row), column.style, style));
     return cells;
 }
 

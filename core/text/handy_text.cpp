@@ -54,6 +54,13 @@ std::string ReadingStyle::bound(double bound) const {
     return number(margin * bound, 2);
 }
 
+std::string ReadingStyle::withDecimalSign(std::string cText) const {
+    const std::size_t point = cText.find('.');
+    if (point == std::string::npos) return cText;
+    const std::string half = number(0.5, 1);  // "0.5", "0,5"
+    return cText.replace(point, 1, half.substr(1, half.size() - 2));
+}
+
 std::string ReadingStyle::signedPercent(double share) const {
     return (share < 0 ? "" : "+") + number(share * 100, 3) + " %";
 }

@@ -47,6 +47,8 @@ class ReadingStyle {
                          Rounding rounding = Rounding::nearest) const;
     /// A bound in two digits that are not less than it.
     std::string bound(double bound) const;
+    /// A number that is written in the C locale, with the decimal sign of the reader.
+    std::string withDecimalSign(std::string cText) const;
     /// A share as "+10.3 %" or "-5 %".
     std::string signedPercent(double share) const;
 };
