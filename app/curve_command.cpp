@@ -169,7 +169,7 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
     if (writesFile)
         writeCsv(report, arguments, options, base, plots.draw(&report, drawing, interruption), interruption);
     if (!writesFile || options.path != "-")
-        printText(arguments.has("json") ? curveJson(report) : curveText(report));
+        printText(arguments.has("json") ? curveJson(report) : curveText(report, arguments.style()));
     checkReached(report.study, path);
     checkSolved(report.study, path, options.workLimit);
     return ExitCode::done;

@@ -107,7 +107,7 @@ ExitCode runGap(const Arguments& arguments, const Drawing* drawing) {
         writeStudy(*csvPath, scenarioHeader(report.scenarioText) + gapCsv(report, units),
                    plots.draw(&report, drawing, interruption), overwrite, interruption);
     if (csvPath == "-") return ExitCode::done;
-    printText(arguments.has("json") ? gapJson(report) : gapText(report));
+    printText(arguments.has("json") ? gapJson(report) : gapText(report, arguments.style()));
     return ExitCode::done;
 }
 

@@ -83,9 +83,11 @@ void writeFiles(const RunFiles& files, const SolvedRun& run, const Drawing* draw
     writeFolder(files.directory, runFolder(run, std::move(pictures)), files.overwrite, &interruption);
 }
 
-void print(const SolvedRun& run, const RunFiles& files, bool json) {
-    std::string text = json ? blowJson(run.blow, run.scenarioText) : blowText(run.blow);
-    if (!json && !files.directory.empty()) text += "  files in " + files.directory + "\n";
+void print(const SolvedRun& run, const RunFiles& files, bool json, const ReadingStyle& style) {
+    std::string text = json ? blowJson(run.blow, run.scenarioText) : blowText(run.blow, style);
+    if (!json && !files.directory.empty())
+        text +=
+            "  " + style.said({translatable("drillwave::Message", "files in %1"), {files.directory}}) + "\n";
     printText(text);
 }
 
@@ -114,13 +116,13 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     if (json || writesFiles) run.scenarioText = completeScenarioText(document);
     interruption.check();
     if (!run.blow.isSolved()) {
-        if (json) print(run, {}, json);
+        if (json) print(run, {}, json, arguments.style());
         throw CommandError(ExitCode::unsolvedOrFailed,
                            path + ": could not be solved: " + run.blow.impact.reason +
                                limitHint(arguments, run.blow.scenario, run.blow.impact.hindrance));
     }
     if (writesFiles) writeFiles(files, run, drawing, interruption);
-    print(run, files, json);
+    print(run, files, json, arguments.style());
     return ExitCode::done;
 }
 

@@ -7,17 +7,24 @@
 namespace drillwave {
 
 SolverWords solverWords(const Blow& blow) {
+    const std::string count = std::to_string(blow.impact.pieces);
     if (!isFollowedByEvents(blow.scenario)) {
         const std::string key(methodOfStrings);
-        return {key, "polynomial cells", translatable("drillwave::Message", "polynomial cells"),
-                "method " + key, "cells"};
+        const Message cells = translatable("drillwave::Message", "polynomial cells");
+        return {
+            key, cells, cells, "method " + key, {translatable("drillwave::Message", "%1 cells"), {count}}};
     }
     const MethodChoice& choice = blow.method;
     const std::string key(name(choice.method)), remark = describe(choice);
     const Message asked = methodMessage(choice);
-    if (choice.method != Method::lattice) return {key, key, asked, remark, "pieces"};
-    return {key, key + " of " + std::to_string(choice.lattice.segments) + " segments", asked, remark,
-            "steps"};
+    if (choice.method != Method::lattice)
+        return {key, key, asked, remark, {translatable("drillwave::Message", "%1 pieces"), {count}}};
+    return {key,
+            {translatable("drillwave::Message", "%1 of %2 segments"),
+             {key, std::to_string(choice.lattice.segments)}},
+            asked,
+            remark,
+            {translatable("drillwave::Message", "%1 steps"), {count}}};
 }
 
 }  // namespace drillwave

@@ -3,7 +3,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 
 #include "core/blow/blow.h"
 #include "core/text/message.h"
@@ -11,11 +10,11 @@
 namespace drillwave {
 
 struct SolverWords {
-    std::string key;          ///< in JSON: "polynomial_cells"
-    std::string name;         ///< "lattice of 1000 segments"
-    Message asked;            ///< in prose: "method lattice, 1000 segments", "polynomial cells"
-    std::string remark;       ///< in files, as remarksOf() reads it again: "method polynomial_cells"
-    std::string_view pieces;  ///< what Impact::pieces counts
+    std::string key;     ///< in JSON: "polynomial_cells"
+    Message name;        ///< "lattice of 1000 segments"
+    Message asked;       ///< in prose: "method lattice, 1000 segments", "polynomial cells"
+    std::string remark;  ///< in files, as remarksOf() reads it again: "method polynomial_cells"
+    Message pieces;      ///< what Impact::pieces counts: "11 cells"
 };
 SolverWords solverWords(const Blow& blow);
 

@@ -21,80 +21,103 @@ namespace drillwave {
 
 namespace {
 
+enum class LineKind {
+    plain,
+    part,          ///< of what the line before tells
+    afterContact,  ///< only where bit and rock have met
+};
+
 /// A line of the summary: an output under the words of the summary.
 struct SummaryLine {
     std::string_view output;
-    std::string_view label;
+    const char* label;
     OutputOf of = OutputOf::anyBlow;
-    std::string_view remark = {};  ///< behind the number; of multiples what they are of
-    bool afterContact = false;     ///< only where bit and rock have met
+    LineKind kind = LineKind::plain;
+    const char* remark = nullptr;  ///< in place of the number %1, or behind it
 };
 
 /// Of uniform rods as multiples and in SI, of drill strings in SI alone; what comes before and behind them is
 /// added by hand.
 constexpr auto summaryLines = std::to_array<SummaryLine>({
-    {"efficiency_recovered", "  and what the hammer takes back", OutputOf::hammer},
-    {"rock_work", "work on the rock", OutputOf::drillString},
-    {"impulse", "impulse 1 + e", OutputOf::uniformRod},
-    {"impulse", "impulse on the rock", OutputOf::drillString, "of the hammer's"},
-    {"cor", "restitution e of the string", OutputOf::drillString},
-    {"peak_force", "peak force", OutputOf::uniformRod},
-    {"peak_force", "peak force on the rock", OutputOf::drillString},
-    {"max_penetration", "largest penetration"},
-    {"residual_penetration", "residual penetration", OutputOf::uniformRod},
-    {"residual_penetration", "penetration that stays", OutputOf::drillString},
-    {"peak_compression", "largest compression", OutputOf::uniformRod},
-    {"peak_tension", "largest tension", OutputOf::uniformRod},
-    {"peak_compression_after", "  compression after", OutputOf::uniformRod},
-    {"peak_tension_after", "  tension after", OutputOf::uniformRod},
-    {"percussion_power", "percussion power", OutputOf::uniformRod},
-    {"penetration_rate", "penetration rate", OutputOf::uniformRod, "at most "},
-    {"first_contact_time", "first contact", OutputOf::anyBlow, "", true},
-    {"separation_time", "last separation", OutputOf::anyBlow, "", true},
-    {"contact_duration", "time in contact", OutputOf::anyBlow, "", true},
-    {"piston_separation_time", "hammer leaves", OutputOf::hammer},
-    {"hammer_rebound_velocity", "hammer rebound", OutputOf::hammer, "away from the rock"},
-    {"work_ratio", "hammer work W", OutputOf::uniformRod},
-    {"rock_work", "  in the rock", OutputOf::uniformRod},
-    {"rebound_energy", "  in the rebound", OutputOf::uniformRod},
-    {"residual_wave_energy", "  in waves", OutputOf::uniformRod},
+    {"efficiency_recovered", translatable("drillwave::Message", "and what the hammer takes back"),
+     OutputOf::hammer, LineKind::part},
+    {"rock_work", translatable("drillwave::Message", "work on the rock"), OutputOf::drillString},
+    {"impulse", translatable("drillwave::Message", "impulse 1 + e"), OutputOf::uniformRod},
+    {"impulse", translatable("drillwave::Message", "impulse on the rock"), OutputOf::drillString,
+     LineKind::plain, translatable("drillwave::Message", "%1 of the hammer's")},
+    {"cor", translatable("drillwave::Message", "restitution e of the string"), OutputOf::drillString},
+    {"peak_force", translatable("drillwave::Message", "peak force"), OutputOf::uniformRod},
+    {"peak_force", translatable("drillwave::Message", "peak force on the rock"), OutputOf::drillString},
+    {"max_penetration", translatable("drillwave::Message", "largest penetration")},
+    {"residual_penetration", translatable("drillwave::Message", "residual penetration"),
+     OutputOf::uniformRod},
+    {"residual_penetration", translatable("drillwave::Message", "penetration that stays"),
+     OutputOf::drillString},
+    {"peak_compression", translatable("drillwave::Message", "largest compression"), OutputOf::uniformRod},
+    {"peak_tension", translatable("drillwave::Message", "largest tension"), OutputOf::uniformRod},
+    {"peak_compression_after", translatable("drillwave::Message", "compression after"), OutputOf::uniformRod,
+     LineKind::part},
+    {"peak_tension_after", translatable("drillwave::Message", "tension after"), OutputOf::uniformRod,
+     LineKind::part},
+    {"percussion_power", translatable("drillwave::Message", "percussion power"), OutputOf::uniformRod},
+    {"penetration_rate", translatable("drillwave::Message", "penetration rate"), OutputOf::uniformRod,
+     LineKind::plain, translatable("drillwave::Message", "at most %1")},
+    {"first_contact_time", translatable("drillwave::Message", "first contact"), OutputOf::anyBlow,
+     LineKind::afterContact},
+    {"separation_time", translatable("drillwave::Message", "last separation"), OutputOf::anyBlow,
+     LineKind::afterContact},
+    {"contact_duration", translatable("drillwave::Message", "time in contact"), OutputOf::anyBlow,
+     LineKind::afterContact},
+    {"piston_separation_time", translatable("drillwave::Message", "hammer leaves"), OutputOf::hammer},
+    {"hammer_rebound_velocity", translatable("drillwave::Message", "hammer rebound"), OutputOf::hammer,
+     LineKind::plain, translatable("drillwave::Message", "away from the rock")},
+    {"work_ratio", translatable("drillwave::Message", "hammer work W"), OutputOf::uniformRod},
+    {"rock_work", translatable("drillwave::Message", "in the rock"), OutputOf::uniformRod, LineKind::part},
+    {"rebound_energy", translatable("drillwave::Message", "in the rebound"), OutputOf::uniformRod,
+     LineKind::part},
+    {"residual_wave_energy", translatable("drillwave::Message", "in waves"), OutputOf::uniformRod,
+     LineKind::part},
 });
 
 int digitsOf(const Blow& blow) {
     return hasSections(blow.scenario) ? 5 : 6;
 }
 
+std::string labelOf(const SummaryLine& line, const ReadingStyle& style) {
+    return (line.kind == LineKind::part ? "  " : "") + style.said(line.label);
+}
+
 /// As a multiple, in SI, and of a largest stress where and when.
 std::vector<std::string> cellsOfRod(const SummaryLine& line, const Output& output, double value,
-                                    const Blow& blow) {
-    std::vector<std::string> cells{std::string(line.label)};
+                                    const Blow& blow, const ReadingStyle& style) {
+    std::vector<std::string> cells{labelOf(line, style)};
     if (output.isOnlySi()) {
-        cells.push_back(std::string(line.remark) + inHandyUnit(value, output.quantity(), 4));
+        const std::string text = style.quantity(value, output.quantity(), 4);
+        cells.push_back(line.remark ? style.said({line.remark, {text}}) : text);
         return cells;
     }
-    cells.push_back(rounded(value) + " " + std::string(multipleName(output.measure, blow.scenario)));
-    if (hasUnits(blow.scenario)) cells.push_back(siText(output, value, blow, plainStyle(), digitsOf(blow)));
-    if (output.load && value > 0) cells.push_back(placeText((*blow.summary.rodForces)[*output.load], blow));
+    cells.push_back(style.number(value) + " " + std::string(multipleName(output.measure, blow.scenario)));
+    if (hasUnits(blow.scenario)) cells.push_back(siText(output, value, blow, style, digitsOf(blow)));
+    if (output.load && value > 0)
+        cells.push_back(placeText((*blow.summary.rodForces)[*output.load], blow, style));
     return cells;
 }
 
 /// In SI where there is a unit; empty where there is no such time.
 std::vector<std::string> cellsOfString(const SummaryLine& line, const Output& output, double value,
-                                       const Blow& blow) {
+                                       const Blow& blow, const ReadingStyle& style) {
     if (output.measure == Measure::time && std::isnan(value)) return {};
     const bool isPlain = output.measure == Measure::number || output.measure == Measure::share;
-    std::vector<std::string> cells{std::string(line.label),
-                                   isPlain ? rounded(value) : siText(output, value, blow)};
-    const std::string remark(isForced(blow.scenario) && output.measure == Measure::impulse ? "of the force's"
-                                                                                           : line.remark);
-    if (output.measure == Measure::impulse)
-        cells.push_back(rounded(value) + " " + remark);
-    else if (!remark.empty())
-        cells.push_back(remark);
+    std::vector<std::string> cells{labelOf(line, style),
+                                   isPlain ? style.number(value) : siText(output, value, blow, style)};
+    const char* remark = isForced(blow.scenario) && output.measure == Measure::impulse
+                             ? translatable("drillwave::Message", "%1 of the force's")
+                             : line.remark;
+    if (remark) cells.push_back(style.said({remark, {style.number(value)}}));
     return cells;
 }
 
-void addSummary(TextGrid& grid, const Blow& blow) {
+void addSummary(TextGrid& grid, const Blow& blow, const ReadingStyle& style) {
     for (const SummaryLine& line : summaryLines) {
         if (!concerns(line.of, blow.scenario)) continue;
         const Output& output = *findOutput(line.output);
@@ -102,80 +125,111 @@ void addSummary(TextGrid& grid, const Blow& blow) {
         const std::optional<double> value = output.value({blow.summary, blow.scenario});
         if (!value) continue;
         if (!hasSections(blow.scenario))
-            grid.add(cellsOfRod(line, output, shareOrZero(output, *value), blow));
-        else if (!line.afterContact || blow.summary.contacts > 0)
-            if (std::vector<std::string> cells = cellsOfString(line, output, *value, blow); !cells.empty())
+            grid.add(cellsOfRod(line, output, shareOrZero(output, *value), blow, style));
+        else if (line.kind != LineKind::afterContact || blow.summary.contacts > 0)
+            if (std::vector<std::string> cells = cellsOfString(line, output, *value, blow, style);
+                !cells.empty())
                 grid.add(std::move(cells));
     }
 }
 
 /// Of the margin over the largest of the four needs.
-std::string marginText(double margin, double effective) {
+Message marginMessage(double margin, double effective, const ReadingStyle& style) {
+    const auto newton = [&](double force) { return style.quantity(force, Quantity::force, 4); };
     const double need = effective / (1 + margin);
-    const std::string share = rounded(100 * std::abs(margin), 3) + " %";
-    return inHandyUnit(need, Quantity::force, 4) +
-           (margin < 0 ? ", not met: short by " + inHandyUnit(need - effective, Quantity::force, 4) + " (" +
-                             share + ")"
-                       : ", met with " + inHandyUnit(effective - need, Quantity::force, 4) + " (" + share +
-                             ") to spare");
+    return {
+        margin < 0 ? translatable("drillwave::Message", "%1, not met: short by %2 (%3)")
+                   : translatable("drillwave::Message", "%1, met with %2 (%3) to spare"),
+        {newton(need), newton(std::abs(effective - need)), style.number(100 * std::abs(margin), 3) + " %"}};
 }
 
-void addFeed(TextGrid& grid, const Blow& blow) {
-    if (!blow.feed) return;
+Message neededThrust(const Blow& blow, const ReadingStyle& style) {
     const std::optional<FeedForce>& force = blow.feed->force;
-    const auto newton = [&](double thrust) { return inHandyUnit(thrust, Quantity::force, digitsOf(blow)); };
-    std::string needed = newton(blow.feed->fullRate);
-    if (force) needed += ", installed " + newton(force->thrust);
-    if (force && force->weight) needed += ", effective " + newton(force->effective());
-    grid.add({"thrust needed", needed});
+    const auto newton = [&](double thrust) {
+        return style.quantity(thrust, Quantity::force, digitsOf(blow));
+    };
+    const std::string needed = newton(blow.feed->fullRate);
+    if (!force) return needed;
+    if (!force->weight)
+        return {translatable("drillwave::Message", "%1, installed %2"), {needed, newton(force->thrust)}};
+    return {translatable("drillwave::Message", "%1, installed %2, effective %3"),
+            {needed, newton(force->thrust), newton(force->effective())}};
+}
+
+void addFeed(TextGrid& grid, const Blow& blow, const ReadingStyle& style) {
+    if (!blow.feed) return;
+    const auto add = [&](const std::string& before, const char* label, const Message& words) {
+        grid.add({before + style.said(label), style.said(words)});
+    };
+    const std::optional<FeedForce>& force = blow.feed->force;
+    add("", translatable("drillwave::Message", "thrust needed"), neededThrust(blow, style));
     if (const std::optional<double> margin = blow.thrustMargin())
-        grid.add({"  at every gap", marginText(*margin, force->effective())});
-    if (force) grid.add({"  feed", std::string(feedWord(blow.feed->feed))});
+        add("  ", translatable("drillwave::Message", "at every gap"),
+            marginMessage(*margin, force->effective(), style));
+    if (force)
+        add("  ", translatable("drillwave::Message", "feed"), Message::ofTable(feedWord(blow.feed->feed)));
 }
 
 /// What a blow is judged by first, with its error.
-std::string mainText(double value, double error, bool isEstimate = false) {
-    return rounded(value, 12) + (isEstimate ? "  (error estimated as " : "  (error below ") +
-           boundText(error) + ")";
-}
-
-std::string resultText(const Blow& blow) {
+void addMain(TextGrid& grid, const Blow& blow, const ReadingStyle& style) {
     const OutputSource numbers{blow.summary, blow.scenario};
     const MainOutput main = mainOutput(blow.scenario);
+    const bool isEstimate = blow.method.method == Method::lattice;
+    grid.add({style.said(Message::ofTable(main.value->title)),
+              style.number(*main.value->value(numbers), 12) + "  " +
+                  style.said({isEstimate ? translatable("drillwave::Message", "(error estimated as %1)")
+                                         : translatable("drillwave::Message", "(error below %1)"),
+                              {style.bound(*main.error->value(numbers))}})});
+}
+
+std::string resultText(const Blow& blow, const ReadingStyle& style) {
     TextGrid grid(CellAlignment::left);
-    grid.add(
-        {std::string(main.value->title), mainText(*main.value->value(numbers), *main.error->value(numbers),
-                                                  blow.method.method == Method::lattice)});
-    addSummary(grid, blow);
+    addMain(grid, blow, style);
+    addSummary(grid, blow, style);
     if (!hasSections(blow.scenario))
-        grid.add({"balance errors", rounded(blow.summary.momentumResidual, 2) + " of I0, " +
-                                        rounded(blow.summary.energy.residual, 2) + " of W"});
-    addFeed(grid, blow);
+        grid.add({style.said(translatable("drillwave::Message", "balance errors")),
+                  style.said({translatable("drillwave::Message", "%1 of I0, %2 of W"),
+                              {style.number(blow.summary.momentumResidual, 2),
+                               style.number(blow.summary.energy.residual, 2)}})});
+    addFeed(grid, blow, style);
     std::string text = grid.text();
-    if (hasSections(blow.scenario)) text += "\n" + energyGrid(blow).text();
+    if (hasSections(blow.scenario)) text += "\n" + energyGrid(blow, style).text();
     // a thousand lines are for a file
     constexpr std::size_t mostLines = 60;
     if (!blow.impact.sections.empty() && blow.impact.sections.size() <= mostLines)
-        text += "\n" + sectionGrid(blow).text();
+        text += "\n" + sectionGrid(blow, style).text();
     return text;
+}
+
+/// "method exact, 1 contact, 12 pieces, solved in 80 us".
+Message solvedMessage(const Blow& blow, const ReadingStyle& style) {
+    const SolverWords solver = solverWords(blow);
+    const int contacts = blow.impact.contacts;
+    return {translatable("drillwave::Message", "method %1, %2, %3, solved in %4"),
+            {solver.name,
+             {contacts == 1 ? translatable("drillwave::Message", "%1 contact")
+                            : translatable("drillwave::Message", "%1 contacts"),
+              {std::to_string(contacts)}},
+             solver.pieces,
+             style.quantity(blow.runTime, Quantity::time)}};
 }
 
 }  // namespace
 
-std::string blowText(const Blow& blow) {
-    const Impact& impact = blow.impact;
-    std::string text = titleLine(blow.scenario) + paragraph(feedDecisionText(blow.decision())) +
-                       groupsLine(blow.scenario) + lawLine(blow.scenario) + "\n";
-    text += resultText(blow);
-    const SolverWords solver = solverWords(blow);
-    text += "\n  method " + solver.name + ", " + std::to_string(impact.contacts) +
-            (impact.contacts == 1 ? " contact, " : " contacts, ") + std::to_string(impact.pieces) + " " +
-            std::string(solver.pieces) + ", solved in " + inHandyUnit(blow.runTime, Quantity::time) + "\n";
+std::string blowText(const Blow& blow, const ReadingStyle& style) {
+    std::string text = titleLine(blow.scenario) + paragraph(feedDecisionText(blow.decision(), style)) +
+                       groupsLine(blow.scenario, style) + lawLine(blow.scenario, style) + "\n";
+    text += resultText(blow, style);
+    text += "\n  " + style.said(solvedMessage(blow, style)) + "\n";
     for (const Alert& alert : blow.alerts) {
         // The line of e says it already, as an estimate.
         if (blow.method.method == Method::lattice && alert.code == AlertCode::reducedAccuracy) continue;
-        text += std::string("  ") + (alert.level == AlertLevel::warning ? "warning: " : "note: ") +
-                alertText(alert) + "\n";
+        text +=
+            "  " +
+            style.said({alert.level == AlertLevel::warning ? translatable("drillwave::Message", "warning: %1")
+                                                           : translatable("drillwave::Message", "note: %1"),
+                        {alertMessage(alert, style)}}) +
+            "\n";
     }
     return text;
 }

@@ -5,10 +5,11 @@
 #include <string>
 
 #include "core/blow/blow.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
 /// A summary rounded to six digits. Requires a solved blow.
-std::string blowText(const Blow& blow);
+std::string blowText(const Blow& blow, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

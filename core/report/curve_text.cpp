@@ -16,106 +16,134 @@ constexpr int curveDigits = 8;
 constexpr std::size_t mostFeatures = 40;
 constexpr std::size_t mostStretches = 5;
 
-/// "0.29982658", in the unit that the heading has.
-std::string placeText(const SweepAxis& axis, double value) {
-    return rounded(axis.unit->fromSi(value), curveDigits);
-}
-
-std::string what(const CurveFeature& feature) {
+Message whatMessage(const CurveFeature& feature, const ReadingStyle& style) {
     using Kind = CurveFeature::Kind;
     switch (feature.kind) {
         case Kind::minimum:
-            return feature.ofAll ? "least" : "minimum";
+            return feature.ofAll ? translatable("drillwave::Message", "least")
+                                 : translatable("drillwave::Message", "minimum");
         case Kind::maximum:
-            return feature.ofAll ? "largest" : "maximum";
+            return feature.ofAll ? translatable("drillwave::Message", "largest")
+                                 : translatable("drillwave::Message", "maximum");
         case Kind::kink:
-            return "kink";
+            return translatable("drillwave::Message", "kink");
         case Kind::jump:
-            return "jump";
+            return translatable("drillwave::Message", "jump");
         case Kind::crossing:
-            return feature.rising ? "rises above " + rounded(feature.level)
-                                  : "falls below " + rounded(feature.level);
+            return {feature.rising ? translatable("drillwave::Message", "rises above %1")
+                                   : translatable("drillwave::Message", "falls below %1"),
+                    {style.number(feature.level)}};
     }
     return {};
 }
 
-std::string remark(const CurveFeature& feature) {
+Message remarkMessage(const CurveFeature& feature, const ReadingStyle& style) {
     using Shape = CurveFeature::Shape;
-    if (feature.kind == CurveFeature::Kind::jump) return "to " + rounded(feature.valueAfter, curveDigits);
+    if (feature.kind == CurveFeature::Kind::jump)
+        return {translatable("drillwave::Message", "to %1"), {style.number(feature.valueAfter, curveDigits)}};
     switch (feature.shape) {
         case Shape::smooth:
-            return "";
+            return {};
         case Shape::cusp:
-            return "slope " + rounded(feature.slopeBefore, 3) + " to " + rounded(feature.slopeAfter, 3);
+            return {translatable("drillwave::Message", "slope %1 to %2"),
+                    {style.number(feature.slopeBefore, 3), style.number(feature.slopeAfter, 3)}};
         case Shape::end:
-            return "end of the range";
+            return translatable("drillwave::Message", "end of the range");
         case Shape::grid:
-            return "between points";
+            return translatable("drillwave::Message", "between points");
         case Shape::everywhere:
-            return "everywhere";
+            return translatable("drillwave::Message", "everywhere");
     }
     return {};
 }
 
-/// The end of the range matters only where the curve is least or largest there; slopes are per SI unit.
+/// The end of the range matters only where the curve is least or largest there; slopes are per SI unit,
+/// places in the unit that the heading has.
 std::string featureTable(const CurveQuestion& question, const OutputColumn& column,
-                         const std::vector<CurveFeature>& features) {
+                         const std::vector<CurveFeature>& features, const ReadingStyle& style) {
+    const Unit& unit = *question.along.unit;
     TextGrid grid;
     grid.add({"", question.along.column().header, "+-", column.header(), "+-", ""});
     for (const CurveFeature& feature : std::span(features).first(std::min(features.size(), mostFeatures)))
-        grid.add({what(feature), placeText(question.along, feature.x.value),
-                  boundText(question.along.unit->fromSi(feature.x.error)),
-                  rounded(feature.value.value, curveDigits), boundText(feature.value.error),
-                  remark(feature)});
-    std::string text = grid.text();
-    if (features.size() > mostFeatures)
-        text += "  and " + std::to_string(features.size() - mostFeatures) + " more; --json has all\n";
+        grid.add({style.said(whatMessage(feature, style)),
+                  style.number(unit.fromSi(feature.x.value), curveDigits),
+                  style.bound(unit.fromSi(feature.x.error)), style.number(feature.value.value, curveDigits),
+                  style.bound(feature.value.error), style.said(remarkMessage(feature, style))});
+    return grid.text() + leftOutText(features.size(), mostFeatures, style);
+}
+
+/// `what` has places for the ends and the reason.
+std::string stretchesText(const CurveQuestion& question, const std::vector<CurveStretch>& stretches,
+                          const char* what, const ReadingStyle& style) {
+    std::string text;
+    for (const CurveStretch& stretch : std::span(stretches).first(std::min(stretches.size(), mostStretches)))
+        text += "  " +
+                style.said({what,
+                            {valueText(question.along, stretch.start, valueDigits, style),
+                             valueText(question.along, stretch.end, valueDigits, style),
+                             Message::ofTable(stretch.reason)}}) +
+                "\n";
+    if (stretches.size() > mostStretches)
+        text += "  " +
+                style.said({translatable("drillwave::Message", "and %1 more such stretches"),
+                            {std::to_string(stretches.size() - mostStretches)}}) +
+                "\n";
     return text;
 }
 
-std::string stretchesText(const CurveQuestion& question, const std::vector<CurveStretch>& stretches,
-                          const std::string& what) {
-    std::string text;
-    for (const CurveStretch& stretch : std::span(stretches).first(std::min(stretches.size(), mostStretches)))
-        text += "  " + what + " from " + valueText(question.along, stretch.start) + " to " +
-                valueText(question.along, stretch.end) + ": " + stretch.reason + "\n";
-    if (stretches.size() > mostStretches)
-        text += "  and " + std::to_string(stretches.size() - mostStretches) + " more such stretches\n";
-    return text;
+Message alongMessage(const CurveQuestion& question, const ReadingStyle& style) {
+    const CurveRange range = question.range();
+    return {range.spacing == CurveRange::Spacing::logarithmic
+                ? translatable("drillwave::Message", "Along %1 from %2 to %3, by its logarithm.")
+                : translatable("drillwave::Message", "Along %1 from %2 to %3."),
+            {std::string(question.along.key()), valueText(question.along, range.start, valueDigits, style),
+             valueText(question.along, range.stop, valueDigits, style)}};
 }
 
 }  // namespace
 
-std::string familyText(const SweepAxis& family, double value) {
-    return std::string(family.key()) + " = " +
-           (family.words ? std::string(family.words->words()[static_cast<std::size_t>(value)])
-                         : valueText(family, value));
+std::string leftOutText(std::size_t count, std::size_t most, const ReadingStyle& style) {
+    if (count <= most) return {};
+    return "  " +
+           style.said({translatable("drillwave::Message", "and %1 more; --json has all"),
+                       {std::to_string(count - most)}}) +
+           "\n";
 }
 
-std::string valueText(const SweepAxis& axis, double value, int ofDigits) {
-    const std::string number = rounded(axis.unit->fromSi(value), ofDigits);
+std::string familyText(const SweepAxis& family, double value, const ReadingStyle& style) {
+    return std::string(family.key()) + " = " +
+           (family.words ? std::string(family.words->words()[static_cast<std::size_t>(value)])
+                         : valueText(family, value, valueDigits, style));
+}
+
+std::string valueText(const SweepAxis& axis, double value, int ofDigits, const ReadingStyle& style) {
+    const std::string number = style.number(axis.unit->fromSi(value), ofDigits);
     return axis.unit->name.empty() ? number : number + " " + std::string(axis.unit->name);
 }
 
-std::string curveText(const CurveReport& report) {
+std::string curveText(const CurveReport& report, const ReadingStyle& style) {
     const CurveQuestion& question = report.study.question;
-    const CurveRange range = question.range();
     std::string text =
-        headingOf(question.base) + "  Along " + std::string(question.along.key()) + " from " +
-        valueText(question.along, range.start) + " to " + valueText(question.along, range.stop) +
-        (range.spacing == CurveRange::Spacing::logarithmic ? ", by its logarithm" : "") + ".\n";
+        headingOf(question.base, style) + "  " + style.said(alongMessage(question, style)) + "\n";
     for (const CurveLine& line : report.study.lines) {
-        if (line.family) text += "\n" + familyText(*question.family, *line.family) + "\n";
-        if (line.goal) text += "\n" + goalText(question, line);
+        if (line.family) text += "\n" + familyText(*question.family, *line.family, style) + "\n";
+        if (line.goal) text += "\n" + goalText(question, line, style);
         for (std::size_t i = 0; i < line.outputs.size(); ++i) {
             const CurveOutput& output = line.outputs[i];
-            text += "\n" + featureTable(question, question.columns[i], output.features) +
-                    stretchesText(question, output.grid, "known by points alone") +
-                    stretchesText(question, output.unsolved, "no answer");
+            text +=
+                "\n" + featureTable(question, question.columns[i], output.features, style) +
+                stretchesText(question, output.grid,
+                              translatable("drillwave::Message", "known by points alone from %1 to %2: %3"),
+                              style) +
+                stretchesText(question, output.unsolved,
+                              translatable("drillwave::Message", "no answer from %1 to %2: %3"), style);
         }
     }
-    return text + "\n  From " + std::to_string(report.study.solves) + " blows in " +
-           inHandyUnit(report.runTime, Quantity::time, 3) + ".\n";
+    return text + "\n  " +
+           style.said(
+               {translatable("drillwave::Message", "From %1 blows in %2."),
+                {std::to_string(report.study.solves), style.quantity(report.runTime, Quantity::time, 3)}}) +
+           "\n";
 }
 
 }  // namespace drillwave

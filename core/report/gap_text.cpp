@@ -176,16 +176,21 @@ std::vector<std::string> gapRemarks(const GapReport& report, const ReadingStyle&
     return remarks;
 }
 
-std::string gapText(const GapReport& report) {
-    const GapTable table(report.scenario, plainStyle());
-    std::string text = headingOf(report.scenario);
+std::string gapText(const GapReport& report, const ReadingStyle& style) {
+    const auto line = [&](const Message& words) { return "  " + style.said(words) + "\n"; };
+    std::string text = headingOf(report.scenario, style);
     if (report.curve.dependsOnGap)
-        text += "  The gap has a period of d0" +
-                (hasUnits(report.scenario) ? " = " + table.gap(1) : std::string()) + ".\n";
-    if (const Message remark = report.periodRemark(); !remark.isEmpty()) text += "  " + remark.text() + "\n";
-    text += "\n" + gapGrid(report).text();
-    for (const std::string& remark : gapRemarks(report)) text += "\n  " + remark;
-    return text + " in " + inHandyUnit(report.runTime, Quantity::time, 3) + ".\n";
+        text += line(hasUnits(report.scenario)
+                         ? Message(translatable("drillwave::Message", "The gap has a period of d0 = %1."),
+                                   {GapTable(report.scenario, style).gap(1)})
+                         : translatable("drillwave::Message", "The gap has a period of d0."));
+    if (const Message remark = report.periodRemark(style); !remark.isEmpty()) text += line(remark);
+    text += "\n" + gapGrid(report, style).text() + "\n";
+    std::vector<std::string> remarks = gapRemarks(report, style);
+    remarks.back() = style.said({translatable("drillwave::Message", "%1 in %2."),
+                                 {remarks.back(), style.quantity(report.runTime, Quantity::time, 3)}});
+    for (const std::string& remark : remarks) text += "  " + remark + "\n";
+    return text;
 }
 
 }  // namespace drillwave

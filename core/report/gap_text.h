@@ -17,6 +17,6 @@ TextGrid gapGrid(const GapReport& report, const ReadingStyle& style = plainStyle
 std::vector<std::string> gapRemarks(const GapReport& report, const ReadingStyle& style = plainStyle());
 
 /// All of it, and how long it took.
-std::string gapText(const GapReport& report);
+std::string gapText(const GapReport& report, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

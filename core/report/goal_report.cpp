@@ -18,21 +18,28 @@ constexpr int goalDigits = 8;
 /// Told one by one; JSON and CSV have all of them.
 constexpr std::size_t mostPlaces = 40;
 
-std::string what(const GoalPlace& place) {
+const char* what(const GoalPlace& place) {
     switch (place.kind) {
         case GoalKind::crossing:
         case GoalKind::between:
-            return place.rising ? "rises through it" : "falls through it";
+            return place.rising ? translatable("drillwave::Message", "rises through it")
+                                : translatable("drillwave::Message", "falls through it");
         case GoalKind::touch:
-            return "turns round at it";
+            return translatable("drillwave::Message", "turns round at it");
         case GoalKind::end:
-            return "is there at an end";
+            return translatable("drillwave::Message", "is there at an end");
         case GoalKind::everywhere:
-            return "is it everywhere";
+            return translatable("drillwave::Message", "is it everywhere");
         case GoalKind::jump:
-            return "jumps over it";
+            return translatable("drillwave::Message", "jumps over it");
     }
-    return {};
+    return "";
+}
+
+/// Of the output, in its unit.
+std::string goalValue(const CurveQuestion& question, double value, const ReadingStyle& style) {
+    const OutputColumn& column = question.columns.front();
+    return style.quantity(value, column.hasUnit() ? column.output->quantity() : Quantity::ratio, goalDigits);
 }
 
 /// Without a value of its own: where the output is not solved for, or has none.
@@ -40,92 +47,100 @@ bool isOnlyEnclosed(const GoalPlace& place) {
     return place.kind == GoalKind::between || place.kind == GoalKind::jump;
 }
 
-std::string leapText(const GoalPlace& place) {
-    return "from " + rounded(place.value.value, goalDigits) + " to " + rounded(place.valueAfter, goalDigits);
+Message remarkMessage(const GoalPlace& place, const ReadingStyle& style) {
+    if (!isOnlyEnclosed(place)) return {};
+    return {place.kind == GoalKind::between
+                ? translatable("drillwave::Message", "between points, from %1 to %2")
+                : translatable("drillwave::Message", "from %1 to %2"),
+            {style.number(place.value.value, goalDigits), style.number(place.valueAfter, goalDigits)}};
 }
 
-std::string remark(const GoalPlace& place) {
-    if (place.kind == GoalKind::between) return "between points, " + leapText(place);
-    return place.kind == GoalKind::jump ? leapText(place) : std::string();
-}
-
-std::string placesText(const CurveQuestion& question, const GoalAnswer& answer) {
+std::string placesText(const CurveQuestion& question, const GoalAnswer& answer, const ReadingStyle& style) {
     const SweepAxis& along = question.along;
     TextGrid grid;
     grid.add({"", along.column().header, "+-", question.columns.front().header(), "+-", ""});
     const std::span places(answer.places);
     for (const GoalPlace& place : places.first(std::min(places.size(), mostPlaces))) {
         const bool hasValue = !isOnlyEnclosed(place);
-        grid.add({what(place), rounded(along.unit->fromSi(place.x.value), goalDigits),
-                  boundText(along.unit->fromSi(place.x.error)),
-                  hasValue ? rounded(place.value.value, goalDigits) : std::string(),
-                  hasValue ? boundText(place.value.error) : std::string(), remark(place)});
+        grid.add({style.said(what(place)), style.number(along.unit->fromSi(place.x.value), goalDigits),
+                  style.bound(along.unit->fromSi(place.x.error)),
+                  hasValue ? style.number(place.value.value, goalDigits) : std::string(),
+                  hasValue ? style.bound(place.value.error) : std::string(),
+                  style.said(remarkMessage(place, style))});
     }
-    std::string text = grid.text();
-    if (places.size() > mostPlaces)
-        text += "  and " + std::to_string(places.size() - mostPlaces) + " more; --json has all\n";
-    return text;
+    return grid.text() + leftOutText(places.size(), mostPlaces, style);
 }
 
 /// Where others may be.
-std::string whereUnknown(const CurveLine& line) {
+const char* whereUnknown(const CurveLine& line) {
     const CurveOutput& output = line.outputs.front();
-    if (output.unsolved.empty()) return "where it is known by points alone";
-    return output.grid.empty() ? "where it has no answer"
-                               : "where it is known by points alone or has no answer";
+    if (output.unsolved.empty())
+        return translatable("drillwave::Message", "where it is known by points alone");
+    return output.grid.empty()
+               ? translatable("drillwave::Message", "where it has no answer")
+               : translatable("drillwave::Message", "where it is known by points alone or has no answer");
 }
 
-std::string rangeText(const CurveQuestion& question) {
+Message rangeMessage(const CurveQuestion& question, const ReadingStyle& style) {
     const CurveRange range = question.range();
-    return std::string(question.along.key()) + " from " + valueText(question.along, range.start) + " to " +
-           valueText(question.along, range.stop);
+    return {translatable("drillwave::Message", "%1 from %2 to %3"),
+            {std::string(question.along.key()), valueText(question.along, range.start, valueDigits, style),
+             valueText(question.along, range.stop, valueDigits, style)}};
+}
+
+/// "no beta from 0.1 to 10 gives cor = 2", and where it is jumped over.
+Message noneMessage(const CurveQuestion& question, const GoalAnswer& answer, const ReadingStyle& style) {
+    const Message range = rangeMessage(question, style);
+    const std::string goal = goalTitle(question, style);
+    if (answer.places.empty()) return {translatable("drillwave::Message", "no %1 gives %2"), {range, goal}};
+    return {translatable("drillwave::Message", "no %1 gives %2, which it jumps over at %3"),
+            {range, goal, valueText(question.along, answer.places.front().x.value, goalDigits, style)}};
 }
 
 /// "no beta from 0.1 to 10 gives cor = 2: the nearest is 1.4140683, at 0.29982658".
-std::string missText(const CurveQuestion& question, const CurveLine& line) {
-    const OutputColumn& column = question.columns.front();
+Message missMessage(const CurveQuestion& question, const CurveLine& line, const ReadingStyle& style) {
     const GoalAnswer& answer = *line.goal;
-    const auto shown = [&](double value) {
-        const Quantity quantity = column.hasUnit() ? column.output->quantity() : Quantity::ratio;
-        return inHandyUnit(value, quantity, goalDigits);
-    };
-    std::string text = "no " + rangeText(question) + " gives " + goalTitle(question);
-    if (!answer.places.empty()) {
-        const GoalPlace& jump = answer.places.front();
-        text += ", which it jumps over at " + valueText(question.along, jump.x.value, goalDigits);
-    }
-    if (!answer.nearest) return text + ": there is no answer anywhere";
-    text += ": the nearest is " + shown(answer.nearest->value.value) + ", at " +
-            valueText(question.along, answer.nearest->x.value, goalDigits);
-    if (!answer.isComplete) text += "; there may be one " + whereUnknown(line);
-    return text;
+    const Message none = noneMessage(question, answer, style);
+    if (!answer.nearest)
+        return {translatable("drillwave::Message", "%1: there is no answer anywhere"), {none}};
+    const std::string value = goalValue(question, answer.nearest->value.value, style);
+    const std::string at = valueText(question.along, answer.nearest->x.value, goalDigits, style);
+    if (answer.isComplete)
+        return {translatable("drillwave::Message", "%1: the nearest is %2, at %3"), {none, value, at}};
+    return {translatable("drillwave::Message", "%1: the nearest is %2, at %3; there may be one %4"),
+            {none, value, at, whereUnknown(line)}};
 }
 
 }  // namespace
 
-std::string goalTitle(const CurveQuestion& question) {
-    const OutputColumn& column = question.columns.front();
-    const Quantity quantity = column.hasUnit() ? column.output->quantity() : Quantity::ratio;
-    return std::string(column.output->name) + " = " + inHandyUnit(*question.goal, quantity, goalDigits);
+std::string goalTitle(const CurveQuestion& question, const ReadingStyle& style) {
+    return std::string(question.columns.front().output->name) + " = " +
+           goalValue(question, *question.goal, style);
 }
 
-std::string goalText(const CurveQuestion& question, const CurveLine& line) {
+std::string goalText(const CurveQuestion& question, const CurveLine& line, const ReadingStyle& style) {
+    const auto lineOf = [&](const Message& words) { return "  " + style.said(words) + "\n"; };
     const GoalAnswer& answer = *line.goal;
-    std::string text = "  Goal: " + goalTitle(question) + "\n";
-    if (!answer.places.empty()) text += placesText(question, answer);
-    if (!answer.isReached()) return text + paragraph("None: " + missText(question, line) + ".");
-    if (!answer.isComplete) return text + "  There may be others " + whereUnknown(line) + ".\n";
-    return text + "  There are no others from " + valueText(question.along, line.range.start) + " to " +
-           valueText(question.along, line.range.stop) + ".\n";
+    std::string text = lineOf({translatable("drillwave::Message", "Goal: %1"), {goalTitle(question, style)}});
+    if (!answer.places.empty()) text += placesText(question, answer, style);
+    if (!answer.isReached())
+        return text + paragraph(style.said({translatable("drillwave::Message", "None: %1."),
+                                            {missMessage(question, line, style)}}));
+    if (!answer.isComplete)
+        return text +
+               lineOf({translatable("drillwave::Message", "There may be others %1."), {whereUnknown(line)}});
+    return text + lineOf({translatable("drillwave::Message", "There are no others from %1 to %2."),
+                          {valueText(question.along, line.range.start, valueDigits, style),
+                           valueText(question.along, line.range.stop, valueDigits, style)}});
 }
 
-std::vector<std::string> goalProblems(const CurveStudy& study) {
+std::vector<std::string> goalProblems(const CurveStudy& study, const ReadingStyle& style) {
     std::vector<std::string> problems;
     for (const CurveLine& line : study.lines) {
         if (!line.goal || line.goal->isReached()) continue;
         const std::string family =
-            line.family ? familyText(*study.question.family, *line.family) + ": " : std::string();
-        problems.push_back(family + missText(study.question, line));
+            line.family ? familyText(*study.question.family, *line.family, style) + ": " : std::string();
+        problems.push_back(family + style.said(missMessage(study.question, line, style)));
     }
     return problems;
 }

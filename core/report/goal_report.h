@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/study/curve/curve.h"
+#include "core/text/handy_text.h"
 #include "core/text/json.h"
 
 namespace drillwave {
@@ -15,13 +16,14 @@ namespace drillwave {
 inline constexpr std::string_view goalCsvBegin = "goal,kind,direction,";
 
 /// "cor = 0.7", "peak_force = 240 kN". Requires a goal, as all that follows does.
-std::string goalTitle(const CurveQuestion& question);
+std::string goalTitle(const CurveQuestion& question, const ReadingStyle& style = plainStyle());
 
 /// A table of the places of a line, whether there may be others, and where there is none the nearest value.
-std::string goalText(const CurveQuestion& question, const CurveLine& line);
+std::string goalText(const CurveQuestion& question, const CurveLine& line,
+                     const ReadingStyle& style = plainStyle());
 
 /// A sentence for each line that takes the goal nowhere; empty when all do.
-std::vector<std::string> goalProblems(const CurveStudy& study);
+std::vector<std::string> goalProblems(const CurveStudy& study, const ReadingStyle& style = plainStyle());
 
 /// `places` with `kind`, `complete`, and `nearest` where there is none.
 JsonObject goalJson(const GoalAnswer& answer);
