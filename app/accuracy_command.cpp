@@ -82,7 +82,7 @@ AccuracyFiles measure(const Arguments& arguments, const ScenarioDocument& docume
                                arguments.operands().front() + ": could not be solved: " + reason);
         return {accuracyCsv(accuracy),
                 arguments.has("json") ? accuracyJson(scenario, completeScenarioText(document), accuracy)
-                                      : accuracyText(scenario, accuracy),
+                                      : accuracyText(scenario, accuracy, arguments.style()),
                 plots.draw(&accuracy, drawing, interruption)};
     };
     ShareBar bar;

@@ -44,7 +44,7 @@ ExitCode runStability(const Arguments& arguments, const Drawing* drawing) {
         folder.files.push_back({stabilityCsvName, stabilityCsv(report)});
         writeFolder(directory, folder, overwrite, &interruption);
     }
-    printText(arguments.has("json") ? stabilityJson(report) : stabilityText(report));
+    printText(arguments.has("json") ? stabilityJson(report) : stabilityText(report, arguments.style()));
     return endOf(report);
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/accuracy_report.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "core/model/version.h"
@@ -8,6 +9,7 @@
 #include "core/report/json_value.h"
 #include "core/report/report_text.h"
 #include "core/text/csv.h"
+#include "core/text/text_layout.h"
 
 namespace drillwave {
 
@@ -20,48 +22,122 @@ std::string label(const AccuracyRow& row) {
     return text;
 }
 
-std::string table(const Accuracy& accuracy) {
+std::string table(const Accuracy& accuracy, const ReadingStyle& style) {
     TextGrid grid;
-    grid.add(withTitles("method", accuracyColumns));
+    grid.add(withTitles(style.said(translatable("drillwave::Message", "method")), accuracyColumns, style));
     for (const AccuracyRow& row : accuracy.rows)
         grid.add(row.outcome == Outcome::rebounded
-                     ? withCells(label(row), accuracyColumns, row)
-                     : std::vector<std::string>{label(row), "not solved: " + row.reason});
+                     ? withCells(label(row), accuracyColumns, row, style)
+                     : std::vector<std::string>{
+                           label(row), style.said({translatable("drillwave::Message", "not solved: %1"),
+                                                   {Message::ofTable(row.reason)}})});
     return grid.text();
 }
 
-std::string agreement(const Accuracy& accuracy) {
-    for (const AccuracyRow& row : accuracy.rows)
-        if (!row.sameAsMoved)
-            return "  THE RING DOES NOT GIVE THE NUMBERS OF THE MOVED WAVES at " +
-                   std::to_string(row.choice.lattice.segments) + " segments: please report this.\n";
-    return "  The ring buffer gives every number of the moved waves, to the last bit.\n";
+/// Two blanks before each line of what may have several.
+std::string linesOf(const Message& words, const ReadingStyle& style) {
+    return indented(style.said(words), 2);
 }
 
-std::string checks(const Accuracy& accuracy) {
+Message agreement(const Accuracy& accuracy) {
+    for (const AccuracyRow& row : accuracy.rows)
+        if (!row.sameAsMoved)
+            return {translatable("drillwave::Message",
+                                 "THE RING DOES NOT GIVE THE NUMBERS OF THE MOVED WAVES at %1 segments: "
+                                 "please report this."),
+                    {std::to_string(row.choice.lattice.segments)}};
+    return translatable("drillwave::Message",
+                        "The ring buffer gives every number of the moved waves, to the last bit.");
+}
+
+/// What the columns of the table are.
+std::string legend(const Accuracy& accuracy, const ReadingStyle& style) {
+    const auto isShort = [](const AccuracyRow& row) {
+        return row.outcome == Outcome::rebounded && row.time.runs < wantedRuns;
+    };
+    std::string text =
+        "\n" + style.said(translatable("drillwave::Message", "The table")) + "\n" +
+        linesOf(translatable("drillwave::Message",
+                             "Errors are absolute, forces in F0; those of lattice and closed form against "
+                             "the exact solution.\n"
+                             "estimate: what the method itself says about its error of e. order: observed, "
+                             "from the row above.\n"
+                             "force: largest difference of the force history, at ends and middles of all "
+                             "steps; mid-step: at the\n"
+                             "middles. A force that is constant in each step cannot come closer than half "
+                             "its change in a step."),
+                style);
+    const Message times{translatable("drillwave::Message",
+                                     "Times: processor time of a solve for e alone. speed: how many times "
+                                     "faster than the paper's choice,\n"
+                                     "the lattice of %1 segments with moved waves."),
+                        {std::to_string(paperSegments)}};
+    return text + linesOf(std::ranges::any_of(accuracy.rows, isShort)
+                              ? Message(translatable("drillwave::Message",
+                                                     "%1 Rows of over a second have fewer runs."),
+                                        {times})
+                              : times,
+                          style);
+}
+
+std::string extendedText(const Accuracy& accuracy, const ReadingStyle& style) {
+    const Impact& extended = accuracy.extended;
+    if (extended.outcome != Outcome::rebounded)
+        return linesOf({translatable("drillwave::Message", "In long double it was not solved: %1."),
+                        {Message::ofTable(extended.reason)}},
+                       style);
+    return linesOf(
+        {translatable("drillwave::Message",
+                      "Its errors are differences to a solution in long double (%1 bits, %2),\n"
+                      "whose own error is below %3 and counted in: they show\n"
+                      "rounding and truncation, but not a mistaken event: both march with the same code for "
+                      "events."),
+         {std::to_string(accuracy.extendedDigits),
+          shownNumber(accuracy.extendedTime, NumberStyle::time, style),
+          shownNumber(extended.corError, NumberStyle::error, style)}},
+        style);
+}
+
+std::string checks(const Accuracy& accuracy, const ReadingStyle& style) {
     const EquationResiduals& residuals = accuracy.residuals;
-    const auto error = [](double value) { return shownNumber(value, NumberStyle::error); };
-    std::string text = "\nThe exact solution\n";
-    text += accuracy.extended.outcome == Outcome::rebounded
-                ? "  Its errors are differences to a solution in long double (" +
-                      std::to_string(accuracy.extendedDigits) + " bits, " +
-                      shownNumber(accuracy.extendedTime, NumberStyle::time) +
-                      "),\n  whose own error is below " + error(accuracy.extended.corError) +
-                      " and counted in: they show\n"
-                      "  rounding and truncation, but not a mistaken event: both march with the same code "
-                      "for events.\n"
-                : "  In long double it was not solved: " + accuracy.extended.reason + ".\n";
-    text += "  So its histories were put back into the equations at " + std::to_string(residuals.points) +
-            " points, without that code.\n"
-            "  Largest residuals, in F0 (1 + beta/gamma):\n" +
-            "    g(s) = Fa(s) + g(s - 2 tau) - F(s - 2 tau)                     " + error(residuals.wave) +
-            (residuals.loadingLines == 1
-                 ? "\n    F' = a (2g - F), a = beta or beta/gamma                        "
-                 : "\n    F' = a (2g - F), a = s_j beta on line j, or beta/gamma         ") +
-            error(residuals.rate) + "\n    F = law of the penetration and of the largest one so far       " +
-            error(residuals.law) + "\n    smallest force                                                 " +
-            error(residuals.leastForce) + "\n";
-    return text;
+    const auto line = [&](const Message& equation, double residual) {
+        constexpr std::size_t width = 62;
+        return "    " + leftAligned(style.said(equation), width) + " " +
+               shownNumber(residual, NumberStyle::error, style) + "\n";
+    };
+    return "\n" + style.said(translatable("drillwave::Message", "The exact solution")) + "\n" +
+           extendedText(accuracy, style) +
+           linesOf({translatable("drillwave::Message",
+                                 "So its histories were put back into the equations at %1 points, without "
+                                 "that code.\n"
+                                 "Largest residuals, in F0 (1 + beta/gamma):"),
+                    {std::to_string(residuals.points)}},
+                   style) +
+           line(std::string("g(s) = Fa(s) + g(s - 2 tau) - F(s - 2 tau)"), residuals.wave) +
+           line(residuals.loadingLines == 1
+                    ? translatable("drillwave::Message", "F' = a (2g - F), a = beta or beta/gamma")
+                    : translatable("drillwave::Message",
+                                   "F' = a (2g - F), a = s_j beta on line j, or beta/gamma"),
+                residuals.rate) +
+           line(
+               translatable("drillwave::Message", "F = law of the penetration and of the largest one so far"),
+               residuals.law) +
+           line(translatable("drillwave::Message", "smallest force"), residuals.leastForce);
+}
+
+/// The case, in all digits.
+std::string accuracyHeading(const Scenario& scenario, const Accuracy& accuracy, const ReadingStyle& style) {
+    const auto whole = [&](double value) { return style.withDecimalSign(formatNumber(value)); };
+    const Groups& groups = accuracy.groups;
+    return (scenario.title.empty() ? std::string() : scenario.title + "\n") + "  beta " + whole(groups.beta) +
+           "  gamma " + whole(groups.gamma) + "  tau " + whole(groups.tau) + "  delta " +
+           whole(groups.delta) + "  " +
+           style.said(
+               {translatable("drillwave::Message", "pulse %1"), {std::string(name(scenario.pulse.shape))}}) +
+           "\n" +
+           linesOf({translatable("drillwave::Message", "e = %1, peak force %2 F0"),
+                    {whole(accuracy.exact.cor), whole(accuracy.exact.peakForce)}},
+                   style);
 }
 
 JsonObject rowJson(const AccuracyRow& row) {
@@ -81,36 +157,16 @@ JsonObject rowJson(const AccuracyRow& row) {
 
 }  // namespace
 
-std::string accuracyText(const Scenario& scenario, const Accuracy& accuracy) {
-    const Groups& groups = accuracy.groups;
-    std::string text = scenario.title.empty() ? std::string() : scenario.title + "\n";
-    text += "  beta " + formatNumber(groups.beta) + "  gamma " + formatNumber(groups.gamma) + "  tau " +
-            formatNumber(groups.tau) + "  delta " + formatNumber(groups.delta) + "  pulse " +
-            std::string(name(scenario.pulse.shape)) + "\n  e = " + formatNumber(accuracy.exact.cor) +
-            ", peak force " + formatNumber(accuracy.exact.peakForce) + " F0\n\n";
-    text += table(accuracy);
-    text +=
-        "\nThe table\n"
-        "  Errors are absolute, forces in F0; those of lattice and closed form against the exact solution.\n"
-        "  estimate: what the method itself says about its error of e. order: observed, from the row above.\n"
-        "  force: largest difference of the force history, at ends and middles of all steps; mid-step: at "
-        "the\n"
-        "  middles. A force that is constant in each step cannot come closer than half its change in a "
-        "step.\n"
-        "  Times: processor time of a solve for e alone. speed: how many times faster than the paper's "
-        "choice,\n"
-        "  the lattice of " +
-        std::to_string(paperSegments) + " segments with moved waves.";
-    for (const AccuracyRow& row : accuracy.rows)
-        if (row.outcome == Outcome::rebounded && row.time.runs < wantedRuns) {
-            text += " Rows of over a second have fewer runs.";
-            break;
-        }
-    text += "\n" + agreement(accuracy);
+std::string accuracyText(const Scenario& scenario, const Accuracy& accuracy, const ReadingStyle& style) {
+    std::string text = accuracyHeading(scenario, accuracy, style) + "\n" + table(accuracy, style) +
+                       legend(accuracy, style) + linesOf(agreement(accuracy), style);
     if (!std::isnan(accuracy.latticeOrder))
-        text += "  Over the whole ladder the error of e falls with the number of segments to the power of " +
-                shownNumber(accuracy.latticeOrder, NumberStyle::order) + ".\n";
-    return text + checks(accuracy);
+        text += linesOf({translatable("drillwave::Message",
+                                      "Over the whole ladder the error of e falls with the number of "
+                                      "segments to the power of %1."),
+                         {shownNumber(accuracy.latticeOrder, NumberStyle::order, style)}},
+                        style);
+    return text + checks(accuracy, style);
 }
 
 std::string accuracyJson(const Scenario& scenario, const std::string& scenarioText,
@@ -157,17 +213,25 @@ std::string accuracyCsv(const Accuracy& accuracy) {
     return csv;
 }
 
-std::string accuracyText(const Scenario& scenario, const StringAccuracy& accuracy) {
+std::string accuracyText(const Scenario& scenario, const StringAccuracy& accuracy,
+                         const ReadingStyle& style) {
     TextGrid grid;
-    grid.add(withTitles("method", stringAccuracyColumns));
+    grid.add(
+        withTitles(style.said(translatable("drillwave::Message", "method")), stringAccuracyColumns, style));
     for (const StringAccuracyRow& row : accuracy.rows)
-        grid.add(withCells(std::string(name(row.method)), stringAccuracyColumns, row));
-    return headingOf(scenario) + "\n" + grid.text() + "\n  error: of the efficiency, against " +
-           rounded(accuracy.efficiency, 13) + " (cut cells half as large again, stated error " +
-           boundText(accuracy.reference) +
-           ")\n  stated: what the method says of it; impulse: error of the impulse on the rock, of the "
-           "hammer's\n  cells: polynomial cells, cut at jumps (sweep, map); cells_cut: cut at every corner "
-           "of a wave (run);\n  plain: a lattice of constant cells, as others have it\n";
+        grid.add(withCells(std::string(name(row.method)), stringAccuracyColumns, row, style));
+    return headingOf(scenario, style) + "\n" + grid.text() + "\n" +
+           linesOf(
+               {translatable("drillwave::Message",
+                             "error: of the efficiency, against %1 (cut cells half as large again, "
+                             "stated error %2)\n"
+                             "stated: what the method says of it; impulse: error of the impulse on the "
+                             "rock, of the hammer's\n"
+                             "cells: polynomial cells, cut at jumps (sweep, map); cells_cut: cut at every "
+                             "corner of a wave (run);\n"
+                             "plain: a lattice of constant cells, as others have it"),
+                {style.number(accuracy.efficiency, 13), style.bound(accuracy.reference)}},
+               style);
 }
 
 std::string accuracyJson(const Scenario&, const std::string& scenarioText, const StringAccuracy& accuracy) {

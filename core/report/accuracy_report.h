@@ -7,12 +7,15 @@
 #include "core/model/scenario.h"
 #include "core/study/proof/accuracy.h"
 #include "core/study/proof/string_accuracy.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
 /// A table for people, with what its columns mean and what the checks show.
-std::string accuracyText(const Scenario& scenario, const Accuracy& accuracy);
-std::string accuracyText(const Scenario& scenario, const StringAccuracy& accuracy);
+std::string accuracyText(const Scenario& scenario, const Accuracy& accuracy,
+                         const ReadingStyle& style = plainStyle());
+std::string accuracyText(const Scenario& scenario, const StringAccuracy& accuracy,
+                         const ReadingStyle& style = plainStyle());
 
 /// One JSON object, with the text that gives the scenario again; numbers that there are none of are null.
 std::string accuracyJson(const Scenario& scenario, const std::string& scenarioText, const Accuracy& accuracy);

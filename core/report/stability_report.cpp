@@ -5,13 +5,13 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "core/report/study_column.h"
 #include "core/text/csv.h"
 #include "core/text/handy_text.h"
 #include "core/text/json.h"
 #include "core/text/number_text.h"
+#include "core/text/text_layout.h"
 #include "core/text/units.h"
 
 namespace drillwave {
@@ -40,17 +40,20 @@ constexpr auto stabilityColumns = std::to_array<StudyColumn<StabilityRow>>({
      [](const StabilityRow& r) { return r.boundDistance.value_or(none); }},
 });
 
-std::string describe(const StabilityRow& row) {
+std::string describe(const StabilityRow& row, const ReadingStyle& style) {
     const Groups& g = row.stabilityCase.groups;
+    const auto whole = [&](double value) { return style.withDecimalSign(formatNumber(value)); };
     return row.stabilityCase.name + " (" + std::string(name(row.stabilityCase.shape)) + ", beta " +
-           formatNumber(g.beta) + ", gamma " + formatNumber(g.gamma) + ", tau " + formatNumber(g.tau) +
-           ", delta " + formatNumber(g.delta) + ")";
+           whole(g.beta) + ", gamma " + whole(g.gamma) + ", tau " + whole(g.tau) + ", delta " +
+           whole(g.delta) + ")";
 }
 
-std::string failuresOf(const StabilityRow& row) {
-    if (row.outcome != Outcome::rebounded) return "not solved: " + row.reason;
+std::string failuresOf(const StabilityRow& row, const ReadingStyle& style = plainStyle()) {
+    if (row.outcome != Outcome::rebounded)
+        return style.said(
+            {translatable("drillwave::Message", "not solved: %1"), {Message::ofTable(row.reason)}});
     std::string text;
-    for (const std::string& failure : row.failures) text += (text.empty() ? "" : "; ") + failure;
+    for (const Message& failure : row.failures) text += (text.empty() ? "" : "; ") + style.said(failure);
     return text;
 }
 
@@ -70,114 +73,160 @@ JsonObject jsonOf(const StabilityRow& row) {
 }
 
 /// "1.2e-13".
-std::string shortText(double value) {
-    return numberText(value, std::chars_format::scientific, 1);
+std::string shortText(double value, const ReadingStyle& style) {
+    return style.withDecimalSign(numberText(value, std::chars_format::scientific, 1));
 }
 
-std::string twoDigits(double value) {
-    return rounded(value, 2);
+std::string twoDigits(double value, const ReadingStyle& style) {
+    return style.number(value, 2);
 }
 
 /// Of a number that is whole.
-std::string wholeText(double value) {
+std::string wholeText(double value, const ReadingStyle&) {
     return std::to_string(std::llround(value));
 }
 
-std::string rightAligned(const std::string& text, std::size_t width) {
-    return std::string(width - std::min(width, text.size()), ' ') + text;
-}
+/// What the cases of one kind came to.
+struct KindOfCase {
+    std::string name;  ///< that of the cases up to its first comma
+    int cases = 0, passed = 0;
+    long pieces = 0;
+    double balance = 0, change = 0;
+};
 
-std::string leftAligned(const std::string& text, std::size_t width) {
-    return text + std::string(width - std::min(width, text.size()), ' ');
-}
-
-/// One line for the cases of one kind: the name up to its first comma.
-std::string kindsText(const StabilityReport& report) {
-    struct Kind {
-        int cases = 0, passed = 0;
-        long pieces = 0;
-        double balance = 0, change = 0;
-    };
-    std::vector<std::string> order;
-    std::map<std::string, Kind> kinds;
+std::vector<KindOfCase> kindsOf(const StabilityReport& report) {
+    std::vector<KindOfCase> kinds;
     for (const StabilityRow& row : report.rows) {
         const std::string name = row.stabilityCase.name.substr(0, row.stabilityCase.name.find(','));
-        if (!kinds.contains(name)) order.push_back(name);
-        Kind& kind = kinds[name];
-        ++kind.cases;
-        kind.passed += row.passed();
-        kind.pieces = std::max(kind.pieces, row.pieces);
-        kind.balance = std::max({kind.balance, std::abs(row.momentumResidual), std::abs(row.energyResidual)});
-        kind.change = std::max(kind.change, row.change);
+        auto kind = std::ranges::find(kinds, name, &KindOfCase::name);
+        if (kind == kinds.end()) kind = kinds.insert(kinds.end(), {.name = name});
+        ++kind->cases;
+        kind->passed += row.passed();
+        kind->pieces = std::max(kind->pieces, row.pieces);
+        kind->balance =
+            std::max({kind->balance, std::abs(row.momentumResidual), std::abs(row.energyResidual)});
+        kind->change = std::max(kind->change, row.change);
     }
-    const auto line = [](const std::array<std::string, 6>& cells) {
-        return leftAligned(cells[0], 46) + " " + rightAligned(cells[1], 6) + " " + rightAligned(cells[2], 7) +
-               " " + rightAligned(cells[3], 14) + " " + rightAligned(cells[4], 12) + " " +
-               rightAligned(cells[5], 10) + "\n";
+    return kinds;
+}
+
+/// One line for the cases of one kind.
+std::string kindsText(const StabilityReport& report, const ReadingStyle& style) {
+    struct Column {
+        std::string title;
+        std::size_t width;
     };
-    std::string text = line({"kind of case", "cases", "passed", "worst balance", "continuity", "pieces"});
-    for (const std::string& name : order) {
-        const Kind& kind = kinds[name];
-        text += line({name, std::to_string(kind.cases), std::to_string(kind.passed), shortText(kind.balance),
-                      shortText(kind.change), std::to_string(kind.pieces)});
-    }
+    const auto column = [&](const char* title, std::size_t least) {
+        const std::string words = style.said(title);
+        return Column{words, std::max(least, columnsOf(words))};
+    };
+    const std::array<Column, 6> columns{column(translatable("drillwave::Message", "kind of case"), 46),
+                                        column(translatable("drillwave::Message", "cases"), 6),
+                                        column(translatable("drillwave::Message", "passed"), 7),
+                                        column(translatable("drillwave::Message", "worst balance"), 14),
+                                        column(translatable("drillwave::Message", "continuity"), 12),
+                                        column(translatable("drillwave::Message", "pieces"), 10)};
+    const auto line = [&](const std::array<std::string, 6>& cells) {
+        std::string text = leftAligned(cells[0], columns[0].width);
+        for (std::size_t i = 1; i < cells.size(); ++i) text += " " + rightAligned(cells[i], columns[i].width);
+        return text + "\n";
+    };
+    std::string text = line({columns[0].title, columns[1].title, columns[2].title, columns[3].title,
+                             columns[4].title, columns[5].title});
+    for (const KindOfCase& kind : kindsOf(report))
+        text += line({kind.name, std::to_string(kind.cases), std::to_string(kind.passed),
+                      shortText(kind.balance, style), shortText(kind.change, style),
+                      std::to_string(kind.pieces)});
     return text;
 }
 
-std::string worstText(const StabilityReport& report) {
-    using Value = std::optional<double>;
-    std::string text = "\n" + leftAligned("column", 28) + " " + rightAligned("worst", 8) + " " +
-                       rightAligned("mark", 8) + "  where\n";
-    const auto worst = [&](const char* title, auto column, auto shown, Value mark = {}) {
-        const StabilityRow* most = nullptr;
-        for (const StabilityRow& row : report.rows)
-            if (const Value value = column(row); value && (!most || *value > *column(*most))) most = &row;
-        if (!most) return;
-        text += "  " + leftAligned(title, 26) + " " + rightAligned(shown(*column(*most)), 8) + " " +
-                rightAligned(mark ? formatNumber(*mark) : std::string(), 8) + "  " + describe(*most) + "\n";
+/// A measure: its worst value is told.
+struct Measured {
+    const char* title;
+    std::optional<double> (*value)(const StabilityRow&);
+    std::string (*shown)(double, const ReadingStyle&);
+    std::optional<double> mark = {};
+};
+
+constexpr auto stabilityMeasures = std::to_array<Measured>({
+    {translatable("drillwave::Message", "momentum residual"),
+     [](const StabilityRow& r) { return std::optional<double>(std::abs(r.momentumResidual)); }, shortText,
+     stabilityMarks.momentum},
+    {translatable("drillwave::Message", "energy residual"),
+     [](const StabilityRow& r) { return std::optional<double>(std::abs(r.energyResidual)); }, shortText,
+     stabilityMarks.energy},
+    {translatable("drillwave::Message", "pull of the rock"),
+     [](const StabilityRow& r) {
+         return r.leastForce ? std::optional<double>(-*r.leastForce) : std::optional<double>();
+     },
+     shortText, stabilityMarks.pull},
+    {translatable("drillwave::Message", "return after the end"),
+     [](const StabilityRow& r) { return r.reach; }, shortText, stabilityMarks.reach},
+    // of blows whose e has its digits; the others are let off by their stated error
+    {translatable("drillwave::Message", "change over 1e-10"),
+     [](const StabilityRow& r) {
+         return r.corError < 1e-12 ? std::optional<double>(r.change) : std::optional<double>();
+     },
+     shortText, stabilityMarks.change},
+    {translatable("drillwave::Message", "distance from limit"),
+     [](const StabilityRow& r) { return r.limitDistance; }, twoDigits, stabilityMarks.limit},
+    {translatable("drillwave::Message", "distance from lattice"),
+     [](const StabilityRow& r) { return r.latticeDistance; }, twoDigits, stabilityMarks.lattice},
+    {translatable("drillwave::Message", "distance from long double"),
+     [](const StabilityRow& r) { return r.boundDistance; }, twoDigits, stabilityMarks.bound},
+    {translatable("drillwave::Message", "stated error"),
+     [](const StabilityRow& r) { return std::optional<double>(std::abs(r.corError)); }, shortText},
+    {translatable("drillwave::Message", "wave pieces"),
+     [](const StabilityRow& r) { return std::optional<double>(double(r.pieces)); }, wholeText},
+    {translatable("drillwave::Message", "seconds"),
+     [](const StabilityRow& r) { return std::optional<double>(r.seconds); }, twoDigits},
+});
+
+const StabilityRow* worstBy(const Measured& measure, const StabilityReport& report) {
+    const StabilityRow* most = nullptr;
+    for (const StabilityRow& row : report.rows)
+        if (const std::optional<double> value = measure.value(row);
+            value && (!most || *value > *measure.value(*most)))
+            most = &row;
+    return most;
+}
+
+std::string worstText(const StabilityReport& report, const ReadingStyle& style) {
+    std::size_t width = 26;
+    for (const Measured& measure : stabilityMeasures)
+        width = std::max(width, columnsOf(style.said(measure.title)));
+    const auto line = [&](const std::string& title, const std::string& worst, const std::string& mark,
+                          const std::string& where) {
+        return leftAligned(title, width + 2) + " " + rightAligned(worst, 8) + " " + rightAligned(mark, 8) +
+               "  " + where + "\n";
     };
-    constexpr StabilityMarks marks = stabilityMarks;
-    const auto error = [](auto value) {
-        return [value](const StabilityRow& row) { return Value(std::abs(value(row))); };
-    };
-    worst("momentum residual", error([](const auto& r) { return r.momentumResidual; }), shortText,
-          marks.momentum);
-    worst("energy residual", error([](const auto& r) { return r.energyResidual; }), shortText, marks.energy);
-    worst(
-        "pull of the rock",
-        [](const StabilityRow& r) { return r.leastForce ? Value(-*r.leastForce) : Value(); }, shortText,
-        marks.pull);
-    worst(
-        "return after the end", [](const StabilityRow& r) { return r.reach; }, shortText, marks.reach);
-    worst(
-        "change over 1e-10",  // of blows whose e has its digits; the others are let off by their stated error
-        [](const StabilityRow& r) { return r.corError < 1e-12 ? Value(r.change) : Value(); }, shortText,
-        marks.change);
-    worst(
-        "distance from limit", [](const StabilityRow& r) { return r.limitDistance; }, twoDigits, marks.limit);
-    worst(
-        "distance from lattice", [](const StabilityRow& r) { return r.latticeDistance; }, twoDigits,
-        marks.lattice);
-    worst(
-        "distance from long double", [](const StabilityRow& r) { return r.boundDistance; }, twoDigits,
-        marks.bound);
-    worst("stated error", error([](const auto& r) { return r.corError; }), shortText);
-    worst("wave pieces", error([](const auto& r) { return double(r.pieces); }), wholeText);
-    worst("seconds", error([](const auto& r) { return r.seconds; }), twoDigits);
+    std::string text = "\n" + line(style.said(translatable("drillwave::Message", "column")),
+                                   style.said(translatable("drillwave::Message", "worst")),
+                                   style.said(translatable("drillwave::Message", "mark")),
+                                   style.said(translatable("drillwave::Message", "where")));
+    for (const Measured& measure : stabilityMeasures)
+        if (const StabilityRow* most = worstBy(measure, report))
+            text += line("  " + style.said(measure.title), measure.shown(*measure.value(*most), style),
+                         measure.mark ? style.withDecimalSign(formatNumber(*measure.mark)) : std::string(),
+                         describe(*most, style));
     return text;
 }
 
 }  // namespace
 
-std::string stabilityText(const StabilityReport& report) {
-    std::string text = kindsText(report) + worstText(report);
+std::string stabilityText(const StabilityReport& report, const ReadingStyle& style) {
+    std::string text = kindsText(report, style) + worstText(report, style);
     for (const StabilityRow& row : report.rows)
-        if (!row.passed()) text += "FAILED " + describe(row) + ": " + failuresOf(row) + "\n";
+        if (!row.passed())
+            text += style.said({translatable("drillwave::Message", "FAILED %1: %2"),
+                                {describe(row, style), failuresOf(row, style)}}) +
+                    "\n";
     const std::size_t bad = report.failed() + report.notSolved();
-    return text + "\n" + std::to_string(report.rows.size()) +
-           " cases: " + std::to_string(report.rows.size() - bad) + " passed, " +
-           std::to_string(report.failed()) + " failed, " + std::to_string(report.notSolved()) +
-           " not solved\n";
+    return text + "\n" +
+           style.said({translatable("drillwave::Message", "%1 cases: %2 passed, %3 failed, %4 not solved"),
+                       {std::to_string(report.rows.size()), std::to_string(report.rows.size() - bad),
+                        std::to_string(report.failed()), std::to_string(report.notSolved())}}) +
+           "\n";
 }
 
 std::string stabilityJson(const StabilityReport& report) {

@@ -5,12 +5,13 @@
 #include <string>
 
 #include "core/study/proof/stability.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
 /// A line for each kind of case, the worst value of each measure with its mark and where it is, and a line
 /// for each case that failed.
-std::string stabilityText(const StabilityReport& report);
+std::string stabilityText(const StabilityReport& report, const ReadingStyle& style = plainStyle());
 
 /// One JSON object with all cases; null where a check does not apply.
 std::string stabilityJson(const StabilityReport& report);

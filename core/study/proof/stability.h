@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/study/proof/stability_cases.h"
+#include "core/text/message.h"
 #include "core/wave/impact.h"
 
 namespace drillwave {
@@ -47,7 +48,7 @@ struct StabilityRow {
     std::optional<double> limitDistance;    ///< |e − limit| over what theory allows, ≤ 1 is right
     std::optional<double> latticeDistance;  ///< |e − e of the lattice| over the lattice's own error estimate
     std::optional<double> boundDistance;    ///< |e − e in long double| over the stated errors of both
-    std::vector<std::string> failures;      ///< the checks that failed, in words
+    std::vector<Message> failures;          ///< the checks that failed, in words
 
     bool passed() const { return outcome == Outcome::rebounded && failures.empty(); }
 };
