@@ -82,8 +82,12 @@ ExitCode runFigures(const Arguments& arguments, const Drawing* drawing) {
     const FolderFiles folder = filesOf(figures, numbers, formats, *drawing, interruption);
     writeFolder(*directory, folder, overwrite, &interruption);
     const auto agreeing = std::ranges::count_if(numbers, &Discrepancy::agrees);
-    std::printf("%zu files in %s; %zu of %zu printed numbers agree, see index.html or discrepancies.csv\n",
-                folder.files.size(), directory->c_str(), static_cast<std::size_t>(agreeing), numbers.size());
+    const Message done{translatable("drillwave::Message",
+                                    "%1 files in %2; %3 of %4 printed numbers agree, see index.html or "
+                                    "discrepancies.csv"),
+                       {std::to_string(folder.files.size()), *directory, std::to_string(agreeing),
+                        std::to_string(numbers.size())}};
+    std::printf("%s\n", arguments.style().said(done).c_str());
     return ExitCode::done;
 }
 

@@ -9,40 +9,64 @@
 #include "app/output_file.h"
 #include "app/preset_options.h"
 #include "core/text/lower_case.h"
+#include "core/text/text_layout.h"
 
 namespace drillwave {
 
 namespace {
 
-/// The lines of a description, each behind four blanks.
-std::string indented(const std::string& lines) {
-    std::string text = "    ";
-    for (const char c : lines) text += c == '\n' ? std::string("\n    ") : std::string(1, c);
-    return text + "\n";
+/// What the presets of a kind are for; %1 is the option that takes them.
+const char* usePattern(PresetKind kind) {
+    switch (kind) {
+        case PresetKind::rod:
+            return translatable("drillwave::Message", "rods, for %1");
+        case PresetKind::hammer:
+            return translatable("drillwave::Message", "hammers, for %1");
+        case PresetKind::rock:
+            return translatable("drillwave::Message", "rocks, for %1");
+    }
+    return "";
+}
+
+const char* usePattern(SectionPresetKind kind) {
+    switch (kind) {
+        case SectionPresetKind::piston:
+            return translatable("drillwave::Message",
+                                "pistons, for drill strings (length × diameter / bore)");
+        case SectionPresetKind::adapter:
+            return translatable("drillwave::Message",
+                                "adapters, for drill strings (length × diameter / bore)");
+        case SectionPresetKind::coupling:
+            return translatable("drillwave::Message",
+                                "couplings, for drill strings (length × diameter / bore)");
+        case SectionPresetKind::bit:
+            return translatable("drillwave::Message", "bits, for drill strings (length × diameter / bore)");
+    }
+    return "";
 }
 
 /// Lists, each under its heading, of what has every word looked for in its kind, name or description,
 /// capitals or not.
 class Listing {
   public:
-    explicit Listing(const std::string& search) {
+    Listing(const std::string& search, const ReadingStyle& style) : m_style(style) {
         std::istringstream words(lowerCase(search));
         for (std::string word; words >> word;) m_words.push_back(word);
     }
 
-    void add(std::string_view kind, std::string_view use, const std::string& name,
+    void add(std::string_view kind, const Message& use, const std::string& name,
              const std::string& description) {
         const std::string all = lowerCase(std::string(kind) + "s\n" + name + "\n" + description);
         const auto isThere = [&](const std::string& word) { return all.find(word) != std::string::npos; };
         if (!std::ranges::all_of(m_words, isThere)) return;
-        if (kind != m_kind)
-            m_text += (m_text.empty() ? "" : "\n") + std::string(kind) + "s, for " + std::string(use) + "\n";
+        if (kind != m_kind) m_text += (m_text.empty() ? "" : "\n") + m_style.said(use) + "\n";
         m_kind = kind;
-        m_text += "  " + name + "\n" + indented(description);
+        m_text += "  " + name + "\n" + indented(description, 4);
     }
     const std::string& text() const { return m_text; }
 
   private:
+    const ReadingStyle& m_style;
     std::vector<std::string> m_words;
     std::string m_text;
     std::string_view m_kind;
@@ -53,13 +77,12 @@ ExitCode runPresets(const Arguments& arguments, const Drawing*) {
     if (!arguments.operands().empty()) path = arguments.operands().front();
     const PresetFile file = presetsOf(path);
     const std::string search = arguments.value("search").value_or("");
-    Listing listing(search);
+    Listing listing(search, arguments.style());
     for (const Preset& preset : file.presets)
-        listing.add(name(preset.kind), "--" + std::string(name(preset.kind)), preset.name,
-                    description(preset));
+        listing.add(name(preset.kind), {usePattern(preset.kind), {"--" + std::string(name(preset.kind))}},
+                    preset.name, description(preset));
     for (const SectionPreset& preset : file.sectionPresets)
-        listing.add(name(preset.kind), "drill strings (length × diameter / bore)", preset.name,
-                    description(preset));
+        listing.add(name(preset.kind), usePattern(preset.kind), preset.name, description(preset));
     if (listing.text().empty() && !search.empty())
         throw CommandError(ExitCode::unsolvedOrFailed, "no preset has all of \"" + search + "\"");
     printText(listing.text());

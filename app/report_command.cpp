@@ -118,7 +118,10 @@ ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
         report, {std::string(stem), place.formats, interruption.token()}, arguments.language());
     interruption.check();
     write(place, std::move(files), overwrite, interruption);
-    if (!isStream(place.path)) std::printf("report in %s\n", place.path.c_str());
+    if (!isStream(place.path))
+        std::printf("%s\n", arguments.style()
+                                .said({translatable("drillwave::Message", "report in %1"), {place.path}})
+                                .c_str());
     return ExitCode::done;
 }
 
