@@ -133,7 +133,7 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
             throw CommandError(ExitCode::unsolvedOrFailed,
                                path + ": could not be solved: " + report.study.reason +
                                    limitHint(arguments, report.scenario, report.study.hindrance));
-        printText(arguments.has("json") ? thrustJson(report) : thrustText(report));
+        printText(arguments.has("json") ? thrustJson(report) : thrustText(report, arguments.style()));
     }
     if (report.along) checkSolved(report.along->curve, path, arguments, report.scenario);
     return ExitCode::done;

@@ -227,10 +227,16 @@ Message feedMeaning(Feed feed, const std::optional<GapAtBlow>& found, const Read
 
 std::string feedForceText(const FeedForce& feed, const ReadingStyle& style) {
     const auto force = [&](double newton) { return style.quantity(newton, Quantity::force, 4); };
-    if (!feed.weight) return "installed thrust of " + force(feed.thrust);
-    return "effective force of " + force(feed.effective()) + " (thrust " + force(feed.thrust) +
-           (*feed.weight < 0 ? ", less " : ", and ") + force(std::abs(*feed.weight)) +
-           " of weight along the hole)";
+    if (!feed.weight)
+        return style.said(
+            {translatable("drillwave::Message", "installed thrust of %1"), {force(feed.thrust)}});
+    return style.said(
+        {*feed.weight < 0
+             ? translatable("drillwave::Message",
+                            "effective force of %1 (thrust %2, less %3 of weight along the hole)")
+             : translatable("drillwave::Message",
+                            "effective force of %1 (thrust %2, and %3 of weight along the hole)"),
+         {force(feed.effective()), force(feed.thrust), force(std::abs(*feed.weight))}});
 }
 
 }  // namespace drillwave

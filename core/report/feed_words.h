@@ -28,7 +28,7 @@ const char* feedAdvice(Feed feed);
 Message feedMeaning(Feed feed, const std::optional<GapAtBlow>& found,
                     const ReadingStyle& style = plainStyle());
 
-/// "installed thrust of 8 kN"; where an inclination is given, the effective force and its parts. In English.
+/// "installed thrust of 8 kN"; where an inclination is given, the effective force and its parts.
 std::string feedForceText(const FeedForce& feed, const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

@@ -39,12 +39,12 @@ double impulseOf(const ThrustReport& report) {
     return pulseImpulse(report.scenario) * report.study.transferred;
 }
 
-std::string bracket(const ThrustNeed& need, const ReadingStyle& style = plainStyle()) {
+std::string bracket(const ThrustNeed& need, const ReadingStyle& style) {
     const auto force = [&](double newton) { return style.quantity(newton, Quantity::force, 4); };
     return force(need.thrust) + " ... " + force(need.thrustUndamped);
 }
 
-std::string hertz(double frequency, const ReadingStyle& style = plainStyle()) {
+std::string hertz(double frequency, const ReadingStyle& style) {
     return style.quantity(frequency, Quantity::frequency, 4);
 }
 
@@ -82,20 +82,32 @@ std::vector<ThrustCase> knownCases(const ThrustAlong& along) {
     return cases;
 }
 
-std::string bracketTable(const ThrustAlong& along) {
+/// What comes how often, and what presses against it.
+std::string blowsText(const ThrustReport& report, const ReadingStyle& style) {
+    std::string text = style.said({translatable("drillwave::Message", "%1 of %2, n_b = %3"),
+                                   {hertz(*report.scenario.drill.blowFrequency, style),
+                                    style.quantity(impulseOf(report), Quantity::impulse, 4),
+                                    style.number(*roundTripsBetweenBlows(report.scenario), 4)}});
+    if (const std::optional<FeedForce> feed = feedForceOf(report.scenario))
+        text += (feed->weight ? "\n  " : ", ") + feedForceText(*feed, style);
+    return text;
+}
+
+std::string bracketTable(const ThrustAlong& along, const ReadingStyle& style) {
     const RowColumn column = along.axis.column();
     TextGrid grid;
     std::vector<std::string> titles{column.header};
     const std::vector<ThrustCase> cases = knownCases(along);
-    for (const ThrustCase which : cases) titles.emplace_back(label(which));
-    titles.emplace_back("feed");
+    for (const ThrustCase which : cases) titles.push_back(style.said(label(which)));
+    titles.push_back(style.said(translatable("drillwave::Message", "feed")));
     grid.add(titles);
     for (const ThrustPoint& point : along.curve.points) {
-        std::vector<std::string> cells(1);
-        column.appendText(cells.front(), point.value);
+        std::string value;
+        column.appendText(value, point.value);
+        std::vector<std::string> cells{style.withDecimalSign(std::move(value))};
         for (const ThrustCase which : cases)
-            cells.push_back(point.reason.empty() ? bracket(point.need(which)) : "-");
-        cells.emplace_back(feedWord(point.verdict.feed));
+            cells.push_back(point.reason.empty() ? bracket(point.need(which), style) : "-");
+        cells.push_back(style.said(Message::ofTable(feedWord(point.verdict.feed))));
         grid.add(cells);
     }
     return grid.text();
@@ -200,24 +212,20 @@ std::vector<Message> verdictSentences(const JudgedNeeds& judged, const ReadingSt
     return sentences;
 }
 
-std::string thrustText(const ThrustReport& report) {
-    const Drill& drill = report.scenario.drill;
-    std::vector<std::string> sentences;
-    for (const Message& sentence : verdictSentences(report.judged())) sentences.push_back(sentence.text());
-    std::string text = titleLine(report.scenario) + paragraph(sentences.front()) +
-                       groupsLine(report.scenario) + "  " + hertz(*drill.blowFrequency) + " of " +
-                       inHandyUnit(impulseOf(report), Quantity::impulse, 4);
-    text += ", n_b = " + rounded(*roundTripsBetweenBlows(report.scenario), 4);
-    if (const std::optional<FeedForce> feed = feedForceOf(report.scenario))
-        text += (feed->weight ? "\n  " : ", ") + feedForceText(*feed);
-    text += "\n\n" + needsGrid(report).text();
-    if (report.along) text += "\n" + bracketTable(*report.along);
+std::string thrustText(const ThrustReport& report, const ReadingStyle& style) {
+    const std::vector<Message> sentences = verdictSentences(report.judged(), style);
+    std::string text = titleLine(report.scenario) + paragraph(style.said(sentences.front())) +
+                       groupsLine(report.scenario) + "  " + blowsText(report, style) + "\n\n" +
+                       needsGrid(report, style).text();
+    if (report.along) text += "\n" + bracketTable(*report.along, style);
     text += "\n";
-    for (const std::string& sentence : sentences | std::views::drop(1)) text += paragraph(sentence);
+    for (const Message& sentence : sentences | std::views::drop(1)) text += paragraph(style.said(sentence));
     for (const Alert& alert : alertsFor(report.scenario))
-        if (alert.code == AlertCode::residualWaves) text += paragraph(alertText(alert));
+        if (alert.code == AlertCode::residualWaves) text += paragraph(alertText(alert, style));
     return text +
-           paragraph("What a damper changes, and what waves from blow to blow, `drillwave drill` follows.");
+           paragraph(style.said(translatable(
+               "drillwave::Message",
+               "What a damper changes, and what waves from blow to blow, `drillwave drill` follows.")));
 }
 
 std::string thrustJson(const ThrustReport& report) {

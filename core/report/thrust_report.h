@@ -45,7 +45,7 @@ FeedDecision decisionOf(const JudgedNeeds& judged);
 std::vector<Message> verdictSentences(const JudgedNeeds& judged, const ReadingStyle& style = plainStyle());
 
 /// Tables for people, and what the installed thrust means at the rig.
-std::string thrustText(const ThrustReport& report);
+std::string thrustText(const ThrustReport& report, const ReadingStyle& style = plainStyle());
 
 /// One JSON object, SI.
 std::string thrustJson(const ThrustReport& report);
