@@ -115,7 +115,8 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
     else if (out)
         writeBlows(report, arguments, units, std::move(pictures), interruption);
     if (out != "-")
-        printText(arguments.has("json") ? drillingJson(report, units) : drillingText(report, units));
+        printText(arguments.has("json") ? drillingJson(report, units)
+                                        : drillingText(report, units, arguments.style()));
     return ExitCode::done;
 }
 

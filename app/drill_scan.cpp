@@ -101,7 +101,8 @@ ExitCode runDrillScan(const Arguments& arguments, const ScenarioDocument& docume
     interruption.check();
     writeScan(report, arguments, units, plots.draw(&report, drawing, interruption), interruption);
     if (out != "-")
-        printText(arguments.has("json") ? drillingScanJson(report, units) : drillingScanText(report, units));
+        printText(arguments.has("json") ? drillingScanJson(report, units)
+                                        : drillingScanText(report, units, arguments.style()));
     checkAnswers(report.scan, path);
     return ExitCode::done;
 }

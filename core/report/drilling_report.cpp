@@ -4,12 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/blow/feed_force.h"
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
 #include "core/report/blow_csv.h"
 #include "core/report/json_value.h"
-#include "core/report/report_text.h"
 #include "core/text/number_text.h"
 #include "core/text/unit_heading.h"
 
@@ -32,9 +30,6 @@ constexpr DrillingColumn columnTable[] = {{"time", time, &DrillingBlow::time},
                                           {"face_impulse", impulse, &DrillingBlow::faceImpulse},
                                           {"hammer_rebound_velocity", velocity, &DrillingBlow::hammerRebound},
                                           {"shank_offset", length, &DrillingBlow::shankOffset}};
-
-/// Contacts of a blow are told to a hundredth.
-constexpr int statisticDigits = 5;
 
 /// Deviations below that, in units of Problem, are rounding.
 constexpr double noSpread = 1e-9;
@@ -293,65 +288,6 @@ std::string drillingJson(const DrillingReport& report, OutputUnits units) {
     object["units"] = unitsJson(result, units);
     object["scenario"] = report.scenarioText;
     return Json(object).text();
-}
-
-std::string drillingText(const DrillingReport& report, OutputUnits units, const ReadingStyle& style) {
-    const DrillingResult& result = report.result;
-    const auto quantity = [&](double value, DrillingMeasure measure, int digits = statisticDigits) {
-        const DrillingScale scale = scaleOf(measure, result);
-        const double shown = scale.value(value, units);
-        return units == OutputUnits::si ? style.quantity(shown, scale.quantity, digits)
-                                        : style.number(shown, digits);
-    };
-    std::string text = headingOf(result.scenario);
-    text += "\n" + paragraph(verdictSentence(result, style).text());
-    if (const Message advice = adviceSentence(result, style); !advice.isEmpty())
-        text += paragraph(advice.text());
-    text += "\n  phi = " + style.number(result.groups.phi, 4) +
-            " (thrust over mean reaction), n_b = " + style.number(result.groups.roundTrips, 4) +
-            " round trips a blow\n";
-    if (result.statistics) {
-        TextGrid grid;
-        grid.add({std::to_string(result.settings.blows - result.settings.settle) + " blows", "mean", "+-",
-                  "deviation", "5 %", "median", "95 %"});
-        static constexpr const char* labels[][2] = {{"gap", "gap at the blow"},
-                                                    {"penetration", "penetration"},
-                                                    {"rock_impulse", "rock impulse"},
-                                                    {"peak_force", "peak force"}};
-        for (const auto& [key, label] : labels) {
-            const std::size_t q = placeOf(key);
-            const BlowSpread& spread = result.spread(q);
-            const DrillingMeasure measure = measureOf(blowQuantities[q]);
-            const std::optional<double> error = result.meanError(q);
-            grid.add({label, quantity(spread.mean, measure),
-                      error ? quantity(withoutRounding(*error), measure, 2) : "",
-                      quantity(withoutRounding(spread.deviation), measure, 3),
-                      quantity(spread.q05, measure, 4), quantity(spread.q50, measure, 4),
-                      quantity(spread.q95, measure, 4)});
-        }
-        text += "\n" + grid.text();
-        const double rate =
-            result.spread(placeOf("penetration")).mean * result.units.length() * result.frequencyUsed;
-        text += "\n  penetration rate up to " + style.number(60 * rate, 4) +
-                " m/min: an upper limit, all rock under the bit gives way and cuttings vanish\n";
-        text += "  contact share    " + style.number(100 * result.statistics->contactShare, 4) +
-                " % of the blows begin on the rock\n";
-        text += "  motion           " + regimeWords(result, style).text() + "\n";
-    }
-    if (!result.blows.empty()) {
-        const double all = result.ledger.hammer + result.ledger.feed;
-        const auto share = [&](double part) {
-            return style.number(std::round(1000 * part / all) / 10, 3) + " %";
-        };
-        text += "  energy           rock " + share(result.ledger.rock) + ", damper " +
-                share(result.ledger.damper) + ", waves " + share(result.ledger.waves) + ", new faces " +
-                share(result.ledger.faces) + " of what hammer and feed bring\n";
-        text += "  balances         momentum to " + style.bound(std::abs(result.momentumResidual)) +
-                ", energy to " + style.bound(std::abs(result.energyResidual)) + "\n";
-    }
-    if (!result.alerts.empty()) text += "\n";
-    for (const Alert& alert : result.alerts) text += paragraph(alertText(alert, style));
-    return text;
 }
 
 std::vector<std::string> drillingHeaders(const DrillingResult& result, OutputUnits units) {

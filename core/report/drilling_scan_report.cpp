@@ -86,8 +86,72 @@ Message placesOf(const HeldValues& values, const SweepAxis& axis, const ReadingS
     return places;
 }
 
+/// In files, and for people in their language.
 const char* nameOf(DrillingStart start) {
-    return start == DrillingStart::rest ? "rest" : "bouncing";
+    return start == DrillingStart::rest ? translatable("drillwave::Message", "rest")
+                                        : translatable("drillwave::Message", "bouncing");
+}
+
+/// Of a point without statistics.
+const char* outcomeWord(DrillingOutcome outcome) {
+    switch (outcome) {
+        case DrillingOutcome::done:
+            return translatable("drillwave::Message", "done");
+        case DrillingOutcome::pushedBack:
+            return translatable("drillwave::Message", "pushed_back");
+        case DrillingOutcome::notSolved:
+            return translatable("drillwave::Message", "not_solved");
+        case DrillingOutcome::stopped:
+            return translatable("drillwave::Message", "stopped");
+    }
+    return "";
+}
+
+Message motionWord(const DrillingStatistics& statistics) {
+    if (statistics.period > 0)
+        return {translatable("drillwave::Message", "period %1"), {std::to_string(statistics.period)}};
+    return translatable("drillwave::Message", "irregular");
+}
+
+std::string scanTable(const DrillingScan& scan, OutputUnits units, const ReadingStyle& style) {
+    TextGrid grid;
+    const auto title = [&](const char* english) { return style.said(english); };
+    grid.add({std::string(scan.axis.key()), title(translatable("drillwave::Message", "start")), "phi",
+              title(translatable("drillwave::Message", "gap")), "5 %", "95 %",
+              title(translatable("drillwave::Message", "penetration")), "+-",
+              title(translatable("drillwave::Message", "contact")),
+              title(translatable("drillwave::Message", "motion"))});
+    for (const DrillingScanPoint& point : scan.points) {
+        const DrillingResult& result = point.result;
+        std::vector<std::string> cells{valueText(scan.axis, point.value, style),
+                                       style.said(nameOf(point.start)), style.number(result.groups.phi, 4)};
+        if (!result.statistics) {
+            cells.insert(cells.end(), 6, "");
+            cells.push_back(style.said(outcomeWord(result.outcome)));
+            grid.add(cells);
+            continue;
+        }
+        const auto told = [&](double number, int digits) {
+            const double shown = scaleOf(DrillingMeasure::length, result).value(number, units);
+            return units == OutputUnits::si ? style.quantity(shown, Quantity::length, digits)
+                                            : style.number(shown, digits);
+        };
+        const BlowSpread &gaps = result.spread(gapPlace), &depths = result.spread(penetrationPlace);
+        const std::optional<double> error = result.meanError(penetrationPlace);
+        cells.insert(cells.end(), {told(gaps.mean, 4), told(gaps.q05, 3), told(gaps.q95, 3),
+                                   told(depths.mean, 4), error ? told(withoutRounding(*error), 2) : "",
+                                   style.number(100 * result.statistics->contactShare, 3) + " %",
+                                   style.said(motionWord(*result.statistics))});
+        grid.add(cells);
+    }
+    return grid.text();
+}
+
+Message blowsAtEachValue(const DrillingScan& scan, const ReadingStyle& style) {
+    const std::string blows = std::to_string(scan.settings.blows - scan.settings.settle);
+    if (isOfDamper(scan.axis)) return {translatable("drillwave::Message", "%1 blows at each value"), {blows}};
+    return {translatable("drillwave::Message", "with %1, %2 blows at each value"),
+            {damperWords(scan.base, style), blows}};
 }
 
 }  // namespace
@@ -158,46 +222,20 @@ Message scanSentence(const DrillingScan& scan, const ReadingStyle& style) {
 
 std::string drillingScanText(const DrillingScanReport& report, OutputUnits units, const ReadingStyle& style) {
     const DrillingScan& scan = report.scan;
-    std::string text = headingOf(scan.base);
-    text += "\n  " + (isOfDamper(scan.axis) ? "" : "with " + damperWords(scan.base, style).text() + ", ") +
-            std::to_string(scan.settings.blows - scan.settings.settle) + " blows at each value\n\n";
-    TextGrid grid;
-    grid.add({std::string(scan.axis.key()), "start", "phi", "gap", "5 %", "95 %", "penetration", "+-",
-              "contact", "motion"});
-    for (const DrillingScanPoint& point : scan.points) {
-        const DrillingResult& result = point.result;
-        const std::string value = valueText(scan.axis, point.value, style);
-        if (!result.statistics) {
-            grid.add({value, nameOf(point.start), style.number(result.groups.phi, 4), "", "", "", "", "", "",
-                      std::string(name(result.outcome))});
-            continue;
-        }
-        const auto told = [&](double number, int digits) {
-            const double shown = scaleOf(DrillingMeasure::length, result).value(number, units);
-            return units == OutputUnits::si ? style.quantity(shown, Quantity::length, digits)
-                                            : style.number(shown, digits);
-        };
-        const BlowSpread &gaps = result.spread(gapPlace), &depths = result.spread(penetrationPlace);
-        const std::optional<double> error = result.meanError(penetrationPlace);
-        grid.add({value, nameOf(point.start), style.number(result.groups.phi, 4), told(gaps.mean, 4),
-                  told(gaps.q05, 3), told(gaps.q95, 3), told(depths.mean, 4),
-                  error ? told(withoutRounding(*error), 2) : "",
-                  style.number(100 * result.statistics->contactShare, 3) + " %",
-                  result.statistics->period > 0 ? "period " + std::to_string(result.statistics->period)
-                                                : "irregular"});
-    }
-    text += grid.text();
+    std::string text = headingOf(scan.base) + "\n  " + style.said(blowsAtEachValue(scan, style)) + "\n\n" +
+                       scanTable(scan, units, style);
     if (const Message sentence = scanSentence(scan, style); !sentence.isEmpty())
-        text += "\n" + paragraph(sentence.text());
-    text += "\n" +
-            paragraph(
-                "Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- has the "
-                "scatter of the blows at that value and the most that other cells change at five of the "
-                "values.") +
-            paragraph(
-                "Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. "
-                "There is no over-feed side: friction, rotation and buckling are not in the model.");
-    return text;
+        text += "\n" + paragraph(style.said(sentence));
+    return text + "\n" +
+           paragraph(style.said(translatable(
+               "drillwave::Message",
+               "Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- has the "
+               "scatter of the blows at that value and the most that other cells change at five of the "
+               "values."))) +
+           paragraph(style.said(translatable(
+               "drillwave::Message",
+               "Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. There "
+               "is no over-feed side: friction, rotation and buckling are not in the model.")));
 }
 
 std::string drillingScanJson(const DrillingScanReport& report, OutputUnits units) {

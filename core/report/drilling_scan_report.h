@@ -25,7 +25,7 @@ std::string drillingScanCsv(const DrillingScanReport& report, OutputUnits units)
 std::string drillingGapsCsv(const DrillingScanReport& report, OutputUnits units);
 /// From which value on it drills at full rate, and from which on every blow begins on the rock: "It drills at
 /// full rate from 3.8 kN on; …". Empty over words.
-Message scanSentence(const DrillingScan& scan, const ReadingStyle& style = ReadingStyle());
+Message scanSentence(const DrillingScan& scan, const ReadingStyle& style = plainStyle());
 
 std::string drillingScanText(const DrillingScanReport& report, OutputUnits units,
                              const ReadingStyle& style = plainStyle());

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Many blows for people.
+#include <algorithm>
+#include <cmath>
+
+#include "core/report/alert_words.h"
+#include "core/report/drilling_report.h"
+#include "core/report/report_text.h"
+#include "core/study/drilling/drilling_statistics.h"
+#include "core/text/text_layout.h"
+
+namespace drillwave {
+
+namespace {
+
+/// Contacts of a blow are told to a hundredth.
+constexpr int statisticDigits = 5;
+
+constexpr const char* rateLabel = translatable("drillwave::Message", "penetration rate");
+constexpr const char* shareLabel = translatable("drillwave::Message", "contact share");
+constexpr const char* motionLabel = translatable("drillwave::Message", "motion");
+constexpr const char* energyLabel = translatable("drillwave::Message", "energy");
+constexpr const char* balancesLabel = translatable("drillwave::Message", "balances");
+
+/// A line of one of these labels, what is behind them in one column.
+std::string labelled(const char* label, const Message& text, const ReadingStyle& style) {
+    std::size_t widest = 0;
+    for (const char* each : {rateLabel, shareLabel, motionLabel, energyLabel, balancesLabel})
+        widest = std::max(widest, columnsOf(style.said(each)));
+    return "  " + leftAligned(style.said(label), widest + 1) + style.said(text) + "\n";
+}
+
+std::string percent(double share, int digits, const ReadingStyle& style) {
+    return style.number(100 * share, digits) + " %";
+}
+
+std::string statisticsTable(const DrillingResult& result, OutputUnits units, const ReadingStyle& style) {
+    const auto titles = [&]() -> std::vector<std::string> {
+        return {style.said({translatable("drillwave::Message", "%1 blows"),
+                            {std::to_string(result.settings.blows - result.settings.settle)}}),
+                style.said(translatable("drillwave::Message", "mean")),
+                "+-",
+                style.said(translatable("drillwave::Message", "deviation")),
+                "5 %",
+                style.said(translatable("drillwave::Message", "median")),
+                "95 %"};
+    };
+    TextGrid grid;
+    grid.add(titles());
+    const auto add = [&](double DrillingBlow::*value, const char* label) {
+        const std::size_t q = quantityPlace(value);
+        const DrillingScale scale = scaleOf(measureOf(blowQuantities[q]), result);
+        const auto told = [&](double number, int digits) {
+            const double shown = scale.value(number, units);
+            return units == OutputUnits::si ? style.quantity(shown, scale.quantity, digits)
+                                            : style.number(shown, digits);
+        };
+        const BlowSpread& spread = result.spread(q);
+        const std::optional<double> error = result.meanError(q);
+        grid.add({style.said(label), told(spread.mean, statisticDigits),
+                  error ? told(withoutRounding(*error), 2) : "", told(withoutRounding(spread.deviation), 3),
+                  told(spread.q05, 4), told(spread.q50, 4), told(spread.q95, 4)});
+    };
+    add(&DrillingBlow::gap, translatable("drillwave::Message", "gap at the blow"));
+    add(&DrillingBlow::penetration, translatable("drillwave::Message", "penetration"));
+    add(&DrillingBlow::rockImpulse, translatable("drillwave::Message", "rock impulse"));
+    add(&DrillingBlow::peakForce, translatable("drillwave::Message", "peak force"));
+    return grid.text();
+}
+
+std::string motionLines(const DrillingResult& result, const ReadingStyle& style) {
+    const double rate = result.spread(quantityPlace(&DrillingBlow::penetration)).mean *
+                        result.units.length() * result.frequencyUsed;
+    return labelled(rateLabel,
+                    {translatable("drillwave::Message",
+                                  "up to %1 m/min: an upper limit, all rock under the bit gives way and "
+                                  "cuttings vanish"),
+                     {style.number(60 * rate, 4)}},
+                    style) +
+           labelled(shareLabel,
+                    {translatable("drillwave::Message", "%1 of the blows begin on the rock"),
+                     {percent(result.statistics->contactShare, 4, style)}},
+                    style) +
+           labelled(motionLabel, regimeWords(result, style), style);
+}
+
+std::string balanceLines(const DrillingResult& result, const ReadingStyle& style) {
+    const DrillingLedger& ledger = result.ledger;
+    const auto share = [&](double part) {
+        return percent(std::round(1000 * part / (ledger.hammer + ledger.feed)) / 1000, 3, style);
+    };
+    return labelled(energyLabel,
+                    {translatable("drillwave::Message",
+                                  "rock %1, damper %2, waves %3, new faces %4 of what hammer and feed bring"),
+                     {share(ledger.rock), share(ledger.damper), share(ledger.waves), share(ledger.faces)}},
+                    style) +
+           labelled(balancesLabel,
+                    {translatable("drillwave::Message", "momentum to %1, energy to %2"),
+                     {style.bound(std::abs(result.momentumResidual)),
+                      style.bound(std::abs(result.energyResidual))}},
+                    style);
+}
+
+}  // namespace
+
+std::string drillingText(const DrillingReport& report, OutputUnits units, const ReadingStyle& style) {
+    const DrillingResult& result = report.result;
+    std::string text = headingOf(result.scenario);
+    text += "\n" + paragraph(style.said(verdictSentence(result, style)));
+    if (const Message advice = adviceSentence(result, style); !advice.isEmpty())
+        text += paragraph(style.said(advice));
+    text += "\n  " +
+            style.said({translatable("drillwave::Message",
+                                     "phi = %1 (thrust over mean reaction), n_b = %2 round trips a blow"),
+                        {style.number(result.groups.phi, 4), style.number(result.groups.roundTrips, 4)}}) +
+            "\n";
+    if (result.statistics)
+        text += "\n" + statisticsTable(result, units, style) + "\n" + motionLines(result, style);
+    if (!result.blows.empty()) text += balanceLines(result, style);
+    if (!result.alerts.empty()) text += "\n";
+    for (const Alert& alert : result.alerts) text += paragraph(alertText(alert, style));
+    return text;
+}
+
+}  // namespace drillwave
