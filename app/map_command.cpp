@@ -186,7 +186,7 @@ ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
     if (arguments.has("o"))
         writeFiles(files, report, record, plots.draw(&report, drawing, interruption), interruption);
     if (!arguments.has("o") || options.path != "-")
-        printText(arguments.has("json") ? mapJson(report) : mapText(report));
+        printText(arguments.has("json") ? mapJson(report) : mapText(report, arguments.style()));
     return judge(report, options.workLimit);
 }
 

@@ -13,52 +13,74 @@ namespace {
 constexpr int mapDigits = 6;
 
 /// The output in its units, for people.
-std::string outputText(const OutputColumn& column, double value) {
-    return column.hasUnit() ? inHandyUnit(value, column.output->quantity(), mapDigits)
-                            : rounded(value, mapDigits);
+std::string outputText(const OutputColumn& column, double value, const ReadingStyle& style) {
+    return column.hasUnit() ? style.quantity(value, column.output->quantity(), mapDigits)
+                            : style.number(value, mapDigits);
 }
 
-std::string placeText(const MapReport& report, const MapGrid::Place& place) {
-    const auto valueText = [](const SweepAxis& axis, double value) {
-        return std::string(axis.key()) + " = " + inHandyUnit(value, axis.parameter->quantity, mapDigits);
+std::string placeText(const MapReport& report, const MapGrid::Place& place, const ReadingStyle& style) {
+    const auto valueText = [&](const SweepAxis& axis, double value) {
+        return std::string(axis.key()) + " = " + style.quantity(value, axis.parameter->quantity, mapDigits);
     };
     return valueText(report.study.x, report.grid.xs()[place.column]) + ", " +
            valueText(report.study.y, report.grid.ys()[place.row]);
 }
 
-std::string counted(std::uint64_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+/// "1 point", "8 points": a pattern for one and one for all other numbers.
+Message counted(std::uint64_t count, const char* one, const char* several) {
+    return {count == 1 ? one : several, {std::to_string(count)}};
 }
 
-void addRange(const MapReport& report, TextGrid& table) {
+Message points(std::uint64_t count) {
+    return counted(count, translatable("drillwave::Message", "%1 point"),
+                   translatable("drillwave::Message", "%1 points"));
+}
+
+void addRange(const MapReport& report, TextGrid& table, const ReadingStyle& style) {
     const std::optional<MapGrid::Extent>& extent = report.grid.extent();
     if (!extent) return;
     const auto add = [&](const char* label, double value, const MapGrid::Place& place) {
-        table.add({label, outputText(report.study.output, value), "at " + placeText(report, place)});
+        table.add(
+            {style.said(label), outputText(report.study.output, value, style),
+             style.said({translatable("drillwave::Message", "at %1"), {placeText(report, place, style)}})});
     };
-    add("smallest", extent->least, extent->leastPlace);
-    add("largest", extent->largest, extent->largestPlace);
+    add(translatable("drillwave::Message", "smallest"), extent->least, extent->leastPlace);
+    add(translatable("drillwave::Message", "largest"), extent->largest, extent->largestPlace);
 }
 
-std::string contourText(const MapReport& report, const Contour& contour) {
-    std::string text = "  " + std::string(report.study.output.output->name) + " = " +
-                       outputText(report.study.output, contour.level) + ": ";
-    if (contour.lines.empty()) {
-        text += "nowhere between the points";
-    } else {
-        text += counted(contour.pointCount(), "point") + " on " + counted(contour.lines.size(), "line") +
-                ", within " + boundText(contour.worstResidual());
-        if (report.study.output.hasUnit())
-            text += " " + std::string(unitsOf(report.study.output.output->quantity()).front().name);
-        if (const std::uint64_t jumps = contour.jumpCount(); jumps > 0)
-            text += ", but for " + std::to_string(jumps) + " where it jumps across";
-        if (const std::uint64_t irregular = contour.irregularCount(); irregular > 0)
-            text += "; " + counted(irregular, "point") +
-                    " where the blows do not repeat: a mean scatters there, and the contour with it";
-    }
+/// How many points of a contour are how near.
+Message linesMessage(const MapReport& report, const Contour& contour, const ReadingStyle& style) {
+    if (contour.lines.empty()) return translatable("drillwave::Message", "nowhere between the points");
+    std::string within = style.bound(contour.worstResidual());
+    if (report.study.output.hasUnit())
+        within += " " + std::string(unitsOf(report.study.output.output->quantity()).front().name);
+    Message message{translatable("drillwave::Message", "%1 on %2, within %3"),
+                    {points(contour.pointCount()),
+                     counted(contour.lines.size(), translatable("drillwave::Message", "%1 line"),
+                             translatable("drillwave::Message", "%1 lines")),
+                     within}};
+    if (const std::uint64_t jumps = contour.jumpCount(); jumps > 0)
+        message = {translatable("drillwave::Message", "%1, but for %2 where it jumps across"),
+                   {message, std::to_string(jumps)}};
+    if (const std::uint64_t irregular = contour.irregularCount(); irregular > 0)
+        message = {translatable("drillwave::Message",
+                                "%1; %2 where the blows do not repeat: a mean scatters there, and the "
+                                "contour with it"),
+                   {message, points(irregular)}};
+    return message;
+}
+
+std::string contourText(const MapReport& report, const Contour& contour, const ReadingStyle& style) {
+    Message message{
+        "%1 = %2: %3",
+        {std::string(report.study.output.output->name), outputText(report.study.output, contour.level, style),
+         linesMessage(report, contour, style)}};
     if (contour.unplaced > 0)
-        text += "; " + counted(contour.unplaced, "crossing") + " not placed: " + contour.reason;
-    return text + "\n";
+        message = {contour.unplaced == 1
+                       ? translatable("drillwave::Message", "%1; %2 crossing not placed: %3")
+                       : translatable("drillwave::Message", "%1; %2 crossings not placed: %3"),
+                   {message, std::to_string(contour.unplaced), Message::ofTable(contour.reason)}};
+    return "  " + style.said(message) + "\n";
 }
 
 JsonObject axisJson(const SweepAxis& axis) {
@@ -109,26 +131,39 @@ JsonObject contourJson(const Contour& contour, bool isOfManyBlows) {
 
 }  // namespace
 
-std::string axisText(const SweepAxis& axis) {
-    const auto value = [&](double si) { return inHandyUnit(si, axis.parameter->quantity, mapDigits); };
-    return std::string(axis.key()) + " = " + value(axis.start) + " to " + value(axis.stop) + ", " +
-           counted(axis.count, "value") + (axis.kind == SweepAxis::Kind::logarithmic ? ", log" : "");
+std::string axisText(const SweepAxis& axis, const ReadingStyle& style) {
+    const auto value = [&](double si) { return style.quantity(si, axis.parameter->quantity, mapDigits); };
+    const Message values = counted(axis.count, translatable("drillwave::Message", "%1 value"),
+                                   translatable("drillwave::Message", "%1 values"));
+    return style.said({axis.kind == SweepAxis::Kind::logarithmic
+                           ? translatable("drillwave::Message", "%1 = %2 to %3, %4, log")
+                           : translatable("drillwave::Message", "%1 = %2 to %3, %4"),
+                       {std::string(axis.key()), value(axis.start), value(axis.stop), values}});
 }
 
-std::string mapText(const MapReport& report) {
+std::string mapText(const MapReport& report, const ReadingStyle& style) {
     const MapStudy& study = report.study;
     std::uint64_t blows = report.grid.size();
     for (const Contour& contour : report.contours) blows += contour.solves;
-    std::string text = headingOf(study.base) + "\n  " + study.output.header() + " over " + axisText(study.x) +
-                       "; " + axisText(study.y) + "\n\n";
+    std::string text =
+        headingOf(study.base) + "\n  " +
+        style.said({translatable("drillwave::Message", "%1 over %2; %3"),
+                    {study.output.header(), axisText(study.x, style), axisText(study.y, style)}}) +
+        "\n\n";
     TextGrid table(CellAlignment::left);
-    addRange(report, table);
+    addRange(report, table, style);
     text += table.text();
     for (const RowFailure& failure : report.grid.failures())
-        text += "  " + counted(failure.rows, "point") + " not solved: " + failure.reason + "\n";
-    for (const Contour& contour : report.contours) text += contourText(report, contour);
-    return text + "  " + counted(blows, "blow") + " in " + inHandyUnit(report.runTime, Quantity::time, 3) +
-           ".\n";
+        text += "  " +
+                style.said({translatable("drillwave::Message", "%1 not solved: %2"),
+                            {points(failure.rows), Message::ofTable(failure.reason)}}) +
+                "\n";
+    for (const Contour& contour : report.contours) text += contourText(report, contour, style);
+    return text + "  " +
+           style.said({blows == 1 ? translatable("drillwave::Message", "%1 blow in %2.")
+                                  : translatable("drillwave::Message", "%1 blows in %2."),
+                       {std::to_string(blows), style.quantity(report.runTime, Quantity::time, 3)}}) +
+           "\n";
 }
 
 std::string mapJson(const MapReport& report) {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/study/map/contours.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
@@ -20,10 +21,10 @@ struct MapReport {
 };
 
 /// "delta = 0 to 2, 100 values" or "rod.length = 3 m to 6 m, 4 values, log".
-std::string axisText(const SweepAxis& axis);
+std::string axisText(const SweepAxis& axis, const ReadingStyle& style = plainStyle());
 
 /// Summary for people: the range of the output and where it ends, unsolved points, contours.
-std::string mapText(const MapReport& report);
+std::string mapText(const MapReport& report, const ReadingStyle& style = plainStyle());
 
 /// One object: axes, range, unsolved points by reason, and the contours with all their points (commands
 /// §4.9).
