@@ -114,8 +114,10 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     if (folder)
         writeFolder(*folder, filesOf(report, document, plots.draw(&report, drawing, interruption)), overwrite,
                     &interruption);
-    std::string text = arguments.has("json") ? designJson(report) : designText(report);
-    if (folder && !arguments.has("json")) text += "  files in " + *folder + "\n";
+    std::string text = arguments.has("json") ? designJson(report) : designText(report, arguments.style());
+    if (folder && !arguments.has("json"))
+        text += "  " +
+                arguments.style().said({translatable("drillwave::Message", "files in %1"), {*folder}}) + "\n";
     printText(text);
     return ExitCode::done;
 }

@@ -170,7 +170,7 @@ std::string designJson(const DesignReport& report) {
     for (const DesignRemark& remark : remarksOn(report))
         remarks.emplace_back(JsonObject{{"code", remark.code},
                                         {"level", remark.isWarning ? "warning" : "information"},
-                                        {"text", remark.text}});
+                                        {"text", remark.text.text()}});
     const auto number = [](const std::optional<std::size_t>& design) {
         return design ? Json(*design + 1) : Json();
     };

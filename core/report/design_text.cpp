@@ -13,46 +13,61 @@ namespace drillwave {
 
 namespace {
 
-std::string rangeText(const UncertainInput& input) {
+std::string rangeText(const UncertainInput& input, const ReadingStyle& style) {
     const std::string key(input.parameter->key);
-    if (input.kind == DistributionKind::percent) return key + " +-" + rounded(input.percent) + " %";
+    if (input.kind == DistributionKind::percent) return key + " +-" + style.number(input.percent) + " %";
     const Quantity quantity = input.parameter->quantity;
-    return key + " " + inHandyUnit(input.low, quantity) + " ... " + inHandyUnit(input.high, quantity) +
+    return key + " " + style.quantity(input.low, quantity) + " ... " + style.quantity(input.high, quantity) +
            (input.kind == DistributionKind::uniform ? "" : " " + std::string(name(input.kind)));
 }
 
-std::string variedText(const DesignStudy& study) {
-    std::string uncertain;
-    for (const UncertainInput& input : study.uncertain)
-        uncertain += (uncertain.empty() ? "" : ", ") + rangeText(input);
+Message uncertainMessage(const DesignStudy& study, const ReadingStyle& style) {
+    std::string list;
+    const auto add = [&](const std::string& text) { list += (list.empty() ? "" : ", ") + text; };
+    for (const UncertainInput& input : study.uncertain) add(rangeText(input, style));
     if (study.draws) {
-        uncertain += (uncertain.empty() ? "" : ", ") + std::to_string(study.draws->rows()) + " draws of";
+        std::string keys;
         for (const KeptParameter& parameter : study.draws->parameters)
-            uncertain += " " + std::string(parameter->key);
+            keys += (keys.empty() ? "" : " ") + std::string(parameter->key);
+        add(style.said({translatable("drillwave::Message", "%1 draws of %2"),
+                        {std::to_string(study.draws->rows()), keys}}));
     }
-    std::string chosen;
-    for (const SweepAxis& axis : study.choices)
-        chosen += (chosen.empty() ? "" : ", ") + std::string(axis.key()) + " (" + std::to_string(axis.count) +
-                  " values)";
-    return paragraph("Uncertain: " + uncertain + ".") +
-           paragraph(
-               "Chosen: " + (chosen.empty() ? std::string("nothing, the design of FILE alone") : chosen) +
-               (study.keepsEnergy ? "; every blow has the energy of FILE's." : ".")) +
-           paragraph(std::to_string(study.designCount()) +
-                     (study.designCount() == 1 ? " design, " : " designs, ") + std::to_string(study.samples) +
-                     " samples each, the same for all; errors are of 95 %.");
+    return {translatable("drillwave::Message", "Uncertain: %1."), {list}};
+}
+
+Message chosenMessage(const DesignStudy& study) {
+    Message list;
+    for (const SweepAxis& axis : study.choices) {
+        const Message values{translatable("drillwave::Message", "%1 (%2 values)"),
+                             {std::string(axis.key()), std::to_string(axis.count)}};
+        list = list.isEmpty() ? values : Message("%1, %2", {list, values});
+    }
+    if (list.isEmpty()) list = translatable("drillwave::Message", "nothing, the design of FILE alone");
+    return {study.keepsEnergy
+                ? translatable("drillwave::Message", "Chosen: %1; every blow has the energy of FILE's.")
+                : translatable("drillwave::Message", "Chosen: %1."),
+            {list}};
+}
+
+Message samplesMessage(const DesignStudy& study) {
+    const std::uint64_t designs = study.designCount();
+    return {designs == 1 ? translatable("drillwave::Message",
+                                        "%1 design, %2 samples each, the same for all; errors are of 95 %.")
+                         : translatable("drillwave::Message",
+                                        "%1 designs, %2 samples each, the same for all; errors are of 95 %."),
+            {std::to_string(designs), std::to_string(study.samples)}};
 }
 
 std::string aimWords(const DesignAim& aim) {
-    return (aim.sense == Sense::largest ? "max " : "min ") + std::string(aim.output->name) + " " +
-           aim.statistic.name();
+    return (aim.sense == Sense::largest ? "max " : "min ") + aimedName(aim);
 }
 
-std::string aimedText(const DesignReport& report, const DesignAim& aim, std::size_t design) {
+std::string aimedText(const DesignReport& report, const DesignAim& aim, std::size_t design,
+                      const ReadingStyle& style) {
     const SampledValue& value = aimedValue(report, aim, design);
-    std::string text = outputText(report.study, *aim.output, value.value);
+    std::string text = outputText(report.study, *aim.output, value.value, style);
     if (aim.statistic.hasError() && !std::isnan(value.value))
-        text += " +- " + outputText(report.study, *aim.output, value.error(), 1);
+        text += " +- " + outputText(report.study, *aim.output, value.error(), style, 1);
     return text;
 }
 
@@ -63,40 +78,55 @@ std::optional<std::size_t> ofFile(const DesignStudy& study) {
     return std::nullopt;
 }
 
-void addDesign(const DesignReport& report, TextGrid& grid, const std::string& title, std::size_t design) {
-    std::vector<std::string> cells{title, designName(report.study, design)};
-    for (const DesignAim& aim : report.study.aims) {
-        const std::size_t output = report.study.placeOf(*aim.output, {}).output;
-        cells.push_back(
-            outputText(report.study, *aim.output, report.findings.designs[design].nominal[output]));
-        cells.push_back(aimedText(report, aim, design));
+/// The best designs with what they come to.
+class DesignTable {
+  public:
+    DesignTable(const DesignReport& report, const std::string& first, const ReadingStyle& style)
+        : m_report(report), m_style(style) {
+        std::vector<std::string> titles{first, style.said(translatable("drillwave::Message", "design"))};
+        for (const DesignAim& aim : report.study.aims) {
+            titles.push_back(style.said(
+                {translatable("drillwave::Message", "%1 nominal"), {std::string(aim.output->name)}}));
+            titles.push_back(aimWords(aim));
+        }
+        m_grid.add(titles);
     }
-    if (report.findings.feasibility[design].marginal) cells.emplace_back("marginal");
-    grid.add(cells);
-}
 
-std::vector<std::string> titlesOf(const DesignStudy& study, const std::string& first) {
-    std::vector<std::string> titles{first, "design"};
-    for (const DesignAim& aim : study.aims) {
-        titles.push_back(std::string(aim.output->name) + " nominal");
-        titles.push_back(aimWords(aim));
+    void add(const std::string& title, std::size_t design) {
+        const DesignStudy& study = m_report.study;
+        std::vector<std::string> cells{title, designName(study, design, m_style)};
+        for (const DesignAim& aim : study.aims) {
+            const std::size_t output = study.placeOf(*aim.output, {}).output;
+            cells.push_back(
+                outputText(study, *aim.output, m_report.findings.designs[design].nominal[output], m_style));
+            cells.push_back(aimedText(m_report, aim, design, m_style));
+        }
+        if (m_report.findings.feasibility[design].marginal)
+            cells.push_back(m_style.said(translatable("drillwave::Message", "marginal")));
+        m_grid.add(cells);
     }
-    return titles;
-}
 
-std::string bestText(const DesignReport& report) {
+    std::string text() const { return m_grid.text(); }
+
+  private:
+    const DesignReport& m_report;
+    const ReadingStyle& m_style;
+    TextGrid m_grid;
+};
+
+std::string bestText(const DesignReport& report, const ReadingStyle& style) {
     const BestDesigns& best = report.findings.best;
-    TextGrid grid;
-    grid.add(titlesOf(report.study, ""));
-    addDesign(report, grid, "robust best", *best.robust);
-    if (best.nominal) addDesign(report, grid, "nominal best", *best.nominal);
+    DesignTable table(report, "", style);
+    table.add(style.said(translatable("drillwave::Message", "robust best")), *best.robust);
+    if (best.nominal)
+        table.add(style.said(translatable("drillwave::Message", "nominal best")), *best.nominal);
     if (const auto file = ofFile(report.study); file && report.study.designCount() > 1)
-        addDesign(report, grid, "FILE", *file);
-    return grid.text();
+        table.add("FILE", *file);
+    return table.text();
 }
 
 /// What it costs to be safe, and what it brings.
-std::string costText(const DesignReport& report) {
+std::string costText(const DesignReport& report, const ReadingStyle& style) {
     const BestDesigns& best = report.findings.best;
     if (!best.nominal || *best.nominal == *best.robust) return {};
     const DesignAim& aim = report.study.aims.front();
@@ -106,28 +136,30 @@ std::string costText(const DesignReport& report) {
         aimedValue(report, aim, *best.robust).value - aimedValue(report, aim, *best.nominal).value;
     const double costs = nominal(*best.robust) - nominal(*best.nominal);
     const auto change = [&](double difference) {
-        return (difference > 0 ? "+" : "") + outputText(report.study, *aim.output, difference, 3);
+        return (difference > 0 ? "+" : "") + outputText(report.study, *aim.output, difference, style, 3);
     };
-    return paragraph(designName(report.study, *best.robust) + " in place of " +
-                     designName(report.study, *best.nominal) + ": " + std::string(aim.output->name) + " " +
-                     aim.statistic.name() + " " + change(brings) + ", where all is as in FILE " +
-                     change(costs) + ".");
+    return paragraph(style.said(
+        {translatable("drillwave::Message", "%1 in place of %2: %3 %4, where all is as in FILE %5."),
+         {designName(report.study, *best.robust, style), designName(report.study, *best.nominal, style),
+          aimedName(aim), change(brings), change(costs)}}));
 }
 
-std::string paretoText(const DesignReport& report) {
+std::string paretoText(const DesignReport& report, const ReadingStyle& style) {
     if (report.study.aims.size() < 2 || report.study.designCount() < 2) return {};
-    TextGrid grid;
-    grid.add(titlesOf(report.study, "none is better in all aims"));
+    DesignTable table(report, style.said(translatable("drillwave::Message", "none is better in all aims")),
+                      style);
     constexpr std::size_t enough = 12;
     std::size_t told = 0, all = 0;
     for (std::size_t d = 0; d < report.findings.designs.size(); ++d) {
         if (!report.findings.best.pareto[d]) continue;
         ++all;
-        if (told++ < enough) addDesign(report, grid, std::to_string(d + 1), d);
+        if (told++ < enough) table.add(std::to_string(d + 1), d);
     }
-    std::string text = "\n" + grid.text();
+    std::string text = "\n" + table.text();
     if (all > enough)
-        text += paragraph("and " + std::to_string(all - enough) + " more: -o DIR writes them all.");
+        text +=
+            paragraph(style.said({translatable("drillwave::Message", "and %1 more: -o DIR writes them all."),
+                                  {std::to_string(all - enough)}}));
     return text;
 }
 
@@ -141,71 +173,84 @@ std::string bar(const SobolIndex& index) {
     return std::string(filled, '#') + std::string(whole - filled, '-') + std::string(length - whole, ' ');
 }
 
-std::string sensitivityText(const DesignReport& report) {
+void addOutput(const DesignReport& report, std::size_t o, const ReadingStyle& style, TextGrid& grid) {
     const DesignStudy& study = report.study;
-    if (study.dimensions() < 2) return {};
-    std::string text = "\nWhat is worth measuring: share of the scatter, # alone, - with others\n";
-    TextGrid grid(CellAlignment::left);
-    for (std::size_t o = 0; o < report.findings.sensitivity.outputs.size(); ++o) {
-        const OutputSensitivity& output = report.findings.sensitivity.outputs[o];
-        const std::string name(report.findings.aimed[o]->name);
-        if (output.isConstant) {
-            grid.add({name, "constant"});
-            continue;
-        }
-        double alone = 0;
-        for (std::size_t i = 0; i < output.indices.size(); ++i) {
-            const std::string key =
-                i < study.uncertain.size() ? std::string(study.uncertain[i].parameter->key) : "draws";
-            const SobolIndex& index = output.indices[i];
-            alone += index.first.value;
-            grid.add({i == 0 ? name : "", key, bar(index),
-                      rounded(index.total.value, 3) + " +- " + rounded(index.total.error, 1)});
-        }
-        constexpr double nearlyAll = 0.9;
-        if (alone < nearlyAll) grid.add({"", "acts in combination"});
+    const OutputSensitivity& output = report.findings.sensitivity.outputs[o];
+    const std::string name(report.findings.aimed[o]->name);
+    if (output.isConstant) {
+        grid.add({name, style.said(translatable("drillwave::Message", "constant"))});
+        return;
     }
-    return text + grid.text();
+    double alone = 0;
+    for (std::size_t i = 0; i < output.indices.size(); ++i) {
+        const std::string key = i < study.uncertain.size()
+                                    ? std::string(study.uncertain[i].parameter->key)
+                                    : style.said(translatable("drillwave::Message", "draws"));
+        const SobolIndex& index = output.indices[i];
+        alone += index.first.value;
+        grid.add({i == 0 ? name : "", key, bar(index),
+                  style.number(index.total.value, 3) + " +- " + style.number(index.total.error, 1)});
+    }
+    constexpr double nearlyAll = 0.9;
+    if (alone < nearlyAll)
+        grid.add({"", style.said(translatable("drillwave::Message", "acts in combination"))});
 }
 
-std::string placeText(const DesignStudy& study, const std::vector<double>& at) {
+std::string sensitivityText(const DesignReport& report, const ReadingStyle& style) {
+    if (report.study.dimensions() < 2) return {};
+    TextGrid grid(CellAlignment::left);
+    for (std::size_t o = 0; o < report.findings.sensitivity.outputs.size(); ++o)
+        addOutput(report, o, style, grid);
+    return "\n" +
+           style.said(translatable("drillwave::Message",
+                                   "What is worth measuring: share of the scatter, # alone, - with others")) +
+           "\n" + grid.text();
+}
+
+std::string placeText(const DesignStudy& study, const std::vector<double>& at, const ReadingStyle& style) {
     std::string text;
     for (std::size_t i = 0; i < at.size(); ++i) {
         text += text.empty() ? "" : ", ";
         if (i < study.uncertain.size()) {
             const Parameter& parameter = *study.uncertain[i].parameter;
-            text += std::string(parameter.key) + " " + inHandyUnit(at[i], parameter.quantity, 4);
+            text += std::string(parameter.key) + " " + style.quantity(at[i], parameter.quantity, 4);
         } else {
-            text += "row " + std::to_string(static_cast<std::size_t>(at[i]) + 1) + " of the draws";
+            text += style.said({translatable("drillwave::Message", "row %1 of the draws"),
+                                {std::to_string(static_cast<std::size_t>(at[i]) + 1)}});
         }
     }
     return text;
 }
 
-std::string worstText(const DesignReport& report) {
-    std::string text = "\n";
-    for (std::size_t a = 0; a < report.findings.worst.size(); ++a) {
-        const std::optional<WorstCase>& worst = report.findings.worst[a];
-        if (!worst) continue;
-        const DesignAim& aim = report.study.aims[a];
-        const std::string extreme = aim.sense == Sense::largest ? "Least " : "Largest ";
-        text +=
-            paragraph(extreme + std::string(aim.output->name) + " of the robust best found in the ranges: " +
-                      outputText(report.study, *aim.output, worst->value) + " at " +
-                      placeText(report.study, worst->at) +
-                      " (samples alone: " + outputText(report.study, *aim.output, worst->sampled) + "; " +
-                      std::to_string(worst->searches) + " searches, " + std::to_string(worst->agreeing) +
-                      " of them ended here).");
-    }
-    return text;
+Message worstMessage(const DesignReport& report, std::size_t a, const ReadingStyle& style) {
+    const WorstCase& worst = *report.findings.worst[a];
+    const DesignAim& aim = report.study.aims[a];
+    return {aim.sense == Sense::largest
+                ? translatable("drillwave::Message",
+                               "Least %1 of the robust best found in the ranges: %2 at %3 (samples alone: "
+                               "%4; %5 searches, %6 of them ended here).")
+                : translatable("drillwave::Message",
+                               "Largest %1 of the robust best found in the ranges: %2 at %3 (samples alone: "
+                               "%4; %5 searches, %6 of them ended here)."),
+            {std::string(aim.output->name), outputText(report.study, *aim.output, worst.value, style),
+             placeText(report.study, worst.at, style),
+             outputText(report.study, *aim.output, worst.sampled, style), std::to_string(worst.searches),
+             std::to_string(worst.agreeing)}};
 }
 
 }  // namespace
 
-std::string designText(const DesignReport& report) {
-    std::string text = titleLine(report.study.base) + variedText(report.study) + "\n" + bestText(report) +
-                       costText(report) + paretoText(report) + sensitivityText(report) + worstText(report);
-    for (const DesignRemark& remark : remarksOn(report)) text += paragraph(remark.text);
+std::string designText(const DesignReport& report, const ReadingStyle& style) {
+    std::string text = titleLine(report.study.base);
+    const auto add = [&](const Message& message) { text += paragraph(style.said(message)); };
+    add(uncertainMessage(report.study, style));
+    add(chosenMessage(report.study));
+    add(samplesMessage(report.study));
+    text += "\n" + bestText(report, style) + costText(report, style) + paretoText(report, style) +
+            sensitivityText(report, style) + "\n";
+    for (std::size_t a = 0; a < report.findings.worst.size(); ++a)
+        if (report.findings.worst[a]) add(worstMessage(report, a, style));
+    for (const DesignRemark& remark : remarksOn(report, style)) add(remark.text);
     return text;
 }
 

@@ -11,10 +11,6 @@ namespace drillwave {
 
 namespace {
 
-std::string countText(std::uint64_t count, const std::string& noun) {
-    return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
-
 void addUnsolved(const DesignReport& report, std::vector<DesignRemark>& remarks) {
     std::uint64_t unsolved = report.findings.sensitivity.unsolved;
     std::size_t without = 0;
@@ -25,41 +21,76 @@ void addUnsolved(const DesignReport& report, std::vector<DesignRemark>& remarks)
         if (reason.empty()) reason = design.reason;
     }
     if (unsolved == 0) return;
-    std::string text =
-        countText(unsolved, "sample") + " could not be solved and are left out: " + reason + ".";
-    if (without > 0)
-        text += " " + countText(without, "design") + " with more than 0.1 % of them have no statistics.";
+    Message text{
+        unsolved == 1
+            ? translatable("drillwave::Message", "%1 sample could not be solved and are left out: %2.")
+            : translatable("drillwave::Message", "%1 samples could not be solved and are left out: %2."),
+        {std::to_string(unsolved), Message::ofTable(reason)}};
+    if (without > 0) {
+        const Message more{without == 1
+                               ? translatable("drillwave::Message",
+                                              "%1 design with more than 0.1 % of them have no statistics.")
+                               : translatable("drillwave::Message",
+                                              "%1 designs with more than 0.1 % of them have no statistics."),
+                           {std::to_string(without)}};
+        text = {"%1 %2", {text, more}};
+    }
     remarks.push_back({without > 0, "points_unsolved", text});
 }
 
-void addUncertain(const DesignReport& report, std::vector<DesignRemark>& remarks) {
+void addUncertain(const DesignReport& report, const ReadingStyle& style, std::vector<DesignRemark>& remarks) {
     double share = 0;
     for (const DesignSamples& design : report.findings.designs)
         share = std::max(share, design.uncertainShare);
     if (share > 0)
-        remarks.push_back({false, "points_uncertain",
-                           "Up to " + rounded(share * 100, 2) +
-                               " % of the samples of a design have an error of their own that is larger than "
-                               "that of the statistics: blows that chatter."});
+        remarks.push_back(
+            {false,
+             "points_uncertain",
+             {translatable("drillwave::Message",
+                           "Up to %1 % of the samples of a design have an error of their own that is larger "
+                           "than that of the statistics: blows that chatter."),
+              {style.number(share * 100, 2)}}});
 }
 
-void addTies(const DesignReport& report, std::vector<DesignRemark>& remarks) {
+/// "100 us or 200 us or 3 others"
+Message bestNames(const DesignReport& report, const ReadingStyle& style) {
+    const BestDesigns& best = report.findings.best;
+    constexpr std::size_t enough = 6;
+    Message names = designName(report.study, *best.robust, style);
+    for (std::size_t i = 0; i < best.ties.size() && i < enough; ++i)
+        names = {translatable("drillwave::Message", "%1 or %2"),
+                 {names, designName(report.study, best.ties[i], style)}};
+    if (best.ties.size() > enough)
+        names = {translatable("drillwave::Message", "%1 or %2 others"),
+                 {names, std::to_string(best.ties.size() - enough)}};
+    return names;
+}
+
+void addTies(const DesignReport& report, const ReadingStyle& style, std::vector<DesignRemark>& remarks) {
     const BestDesigns& best = report.findings.best;
     if (best.ties.empty()) return;
-    std::string names = designName(report.study, *best.robust);
-    constexpr std::size_t enough = 6;
-    for (std::size_t i = 0; i < best.ties.size() && i < enough; ++i)
-        names += " or " + designName(report.study, best.ties[i]);
-    if (best.ties.size() > enough) names += " or " + std::to_string(best.ties.size() - enough) + " others";
-    std::string text = "The samples do not tell the best designs apart: take any of " + names;
-    if (best.nextBest) {
-        const DesignAim& next = report.study.aims[1];
-        text += "; of them " + designName(report.study, *best.nextBest) + " has the " +
-                (next.sense == Sense::largest ? "largest " : "least ") + std::string(next.output->name) +
-                " " + next.statistic.name() + ", " +
-                outputText(report.study, *next.output, aimedValue(report, next, *best.nextBest).value);
+    const Message names = bestNames(report, style);
+    if (!best.nextBest) {
+        remarks.push_back({false,
+                           "flat_optimum",
+                           {translatable("drillwave::Message",
+                                         "The samples do not tell the best designs apart: take any of %1."),
+                            {names}}});
+        return;
     }
-    remarks.push_back({false, "flat_optimum", text + "."});
+    const DesignAim& next = report.study.aims[1];
+    remarks.push_back(
+        {false,
+         "flat_optimum",
+         {next.sense == Sense::largest
+              ? translatable("drillwave::Message",
+                             "The samples do not tell the best designs apart: take any of %1; of them %2 "
+                             "has the largest %3, %4.")
+              : translatable("drillwave::Message",
+                             "The samples do not tell the best designs apart: take any of %1; of them %2 "
+                             "has the least %3, %4."),
+          {names, designName(report.study, *best.nextBest, style), aimedName(next),
+           outputText(report.study, *next.output, aimedValue(report, next, *best.nextBest).value, style)}}});
 }
 
 void addEdges(const DesignReport& report, std::vector<DesignRemark>& remarks) {
@@ -76,19 +107,26 @@ void addEdges(const DesignReport& report, std::vector<DesignRemark>& remarks) {
         }
         const double value = axis.value(index);
         if (value != least && value != most) continue;
-        remarks.push_back({false, "optimum_at_edge",
-                           "The robust best is at the " + std::string(value == most ? "upper" : "lower") +
-                               " end of " + std::string(axis.key()) + ": widen the choice."});
+        remarks.push_back(
+            {false,
+             "optimum_at_edge",
+             {value == most ? translatable("drillwave::Message",
+                                           "The robust best is at the upper end of %1: widen the choice.")
+                            : translatable("drillwave::Message",
+                                           "The robust best is at the lower end of %1: widen the choice."),
+              {std::string(axis.key())}}});
     }
 }
 
-void addEnergy(const DesignReport& report, std::vector<DesignRemark>& remarks) {
+void addEnergy(const DesignReport& report, const ReadingStyle& style, std::vector<DesignRemark>& remarks) {
     constexpr double much = 0.01;
     if (report.study.keepsEnergy || report.findings.energySpread <= much) return;
-    remarks.push_back({true, "energy_varies",
-                       "The choices change the energy of the blow by up to " +
-                           rounded(report.findings.energySpread * 100, 3) +
-                           " %: machines of different power are compared; --keep-energy keeps it."});
+    remarks.push_back({true,
+                       "energy_varies",
+                       {translatable("drillwave::Message",
+                                     "The choices change the energy of the blow by up to %1 %: machines of "
+                                     "different power are compared; --keep-energy keeps it."),
+                        {style.number(report.findings.energySpread * 100, 3)}}});
 }
 
 void addGamma(const DesignReport& report, std::vector<DesignRemark>& remarks) {
@@ -104,21 +142,22 @@ void addGamma(const DesignReport& report, std::vector<DesignRemark>& remarks) {
                 continue;
             remarks.push_back(
                 {false, "gamma_dominates",
-                 "The scatter of the efficiency is nearly all that of gamma; loading_work shows "
-                 "what wave and machine can do: --aim max:loading_work@q05."});
+                 translatable("drillwave::Message",
+                              "The scatter of the efficiency is nearly all that of gamma; loading_work "
+                              "shows what wave and machine can do: --aim max:loading_work@q05.")});
         }
     }
 }
 
 }  // namespace
 
-std::vector<DesignRemark> remarksOn(const DesignReport& report) {
+std::vector<DesignRemark> remarksOn(const DesignReport& report, const ReadingStyle& style) {
     std::vector<DesignRemark> remarks;
     addUnsolved(report, remarks);
-    addUncertain(report, remarks);
-    addTies(report, remarks);
+    addUncertain(report, style, remarks);
+    addTies(report, style, remarks);
     addEdges(report, remarks);
-    addEnergy(report, remarks);
+    addEnergy(report, style, remarks);
     addGamma(report, remarks);
     return remarks;
 }
@@ -128,27 +167,33 @@ const SampledValue& aimedValue(const DesignReport& report, const DesignAim& aim,
     return report.findings.designs[design].statistics[place.output][place.statistic];
 }
 
-std::string designName(const DesignStudy& study, std::uint64_t design) {
+std::string aimedName(const DesignAim& aim) {
+    return std::string(aim.output->name) + " " + aim.statistic.name();
+}
+
+std::string designName(const DesignStudy& study, std::uint64_t design, const ReadingStyle& style) {
     std::string text;
     const std::vector<double> values = study.choice(design);
     for (std::size_t i = 0; i < values.size(); ++i) {
         text += text.empty() ? "" : ", ";
         const SweepAxis& axis = study.choices[i];
         if (axis.parameter)
-            text += inHandyUnit(values[i], axis.parameter->quantity);
+            text += style.quantity(values[i], axis.parameter->quantity);
         else
             axis.column().appendText(text, values[i]);
     }
     return text.empty() ? "FILE" : text;
 }
 
-std::string outputText(const DesignStudy& study, const Output& output, double value, int digits) {
+std::string outputText(const DesignStudy& study, const Output& output, double value,
+                       const ReadingStyle& style, int digits) {
     if (std::isnan(value)) return "-";
     const bool inUnit = hasUnits(study.base) || output.isOnlySi();
-    return inHandyUnit(value, inUnit ? output.quantity() : Quantity::ratio, digits);
+    return style.quantity(value, inUnit ? output.quantity() : Quantity::ratio, digits);
 }
 
-std::vector<std::string> nearestToLimits(const DesignStudy& study, const DesignFindings& findings) {
+std::vector<std::string> nearestToLimits(const DesignStudy& study, const DesignFindings& findings,
+                                         const ReadingStyle& style) {
     std::vector<std::string> lines;
     for (const DesignLimit& limit : study.limits) {
         const StatisticPlace place = study.placeOf(*limit.output, limit.statistic);
@@ -160,12 +205,15 @@ std::vector<std::string> nearestToLimits(const DesignStudy& study, const DesignF
             best = value;
             nearest = d;
         }
-        const std::string which = std::isnan(best)
-                                      ? std::string("no design has it")
-                                      : "the nearest is " + outputText(study, *limit.output, best) + " of " +
-                                            designName(study, nearest);
-        lines.push_back(std::string(limit.atMost ? "--at-most " : "--at-least ") + limit.name() + "=" +
-                        outputText(study, *limit.output, limit.bound) + ": " + which);
+        const std::string option = std::string(limit.atMost ? "--at-most " : "--at-least ") + limit.name() +
+                                   "=" + outputText(study, *limit.output, limit.bound, style);
+        if (std::isnan(best))
+            lines.push_back(
+                style.said({translatable("drillwave::Message", "%1: no design has it"), {option}}));
+        else
+            lines.push_back(style.said({translatable("drillwave::Message", "%1: the nearest is %2 of %3"),
+                                        {option, outputText(study, *limit.output, best, style),
+                                         designName(study, nearest, style)}}));
     }
     return lines;
 }

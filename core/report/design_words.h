@@ -6,6 +6,8 @@
 #include <vector>
 
 #include "core/report/design_report.h"
+#include "core/text/handy_text.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -13,20 +15,26 @@ namespace drillwave {
 struct DesignRemark {
     bool isWarning = false;
     std::string code;  ///< "flat_optimum", …
-    std::string text;
+    Message text;
 };
-std::vector<DesignRemark> remarksOn(const DesignReport& report);
+std::vector<DesignRemark> remarksOn(const DesignReport& report, const ReadingStyle& style = plainStyle());
 
 /// What an aim is about, of a design (from 0).
 const SampledValue& aimedValue(const DesignReport& report, const DesignAim& aim, std::size_t design);
 
+/// "thrust q95"
+std::string aimedName(const DesignAim& aim);
+
 /// "240 us", "half_sine, 3.05 m": a design by its choices; "FILE" without any.
-std::string designName(const DesignStudy& study, std::uint64_t design);
+std::string designName(const DesignStudy& study, std::uint64_t design,
+                       const ReadingStyle& style = plainStyle());
 
 /// A number of an output with its unit, as people read it.
-std::string outputText(const DesignStudy& study, const Output& output, double value, int digits = 5);
+std::string outputText(const DesignStudy& study, const Output& output, double value,
+                       const ReadingStyle& style = plainStyle(), int digits = 5);
 
 /// How near the best design comes to each limit, a line each, where none meets all.
-std::vector<std::string> nearestToLimits(const DesignStudy& study, const DesignFindings& findings);
+std::vector<std::string> nearestToLimits(const DesignStudy& study, const DesignFindings& findings,
+                                         const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

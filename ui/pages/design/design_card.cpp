@@ -10,6 +10,7 @@
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -117,7 +118,7 @@ QString remarkText(const DesignRemark& remark) {
         return DesignCard::tr(
             "The scatter of the efficiency is nearly all that of γ; work of loading shows "
             "what wave and machine can do.");
-    return QString::fromStdString(remark.text).toHtmlEscaped();
+    return translated(remark.text).toHtmlEscaped();
 }
 
 QString loadLink(const QUrl& to, const QString& words) {
