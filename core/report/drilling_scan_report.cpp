@@ -222,7 +222,7 @@ Message scanSentence(const DrillingScan& scan, const ReadingStyle& style) {
 
 std::string drillingScanText(const DrillingScanReport& report, OutputUnits units, const ReadingStyle& style) {
     const DrillingScan& scan = report.scan;
-    std::string text = headingOf(scan.base) + "\n  " + style.said(blowsAtEachValue(scan, style)) + "\n\n" +
+    std::string text = headingOf(scan.base, style) + "\n  " + style.said(blowsAtEachValue(scan, style)) + "\n\n" +
                        scanTable(scan, units, style);
     if (const Message sentence = scanSentence(scan, style); !sentence.isEmpty())
         text += "\n" + paragraph(style.said(sentence));

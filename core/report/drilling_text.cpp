@@ -105,7 +105,7 @@ std::string balanceLines(const DrillingResult& result, const ReadingStyle& style
 
 std::string drillingText(const DrillingReport& report, OutputUnits units, const ReadingStyle& style) {
     const DrillingResult& result = report.result;
-    std::string text = headingOf(result.scenario);
+    std::string text = headingOf(result.scenario, style);
     text += "\n" + paragraph(style.said(verdictSentence(result, style)));
     if (const Message advice = adviceSentence(result, style); !advice.isEmpty())
         text += paragraph(style.said(advice));

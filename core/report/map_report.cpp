@@ -146,7 +146,7 @@ std::string mapText(const MapReport& report, const ReadingStyle& style) {
     std::uint64_t blows = report.grid.size();
     for (const Contour& contour : report.contours) blows += contour.solves;
     std::string text =
-        headingOf(study.base) + "\n  " +
+        headingOf(study.base, style) + "\n  " +
         style.said({translatable("drillwave::Message", "%1 over %2; %3"),
                     {study.output.header(), axisText(study.x, style), axisText(study.y, style)}}) +
         "\n\n";

@@ -215,7 +215,7 @@ std::vector<Message> verdictSentences(const JudgedNeeds& judged, const ReadingSt
 std::string thrustText(const ThrustReport& report, const ReadingStyle& style) {
     const std::vector<Message> sentences = verdictSentences(report.judged(), style);
     std::string text = titleLine(report.scenario) + paragraph(style.said(sentences.front())) +
-                       groupsLine(report.scenario) + "  " + blowsText(report, style) + "\n\n" +
+                       groupsLine(report.scenario, style) + "  " + blowsText(report, style) + "\n\n" +
                        needsGrid(report, style).text();
     if (report.along) text += "\n" + bracketTable(*report.along, style);
     text += "\n";
