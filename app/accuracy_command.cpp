@@ -5,8 +5,10 @@
 
 #include "app/command.h"
 #include "app/interruption.h"
+#include "app/method_options.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
+#include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
 #include "core/archive/result_scenario.h"
@@ -41,10 +43,13 @@ std::vector<int> ladderOf(const Arguments& arguments) {
         }
         if (rest.front() != ',') break;
     }
-    throw CommandError(ExitCode::usage, "--segments " + shortened(*list) + ": needs at most " +
-                                            std::to_string(longestLadder) + " whole numbers from " +
-                                            std::to_string(minimumSegments) + " to " +
-                                            std::to_string(maximumSegments) + ", as in 100,1000,10000");
+    throw CommandError(
+        ExitCode::usage,
+        Message(
+            translatable("drillwave::Message",
+                         "--segments %1: needs at most %2 whole numbers from %3 to %4, as in 100,1000,10000"),
+            {shortened(*list), std::to_string(longestLadder), std::to_string(minimumSegments),
+             std::to_string(maximumSegments)}));
 }
 
 /// Half a minute of work.
@@ -56,11 +61,13 @@ void checkWork(const Arguments& arguments, const std::vector<int>& ladder) {
     const long limit = arguments.number("work-limit", defaultMoves, 1, mostMoves);
     const double moves = latticeMoves(ladder);
     if (moves <= static_cast<double>(limit)) return;
-    throw CommandError(ExitCode::usage,
-                       "--segments " + arguments.value("segments").value_or("") + ": would move waves by " +
-                           rounded(moves, 2) + " segments, more than --work-limit, now " +
-                           std::to_string(limit) +
-                           ", permits (half a minute is some 1e9); take fewer or permit more");
+    throw CommandError(
+        ExitCode::usage,
+        Message(translatable("drillwave::Message",
+                             "--segments %1: would move waves by %2 segments, more than --work-limit, now "
+                             "%3, permits (half a minute is some 1e9); take fewer or permit more"),
+                {arguments.value("segments").value_or(""), arguments.style().number(moves, 2),
+                 std::to_string(limit)}));
 }
 
 /// What is written of a study: the CSV in place of its words or into a folder, with pictures.
@@ -79,13 +86,13 @@ AccuracyFiles measure(const Arguments& arguments, const ScenarioDocument& docume
         interruption.check();
         if (!isSolved)
             throw CommandError(ExitCode::unsolvedOrFailed,
-                               arguments.operands().front() + ": could not be solved: " + reason);
+                               couldNotBeSolved(arguments.operands().front(), Message::ofTable(reason)));
         return {accuracyCsv(accuracy),
                 arguments.has("json") ? accuracyJson(scenario, completeScenarioText(document), accuracy)
                                       : accuracyText(scenario, accuracy, arguments.style()),
                 plots.draw(&accuracy, drawing, interruption)};
     };
-    ShareBar bar;
+    ShareBar bar(arguments.style());
     if (!isFollowedByEvents(scenario)) {
         const StringAccuracy accuracy =
             measureStringAccuracy(scenario, interruption.token(),
@@ -111,12 +118,11 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
     }
 
     if (!isFollowedByEvents(document.scenario) && arguments.has("segments"))
-        throw CommandError(ExitCode::usage,
-                           "--segments: " + path + ": is for uniform rods; leave it out for a drill string");
+        throw CommandError(ExitCode::usage, about("--segments", forUniformRods(path)));
     if (isFollowedByEvents(document.scenario)) checkWork(arguments, ladder);
     checkStandardOutput();
     const Interruption interruption;
-    remarkOnValues(document.scenario, path);
+    remarkOnValues(document.scenario, path, arguments.style());
     AccuracyFiles files = measure(arguments, document, ladder, plots, drawing, interruption);
     files.csv.insert(0, scenarioHeader(completeScenarioText(document)));
     if (directory == "-") {

@@ -12,7 +12,7 @@ namespace drillwave {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& line) {
+[[noreturn]] void refuse(const Message& line) {
     throw CommandError(ExitCode::usage, line);
 }
 
@@ -63,8 +63,11 @@ const OptionSpec* nearestOption(std::string_view name, std::span<const OptionSpe
 [[noreturn]] void refuseUnknown(std::string_view word, std::string_view name,
                                 std::span<const OptionSpec> options) {
     const OptionSpec* nearest = word.starts_with("--") ? nearestOption(name, options) : nullptr;
-    refuse("unknown option `" + shortened(word) + "`; " +
-           (nearest ? "did you mean `" + nearest->text() + "`?" : "--help lists the options"));
+    if (nearest)
+        refuse({translatable("drillwave::Message", "unknown option `%1`; did you mean `%2`?"),
+                {shortened(word), nearest->text()}});
+    refuse({translatable("drillwave::Message", "unknown option `%1`; --help lists the options"),
+            {shortened(word)}});
 }
 
 /// Quoted where a shell would read more into it than the word.
@@ -91,13 +94,16 @@ const OptionSpec* optionNamed(const OptionWord& given, const std::string& word,
 /// The word behind an option that takes one. An option of the command is none: its value is missing.
 const std::string& valueBehind(const OptionSpec& option, std::span<const std::string> rest,
                                std::span<const OptionSpec> options) {
-    const std::string needs = "`" + option.text() + "` needs a value: " + std::string(option.value);
+    const Message needs{translatable("drillwave::Message", "`%1` needs a value: %2"),
+                        {option.text(), std::string(option.value)}};
     if (rest.empty()) refuse(needs);
     const std::string& word = rest.front();
-    if (word == "--" || (isOption(word) && optionNamed(split(word), word, options)))
-        refuse(needs + "; `" + shortened(word) + "` behind it is an option" +
-               (option.name == "o" ? ", a file of that name is ./" + shortened(word) : std::string()));
-    return word;
+    if (word != "--" && !(isOption(word) && optionNamed(split(word), word, options))) return word;
+    if (option.name == "o")
+        refuse({translatable("drillwave::Message",
+                             "%1; `%2` behind it is an option, a file of that name is ./%2"),
+                {needs, shortened(word)}});
+    refuse({translatable("drillwave::Message", "%1; `%2` behind it is an option"), {needs, shortened(word)}});
 }
 
 void addWord(std::string& text, const std::string& word) {
@@ -131,9 +137,11 @@ Arguments Arguments::parse(std::span<const std::string> words, std::span<const O
         const OptionSpec* option = optionNamed(given, word, options);
         if (!option) refuseUnknown(word, given.name, options);
         if (option->times == OptionSpec::Times::once && arguments.has(option->name))
-            refuse("`" + option->text() + "` is given twice; give it once");
+            refuse(
+                {translatable("drillwave::Message", "`%1` is given twice; give it once"), {option->text()}});
         if (option->value.empty()) {
-            if (given.value) refuse("`" + option->text() + "` takes no value");
+            if (given.value)
+                refuse({translatable("drillwave::Message", "`%1` takes no value"), {option->text()}});
             given.value = "";
             arguments.m_switches.push_back(option->name);
         } else if (!given.value) {
@@ -195,8 +203,8 @@ long Arguments::number(std::string_view option, long fallback, long low, long hi
     if (!text) return fallback;
     const std::optional<long> number = wholeNumberIn<long>(*text);
     if (!number || *number < low || *number > high)
-        refuse(OptionSpec{option, {}, {}}.text() + " = " + shortened(*text) + " (" +
-               wholeNumberProblem(low, high) + ")");
+        refuse(
+            refusedValue(OptionSpec{option, {}, {}}.text(), shortened(*text), wholeNumberProblem(low, high)));
     return *number;
 }
 

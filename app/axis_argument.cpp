@@ -12,11 +12,11 @@ namespace {
 constexpr std::size_t mostLevels = 100;
 
 SweepAxis checked(ParsedAxis parsed, const std::string& option) {
-    if (parsed.problem.empty()) return std::move(parsed.axis);
+    if (parsed.problem.isEmpty()) return std::move(parsed.axis);
     // A value that the parameter cannot take is like one in a file; anything else is a mistyped command.
     const bool badValue = parsed.kind == ParsedAxis::Kind::badValue;
     throw CommandError(badValue ? ExitCode::invalidScenario : ExitCode::usage,
-                       "--" + option + ": " + parsed.problem);
+                       about("--" + option, parsed.problem));
 }
 
 }  // namespace
@@ -36,9 +36,7 @@ std::string quotedAxis(const std::string& option, const std::string& word) {
 double quantityArgument(const std::string& option, const std::string& word, Quantity quantity) {
     const TypedQuantity typed =
         parseQuantity(word, quantity, BareNumber::inDefaultUnit, &unitsOf(quantity).front());
-    if (!typed.valid())
-        throw CommandError(ExitCode::usage,
-                           "--" + option + " " + shortened(word) + ": " + typed.problem.text());
+    if (!typed.valid()) throw CommandError(ExitCode::usage, about(quotedAxis(option, word), typed.problem));
     return typed.si;
 }
 
@@ -47,7 +45,9 @@ std::vector<double> levelArguments(const Arguments& arguments, Quantity quantity
     for (const std::string& word : arguments.values("level"))
         levels.push_back(quantityArgument("level", word, quantity));
     if (levels.size() > mostLevels)
-        throw CommandError(ExitCode::usage, "--level: at most " + std::to_string(mostLevels) + " levels");
+        throw CommandError(ExitCode::usage,
+                           Message(translatable("drillwave::Message", "--level: at most %1 levels"),
+                                   {std::to_string(mostLevels)}));
     return levels;
 }
 

@@ -40,9 +40,6 @@ class CommandError : public std::runtime_error {
           m_messages(std::move(problems)),
           m_isLocated(begin == Begin::withPlace) {}
 
-    CommandError(ExitCode code, const std::vector<std::string>& problems, Begin begin = Begin::withPlace)
-        : CommandError(code, std::vector<Message>(problems.begin(), problems.end()), begin) {}
-
     ExitCode code() const { return m_code; }
     const std::vector<Message>& messages() const { return m_messages; }
     /// The same in English.

@@ -37,16 +37,20 @@ std::optional<double> goalOf(const Arguments& arguments, const std::vector<Outpu
     const std::optional<std::string> word = arguments.value("goal");
     if (!word) return std::nullopt;
     if (columns.size() != 1)
-        throw CommandError(ExitCode::usage,
-                           "--goal is about one output; --outputs names " + std::to_string(columns.size()));
+        throw CommandError(
+            ExitCode::usage,
+            Message(translatable("drillwave::Message", "--goal is about one output; --outputs names %1"),
+                    {std::to_string(columns.size())}));
     const OutputColumn& column = columns.front();
     const Quantity quantity = column.output->quantity();
     const bool hasUnit = column.hasUnit();
     if (!hasUnit && quantity != Quantity::ratio && !parseNumber(*word) &&
         parseQuantity(*word, quantity, BareNumber::inDefaultUnit).valid())
-        throw CommandError(ExitCode::usage, "--goal " + shortened(*word) + ": without --si " +
-                                                std::string(column.output->name) +
-                                                " is a number without a unit; add --si");
+        throw CommandError(
+            ExitCode::usage,
+            Message(translatable("drillwave::Message",
+                                 "--goal %1: without --si %2 is a number without a unit; add --si"),
+                    {shortened(*word), std::string(column.output->name)}));
     return quantityArgument("goal", *word, hasUnit ? quantity : Quantity::ratio);
 }
 
@@ -61,7 +65,10 @@ std::vector<std::string> quotedAxes(const Arguments& arguments) {
 
 CurveQuestion questionOf(const Arguments& arguments, const RowOptions& options, const Scenario& base) {
     const std::optional<std::string> along = arguments.value("along");
-    if (!along) throw CommandError(ExitCode::usage, "needs --along KEY=START:STOP or KEY=START:STOP:log");
+    if (!along)
+        throw CommandError(
+            ExitCode::usage,
+            translatable("drillwave::Message", "needs --along KEY=START:STOP or KEY=START:STOP:log"));
     CurveQuestion question{.base = base,
                            .along = rangeArgument("along", *along),
                            .family = {},
@@ -81,8 +88,9 @@ CurveQuestion questionOf(const Arguments& arguments, const RowOptions& options, 
     return question;
 }
 
-CurveReport study(const CurveQuestion& question, int jobs, const Interruption& interruption) {
-    ShareBar bar;
+CurveReport study(const CurveQuestion& question, int jobs, const ReadingStyle& style,
+                  const Interruption& interruption) {
+    ShareBar bar(style);
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
     CurveReport report{studyCurve(question, jobs, interruption.token(), bar.progress()), 0, {}};
@@ -111,9 +119,11 @@ void writeCsv(const CurveReport& report, const Arguments& arguments, const RowOp
 void checkGoalFile(const Arguments& arguments, const RowOptions& options, const ScenarioDocument& base) {
     if (!arguments.has("goal") || !arguments.has("o")) return;
     if (isStream(options.path))
-        throw CommandError(ExitCode::usage,
-                           "--goal has no place where -o - prints the curve; leave out -o, or give "
-                           "-o FILE.csv");
+        throw CommandError(
+            ExitCode::usage,
+            translatable(
+                "drillwave::Message",
+                "--goal has no place where -o - prints the curve; leave out -o, or give -o FILE.csv"));
     const std::string path = goalName(options.path);
     checkOutputIsNoInput(path, arguments.operands().front(), base);
     checkOverwrite(path, options.overwrite);
@@ -121,10 +131,10 @@ void checkGoalFile(const Arguments& arguments, const RowOptions& options, const 
 
 /// Throws where a line takes the goal nowhere, with the value that comes nearest.
 void checkReached(const CurveStudy& study, const std::string& path) {
-    std::vector<std::string> problems = goalProblems(study);
+    const std::vector<std::string> problems = goalProblems(study);
     if (problems.empty()) return;
-    for (std::string& problem : problems) problem = path + ": " + problem;
-    throw CommandError(ExitCode::unsolvedOrFailed, std::move(problems));
+    throw CommandError(ExitCode::unsolvedOrFailed,
+                       eachAbout(path, std::vector<Message>(problems.begin(), problems.end())));
 }
 
 /// Throws where a line has no answer, with the first reason.
@@ -132,39 +142,42 @@ void checkSolved(const CurveStudy& study, const std::string& path, long workLimi
     for (const CurveLine& line : study.lines)
         for (const CurveOutput& output : line.outputs)
             for (const CurveStretch& stretch : output.unsolved)
-                throw CommandError(ExitCode::unsolvedOrFailed,
-                                   path + ": could not be solved everywhere: from " +
-                                       std::string(study.question.along.key()) + " = " +
-                                       valueText(study.question.along, stretch.start) + " to " +
-                                       valueText(study.question.along, stretch.end) + ": " + stretch.reason +
-                                       (isAtLimit(stretch.reason) ? limitHint(workLimit) : std::string()));
+                throw CommandError(
+                    ExitCode::unsolvedOrFailed,
+                    Message(translatable("drillwave::Message",
+                                         "%1: could not be solved everywhere: from %2 = %3 to %4: %5"),
+                            {path, std::string(study.question.along.key()),
+                             valueText(study.question.along, stretch.start),
+                             valueText(study.question.along, stretch.end),
+                             reasonWithHint(stretch.reason, workLimit)}));
 }
 
 ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const bool writesFile = arguments.has("o");
     if (arguments.has("force") && !writesFile)
-        throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+        throw CommandError(ExitCode::usage, translatable("drillwave::Message",
+                                                         "--force is about the file of -o; add -o FILE.csv"));
     if (arguments.has("json") && arguments.value("o") == "-")
-        throw CommandError(ExitCode::usage, "--json and -o - would both print to standard output; take one");
+        throw CommandError(ExitCode::usage,
+                           translatable("drillwave::Message",
+                                        "--json and -o - would both print to standard output; take one"));
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const ScenarioInput input = loadScenarioInput(path, arguments);
     const ScenarioDocument& base = input.document;
     const RowOptions options = rowOptions(arguments, input.method);
     checkMethodOfString(options.method, input.document.scenario, path);
     const CurveQuestion question = questionOf(arguments, options, base.scenario);
-    if (std::vector<std::string> problems = problemsOf(question); !problems.empty()) {
-        for (std::string& problem : problems) problem = path + ": " + problem;
-        throw CommandError(ExitCode::invalidScenario, std::move(problems));
-    }
+    if (std::vector<Message> problems = problemsOf(question); !problems.empty())
+        throw CommandError(ExitCode::invalidScenario, eachAbout(path, std::move(problems)));
     if (writesFile) checkRows(options, path, base);
     checkGoalFile(arguments, options, base);
     if (options.path != "-" || !writesFile) checkStandardOutput();
     plots.check(path, base, options.overwrite);
 
     const Interruption interruption;
-    remarkOnValues(base.scenario, path);
-    CurveReport report = study(question, options.jobs, interruption);
+    remarkOnValues(base.scenario, path, arguments.style());
+    CurveReport report = study(question, options.jobs, arguments.style(), interruption);
     report.scenarioText = completeScenarioText(base);
     if (writesFile)
         writeCsv(report, arguments, options, base, plots.draw(&report, drawing, interruption), interruption);

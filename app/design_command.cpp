@@ -32,15 +32,19 @@ const std::string& fileOf(const Arguments& arguments) {
     const std::string* file = nullptr;
     for (const std::string& word : arguments.operands()) {
         if (isAimWord(word)) continue;
-        if (file) throw CommandError(ExitCode::usage, "takes one FILE; `" + word + "` is a second one");
+        if (file)
+            throw CommandError(
+                ExitCode::usage,
+                Message(translatable("drillwave::Message", "takes one FILE; `%1` is a second one"), {word}));
         file = &word;
     }
-    if (!file) throw CommandError(ExitCode::usage, "needs FILE");
+    if (!file) throw CommandError(ExitCode::usage, translatable("drillwave::Message", "needs FILE"));
     return *file;
 }
 
-DesignFindings solve(const DesignStudy& study, int jobs, const Interruption& interruption) {
-    ProgressBar bar(designSolves(study), "blows");
+DesignFindings solve(const DesignStudy& study, int jobs, const ReadingStyle& style,
+                     const Interruption& interruption) {
+    ProgressBar bar(designSolves(study), translatable("drillwave::Message", "blows"), style);
     std::uint64_t solved = 0;
     DesignFindings findings =
         runDesign(study, {.jobs = jobs, .stop = interruption.token(), .progress = [&](std::uint64_t more) {
@@ -53,20 +57,25 @@ DesignFindings solve(const DesignStudy& study, int jobs, const Interruption& int
 /// Throws where no design can be taken: none has statistics, or none meets the limits.
 void checkFeasible(const DesignStudy& study, const DesignFindings& findings, const std::string& path) {
     if (findings.best.robust) return;
-    std::vector<std::string> lines;
+    std::vector<Message> lines;
     for (const DesignSamples& design : findings.designs) {
         if (design.hasStatistics(study.samples) || !lines.empty()) continue;
-        lines.push_back(path +
-                        ": of too many samples there is no answer, so that designs have no statistics: " +
-                        std::to_string(design.unsolved) + " of " + std::to_string(study.samples) +
-                        "; the first: " + design.reason +
-                        (isAtLimit(design.reason) ? limitHint(study.workLimit) : std::string()));
+        lines.emplace_back(
+            translatable("drillwave::Message",
+                         "%1: of too many samples there is no answer, so that designs have no statistics: %2 "
+                         "of %3; the first: %4"),
+            std::vector<Message>{path, std::to_string(design.unsolved), std::to_string(study.samples),
+                                 reasonWithHint(design.reason, study.workLimit)});
     }
     if (!study.limits.empty()) {
-        lines.push_back(path + ": no design meets all limits; loosen one or widen the choices");
-        for (const std::string& line : nearestToLimits(study, findings)) lines.push_back(line);
+        lines.push_back(
+            about(path, translatable("drillwave::Message",
+                                     "no design meets all limits; loosen one or widen the choices")));
+        for (const std::string& line : nearestToLimits(study, findings)) lines.emplace_back(line);
     }
-    if (lines.empty()) lines.push_back(path + ": the scenario as it is could not be solved");
+    if (lines.empty())
+        lines.push_back(
+            about(path, translatable("drillwave::Message", "the scenario as it is could not be solved")));
     throw CommandError(ExitCode::unsolvedOrFailed, std::move(lines), CommandError::Begin::withOption);
 }
 
@@ -88,9 +97,12 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     const std::optional<std::string> folder = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     if (arguments.has("force") && !folder)
-        throw CommandError(ExitCode::usage, "--force is about the files of -o; add -o DIR");
+        throw CommandError(ExitCode::usage, translatable("drillwave::Message",
+                                                         "--force is about the files of -o; add -o DIR"));
     if (arguments.values("draws").size() > 1)
-        throw CommandError(ExitCode::usage, "--draws is given twice; give it once");
+        throw CommandError(ExitCode::usage,
+                           Message(translatable("drillwave::Message", "%1 is given twice; give it once"),
+                                   {std::string("--draws")}));
     const int jobs = jobsOf(arguments);
     const StudyPlots plots = StudyPlots::inFolder(arguments, "design");
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
@@ -108,8 +120,8 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
 
     checkStandardOutput();
     const Interruption interruption;
-    remarkOnValues(document.scenario, path);
-    report.findings = solve(report.study, jobs, interruption);
+    remarkOnValues(document.scenario, path, arguments.style());
+    report.findings = solve(report.study, jobs, arguments.style(), interruption);
     checkFeasible(report.study, report.findings, path);
     if (folder)
         writeFolder(*folder, filesOf(report, document, plots.draw(&report, drawing, interruption)), overwrite,

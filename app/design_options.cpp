@@ -18,33 +18,40 @@ namespace {
 struct OutputStatistic {
     const Output* output = nullptr;
     Statistic statistic;
-    std::string problem;
+    Message problem;
 };
 
 OutputStatistic readStatistic(std::string_view word) {
     const std::size_t at = word.find('@');
     if (at == std::string_view::npos)
-        return {{}, {}, "`" + shortened(word) + "` needs OUTPUT@STATISTIC, as efficiency@q05"};
+        return {{},
+                {},
+                {translatable("drillwave::Message", "`%1` needs OUTPUT@STATISTIC, as efficiency@q05"),
+                 {shortened(word)}}};
     const OutputChoice output = chooseOutputs(word.substr(0, at), OutputUnits::dimensionless);
-    if (!output.problem.empty()) return {{}, {}, output.problem};
-    if (output.all) return {{}, {}, "`all` are several outputs; name one"};
+    if (!output.problem.isEmpty()) return {{}, {}, output.problem};
+    if (output.all)
+        return {{}, {}, translatable("drillwave::Message", "`all` are several outputs; name one")};
     const std::string_view statistic = trimmed(word.substr(at + 1));
     const std::optional<Statistic> found = findStatistic(statistic);
     if (!found)
         return {{},
                 {},
-                "`" + shortened(statistic) +
-                    "` is not a statistic; choose from mean, q01 to q99, min, max, nominal"};
+                {translatable("drillwave::Message",
+                              "`%1` is not a statistic; choose from mean, q01 to q99, min, max, nominal"),
+                 {shortened(statistic)}}};
     return {output.columns.front().output, *found, {}};
 }
 
 void addAim(DesignStudy& study, const std::string& word, DesignFaults& faults) {
-    const auto refuse = [&](const std::string& problem) {
-        faults.add(ExitCode::usage, "--aim " + shortened(word) + ": " + problem);
+    const auto refuse = [&](const Message& problem) {
+        faults.add(ExitCode::usage, about("--aim " + shortened(word), problem));
     };
-    if (!isAimWord(word)) return refuse("needs max:OUTPUT@STATISTIC or min:OUTPUT@STATISTIC");
+    if (!isAimWord(word))
+        return refuse(
+            translatable("drillwave::Message", "needs max:OUTPUT@STATISTIC or min:OUTPUT@STATISTIC"));
     const OutputStatistic read = readStatistic(std::string_view(word).substr(4));
-    if (!read.problem.empty()) return refuse(read.problem);
+    if (!read.problem.isEmpty()) return refuse(read.problem);
     study.aims.push_back(
         {word.starts_with("max") ? Sense::largest : Sense::least, read.output, read.statistic});
 }
@@ -55,24 +62,26 @@ void readAims(const Arguments& arguments, DesignStudy& study, DesignFaults& faul
     for (const std::string& word : arguments.operands())
         if (isAimWord(word)) words.push_back(word);
     if (words.size() > 0 && !isGiven)
-        return faults.add(ExitCode::usage, "`" + shortened(words.front()) + "`: write --aim before it");
+        return faults.add(ExitCode::usage, {translatable("drillwave::Message", "`%1`: write --aim before it"),
+                                            {shortened(words.front())}});
     for (const std::string& word : words) addAim(study, word, faults);
     if (words.empty()) study.aims = customaryAims(study.base);
 }
 
 void addLimit(DesignStudy& study, const std::string& option, const std::string& word, DesignFaults& faults) {
-    const auto refuse = [&](ExitCode code, const std::string& problem) {
-        faults.add(code, "--" + option + " " + shortened(word) + ": " + problem);
+    const auto refuse = [&](ExitCode code, const Message& problem) {
+        faults.add(code, about("--" + option + " " + shortened(word), problem));
     };
     const std::size_t equals = word.find('=');
-    if (equals == std::string::npos) return refuse(ExitCode::usage, "needs OUTPUT@STATISTIC=VALUE");
+    if (equals == std::string::npos)
+        return refuse(ExitCode::usage, translatable("drillwave::Message", "needs OUTPUT@STATISTIC=VALUE"));
     const OutputStatistic read = readStatistic(trimmed(std::string_view(word).substr(0, equals)));
-    if (!read.problem.empty()) return refuse(ExitCode::usage, read.problem);
+    if (!read.problem.isEmpty()) return refuse(ExitCode::usage, read.problem);
     const bool inUnit = hasUnits(study.base) || read.output->isOnlySi();
     const TypedQuantity value =
         parseQuantity(std::string_view(word).substr(equals + 1),
                       inUnit ? read.output->quantity() : Quantity::ratio, BareNumber::refused);
-    if (!value.valid()) return refuse(ExitCode::invalidScenario, value.problem.text());
+    if (!value.valid()) return refuse(ExitCode::invalidScenario, value.problem);
     study.limits.push_back({option == "at-most", read.output, read.statistic, value.si});
 }
 
@@ -86,14 +95,14 @@ void readUncertain(const Arguments& arguments, DesignStudy& study, std::vector<N
                    DesignFaults& faults) {
     for (const std::string& word : arguments.values("uncertain")) {
         ParsedUncertain parsed = parseUncertain(word);
-        if (parsed.problem.empty()) {
+        if (parsed.problem.isEmpty()) {
             study.uncertain.push_back(std::move(parsed.input));
             continue;
         }
         if (const std::string key = keyOfWord(word); findParameter(key))
             unread.push_back({key, false, word.find('%') != std::string::npos});
         faults.add(parsed.isMistyped ? ExitCode::usage : ExitCode::invalidScenario,
-                   "--uncertain: " + parsed.problem);
+                   about("--uncertain", parsed.problem));
     }
 }
 
@@ -101,7 +110,7 @@ void readChoices(const Arguments& arguments, DesignStudy& study, std::vector<Nam
                  DesignFaults& faults) {
     for (const std::string& word : arguments.values("choose")) {
         ParsedAxis parsed = parseAxis(word);
-        if (parsed.problem.empty()) {
+        if (parsed.problem.isEmpty()) {
             study.choices.push_back(std::move(parsed.axis));
             continue;
         }
@@ -110,17 +119,17 @@ void readChoices(const Arguments& arguments, DesignStudy& study, std::vector<Nam
         if (findParameter(key)) unread.push_back({key, true});
         faults.add(parsed.kind == ParsedAxis::Kind::badValue || isUnknown ? ExitCode::invalidScenario
                                                                           : ExitCode::usage,
-                   "--choose: " + parsed.problem);
+                   about("--choose", parsed.problem));
     }
 }
 
 void readDrawsOf(const Arguments& arguments, DesignStudy& study, DesignFaults& faults) {
     const std::vector<std::string> files = arguments.values("draws");
     if (files.empty()) return;
-    RereadableInput input(files.front());
+    RereadableInput input(files.front(), RereadableInput::mostKept, arguments.style());
     ReadDraws read = readDraws(input.stream(), inputName(files.front()));
-    for (const std::string& line : read.unreadable) faults.add(ExitCode::unreadableInput, line);
-    for (const std::string& line : read.invalid) faults.add(ExitCode::invalidScenario, line);
+    for (const Message& line : read.unreadable) faults.add(ExitCode::unreadableInput, line);
+    for (const Message& line : read.invalid) faults.add(ExitCode::invalidScenario, line);
     if (read.unreadable.empty() && read.invalid.empty()) study.draws = std::move(read.draws);
 }
 
@@ -129,7 +138,7 @@ void readDrawsOf(const Arguments& arguments, DesignStudy& study, DesignFaults& f
 void DesignFaults::check() const {
     if (m_faults.empty()) return;
     ExitCode code = m_faults.front().first;
-    std::vector<std::string> lines;
+    std::vector<Message> lines;
     for (const auto& [of, line] : m_faults) {
         code = std::min(code, of);
         lines.push_back(line);

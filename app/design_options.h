@@ -16,12 +16,12 @@ namespace drillwave {
 /// Lines on what is wrong, of all options together.
 class DesignFaults {
   public:
-    void add(ExitCode code, const std::string& line) { m_faults.emplace_back(code, line); }
+    void add(ExitCode code, const Message& line) { m_faults.emplace_back(code, line); }
     /// Throws CommandError with all of them, where there are any; the code is that of the least number.
     void check() const;
 
   private:
-    std::vector<std::pair<ExitCode, std::string>> m_faults;
+    std::vector<std::pair<ExitCode, Message>> m_faults;
 };
 
 /// Whether an operand is a further word of --aim, and not FILE: "min:thrust@q95".

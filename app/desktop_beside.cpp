@@ -22,9 +22,10 @@ void goOnBeside(char** argv) {
     if (!error) ::execv((self.parent_path() / "drillwave-window").c_str(), argv);
 }
 
-constexpr const char* builtWithout =
-    " there is no drillwave-window beside this program, which was built without it (DRILLWAVE_GUI), or "
-    "installed without it (the package drillwave)";
+constexpr const char* builtWithout = translatable(
+    "drillwave::Message",
+    "there is no drillwave-window beside this program, which was built without it (DRILLWAVE_GUI), or "
+    "installed without it (the package drillwave)");
 
 }  // namespace
 
@@ -32,8 +33,10 @@ int openWindow(int argc, char** argv) {
     goOnBeside(argv);
     // Mistyped commands are worth more than the missing window.
     windowArguments(std::vector<std::string>(argv + 1, argv + argc));
-    throw CommandError(ExitCode::usage,
-                       std::string("no window:") + builtWithout + "; use `drillwave run FILE` (see --help)");
+    throw CommandError(
+        ExitCode::usage,
+        Message(translatable("drillwave::Message", "no window: %1; use `drillwave run FILE` (see --help)"),
+                {builtWithout}));
 }
 
 std::unique_ptr<const Drawing> startDrawing(int, char** argv) {
@@ -41,8 +44,11 @@ std::unique_ptr<const Drawing> startDrawing(int, char** argv) {
     holdInterruptions();
     goOnBeside(argv);
     exitOnInterruption();
-    throw CommandError(ExitCode::usage, std::string("no pictures:") + builtWithout +
-                                            "; leave out what draws them, or run the whole program");
+    throw CommandError(
+        ExitCode::usage,
+        Message(translatable("drillwave::Message",
+                             "no pictures: %1; leave out what draws them, or run the whole program"),
+                {builtWithout}));
 }
 
 }  // namespace drillwave

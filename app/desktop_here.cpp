@@ -34,9 +34,10 @@ namespace drillwave {
 
 namespace {
 
-constexpr const char* noDisplay =
+constexpr const char* noDisplay = translatable(
+    "drillwave::Message",
     "no display to open the window on; use `drillwave run FILE` (see --help), or `drillwave -platform "
-    "offscreen`";
+    "offscreen`");
 
 bool choosesPlatform(int argc, char** argv) {
     for (int i = 1; i < argc; ++i) {

@@ -65,11 +65,17 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
     const std::optional<std::string> out = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     if (arguments.has("force") && !out)
-        throw CommandError(ExitCode::usage, "--force is about the files of -o; add -o FILE.csv or -o DIR");
+        throw CommandError(ExitCode::usage,
+                           translatable("drillwave::Message",
+                                        "--force is about the files of -o; add -o FILE.csv or -o DIR"));
     if (out == "-" && arguments.has("json"))
-        throw CommandError(ExitCode::usage, "--json and -o - would both print to standard output; take one");
+        throw CommandError(ExitCode::usage,
+                           translatable("drillwave::Message",
+                                        "--json and -o - would both print to standard output; take one"));
     if (arguments.has("gaps") && !arguments.has("scan"))
-        throw CommandError(ExitCode::usage, "--gaps is about a scan; add --scan KEY=START:STOP:COUNT");
+        throw CommandError(
+            ExitCode::usage,
+            translatable("drillwave::Message", "--gaps is about a scan; add --scan KEY=START:STOP:COUNT"));
     ScenarioDocument document = loadScenarioArgument(path, arguments);
     if (arguments.has("scan")) return runDrillScan(arguments, document, path, drawing);
 
@@ -83,9 +89,13 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
     wants.histories = drillHistories(arguments, out, settings);
     if (wants.histories && foreseenInstants(document.scenario, settings, *wants.histories) >
                                static_cast<double>(mostDrillingInstants))
-        throw CommandError(ExitCode::usage, "--histories: these blows have more than " +
-                                                std::to_string(mostDrillingInstants) +
-                                                " samples; take fewer blows or fewer --cells");
+        throw CommandError(
+            ExitCode::usage,
+            Message(
+                translatable(
+                    "drillwave::Message",
+                    "--histories: these blows have more than %1 samples; take fewer blows or fewer --cells"),
+                {std::to_string(mostDrillingInstants)}));
     wants.jobs = jobsOf(arguments);
     checkDrillWork(drillingWork(document.scenario, settings, wants), arguments);
     if (out && isFolder(*out)) {
@@ -97,9 +107,10 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
     plots.check(path, document, overwrite);
     if (out != "-") checkStandardOutput();
     const Interruption interruption;
-    remarkOnValues(document.scenario, path);
-    remarkOnUnusedOfDrill(document.scenario, path);
-    ProgressBar bar(static_cast<std::uint64_t>(foreseenBlows(settings, wants)), "blows");
+    remarkOnValues(document.scenario, path, arguments.style());
+    remarkOnUnusedOfDrill(document.scenario, path, arguments.style());
+    ProgressBar bar(static_cast<std::uint64_t>(foreseenBlows(settings, wants)),
+                    translatable("drillwave::Message", "blows"), arguments.style());
     std::uint64_t done = 0;
     DrillingReport report{
         .result = studyDrilling(document.scenario, settings, wants, interruption.token(),
@@ -108,7 +119,7 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
     interruption.check();
     if (report.result.outcome == DrillingOutcome::notSolved)
         throw CommandError(ExitCode::unsolvedOrFailed,
-                           path + ": could not be solved: " + report.result.reason);
+                           couldNotBeSolved(path, Message::ofTable(report.result.reason)));
     std::vector<NamedFile> pictures = plots.draw(&report, drawing, interruption);
     if (out && isFolder(*out))
         writeFolder(*out, folderOf(report, units, std::move(pictures)), overwrite, &interruption);

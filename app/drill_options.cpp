@@ -1,14 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/drill_options.h"
-
-#include <cstdio>
-
 #include "app/axis_argument.h"
 #include "app/command_error.h"
 #include "app/input_text.h"
 #include "app/scenario_argument.h"
 #include "core/text/decimal_text.h"
-#include "core/text/name_text.h"
 
 namespace drillwave {
 
@@ -22,20 +18,19 @@ double permittedWork(const Arguments& arguments) {
     if (!text) return mostWork;
     const std::optional<double> work = parseNumber(*text);
     if (!work || !(*work >= 1))
-        throw CommandError(ExitCode::usage,
-                           "--work-limit " + shortened(*text) + " must be a number of at least 1");
+        throw CommandError(
+            ExitCode::usage,
+            Message(translatable("drillwave::Message", "--work-limit %1 must be a number of at least 1"),
+                    {shortened(*text)}));
     return *work;
-}
-
-void printRemark(const std::string& text) {
-    std::fprintf(stderr, "%s\n", printable(text).c_str());
 }
 
 }  // namespace
 
 OutputUnits drillUnits(const Arguments& arguments) {
     if (arguments.has("si") && arguments.has("dimensionless"))
-        throw CommandError(ExitCode::usage, "--si and --dimensionless exclude each other");
+        throw CommandError(ExitCode::usage,
+                           translatable("drillwave::Message", "--si and --dimensionless exclude each other"));
     return arguments.has("dimensionless") ? OutputUnits::dimensionless : OutputUnits::si;
 }
 
@@ -44,8 +39,9 @@ int drillCells(const Arguments& arguments, int usual) {
     if (!text) return usual;
     const std::optional<int> cells = wholeNumberIn<int>(*text);
     if (!cells || *cells < leastDrillingCells || *cells > mostDrillingCells)
-        throw CommandError(ExitCode::usage, "--cells " + shortened(*text) + " " +
-                                                wholeNumberProblem(leastDrillingCells, mostDrillingCells));
+        throw CommandError(ExitCode::usage,
+                           Message("%1 %2", {"--cells " + shortened(*text),
+                                             wholeNumberProblem(leastDrillingCells, mostDrillingCells)}));
     return *cells;
 }
 
@@ -53,44 +49,53 @@ std::optional<BlowRange> drillHistories(const Arguments& arguments, const std::o
                                         const DrillingSettings& settings) {
     const std::optional<std::string> text = arguments.value("histories");
     if (!text) return std::nullopt;
-    const auto wrong = [&](const std::string& reason) {
-        throw CommandError(ExitCode::usage, "--histories " + shortened(*text) + " " + reason);
+    const auto wrong = [&](const char* pattern) {
+        throw CommandError(ExitCode::usage,
+                           Message(pattern, {shortened(*text), std::to_string(settings.blows)}));
     };
-    if (!out || *out == "-" || out->ends_with(".csv")) wrong("needs a folder: add -o DIR");
+    if (!out || *out == "-" || out->ends_with(".csv"))
+        wrong(translatable("drillwave::Message", "--histories %1 needs a folder: add -o DIR"));
     const std::size_t colon = text->find(':');
     const std::optional<long> first = wholeNumberIn<long>(text->substr(0, colon));
     const std::optional<long> last =
         colon == std::string::npos ? first : wholeNumberIn<long>(text->substr(colon + 1));
     if (!first || !last || *first < 1 || *last < *first || *last > settings.blows)
-        wrong("must be A:B, blows from 1 to " + std::to_string(settings.blows));
+        wrong(translatable("drillwave::Message", "--histories %1 must be A:B, blows from 1 to %2"));
     return BlowRange{*first, *last};
 }
 
-void refuseDrill(const std::vector<std::string>& problems, const std::string& path) {
-    if (problems.empty()) return;
-    std::vector<std::string> lines;
-    for (const std::string& problem : problems) lines.push_back(inputName(path) + ": " + problem);
-    throw CommandError(ExitCode::invalidScenario, std::move(lines));
+void refuseDrill(const std::vector<Message>& problems, const std::string& path) {
+    if (!problems.empty())
+        throw CommandError(ExitCode::invalidScenario, eachAbout(inputName(path), problems));
 }
 
 void checkDrillWork(double work, const Arguments& arguments) {
     const double permitted = permittedWork(arguments);
+    const ReadingStyle& style = arguments.style();
     if (work <= permitted) return;
-    throw CommandError(ExitCode::unsolvedOrFailed,
-                       "it takes " + rounded(work, 3) + " cells times nodes, more than the " +
-                           rounded(permitted, 3) + " permitted, about " +
-                           inHandyUnit(work / workOfSecond, Quantity::time, 2) +
-                           "; fewer blows or --cells take less, --work-limit permits more");
+    throw CommandError(
+        ExitCode::unsolvedOrFailed,
+        Message(translatable("drillwave::Message",
+                             "it takes %1 cells times nodes, more than the %2 permitted, about %3; fewer "
+                             "blows or --cells take less, --work-limit permits more"),
+                {style.number(work, 3), style.number(permitted, 3),
+                 style.quantity(work / workOfSecond, Quantity::time, 2)}));
 }
 
-void remarkOnUnusedOfDrill(const Scenario& scenario, const std::string& path) {
+void remarkOnUnusedOfDrill(const Scenario& scenario, const std::string& path, const ReadingStyle& style) {
     const Drill& drill = scenario.drill;
+    const std::string name = inputName(path);
     if (scenario.drillString.endTime)
-        printRemark(inputName(path) + ": end_time counts for single blows, not here");
+        printRemark(
+            about(name, translatable("drillwave::Message", "end_time counts for single blows, not here")),
+            style);
     if (drill.machineMass.value_or(0) > 0 && drill.damperDamping.value_or(0) == 0 &&
         drill.damperStiffness.value_or(0) == 0)
-        printRemark(inputName(path) +
-                    ": machine_mass without a damper: the machine presses with a constant force");
+        printRemark(
+            about(name,
+                  translatable("drillwave::Message",
+                               "machine_mass without a damper: the machine presses with a constant force")),
+            style);
 }
 
 }  // namespace drillwave

@@ -24,12 +24,12 @@ std::optional<BlowRange> drillHistories(const Arguments& arguments, const std::o
                                         const DrillingSettings& settings);
 
 /// Throws CommandError (invalid scenario) with a line for each problem where there are any.
-void refuseDrill(const std::vector<std::string>& problems, const std::string& path);
+void refuseDrill(const std::vector<Message>& problems, const std::string& path);
 
 /// Throws CommandError (unsolved or failed) where it takes more cells times nodes than --work-limit permits.
 void checkDrillWork(double work, const Arguments& arguments);
 
 /// Says on stderr what of the scenario counts for nothing here.
-void remarkOnUnusedOfDrill(const Scenario& scenario, const std::string& path);
+void remarkOnUnusedOfDrill(const Scenario& scenario, const std::string& path, const ReadingStyle& style);
 
 }  // namespace drillwave

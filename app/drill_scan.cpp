@@ -50,9 +50,12 @@ void checkAnswers(const DrillingScan& scan, const std::string& path) {
         if (failed++ == 0) reason = point.result.reason;
     }
     if (failed == 0) return;
-    throw CommandError(ExitCode::unsolvedOrFailed,
-                       path + ": " + std::to_string(failed) + " of " + std::to_string(scan.points.size()) +
-                           " rows could not be solved: their cells are empty; the first: " + reason);
+    throw CommandError(
+        ExitCode::unsolvedOrFailed,
+        Message(
+            translatable("drillwave::Message",
+                         "%1: %2 of %3 rows could not be solved: their cells are empty; the first: %4"),
+            {path, std::to_string(failed), std::to_string(scan.points.size()), Message::ofTable(reason)}));
 }
 
 }  // namespace
@@ -62,13 +65,16 @@ ExitCode runDrillScan(const Arguments& arguments, const ScenarioDocument& docume
     const OutputUnits units = drillUnits(arguments);
     const std::string word = *arguments.value("scan");
     const ParsedAxis parsed = parseAxis(word);
-    if (!parsed.problem.empty()) throw CommandError(ExitCode::usage, "--scan: " + parsed.problem);
+    if (!parsed.problem.isEmpty()) throw CommandError(ExitCode::usage, about("--scan", parsed.problem));
     const SweepAxis& axis = parsed.axis;
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     if (plots.areWanted() && !axis.parameter)
-        throw CommandError(ExitCode::usage, "--plots: a scan over " + std::string(axis.key()) +
-                                                " has words on its axis and no "
-                                                "picture; scan a number");
+        throw CommandError(
+            ExitCode::usage,
+            Message(
+                translatable("drillwave::Message",
+                             "--plots: a scan over %1 has words on its axis and no picture; scan a number"),
+                {std::string(axis.key())}));
     checkNotSet(arguments, document.scenario, std::span(&axis, 1), std::vector{quotedAxis("scan", word)});
     DrillingSettings settings = scanSettingsOf(document.scenario);
     settings.cells = drillCells(arguments, scanCells);
@@ -82,13 +88,14 @@ ExitCode runDrillScan(const Arguments& arguments, const ScenarioDocument& docume
         if (file && *file != "-") checkDrillRows(*file, path, document, overwrite);
     plots.check(path, document, overwrite);
     if (out && gaps && *out == *gaps)
-        throw CommandError(ExitCode::usage, "-o and --gaps name one file; give two");
+        throw CommandError(ExitCode::usage,
+                           translatable("drillwave::Message", "-o and --gaps name one file; give two"));
     const int jobs = jobsOf(arguments);
     checkStandardOutput();
     const Interruption interruption;
-    remarkOnValues(document.scenario, path);
-    remarkOnUnusedOfDrill(first, path);
-    ProgressBar bar(axis.count, "values");
+    remarkOnValues(document.scenario, path, arguments.style());
+    remarkOnUnusedOfDrill(first, path, arguments.style());
+    ProgressBar bar(axis.count, translatable("drillwave::Message", "values"), arguments.style());
     std::uint64_t done = 0;
     DrillingScanReport report{
         .scan = scanDrilling(

@@ -18,9 +18,14 @@ const Example& namedExample(const std::string& name) {
     std::vector<std::string_view> names;
     for (const Example& example : builtInExamples()) names.push_back(example.name);
     const std::string near(nearestName(name, names));
-    throw CommandError(ExitCode::usage, "`" + shortened(name) + "` is not an example; " +
-                                            (near.empty() ? "`drillwave examples` lists them"
-                                                          : "did you mean `" + near + "`?"));
+    if (near.empty())
+        throw CommandError(ExitCode::usage,
+                           Message(translatable("drillwave::Message",
+                                                "`%1` is not an example; `drillwave examples` lists them"),
+                                   {shortened(name)}));
+    throw CommandError(ExitCode::usage, Message(translatable("drillwave::Message",
+                                                             "`%1` is not an example; did you mean `%2`?"),
+                                                {shortened(name), near}));
 }
 
 std::vector<Example> chosenExamples(const Arguments& arguments) {
@@ -66,7 +71,8 @@ ExitCode runExamples(const Arguments& arguments, const Drawing*) {
         return ExitCode::done;
     }
     if (arguments.has("force"))
-        throw CommandError(ExitCode::usage, "--force is about the files of -o; add -o DIR");
+        throw CommandError(ExitCode::usage, translatable("drillwave::Message",
+                                                         "--force is about the files of -o; add -o DIR"));
     OutputFile out("-", Overwrite::allowed);
     if (directory)
         print(examples, out);

@@ -20,14 +20,18 @@ std::string drawn(const Drawing& drawing, const Figure& figure, std::string_view
     std::string bytes = drawing.figure(figure, format);
     if (bytes.empty())
         throw CommandError(ExitCode::internalError,
-                           "Fig. " + std::to_string(figure.number) + " could not be drawn");
+                           Message(translatable("drillwave::Message", "Fig. %1 could not be drawn"),
+                                   {std::to_string(figure.number)}));
     return bytes;
 }
 
 /// Those of --plots; PNG and SVG without.
 std::vector<std::string> formatsOf(const Arguments& arguments) {
     if (arguments.has("plots") && arguments.value("o").value_or("-") == "-")
-        throw CommandError(ExitCode::usage, "--plots is about files; add -o DIR to say where they go");
+        throw CommandError(
+            ExitCode::usage,
+            Message(translatable("drillwave::Message", "%1 is about files; add -o %2 to say where they go"),
+                    {std::string("--plots"), std::string("DIR")}));
     std::vector<std::string> formats = plotFormats(arguments);
     return formats.empty() ? std::vector<std::string>{"png", "svg"} : formats;
 }
@@ -66,7 +70,9 @@ FolderFiles filesOf(const std::vector<Figure>& figures, const std::vector<Discre
 
 ExitCode runFigures(const Arguments& arguments, const Drawing* drawing) {
     const std::optional<std::string> directory = arguments.value("o");
-    if (!directory) throw CommandError(ExitCode::usage, "needs -o DIR, the folder for the figures");
+    if (!directory)
+        throw CommandError(ExitCode::usage,
+                           translatable("drillwave::Message", "needs -o DIR, the folder for the figures"));
     const std::vector<std::string> formats = formatsOf(arguments);
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const Interruption interruption;

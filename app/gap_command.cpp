@@ -26,19 +26,21 @@ double gapOf(const Arguments& arguments, const char* option, const Scenario& sce
     const bool dimensional = hasUnits(scenario);
     const Quantity quantity = dimensional ? Quantity::length : Quantity::ratio;
     const TypedQuantity typed = parseQuantity(text, quantity, BareNumber::refused, findUnit(quantity, "mm"));
-    const auto refuse = [&](const std::string& reason) {
+    const auto refuse = [&](const Message& reason) {
         throw CommandError(ExitCode::invalidScenario,
-                           std::string("--") + option + " = " + shortened(text) + " (" + reason + ")");
+                           refusedValue(std::string("--") + option, shortened(text), reason));
     };
-    if (!typed.valid()) refuse(typed.problem.text());
+    if (!typed.valid()) refuse(typed.problem);
     const double scale = dimensional ? scalesOf(scenario).penetration : 1;
     const auto shown = [&](double gap) {
         return dimensional ? formatNumber(gap * scale * 1000) + " mm" : formatNumber(gap);
     };
     const double gap = typed.si / scale;
-    if (!(gap >= least && gap <= most))
-        refuse("must be from " + shown(least) + " to " + shown(most) +
-               (dimensional ? ", d0 being " + shown(1) : std::string()));
+    if (gap >= least && gap <= most) return gap;
+    if (dimensional)
+        refuse({translatable("drillwave::Message", "must be from %1 to %2, d0 being %3"),
+                {shown(least), shown(most), shown(1)}});
+    refuse({translatable("drillwave::Message", "must be from %1 to %2"), {shown(least), shown(most)}});
     return gap;
 }
 
@@ -46,8 +48,10 @@ std::optional<NormalGap> normalOf(const Arguments& arguments, const Scenario& sc
     constexpr double mostMean = 1e6;
     if (!arguments.has("gap-deviation")) {
         if (arguments.has("gap-mean"))
-            throw CommandError(ExitCode::usage,
-                               "--gap-mean needs --gap-deviation, how far gaps scatter about it");
+            throw CommandError(
+                ExitCode::usage,
+                translatable("drillwave::Message",
+                             "--gap-mean needs --gap-deviation, how far gaps scatter about it"));
         return std::nullopt;
     }
     NormalGap normal;
@@ -58,9 +62,9 @@ std::optional<NormalGap> normalOf(const Arguments& arguments, const Scenario& sc
     return normal;
 }
 
-GapReport study(const Scenario& scenario, const std::optional<NormalGap>& normal,
+GapReport study(const Scenario& scenario, const std::optional<NormalGap>& normal, const ReadingStyle& style,
                 const Interruption& interruption) {
-    ShareBar bar;
+    ShareBar bar(style);
     GapReport report = studyGap(scenario, normal, interruption.token(), bar.progress());
     interruption.check();
     return report;
@@ -71,23 +75,32 @@ ExitCode runGap(const Arguments& arguments, const Drawing* drawing) {
     const std::optional<std::string> csvPath = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     if (arguments.has("force") && !csvPath)
-        throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+        throw CommandError(ExitCode::usage, translatable("drillwave::Message",
+                                                         "--force is about the file of -o; add -o FILE.csv"));
     if (csvPath == "-" && arguments.has("json"))
-        throw CommandError(ExitCode::usage, "--json and -o - would both print to standard output; take one");
+        throw CommandError(ExitCode::usage,
+                           translatable("drillwave::Message",
+                                        "--json and -o - would both print to standard output; take one"));
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const OutputUnits units = arguments.has("si") ? OutputUnits::si : OutputUnits::dimensionless;
     if (arguments.has("si") && !csvPath)
-        throw CommandError(ExitCode::usage, "--si is about the file of -o; add -o FILE.csv");
+        throw CommandError(ExitCode::usage, translatable("drillwave::Message",
+                                                         "--si is about the file of -o; add -o FILE.csv"));
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
     if (!gapHasPeriod(document.scenario))
-        throw CommandError(ExitCode::invalidScenario,
-                           inputName(path) +
-                               ": is a drill string, and this command solves uniform rods alone (`drillwave: "
-                               "1`); `drillwave "
-                               "curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap");
+        throw CommandError(
+            ExitCode::invalidScenario,
+            about(inputName(path),
+                  translatable(
+                      "drillwave::Message",
+                      "is a drill string, and this command solves uniform rods alone (`drillwave: 1`); "
+                      "`drillwave curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap")));
     if (units == OutputUnits::si && !hasUnits(document.scenario))
-        throw CommandError(ExitCode::usage,
-                           "--si: " + path + " is given by its dimensionless groups and has no SI units");
+        throw CommandError(
+            ExitCode::usage,
+            Message(translatable("drillwave::Message",
+                                 "--si: %1 is given by its dimensionless groups and has no SI units"),
+                    {path}));
     const std::optional<NormalGap> normal = normalOf(arguments, document.scenario);
     if (csvPath) {
         checkOutputIsNoInput(*csvPath, path, document);
@@ -97,12 +110,14 @@ ExitCode runGap(const Arguments& arguments, const Drawing* drawing) {
 
     if (csvPath != "-") checkStandardOutput();
     const Interruption interruption;
-    remarkOnValues(document.scenario, path);
-    GapReport report = study(document.scenario, normal, interruption);
+    remarkOnValues(document.scenario, path, arguments.style());
+    GapReport report = study(document.scenario, normal, arguments.style(), interruption);
     report.scenarioText = completeScenarioText(document);
     if (!report.curve.isComplete())
-        throw CommandError(ExitCode::unsolvedOrFailed,
-                           path + ": could not be solved at all gaps: " + report.curve.reason);
+        throw CommandError(
+            ExitCode::unsolvedOrFailed,
+            Message(translatable("drillwave::Message", "%1: could not be solved at all gaps: %2"),
+                    {path, Message::ofTable(report.curve.reason)}));
     if (csvPath)
         writeStudy(*csvPath, scenarioHeader(report.scenarioText) + gapCsv(report, units),
                    plots.draw(&report, drawing, interruption), overwrite, interruption);

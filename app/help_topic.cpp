@@ -65,8 +65,13 @@ std::string chapterText(std::span<const std::string> words, std::size_t width) {
     for (const ManualBlock& block : blocks)
         if (block.kind == Kind::heading && block.level == 2 && !sectionNumber(block.text).empty())
             there += (there.empty() ? "" : ", ") + std::string(sectionNumber(block.text));
-    throw CommandError(ExitCode::usage, "`" + shortened(words[1]) + "` is not a section of " + chapter->name +
-                                            (there.empty() ? "" : ", which has " + there));
+    if (there.empty())
+        throw CommandError(ExitCode::usage,
+                           Message(translatable("drillwave::Message", "`%1` is not a section of %2"),
+                                   {shortened(words[1]), chapter->name}));
+    throw CommandError(ExitCode::usage, Message(translatable("drillwave::Message",
+                                                             "`%1` is not a section of %2, which has %3"),
+                                                {shortened(words[1]), chapter->name, there}));
 }
 
 /// Of a number, an output or a word, by its name, or by its symbol.
@@ -160,10 +165,17 @@ std::string topicText(std::span<const std::string> words, std::size_t width, con
     if (words.size() == 1 && text.empty()) add(rowText(name, width));
     if (!text.empty()) return text;
     const std::string near = nearest(name);
-    throw CommandError(ExitCode::usage, "`" + shortened(name) +
-                                            "` is neither a command nor a chapter, parameter or output" +
-                                            (near.empty() ? std::string() : "; near it " + near) +
-                                            "; `drillwave help` says what there is");
+    if (near.empty())
+        throw CommandError(ExitCode::usage,
+                           Message(translatable("drillwave::Message",
+                                                "`%1` is neither a command nor a chapter, parameter or "
+                                                "output; `drillwave help` says what there is"),
+                                   {shortened(name)}));
+    throw CommandError(ExitCode::usage,
+                       Message(translatable("drillwave::Message",
+                                            "`%1` is neither a command nor a chapter, parameter or output; "
+                                            "near it %2; `drillwave help` says what there is"),
+                               {shortened(name), near}));
 }
 
 }  // namespace drillwave

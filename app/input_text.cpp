@@ -26,12 +26,16 @@ std::string reason(int error) {
 /// Something that is read once, from its beginning to its end.
 class Pipe {
   public:
-    explicit Pipe(const std::string& path)
+    Pipe(const std::string& path, const ReadingStyle& style)
         : m_isOwn(!isStandardInput(path)),
           m_descriptor(m_isOwn ? ::open(path.c_str(), O_RDONLY | O_CLOEXEC) : STDIN_FILENO) {
-        if (m_descriptor < 0) m_problem = "cannot be opened: " + reason(errno);
+        if (m_descriptor < 0)
+            m_problem = {translatable("drillwave::Message", "cannot be opened: %1"), {reason(errno)}};
         if (!m_isOwn && ::isatty(STDIN_FILENO) == 1)
-            std::fputs("reading standard input; end it with Ctrl-D\n", stderr);
+            std::fprintf(
+                stderr, "%s\n",
+                style.said(translatable("drillwave::Message", "reading standard input; end it with Ctrl-D"))
+                    .c_str());
     }
     ~Pipe() {
         if (m_isOwn && m_descriptor >= 0) ::close(m_descriptor);
@@ -41,19 +45,20 @@ class Pipe {
 
     /// Up to `most` of the next bytes; 0 at the end and where there is a problem().
     std::size_t read(char* bytes, std::size_t most) {
-        while (m_problem.empty()) {
+        while (m_problem.isEmpty()) {
             const ssize_t got = ::read(m_descriptor, bytes, most);
             if (got >= 0) return static_cast<std::size_t>(got);
-            if (errno != EINTR) m_problem = "cannot be read: " + reason(errno);
+            if (errno != EINTR)
+                m_problem = {translatable("drillwave::Message", "cannot be read: %1"), {reason(errno)}};
         }
         return 0;
     }
-    const std::string& problem() const { return m_problem; }
+    const Message& problem() const { return m_problem; }
 
   private:
     bool m_isOwn;
     int m_descriptor;
-    std::string m_problem;
+    Message m_problem;
 };
 
 /// Standard input, a pipe or a terminal: what can be read only once.
@@ -96,9 +101,9 @@ std::string inputName(const std::string& path) {
     return isStandardInput(path) || path == "/dev/stdin" ? "standard input" : path;
 }
 
-FileBytes readInput(const std::string& path, std::size_t most) {
+FileBytes readInput(const std::string& path, std::size_t most, const ReadingStyle& style) {
     if (!isPipe(path)) return readStart(path, most);
-    Pipe pipe(path);
+    Pipe pipe(path, style);
     std::string bytes;
     std::array<char, chunkBytes> chunk{};
     while (bytes.size() < most) {
@@ -106,7 +111,7 @@ FileBytes readInput(const std::string& path, std::size_t most) {
         if (got == 0) break;
         bytes.append(chunk.data(), got);
     }
-    if (!pipe.problem().empty()) return {{}, pipe.problem()};
+    if (!pipe.problem().isEmpty()) return {{}, pipe.problem()};
     return {std::move(bytes), {}};
 }
 
@@ -114,50 +119,58 @@ RereadableInput::Buffer::int_type RereadableInput::Buffer::underflow() {
     try {
         return std::filebuf::underflow();
     } catch (const std::ios_base::failure& failure) {
-        throw CommandError(ExitCode::unreadableInput, m_name +
-                                                          ": cannot be read: " + failure.code().message() +
-                                                          "; copy it to another disk, or get it anew");
+        throw CommandError(
+            ExitCode::unreadableInput,
+            Message(translatable("drillwave::Message",
+                                 "%1: cannot be read: %2; copy it to another disk, or get it anew"),
+                    {m_name, failure.code().message()}));
     }
 }
 
-RereadableInput::RereadableInput(const std::string& path, std::uint64_t most) : m_buffer(inputName(path)) {
-    const auto refuse = [&](const std::string& problem) {
-        throw CommandError(ExitCode::unreadableInput, inputName(path) + ": " + problem);
+RereadableInput::RereadableInput(const std::string& path, std::uint64_t most, const ReadingStyle& style)
+    : m_buffer(inputName(path)) {
+    const auto refuse = [&](const Message& problem) {
+        throw CommandError(ExitCode::unreadableInput, about(inputName(path), problem));
     };
     if (isPipe(path)) {
-        keep(path, most);
+        keep(path, most, style);
         return;
     }
     struct stat status {};
-    if (::stat(path.c_str(), &status) != 0) refuse("cannot be opened: " + reason(errno));
-    if (!S_ISREG(status.st_mode)) refuse("is not a regular file; write the rows to a file first");
+    if (::stat(path.c_str(), &status) != 0)
+        refuse({translatable("drillwave::Message", "cannot be opened: %1"), {reason(errno)}});
+    if (!S_ISREG(status.st_mode))
+        refuse(translatable("drillwave::Message", "is not a regular file; write the rows to a file first"));
     if (!m_buffer.open(path, std::ios::in | std::ios::binary))
-        refuse("cannot be opened for reading; check its permissions");
+        refuse(translatable("drillwave::Message", "cannot be opened for reading; check its permissions"));
 }
 
-void RereadableInput::keep(const std::string& path, std::uint64_t most) {
+void RereadableInput::keep(const std::string& path, std::uint64_t most, const ReadingStyle& style) {
     const TemporaryFile kept;
     const auto refuse = [&](const std::string& problem) {
-        throw CommandError(ExitCode::unwritableOutput, inputName(path) + ": cannot be kept in " +
-                                                           temporaryFolder() + ": " + problem +
-                                                           "; set TMPDIR to a folder with more room");
+        throw CommandError(
+            ExitCode::unwritableOutput,
+            Message(translatable("drillwave::Message",
+                                 "%1: cannot be kept in %2: %3; set TMPDIR to a folder with more room"),
+                    {inputName(path), temporaryFolder(), problem}));
     };
     if (kept.descriptor < 0) refuse(reason(errno));
-    Pipe pipe(path);
+    Pipe pipe(path, style);
     std::array<char, chunkBytes> chunk{};
     std::uint64_t bytes = 0;
     while (const std::size_t got = pipe.read(chunk.data(), chunk.size())) {
         bytes += got;
         if (bytes > most)
             throw CommandError(ExitCode::unreadableInput,
-                               inputName(path) + ": is longer than " + std::to_string(most >> 20) +
-                                   " MiB, the most that is kept of what is not a file; write its rows to a "
-                                   "file first");
+                               Message(translatable("drillwave::Message",
+                                                    "%1: is longer than %2 MiB, the most that is kept of "
+                                                    "what is not a file; write its rows to a file first"),
+                                       {inputName(path), std::to_string(most >> 20)}));
         if (const WriteFailure failure = writeAll(kept.descriptor, {chunk.data(), got}))
             refuse(failure.reason);
     }
-    if (!pipe.problem().empty())
-        throw CommandError(ExitCode::unreadableInput, inputName(path) + ": " + pipe.problem());
+    if (!pipe.problem().isEmpty())
+        throw CommandError(ExitCode::unreadableInput, about(inputName(path), pipe.problem()));
     // The name goes at once, the rows when the stream is closed: nothing can be left behind.
     if (!m_buffer.open(kept.name, std::ios::in | std::ios::binary)) refuse(reason(errno));
 }

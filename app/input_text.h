@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/disk/file_bytes.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
@@ -19,8 +20,8 @@ bool isStandardInput(const std::string& path);
 std::string inputName(const std::string& path);
 
 /// No more than the first `most` bytes of a file, of standard input ("-") or of a pipe. Waits for a pipe to
-/// be written to.
-FileBytes readInput(const std::string& path, std::size_t most);
+/// be written to, which is said in that style.
+FileBytes readInput(const std::string& path, std::size_t most, const ReadingStyle& style);
 
 /// Rows that are read twice, once to be checked and once to be solved. Those of a pipe are kept in a
 /// temporary file meanwhile, in bounded memory and on a bounded part of the disk.
@@ -31,7 +32,8 @@ class RereadableInput {
 
     /// Keeps up to `most` bytes of a pipe. Throws CommandError: unreadable input, of a pipe also one that is
     /// longer; unwritable output where there is no room for a temporary file.
-    explicit RereadableInput(const std::string& path, std::uint64_t most = mostKept);
+    explicit RereadableInput(const std::string& path, std::uint64_t most = mostKept,
+                             const ReadingStyle& style = plainStyle());
 
     /// At the beginning. Throws CommandError (unreadable input) where the disk cannot be read any further.
     std::istream& stream() { return m_stream; }
@@ -49,7 +51,7 @@ class RereadableInput {
         std::string m_name;
     };
 
-    void keep(const std::string& path, std::uint64_t most);
+    void keep(const std::string& path, std::uint64_t most, const ReadingStyle& style);
 
     Buffer m_buffer;
     std::istream m_stream{&m_buffer};

@@ -7,7 +7,7 @@
 #include <array>
 #include <cerrno>
 #include <csignal>
-#include <string_view>
+#include <string>
 #include <system_error>
 
 #include "app/open_files.h"
@@ -19,6 +19,8 @@ namespace {
 // Requesting a stop takes locks, which a signal handler may not: it writes a byte that a thread is waiting
 // for.
 int wakeUp[2] = {-1, -1};
+/// A signal handler cannot look for words.
+std::string lineOfInterruption = "drillwave: interrupted\n";
 constexpr char interrupted = 'i';
 constexpr char ended = 'e';
 
@@ -33,8 +35,8 @@ void onSignal(int) {
 }
 
 void exitAtOnce(int) {
-    constexpr std::string_view words = "drillwave: interrupted\n";
-    [[maybe_unused]] const auto written = ::write(STDERR_FILENO, words.data(), words.size());
+    [[maybe_unused]] const auto written =
+        ::write(STDERR_FILENO, lineOfInterruption.data(), lineOfInterruption.size());
     ::_exit(static_cast<int>(ExitCode::interrupted));
 }
 
@@ -63,6 +65,10 @@ void handleOnce(void (*handler)(int)) {
 
 }  // namespace
 
+void speakOnInterruption(const ReadingStyle& style) {
+    lineOfInterruption = "drillwave: " + style.said(translatable("drillwave::Message", "interrupted")) + "\n";
+}
+
 void holdInterruptions() {
     const sigset_t set = interruptionSet();
     ::sigprocmask(SIG_BLOCK, &set, nullptr);
@@ -89,8 +95,12 @@ Interruption::Interruption() {
         m_watcher = std::jthread(watch);
     } catch (const std::system_error& error) {
         exitOnInterruption();
-        throw CommandError(ExitCode::internalError, "no thread can be started: " + error.code().message() +
-                                                        "; raise the limit of processes or memory (ulimit)");
+        throw CommandError(
+            ExitCode::internalError,
+            Message(
+                translatable("drillwave::Message",
+                             "no thread can be started: %1; raise the limit of processes or memory (ulimit)"),
+                {error.code().message()}));
     }
 }
 
@@ -110,7 +120,8 @@ void Interruption::ignoreFromNowOn() const {
 
 void Interruption::check() const {
     if (m_source.stop_requested())
-        throw CommandError(ExitCode::interrupted, "interrupted; no output was left behind");
+        throw CommandError(ExitCode::interrupted,
+                           translatable("drillwave::Message", "interrupted; no output was left behind"));
 }
 
 }  // namespace drillwave

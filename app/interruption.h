@@ -5,11 +5,16 @@
 #include <stop_token>
 #include <thread>
 
+#include "core/text/handy_text.h"
+
 namespace drillwave {
 
 /// From here on the first SIGINT, SIGTERM or, unless it is ignored (nohup), SIGHUP ends the program with
 /// ExitCode::interrupted, in one line: there is nothing yet that could be left behind.
 void exitOnInterruption();
+
+/// In which style that line is.
+void speakOnInterruption(const ReadingStyle& style);
 
 /// Keeps these signals waiting until exitOnInterruption(), also in the program that this one goes on as.
 void holdInterruptions();

@@ -27,30 +27,39 @@ struct JoinedPart {
     std::string command;  ///< "drillwave sweep"
 };
 
-[[noreturn]] void refuse(const std::string& file, const std::string& reason) {
-    throw CommandError(ExitCode::unreadableInput, std::vector{file + ": " + reason});
+[[noreturn]] void refuse(const std::string& file, const Message& reason) {
+    throw CommandError(ExitCode::unreadableInput, std::vector{about(file, reason)});
+}
+
+[[noreturn]] void refuseCommand(const RowPart& part, const Message& reason) {
+    refuse(recordName(part.file),
+           {translatable("drillwave::Message", "its command is none of this version: %1"), {reason}});
 }
 
 Arguments argumentsOf(const RowPart& part, std::string& command) {
     const std::vector<std::string> words = shellWords(part.command);
     const Command* found = words.size() > 1 ? findCommand(words[1]) : nullptr;
-    if (!found) refuse(recordName(part.file), "its command is none of this version: " + part.command);
+    if (!found) refuseCommand(part, part.command);
     command = words[0] + " " + words[1];
     try {
         return Arguments::parse(std::span(words).subspan(2), found->options);
     } catch (const CommandError& error) {
-        refuse(recordName(part.file), "its command is none of this version: " + error.lines().front());
+        refuseCommand(part, error.messages().front());
     }
 }
 
 JoinedPart loadPart(const std::string& file) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error))
-        refuse(file, std::filesystem::exists(file, error) ? "is no file of rows" : "the part is not there");
+        refuse(file, std::filesystem::exists(file, error)
+                         ? translatable("drillwave::Message", "is no file of rows")
+                         : translatable("drillwave::Message", "the part is not there"));
     const std::string record = recordName(file);
     const FileBytes bytes = readFile(record, maximumInputBytes);
-    if (!bytes.problem.empty())
-        refuse(record, bytes.problem + "; a part needs the record that was written with it");
+    if (!bytes.problem.isEmpty())
+        refuse(record,
+               {translatable("drillwave::Message", "%1; a part needs the record that was written with it"),
+                {bytes.problem}});
     try {
         JoinedPart loaded{parseRowPart(bytes.bytes, file), {}, {}};
         loaded.arguments = argumentsOf(loaded.part, loaded.command);
@@ -62,23 +71,27 @@ JoinedPart loadPart(const std::string& file) {
 
 /// In what a part differs from another, of one and the same run; empty where it does not. FILE may have
 /// another name: its scenario stands in the record.
-std::string difference(const JoinedPart& one, const JoinedPart& other) {
+Message difference(const JoinedPart& one, const JoinedPart& other) {
     if (std::string key = differingKey(one.part, other.part); !key.empty()) return key;
-    if (one.part.shard.count != other.part.shard.count) return "number of parts";
+    if (one.part.shard.count != other.part.shard.count)
+        return translatable("drillwave::Message", "number of parts");
     const bool isSame = one.command == other.command &&
                         one.arguments.optionsText(partOption) == other.arguments.optionsText(partOption);
-    return isSame ? std::string() : "command";
+    return isSame ? Message() : Message(translatable("drillwave::Message", "command"));
 }
 
 /// In their order. Throws where they are no whole.
 std::vector<JoinedPart> loadParts(const std::vector<std::string>& files) {
     std::vector<JoinedPart> loaded;
-    std::vector<std::string> problems;
+    std::vector<Message> problems;
     for (const std::string& file : files) {
         loaded.push_back(loadPart(file));
-        if (const std::string key = difference(loaded.front(), loaded.back()); !key.empty())
-            problems.push_back(file + ": is a part of another run than " + files.front() + ": its " + key +
-                               " differs; leave it out or run it again");
+        if (const Message key = difference(loaded.front(), loaded.back()); !key.isEmpty())
+            problems.emplace_back(
+                translatable(
+                    "drillwave::Message",
+                    "%1: is a part of another run than %2: its %3 differs; leave it out or run it again"),
+                std::vector<Message>{file, files.front(), key});
     }
     std::vector<RowPart> parts;
     for (const JoinedPart& one : loaded) parts.push_back(one.part);
@@ -115,18 +128,23 @@ void copyRows(const RowPart& part, OutputFile& out, const Interruption& interrup
         out.write(text);
         interruption.check();
     }
-    if (!stream.eof()) refuse(part.file, "cannot be read");
+    if (!stream.eof()) refuse(part.file, translatable("drillwave::Message", "cannot be read"));
     const std::uint64_t header = part.shard.hasHeader() ? 1 : 0;
     if (count.lines() == part.rows + header) return;
-    throw CommandError(ExitCode::invalidScenario,
-                       std::vector{part.file + ": has " + std::to_string(count.lines()) + " lines, but " +
-                                   std::to_string(part.rows + header) +
-                                   " by its record; it was changed or is of another run"});
+    throw CommandError(
+        ExitCode::invalidScenario,
+        std::vector{Message(
+            translatable("drillwave::Message",
+                         "%1: has %2 lines, but %3 by its record; it was changed or is of another run"),
+            {part.file, std::to_string(count.lines()), std::to_string(part.rows + header)})});
 }
 
 ExitCode runJoin(const Arguments& arguments, const Drawing*) {
     const std::optional<std::string> path = arguments.value("o");
-    if (!path) throw CommandError(ExitCode::usage, "needs -o FILE, where to write; - is standard output");
+    if (!path)
+        throw CommandError(
+            ExitCode::usage,
+            translatable("drillwave::Message", "needs -o FILE, where to write; - is standard output"));
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const std::vector<JoinedPart> parts = loadParts(arguments.operands());
     std::vector<std::string> inputs;
@@ -143,7 +161,7 @@ ExitCode runJoin(const Arguments& arguments, const Drawing*) {
     const Interruption interruption;
     OutputFile out(*path, overwrite);
     {
-        ProgressBar bar(rows, "rows");
+        ProgressBar bar(rows, translatable("drillwave::Message", "rows"), arguments.style());
         std::uint64_t copied = 0;
         for (const JoinedPart& one : parts) {
             copyRows(one.part, out, interruption);

@@ -39,7 +39,9 @@ int print(const std::string& text) {
     if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0)
         return static_cast<int>(ExitCode::done);
     const std::string reason = std::generic_category().message(errno);
-    throw CommandError(ExitCode::unwritableOutput, "standard output: cannot be written: " + reason);
+    throw CommandError(
+        ExitCode::unwritableOutput,
+        Message(translatable("drillwave::Message", "standard output: cannot be written: %1"), {reason}));
 }
 
 int printVersion() {
@@ -65,8 +67,10 @@ bool asksForVersion(std::span<const std::string> words) {
 /// Words that would be passed over are most likely meant for something else.
 void refuseMore(std::span<const std::string> words, std::size_t taken) {
     if (words.size() > taken)
-        throw CommandError(ExitCode::usage, "`" + shortened(words[taken]) +
-                                                "` is too much; `drillwave help` says what there is");
+        throw CommandError(ExitCode::usage,
+                           Message(translatable("drillwave::Message",
+                                                "`%1` is too much; `drillwave help` says what there is"),
+                                   {shortened(words[taken])}));
 }
 
 /// `drillwave version`.
@@ -96,6 +100,7 @@ int runCommand(const Command& command, std::span<const std::string> words, const
                char** argv) {
     if (asksForHelp(words)) return print(commandHelp(command, styleOf(language)));
     if (asksForVersion(words)) return printVersion();
+    speakOnInterruption(styleOf(language));
     exitOnInterruption();
     const Arguments arguments = parseArguments(command, words, language);
     const std::unique_ptr<const Drawing> drawing =
@@ -140,18 +145,8 @@ void occupyClosedStreams() {
         if (::fcntl(stream, F_GETFD) < 0) ::open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
 }
 
-int outOfMemory(const std::string& who) {
-    std::fprintf(
-        stderr,
-        "%sout of memory: this needs more than is free, or than a limit (ulimit -v, -d) permits; raise "
-        "it, use fewer threads (-j 1) or ask for less at once\n",
-        who.c_str());
-    return static_cast<int>(ExitCode::internalError);
-}
-
-int internalError(const std::string& who, const std::string& what) {
-    std::fprintf(stderr, "%sinternal error: %s; please report it with the command that led to it\n",
-                 who.c_str(), what.c_str());
+int internalError(const std::string& who, const Message& what, const ReadingStyle& style) {
+    std::fprintf(stderr, "%s%s\n", who.c_str(), style.said(what).c_str());
     return static_cast<int>(ExitCode::internalError);
 }
 
@@ -184,8 +179,19 @@ int main(int argc, char** argv) {
         return report(who, CommandError(ExitCode::invalidScenario, error.messages()), words,
                       styleOf(*language));
     } catch (const std::bad_alloc&) {
-        return outOfMemory(who);
+        return internalError(
+            who,
+            translatable(
+                "drillwave::Message",
+                "out of memory: this needs more than is free, or than a limit (ulimit -v, -d) permits; raise "
+                "it, use fewer threads (-j 1) or ask for less at once"),
+            styleOf(*language));
     } catch (const std::exception& error) {
-        return internalError(who, error.what());
+        return internalError(
+            who,
+            {translatable("drillwave::Message",
+                          "internal error: %1; please report it with the command that led to it"),
+             {std::string(error.what())}},
+            styleOf(*language));
     }
 }

@@ -24,17 +24,22 @@ namespace {
 SweepAxis axisOf(const Arguments& arguments, const std::string& option) {
     const std::optional<std::string> word = arguments.value(option);
     if (!word)
-        throw CommandError(ExitCode::usage, "needs --x KEY=START:STOP:COUNT[:log] and --y likewise; --" +
-                                                option + " is missing");
+        throw CommandError(
+            ExitCode::usage,
+            Message(translatable("drillwave::Message",
+                                 "needs --x KEY=START:STOP:COUNT[:log] and --y likewise; %1 is missing"),
+                    {"--" + option}));
     return axisArgument(option, *word);
 }
 
 OutputColumn outputOf(const Arguments& arguments, OutputUnits units) {
     const OutputChoice choice = chooseOutputs(arguments.value("output").value_or("cor"), units);
-    if (!choice.problem.empty()) throw CommandError(ExitCode::usage, "--output: " + choice.problem);
+    if (!choice.problem.isEmpty()) throw CommandError(ExitCode::usage, about("--output", choice.problem));
     if (choice.columns.size() != 1)
-        throw CommandError(ExitCode::usage,
-                           "--output: a map has one output; for several take `drillwave sweep`");
+        throw CommandError(
+            ExitCode::usage,
+            translatable("drillwave::Message",
+                         "--output: a map has one output; for several take `drillwave sweep`"));
     return choice.columns.front();
 }
 
@@ -53,13 +58,16 @@ MapFiles filesOf(const Arguments& arguments, const RowOptions& options, const Sc
     MapFiles files{options, {}};
     const bool hasFile = arguments.has("o") && !isStream(options.path);
     if (arguments.has("force") && (!arguments.has("o") || options.path == "-"))
-        throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+        throw CommandError(ExitCode::usage, translatable("drillwave::Message",
+                                                         "--force is about the file of -o; add -o FILE.csv"));
     if (isStream(options.path) && arguments.has("o"))
         for (const char* option : {"level", "json"})
             if (arguments.has(option))
-                throw CommandError(ExitCode::usage, std::string("--") + option +
-                                                        " has no place where -o - prints the map; give "
-                                                        "-o FILE.csv");
+                throw CommandError(
+                    ExitCode::usage,
+                    Message(translatable("drillwave::Message",
+                                         "%1 has no place where -o - prints the map; give -o FILE.csv"),
+                            {std::string("--") + option}));
     if (!hasFile) return files;
     checkRows(options, arguments.operands().front(), document);
     if (!arguments.has("level")) return files;
@@ -69,24 +77,25 @@ MapFiles filesOf(const Arguments& arguments, const RowOptions& options, const Sc
     return files;
 }
 
-MapReport solve(const MapStudy& study, const std::vector<double>& levels, int jobs,
+MapReport solve(const MapStudy& study, const std::vector<double>& levels, int jobs, const ReadingStyle& style,
                 const Interruption& interruption) {
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
     MapReport report{.study = study, .grid = {}, .contours = {}, .runTime = 0, .scenarioText = {}};
     {
-        ProgressBar bar(study.x.count * study.y.count, "points");
+        ProgressBar bar(study.x.count * study.y.count, translatable("drillwave::Message", "points"), style);
         report.grid = solveMap(study, jobs, interruption.token(),
                                [&](const MapGrid& soFar) { bar.show(soFar.done()); });
     }
     interruption.check();
     for (const double level : levels) {
         std::optional<ProgressBar> bar;
-        report.contours.push_back(contourOf(study, report.grid, level, jobs, interruption.token(),
-                                            [&](std::uint64_t placed, std::uint64_t crossings) {
-                                                if (!bar) bar.emplace(crossings, "contour points");
-                                                bar->show(placed);
-                                            }));
+        report.contours.push_back(contourOf(
+            study, report.grid, level, jobs, interruption.token(),
+            [&](std::uint64_t placed, std::uint64_t crossings) {
+                if (!bar) bar.emplace(crossings, translatable("drillwave::Message", "contour points"), style);
+                bar->show(placed);
+            }));
         interruption.check();
     }
     report.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
@@ -112,29 +121,35 @@ ExitCode judge(const MapReport& report, long workLimit) {
         .rows = report.grid.size(), .failed = report.grid.failed(), .failures = report.grid.failures()};
     for (const Contour& contour : report.contours)
         if (counts.failed == 0 && contour.unplaced > 0)
-            throw CommandError(ExitCode::unsolvedOrFailed,
-                               std::to_string(contour.unplaced) +
-                                   " points of a contour could not be placed: " + contour.reason);
+            throw CommandError(
+                ExitCode::unsolvedOrFailed,
+                Message(translatable("drillwave::Message", "%1 points of a contour could not be placed: %2"),
+                        {std::to_string(contour.unplaced), Message::ofTable(contour.reason)}));
     if (counts.failed == 0) return ExitCode::done;
-    throw CommandError(ExitCode::unsolvedOrFailed, std::to_string(counts.failed) + " of " +
-                                                       std::to_string(counts.rows) +
-                                                       " points could not be solved and have no output; " +
-                                                       reasonsOf(counts, "point", workLimit));
+    throw CommandError(ExitCode::unsolvedOrFailed,
+                       Message(translatable("drillwave::Message",
+                                            "%1 of %2 points could not be solved and have no output; %3"),
+                               {std::to_string(counts.failed), std::to_string(counts.rows),
+                                reasonsOf(counts, RowNoun::point, workLimit)}));
 }
 
 /// Of a part there are rows and nothing else.
 void checkPart(const Arguments& arguments) {
     if (!arguments.has("shard")) return;
     if (!arguments.has("o"))
-        throw CommandError(ExitCode::usage, "--shard: a part of a map has rows alone; add -o FILE.csv");
+        throw CommandError(
+            ExitCode::usage,
+            translatable("drillwave::Message", "--shard: a part of a map has rows alone; add -o FILE.csv"));
     for (const char* option : {"level", "json", "plots"})
         if (arguments.has(option))
             throw CommandError(ExitCode::usage,
-                               std::string("--") + option + " needs the map in one piece; leave out --shard");
+                               Message(translatable("drillwave::Message",
+                                                    "%1 needs the map in one piece; leave out --shard"),
+                                       {std::string("--") + option}));
 }
 
 ExitCode writePart(const MapStudy& study, const RowRecord& record, const RowOptions& options,
-                   const Interruption& interruption) {
+                   const ReadingStyle& style, const Interruption& interruption) {
     const Sweep rows{.base = study.base,
                      .axes = {study.x, study.y},
                      .columns = {study.output},
@@ -145,7 +160,7 @@ ExitCode writePart(const MapStudy& study, const RowRecord& record, const RowOpti
         return runSweep(rows, options.jobs, stop, sink, progress);
     };
     OutputFile out(options.path, options.overwrite);
-    return writeRows(run, record, options, out, interruption);
+    return writeRows(run, record, options, out, interruption, style);
 }
 
 ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
@@ -166,10 +181,8 @@ ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
                          .method = options.method,
                          .workLimit = options.workLimit};
     const std::vector<double> levels = levelsOf(arguments, study.output);
-    if (std::vector<std::string> problems = problemsOf(study); !problems.empty()) {
-        for (std::string& problem : problems) problem = path + ": " + problem;
-        throw CommandError(ExitCode::invalidScenario, std::move(problems));
-    }
+    if (std::vector<Message> problems = problemsOf(study); !problems.empty())
+        throw CommandError(ExitCode::invalidScenario, eachAbout(path, std::move(problems)));
     const MapFiles files = filesOf(arguments, options, base);
     if (!arguments.has("o") || options.path != "-") checkStandardOutput();
     plots.check(path, base, options.overwrite);
@@ -179,9 +192,9 @@ ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
         record.axes.push_back(recordedAxis(*axis, *arguments.value(option)));
 
     const Interruption interruption;
-    remarkOnValues(base.scenario, path);
-    if (arguments.has("shard")) return writePart(study, record, options, interruption);
-    MapReport report = solve(study, levels, options.jobs, interruption);
+    remarkOnValues(base.scenario, path, arguments.style());
+    if (arguments.has("shard")) return writePart(study, record, options, arguments.style(), interruption);
+    MapReport report = solve(study, levels, options.jobs, arguments.style(), interruption);
     report.scenarioText = record.scenario;
     if (arguments.has("o"))
         writeFiles(files, report, record, plots.draw(&report, drawing, interruption), interruption);

@@ -22,30 +22,38 @@ MethodChoice methodChoice(const Arguments& arguments, const std::optional<Method
         std::string known;
         for (const std::string_view one : methodNames())
             known += (known.empty() ? "" : ", ") + std::string(one);
-        throw CommandError(ExitCode::usage,
-                           "--method " + shortened(given) + ": is not known; choose from " + known);
+        throw CommandError(ExitCode::usage, Message(translatable("drillwave::Message",
+                                                                 "--method %1: is not known; choose from %2"),
+                                                    {shortened(given), known}));
     }
     choice.method = *method;
     if (arguments.has("segments") && choice.method != Method::lattice)
-        throw CommandError(ExitCode::usage, "--segments is about the lattice; add --method lattice");
+        throw CommandError(
+            ExitCode::usage,
+            translatable("drillwave::Message", "--segments is about the lattice; add --method lattice"));
     choice.lattice.segments = static_cast<int>(
         arguments.number("segments", choice.lattice.segments, minimumSegments, maximumSegments));
     return choice;
 }
 
+Message forUniformRods(const std::string& path) {
+    return {translatable("drillwave::Message", "%1: is for uniform rods; leave it out for a drill string"),
+            {path}};
+}
+
 void checkMethodOfString(const MethodChoice& choice, const Scenario& scenario, const std::string& path) {
     if (!isFollowedByEvents(scenario) && choice.method != Method::exact)
-        throw CommandError(ExitCode::usage, "--method " + std::string(name(choice.method)) + ": " + path +
-                                                ": is for uniform rods; leave it out for a drill string");
+        throw CommandError(ExitCode::usage,
+                           about("--method " + std::string(name(choice.method)), forUniformRods(path)));
 }
 
 void checkMethodApplies(const MethodChoice& choice, const Scenario& scenario, const std::string& path) {
     checkMethodOfString(choice, scenario, path);
     if (!isFollowedByEvents(scenario)) return;
-    const std::string refusal = methodRefusal(choice.method, problemOf(scenario));
-    if (!refusal.empty())
+    const Message refusal = methodRefusal(choice.method, problemOf(scenario));
+    if (!refusal.isEmpty())
         throw CommandError(ExitCode::usage,
-                           "--method " + std::string(name(choice.method)) + ": " + path + ": " + refusal);
+                           about("--method " + std::string(name(choice.method)), about(path, refusal)));
 }
 
 }  // namespace drillwave

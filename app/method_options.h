@@ -21,6 +21,9 @@ MethodChoice methodChoice(const Arguments& arguments, const std::optional<Method
 /// Throws CommandError (usage) if the method says nothing about this scenario, which `path` names.
 void checkMethodApplies(const MethodChoice& choice, const Scenario& scenario, const std::string& path);
 
+/// That a method or its option is not for the drill string that `path` names.
+Message forUniformRods(const std::string& path);
+
 /// Throws where a drill string was asked for by a method for uniform rods.
 void checkMethodOfString(const MethodChoice& choice, const Scenario& scenario, const std::string& path);
 

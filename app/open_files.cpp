@@ -11,8 +11,10 @@
 namespace drillwave {
 
 CommandError tooFewFiles(int reason) {
-    return {ExitCode::unwritableOutput, "nothing can be written: " + std::generic_category().message(reason) +
-                                            "; raise the limit of open files (ulimit -n)"};
+    return {ExitCode::unwritableOutput,
+            Message(translatable("drillwave::Message",
+                                 "nothing can be written: %1; raise the limit of open files (ulimit -n)"),
+                    {std::generic_category().message(reason)})};
 }
 
 void checkOpenFiles(int count) {

@@ -18,6 +18,8 @@ namespace drillwave {
 
 namespace {
 
+constexpr const char* standardOutput = translatable("drillwave::Message", "standard output");
+
 bool isStandardOutput(const std::string& path) {
     return path == "-" || path == "/dev/stdout";
 }
@@ -47,14 +49,18 @@ bool isStream(const std::string& path) {
 
 void checkStandardOutput() {
     if (::fcntl(STDOUT_FILENO, F_GETFL) < 0 || (::fcntl(STDOUT_FILENO, F_GETFL) & O_ACCMODE) == O_RDONLY)
-        throw CommandError(ExitCode::unwritableOutput,
-                           "standard output: is closed; send it to a file or to /dev/null");
+        throw CommandError(
+            ExitCode::unwritableOutput,
+            about(standardOutput,
+                  translatable("drillwave::Message", "is closed; send it to a file or to /dev/null")));
 }
 
 void checkName(const std::string& path) {
     if (!isUtf8(path))
-        throw CommandError(ExitCode::unwritableOutput,
-                           path + ": the name has bytes that are not UTF-8; choose another one");
+        throw CommandError(
+            ExitCode::unwritableOutput,
+            about(path, translatable("drillwave::Message",
+                                     "the name has bytes that are not UTF-8; choose another one")));
 }
 
 void checkOverwrite(const std::string& path, Overwrite overwrite) {
@@ -62,11 +68,15 @@ void checkOverwrite(const std::string& path, Overwrite overwrite) {
     if (isStream(path)) return;
     std::error_code ignored;
     if (path.ends_with('/') || std::filesystem::is_directory(path, ignored))
-        throw CommandError(ExitCode::unwritableOutput, path + ": is a folder; give the name of a file");
+        throw CommandError(
+            ExitCode::unwritableOutput,
+            about(path, translatable("drillwave::Message", "is a folder; give the name of a file")));
     // A dangling link is something that would be written through.
     if (isThere(path) && overwrite == Overwrite::refused)
-        throw CommandError(ExitCode::unwritableOutput,
-                           path + ": exists already; use --force to overwrite it or choose another name");
+        throw CommandError(
+            ExitCode::unwritableOutput,
+            about(path, translatable("drillwave::Message",
+                                     "exists already; use --force to overwrite it or choose another name")));
 }
 
 void checkOutput(const std::string& path, Overwrite overwrite, LeftBeside leftBeside) {
@@ -130,10 +140,16 @@ void OutputFile::commit(const Interruption* interruption) {
 
 void OutputFile::check(const WriteFailure& failure) const {
     if (!failure) return;
-    const std::string name = isStandardOutput(m_path) ? "standard output" : m_path;
-    throw CommandError(ExitCode::unwritableOutput, name + ": cannot be written: " + failure.reason + "; " +
-                                                       (failure.isFull ? "free some space or " : "") +
-                                                       "choose another place with -o");
+    const Message name = isStandardOutput(m_path) ? Message(standardOutput) : Message(m_path);
+    throw CommandError(
+        ExitCode::unwritableOutput,
+        Message(
+            failure.isFull
+                ? translatable("drillwave::Message",
+                               "%1: cannot be written: %2; free some space or choose another place with -o")
+                : translatable("drillwave::Message",
+                               "%1: cannot be written: %2; choose another place with -o"),
+            {name, failure.reason}));
 }
 
 void printText(std::string_view text) {

@@ -18,7 +18,7 @@ void checkFolder(const std::string& path, const std::vector<std::string>& names,
     checkName(path);
     mendFolder(path);
     if (const Message problem = folderProblem(path, {}, ExistingFiles::replaced); !problem.isEmpty())
-        throw CommandError(ExitCode::unwritableOutput, problem.text());
+        throw CommandError(ExitCode::unwritableOutput, problem);
     checkNames(path, names, overwrite);
 }
 
@@ -35,7 +35,7 @@ void writeFolder(const std::string& path, const FolderFiles& files, Overwrite ov
     // Another run may have been faster: that is said as it would have been before the work.
     checkNames(path, files.names(), overwrite);
     if (files.outdated) checkNames(path, files.outdated(path), overwrite);
-    throw CommandError(ExitCode::unwritableOutput, end.problem.text());
+    throw CommandError(ExitCode::unwritableOutput, end.problem);
 }
 
 }  // namespace drillwave

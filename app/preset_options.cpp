@@ -17,8 +17,8 @@ namespace drillwave {
 
 namespace {
 
-[[noreturn]] void refuse(const std::string& option, const std::string& wanted, const std::string& reason) {
-    throw CommandError(ExitCode::usage, option + " " + shortened(wanted) + ": " + reason);
+[[noreturn]] void refuse(const std::string& option, const std::string& wanted, const Message& reason) {
+    throw CommandError(ExitCode::usage, about(option + " " + shortened(wanted), reason));
 }
 
 /// The preset of that name, or the only one whose name begins with it: `T51` for "T51, round 52 mm". `file`
@@ -38,12 +38,16 @@ const Preset& presetNamed(const std::vector<Preset>& presets, PresetKind kind, c
         candidates += (candidates.empty() ? "`" : ", `") + preset.name + "`";
     }
     if (beginning && candidates == "`" + beginning->name + "`") return *beginning;
-    if (beginning) refuse(option, wanted, "may be " + candidates + "; give the whole name");
+    if (beginning)
+        refuse(option, wanted,
+               {translatable("drillwave::Message", "may be %1; give the whole name"), {candidates}});
     const std::string near(nearestName(wanted, names));
+    if (!near.empty())
+        refuse(option, wanted,
+               {translatable("drillwave::Message", "is not known; did you mean `%1`?"), {near}});
     refuse(option, wanted,
-           "is not known; " +
-               (near.empty() ? "`drillwave presets" + (file.empty() ? file : " " + file) + "` lists them"
-                             : "did you mean `" + near + "`?"));
+           {translatable("drillwave::Message", "is not known; `%1` lists them"),
+            {"drillwave presets" + (file.empty() ? file : " " + file)}});
 }
 
 }  // namespace
@@ -61,15 +65,19 @@ std::vector<OptionSpec> presetOptionSpecs() {
             {"presets", "FILE.yaml", "a file of presets of your own, in place of the built-in ones"}};
 }
 
-PresetFile presetsOf(const std::optional<std::string>& path) {
+PresetFile presetsOf(const std::optional<std::string>& path, const ReadingStyle& style) {
     if (!path) return builtInPresetFile();
     if (path->empty())
-        throw CommandError(ExitCode::usage,
-                           "the file of presets has an empty name; without one the built-in ones are taken");
-    const FileBytes file = readInput(*path, maximumPresetBytes + 1);
-    if (!file.problem.empty())
-        throw CommandError(ExitCode::unreadableInput,
-                           std::vector{inputName(*path) + ": the file of presets " + file.problem});
+        throw CommandError(
+            ExitCode::usage,
+            translatable("drillwave::Message",
+                         "the file of presets has an empty name; without one the built-in ones are taken"));
+    const FileBytes file = readInput(*path, maximumPresetBytes + 1, style);
+    if (!file.problem.isEmpty())
+        throw CommandError(
+            ExitCode::unreadableInput,
+            std::vector{Message(translatable("drillwave::Message", "%1: the file of presets %2"),
+                                {inputName(*path), file.problem})});
     return parsedPresets(file.bytes, *path);
 }
 
@@ -77,8 +85,10 @@ PresetFile parsedPresets(std::string_view text, const std::string& path) {
     if (text.size() > maximumPresetBytes)
         throw CommandError(
             ExitCode::unreadableInput,
-            std::vector{inputName(path) + ": the file of presets is larger than " +
-                        std::to_string(maximumPresetBytes / 1024) + " KiB, too large to be meant"});
+            std::vector{
+                Message(translatable("drillwave::Message",
+                                     "%1: the file of presets is larger than %2 KiB, too large to be meant"),
+                        {inputName(path), std::to_string(maximumPresetBytes / 1024)})});
     try {
         return parsePresets(text, inputName(path));
     } catch (const ScenarioError& error) {
@@ -94,18 +104,26 @@ void applyPresets(Scenario& scenario, const Arguments& arguments, const std::str
         if (!wanted) continue;
         const std::string option = "--" + std::string(name(kind));
         if (hasSections(scenario) && kind != PresetKind::rock)
-            refuse(option, *wanted, path + " is a drill string, whose sections are given one by one");
+            refuse(option, *wanted,
+                   {translatable("drillwave::Message",
+                                 "%1 is a drill string, whose sections are given one by one"),
+                    {path}});
         if (!hasUnits(scenario))
             refuse(option, *wanted,
-                   path + " is given by its dimensionless groups; presets need a scenario in physical units");
-        if (presets.empty()) presets = presetsOf(file).presets;
+                   {translatable(
+                        "drillwave::Message",
+                        "%1 is given by its dimensionless groups; presets need a scenario in physical units"),
+                    {path}});
+        if (presets.empty()) presets = presetsOf(file, arguments.style()).presets;
         scenario = withPreset(std::move(scenario),
                               presetNamed(presets, kind, *wanted, file.value_or(std::string())));
     }
     const bool used = std::ranges::any_of(allValues<PresetKind>,
                                           [&](PresetKind kind) { return arguments.has(name(kind)); });
     if (arguments.has("presets") && !used)
-        throw CommandError(ExitCode::usage, "--presets is about --rod, --hammer and --rock; add one of them");
+        throw CommandError(ExitCode::usage,
+                           translatable("drillwave::Message",
+                                        "--presets is about --rod, --hammer and --rock; add one of them"));
 }
 
 }  // namespace drillwave

@@ -75,7 +75,7 @@ class Listing {
 ExitCode runPresets(const Arguments& arguments, const Drawing*) {
     std::optional<std::string> path;
     if (!arguments.operands().empty()) path = arguments.operands().front();
-    const PresetFile file = presetsOf(path);
+    const PresetFile file = presetsOf(path, arguments.style());
     const std::string search = arguments.value("search").value_or("");
     Listing listing(search, arguments.style());
     for (const Preset& preset : file.presets)
@@ -84,7 +84,9 @@ ExitCode runPresets(const Arguments& arguments, const Drawing*) {
     for (const SectionPreset& preset : file.sectionPresets)
         listing.add(name(preset.kind), usePattern(preset.kind), preset.name, description(preset));
     if (listing.text().empty() && !search.empty())
-        throw CommandError(ExitCode::unsolvedOrFailed, "no preset has all of \"" + search + "\"");
+        throw CommandError(
+            ExitCode::unsolvedOrFailed,
+            Message(translatable("drillwave::Message", "no preset has all of \"%1\""), {search}));
     printText(listing.text());
     return ExitCode::done;
 }

@@ -23,9 +23,11 @@ std::string duration(double seconds) {
 
 }  // namespace
 
-ProgressBar::ProgressBar(std::uint64_t total, std::string_view unit, const ProgressOutput& out)
+ProgressBar::ProgressBar(std::uint64_t total, const Message& unit, const ReadingStyle& style,
+                         const ProgressOutput& out)
     : m_total(total),
-      m_unit(unit),
+      m_unit(style.said(unit)),
+      m_style(style),
       m_out(out),
       m_isTerminal(::isatty(::fileno(out.stream)) == 1),
       m_nextDrawing(m_start + (m_isTerminal ? std::chrono::seconds(1) : out.between)) {}
@@ -49,7 +51,8 @@ void ProgressBar::show(std::uint64_t done) {
                numbers(done);
         m_drawn = true;
     } else {
-        text = percent + " done" + numbers(done) + "\n";
+        text =
+            m_style.said({translatable("drillwave::Message", "%1 done"), {percent}}) + numbers(done) + "\n";
     }
     std::fputs(text.c_str(), m_out.stream);
 }
@@ -59,15 +62,21 @@ std::string ProgressBar::numbers(std::uint64_t done) const {
     const double elapsed = std::chrono::duration<double>(Clock::now() - m_start).count();
     const double rate = static_cast<double>(done) / elapsed;
     if (!m_unit.empty())
-        text += "  " + std::to_string(static_cast<std::uint64_t>(rate)) + " " + std::string(m_unit) + "/s";
-    if (rate > 0) text += "  " + duration(static_cast<double>(m_total - done) / rate) + " left";
+        text += "  " + std::to_string(static_cast<std::uint64_t>(rate)) + " " + m_unit + "/s";
+    if (rate > 0)
+        text += "  " + m_style.said({translatable("drillwave::Message", "%1 left"),
+                                     {duration(static_cast<double>(m_total - done) / rate)}});
     return text;
 }
 
-ElapsedTime::ElapsedTime() {
+ElapsedTime::ElapsedTime(const ReadingStyle& style) {
     const bool isTerminal = ::isatty(STDERR_FILENO) == 1;
+    // Styles are not for several threads at once.
+    const std::string words =
+        style.patternFor(isTerminal ? translatable("drillwave::Message", "solving for %1; Ctrl-C ends it")
+                                    : translatable("drillwave::Message", "solving for %1"));
     const int step = isTerminal ? 1 : static_cast<int>(linesBetween.count());
-    const auto draw = [isTerminal, step](const std::stop_token& stop) {
+    const auto draw = [isTerminal, step, words](const std::stop_token& stop) {
         std::mutex mutex;
         std::condition_variable_any stopped;
         std::unique_lock lock(mutex);
@@ -76,8 +85,8 @@ ElapsedTime::ElapsedTime() {
             stopped.wait_for(lock, stop, std::chrono::seconds(step), [] { return false; });
             if (stop.stop_requested()) break;
             drawn = isTerminal;
-            std::fprintf(stderr, isTerminal ? "\r\033[Ksolving for %s; Ctrl-C ends it" : "solving for %s\n",
-                         duration(seconds).c_str());
+            std::fprintf(stderr, isTerminal ? "\r\033[K%s" : "%s\n",
+                         Message(words.c_str(), {duration(seconds)}).text().c_str());
         }
         if (drawn) std::fputs("\r\033[K", stderr);
     };

@@ -7,8 +7,9 @@
 #include <cstdio>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <thread>
+
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
@@ -26,7 +27,8 @@ struct ProgressOutput {
 class ProgressBar {
   public:
     /// `unit` names what is counted, "points"; empty where only the share is known.
-    explicit ProgressBar(std::uint64_t total, std::string_view unit = {}, const ProgressOutput& out = {});
+    ProgressBar(std::uint64_t total, const Message& unit, const ReadingStyle& style,
+                const ProgressOutput& out = {});
     ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
@@ -38,7 +40,8 @@ class ProgressBar {
     std::string numbers(std::uint64_t done) const;
 
     std::uint64_t m_total;
-    std::string_view m_unit;
+    std::string m_unit;
+    const ReadingStyle& m_style;
     ProgressOutput m_out;
     bool m_isTerminal;
     bool m_drawn = false;
@@ -49,6 +52,7 @@ class ProgressBar {
 /// The same for work that tells what share of it is done.
 class ShareBar {
   public:
+    explicit ShareBar(const ReadingStyle& style) : m_bar(static_cast<std::uint64_t>(parts), {}, style) {}
     /// Takes the share, 0 … 1. The bar must outlive it.
     std::function<void(double)> progress() {
         return [this](double done) { m_bar.show(static_cast<std::uint64_t>(done * parts)); };
@@ -56,14 +60,14 @@ class ShareBar {
 
   private:
     static constexpr double parts = 1000;  // finer than the bar is drawn
-    ProgressBar m_bar{static_cast<std::uint64_t>(parts)};
+    ProgressBar m_bar;
 };
 
 /// Draws "solving for 3 s; Ctrl-C ends it" on stderr, when that is a terminal and the work, whose end nobody
 /// can tell, lasts over a second; elsewhere a line "solving for 15 s" now and then.
 class ElapsedTime {
   public:
-    ElapsedTime();
+    explicit ElapsedTime(const ReadingStyle& style);
     ~ElapsedTime();
     ElapsedTime(const ElapsedTime&) = delete;
     ElapsedTime& operator=(const ElapsedTime&) = delete;

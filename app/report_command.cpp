@@ -43,7 +43,9 @@ struct ReportPlace {
 ReportPlace placeOf(const Arguments& arguments) {
     const std::optional<std::string> path = arguments.value("o");
     if (!path)
-        throw CommandError(ExitCode::usage, "needs -o DIR, -o FILE.html or -o FILE.pdf, where to write");
+        throw CommandError(
+            ExitCode::usage,
+            translatable("drillwave::Message", "needs -o DIR, -o FILE.html or -o FILE.pdf, where to write"));
     if (isStream(*path)) return {*path, false, {"html"}};
     std::error_code ignored;
     std::string ending = std::filesystem::path(*path).extension().string();
@@ -51,9 +53,12 @@ ReportPlace placeOf(const Arguments& arguments) {
     if (ending == ".html" || ending == ".pdf") return {*path, false, {ending.substr(1)}};
     const bool isFolder = path->ends_with('/') || std::filesystem::is_directory(*path, ignored);
     if (!ending.empty() && !isFolder)
-        throw CommandError(ExitCode::usage, "-o " + *path +
-                                                ": a report is FILE.html or FILE.pdf; for a folder of that "
-                                                "name put / behind it");
+        throw CommandError(
+            ExitCode::usage,
+            about("-o " + *path,
+                  translatable(
+                      "drillwave::Message",
+                      "a report is FILE.html or FILE.pdf; for a folder of that name put / behind it")));
     return {*path, true, {"html", "pdf"}};
 }
 
@@ -67,9 +72,9 @@ void check(const ReportPlace& place, const std::string& input, const ScenarioDoc
         checkOutput(place.path, overwrite, reportFilesThere);
 }
 
-BlowReport study(const ScenarioDocument& document, const WorkLimits& limits,
+BlowReport study(const ScenarioDocument& document, const WorkLimits& limits, const ReadingStyle& style,
                  const Interruption& interruption) {
-    ShareBar bar;
+    ShareBar bar(style);
     BlowReport report = reportOn(document, interruption.token(), bar.progress(), limits);
     interruption.check();
     return report;
@@ -91,8 +96,8 @@ void write(const ReportPlace& place, std::vector<NamedFile> files, Overwrite ove
 ReportHead headOf(const Arguments& arguments) {
     const auto text = [&](const char* option) {
         std::string words = arguments.value(option).value_or("");
-        if (const std::string problem = lineProblem(words); !problem.empty())
-            throw CommandError(ExitCode::usage, "--" + std::string(option) + ": " + problem);
+        if (const Message problem = lineProblem(words); !problem.isEmpty())
+            throw CommandError(ExitCode::usage, about("--" + std::string(option), problem));
         return words;
     };
     return {text("project"), text("author"), text("customer"), text("date")};
@@ -107,13 +112,14 @@ ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
     check(place, path, document, overwrite);
 
     const Interruption interruption;
-    remarkOnValues(document.scenario, path);
-    BlowReport report = study(document, workLimitsOf(arguments), interruption);
+    remarkOnValues(document.scenario, path, arguments.style());
+    BlowReport report = study(document, workLimitsOf(arguments), arguments.style(), interruption);
     report.head = head;
     if (!report.blow.isSolved())
-        throw CommandError(ExitCode::unsolvedOrFailed,
-                           path + ": could not be solved: " + report.blow.impact.reason +
-                               limitHint(arguments, document.scenario, report.blow.impact.hindrance));
+        throw CommandError(
+            ExitCode::unsolvedOrFailed,
+            couldNotBeSolved(path, reasonWithHint(report.blow.impact.reason, arguments, document.scenario,
+                                                  report.blow.impact.hindrance)));
     std::vector<NamedFile> files = drawing->report(
         report, {std::string(stem), place.formats, interruption.token()}, arguments.language());
     interruption.check();

@@ -24,7 +24,7 @@ OutputUnits unitsOf(const Arguments& arguments) {
 
 OutputChoice outputsOf(const Arguments& arguments) {
     OutputChoice choice = chooseOutputs(arguments.value("outputs").value_or("cor"), unitsOf(arguments));
-    if (!choice.problem.empty()) throw CommandError(ExitCode::usage, "--outputs: " + choice.problem);
+    if (!choice.problem.isEmpty()) throw CommandError(ExitCode::usage, about("--outputs", choice.problem));
     return choice;
 }
 
@@ -35,8 +35,9 @@ Shard shardOf(const Arguments& arguments) {
     const std::string text = arguments.value("shard").value_or("1/1");
     const std::optional<Shard> shard = parseShard(text);
     if (!shard)
-        throw CommandError(ExitCode::usage, "--shard " + shortened(text) + ": needs I/N, 1 <= I <= N <= " +
-                                                std::to_string(maximumShards));
+        throw CommandError(ExitCode::usage, Message(translatable("drillwave::Message",
+                                                                 "--shard %1: needs I/N, 1 <= I <= N <= %2"),
+                                                    {shortened(text), std::to_string(maximumShards)}));
     return *shard;
 }
 
@@ -44,21 +45,45 @@ int allThreads() {
     return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 1024U));
 }
 
+Message withLimitHint(const Message& reason, long workLimit) {
+    return {translatable("drillwave::Message", "%1; --work-limit, now %2, permits more"),
+            {reason, std::to_string(workLimit)}};
+}
+
+/// Of a blow within workLimitsOf().
+long limitOf(const Arguments& arguments, const Scenario& scenario) {
+    const long ofString = WorkLimits().cells / cellsOfPiece;
+    return workLimitOf(arguments, isFollowedByEvents(scenario) ? defaultWorkLimit : ofString);
+}
+
+/// "2 rows", to stand before a reason.
+Message counted(std::uint64_t count, RowNoun noun) {
+    const std::string number = std::to_string(count);
+    if (noun == RowNoun::row)
+        return {count == 1 ? translatable("drillwave::Message", "%1 row")
+                           : translatable("drillwave::Message", "%1 rows"),
+                {number}};
+    return {count == 1 ? translatable("drillwave::Message", "%1 point")
+                       : translatable("drillwave::Message", "%1 points"),
+            {number}};
+}
+
 }  // namespace
 
-std::string reasonsOf(const RowCounts& counts, const std::string& noun, long workLimit) {
-    std::string text;
+Message reasonsOf(const RowCounts& counts, RowNoun noun, long workLimit) {
+    Message text;
     std::uint64_t told = 0;
     bool atLimit = false;
     for (const RowFailure& failure : counts.failures) {
-        text += (text.empty() ? "" : "; ") + std::to_string(failure.rows) + " " + noun +
-                (failure.rows == 1 ? ": " : "s: ") + failure.reason;
+        const Message one = about(counted(failure.rows, noun), Message::ofTable(failure.reason));
+        text = text.isEmpty() ? one : Message("%1; %2", {text, one});
         told += failure.rows;
         atLimit |= isAtLimit(failure.reason);
     }
-    if (told < counts.failed) text += "; " + std::to_string(counts.failed - told) + " for other reasons";
-    if (atLimit) text += limitHint(workLimit);
-    return text;
+    if (told < counts.failed)
+        text = {translatable("drillwave::Message", "%1; %2 for other reasons"),
+                {text, std::to_string(counts.failed - told)}};
+    return atLimit ? withLimitHint(text, workLimit) : text;
 }
 
 long workLimitOf(const Arguments& arguments, long fallback) {
@@ -75,17 +100,23 @@ bool isAtLimit(const std::string& reason) {
     return reason.find("wave pieces") != std::string::npos || reason.find("wave cells") != std::string::npos;
 }
 
-std::string limitHint(long workLimit) {
-    return "; --work-limit, now " + std::to_string(workLimit) + ", permits more";
+Message reasonWithHint(const std::string& reason, long workLimit) {
+    const Message told = Message::ofTable(reason);
+    return isAtLimit(reason) ? withLimitHint(told, workLimit) : told;
 }
 
-std::string limitHint(const Arguments& arguments, const Scenario& scenario) {
-    const long ofString = WorkLimits().cells / cellsOfPiece;
-    return limitHint(workLimitOf(arguments, isFollowedByEvents(scenario) ? defaultWorkLimit : ofString));
+Message reasonWithHint(const std::string& reason, const Arguments& arguments, const Scenario& scenario) {
+    return reasonWithHint(reason, limitOf(arguments, scenario));
 }
 
-std::string limitHint(const Arguments& arguments, const Scenario& scenario, Hindrance hindrance) {
-    return hindrance == Hindrance::workLimit ? limitHint(arguments, scenario) : std::string();
+Message reasonWithHint(const std::string& reason, const Arguments& arguments, const Scenario& scenario,
+                       Hindrance hindrance) {
+    const Message told = Message::ofTable(reason);
+    return hindrance == Hindrance::workLimit ? withLimitHint(told, limitOf(arguments, scenario)) : told;
+}
+
+Message couldNotBeSolved(const std::string& path, const Message& reason) {
+    return {translatable("drillwave::Message", "%1: could not be solved: %2"), {path, reason}};
 }
 
 OptionSpec workLimitSpec() {
@@ -197,10 +228,10 @@ void commitRows(OutputFile& rows, const RowOptions& options, const RowRecord& re
 }
 
 ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options, OutputFile& out,
-                   const Interruption& interruption, const DrawRows& draw) {
+                   const Interruption& interruption, const ReadingStyle& style, const DrawRows& draw) {
     RowCounts counts;
     {
-        ProgressBar bar(record.rows, "rows");
+        ProgressBar bar(record.rows, translatable("drillwave::Message", "rows"), style);
         RowCsv csv([&](std::string_view text) {
             out.write(text);
             return true;
@@ -210,10 +241,12 @@ ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions
     if (counts.end == WorkEnd::stopped) interruption.check();
     commitRows(out, options, record, draw ? draw() : std::vector<NamedFile>(), interruption);
     if (counts.failed == 0) return ExitCode::done;
-    throw CommandError(ExitCode::unsolvedOrFailed,
-                       std::to_string(counts.failed) + " of " + std::to_string(counts.rows) +
-                           " rows could not be solved: their output cells are empty; " +
-                           reasonsOf(counts, "row", options.workLimit));
+    throw CommandError(
+        ExitCode::unsolvedOrFailed,
+        Message(translatable("drillwave::Message",
+                             "%1 of %2 rows could not be solved: their output cells are empty; %3"),
+                {std::to_string(counts.failed), std::to_string(counts.rows),
+                 reasonsOf(counts, RowNoun::row, options.workLimit)}));
 }
 
 }  // namespace drillwave

@@ -57,9 +57,11 @@ struct RowOptions {
 /// `method` is that of the result which FILE is. Throws CommandError (usage).
 RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoice>& method);
 
-/// "2 rows: it needs more wave pieces than permitted …", and what to do about it; `noun` names one of what is
-/// counted.
-std::string reasonsOf(const RowCounts& counts, const std::string& noun, long workLimit);
+/// What failures are of.
+enum class RowNoun { row, point };
+
+/// "2 rows: it needs more wave pieces than permitted …", and what to do about it.
+Message reasonsOf(const RowCounts& counts, RowNoun noun, long workLimit);
 
 /// --work-limit, in wave pieces; `fallback` where it is not given.
 long workLimitOf(const Arguments& arguments, long fallback = defaultWorkLimit);
@@ -68,14 +70,17 @@ long workLimitOf(const Arguments& arguments, long fallback = defaultWorkLimit);
 WorkLimits workLimitsOf(const Arguments& arguments);
 /// The option of such a command.
 OptionSpec workLimitSpec();
+/// "FILE: could not be solved: …".
+Message couldNotBeSolved(const std::string& path, const Message& reason);
 /// Whether a reason is that limit.
 bool isAtLimit(const std::string& reason);
-/// What is told where that has stopped a blow: "; --work-limit, now 1000000, permits more".
-std::string limitHint(long workLimit);
+/// A reason, with "; --work-limit, now 1000000, permits more" behind it where that has stopped a blow.
+Message reasonWithHint(const std::string& reason, long workLimit);
 /// The same of a blow within workLimitsOf().
-std::string limitHint(const Arguments& arguments, const Scenario& scenario);
-/// The same where that has stopped it, else nothing.
-std::string limitHint(const Arguments& arguments, const Scenario& scenario, Hindrance hindrance);
+Message reasonWithHint(const std::string& reason, const Arguments& arguments, const Scenario& scenario);
+/// The same where it is known what has stopped it.
+Message reasonWithHint(const std::string& reason, const Arguments& arguments, const Scenario& scenario,
+                       Hindrance hindrance);
 
 /// The command that gives the same rows, wherever they go.
 std::string commandText(std::string_view command, const Arguments& arguments);
@@ -101,10 +106,11 @@ using RunRows = std::function<RowCounts(std::stop_token, RowSink& sink, const Ro
 /// Draws what has been run; no function where nothing is to be drawn.
 using DrawRows = std::function<std::vector<NamedFile>()>;
 
-/// Runs into `out` and commits it with its record and what is drawn then, with progress on a terminal. Failed
+/// Runs into `out` and commits it with its record and what is drawn then, with progress on a terminal in that
+/// style. Failed
 /// rows are counted on stderr, with their reasons, and give ExitCode::unsolvedOrFailed; an interruption
 /// leaves no file.
 ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options, OutputFile& out,
-                   const Interruption& interruption, const DrawRows& draw = {});
+                   const Interruption& interruption, const ReadingStyle& style, const DrawRows& draw = {});
 
 }  // namespace drillwave

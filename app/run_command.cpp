@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave run FILE
 #include <algorithm>
-#include <cstdio>
 
 #include "app/command.h"
 #include "app/interruption.h"
@@ -38,15 +37,19 @@ RunFiles filesOf(const Arguments& arguments) {
     if (files.directory == "-") files.directory.clear();
     if (arguments.has("si")) files.units = OutputUnits::si;
     if (arguments.has("dimensionless")) {
-        if (files.units) throw CommandError(ExitCode::usage, "--si and --dimensionless exclude each other");
+        if (files.units)
+            throw CommandError(ExitCode::usage, translatable("drillwave::Message",
+                                                             "--si and --dimensionless exclude each other"));
         files.units = OutputUnits::dimensionless;
     }
     files.plots = plotFormats(arguments);
     if (files.directory.empty())
         for (const char* option : {"plots", "si", "dimensionless", "force"})
             if (arguments.has(option))
-                throw CommandError(ExitCode::usage, std::string("--") + option +
-                                                        " is about files; add -o DIR to say where they go");
+                throw CommandError(ExitCode::usage,
+                                   Message(translatable("drillwave::Message",
+                                                        "%1 is about files; add -o %2 to say where they go"),
+                                           {std::string("--") + option, std::string("DIR")}));
     return files;
 }
 
@@ -61,23 +64,26 @@ void prepare(const RunFiles& files, const std::string& path, const ScenarioDocum
 /// Solves, and times the solve alone: where it is quick, a second time, because the first one pays for fresh
 /// memory.
 Blow solve(MethodSolver solver, const Scenario& scenario, const MethodChoice& choice, Detail detail,
-           const std::stop_token& stop) {
+           const ReadingStyle& style, const std::stop_token& stop) {
     constexpr double quick = 1e-3;
     const auto solveOnce = [&] {
         return solveBlow(scenario, choice, detail, stop, Stresses::wanted, solver);
     };
-    const ElapsedTime elapsed;
+    const ElapsedTime elapsed(style);
     Blow blow = solveOnce();
     return blow.runTime < quick ? solveOnce() : blow;
 }
 
 void writeFiles(const RunFiles& files, const SolvedRun& run, const Drawing* drawing,
-                const Interruption& interruption) {
+                const ReadingStyle& style, const Interruption& interruption) {
     std::vector<NamedFile> pictures;
     const bool drawn = run.blow.impact.hasHistories();
     if (!drawn)
-        std::fputs("note: the waves of this blow are more than can be kept: no histories.csv and no plots\n",
-                   stderr);
+        printRemark(
+            translatable(
+                "drillwave::Message",
+                "note: the waves of this blow are more than can be kept: no histories.csv and no plots"),
+            style);
     if (!files.plots.empty() && drawn) pictures = drawing->blow(run.blow, files.plots, interruption.token());
     interruption.check();
     writeFolder(files.directory, runFolder(run, std::move(pictures)), files.overwrite, &interruption);
@@ -100,16 +106,20 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     const MethodChoice choice = methodChoice(arguments, input.method);
     checkMethodApplies(choice, document.scenario, path);
     if (files.units == OutputUnits::si && !hasUnits(document.scenario))
-        throw CommandError(ExitCode::usage,
-                           "--si: " + path + " is given by its dimensionless groups and has no SI units");
+        throw CommandError(
+            ExitCode::usage,
+            Message(translatable("drillwave::Message",
+                                 "--si: %1 is given by its dimensionless groups and has no SI units"),
+                    {path}));
     prepare(files, path, document);
 
     const bool writesFiles = !files.directory.empty();
     checkStandardOutput();
     const Interruption interruption;
-    remarkOnValues(document.scenario, path);
+    remarkOnValues(document.scenario, path, arguments.style());
     SolvedRun run{.blow = solve(MethodSolver(workLimitsOf(arguments)), document.scenario, choice,
-                                writesFiles ? Detail::histories : Detail::ledger, interruption.token()),
+                                writesFiles ? Detail::histories : Detail::ledger, arguments.style(),
+                                interruption.token()),
                   .scenarioText = {},
                   .units = files.units.value_or(customaryUnits(document.scenario))};
     if (gapHasPeriod(run.blow.scenario)) addThrustMargin(run.blow, interruption.token());
@@ -117,11 +127,12 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     interruption.check();
     if (!run.blow.isSolved()) {
         if (json) print(run, {}, json, arguments.style());
-        throw CommandError(ExitCode::unsolvedOrFailed,
-                           path + ": could not be solved: " + run.blow.impact.reason +
-                               limitHint(arguments, run.blow.scenario, run.blow.impact.hindrance));
+        throw CommandError(
+            ExitCode::unsolvedOrFailed,
+            couldNotBeSolved(path, reasonWithHint(run.blow.impact.reason, arguments, run.blow.scenario,
+                                                  run.blow.impact.hindrance)));
     }
-    if (writesFiles) writeFiles(files, run, drawing, interruption);
+    if (writesFiles) writeFiles(files, run, drawing, arguments.style(), interruption);
     print(run, files, json, arguments.style());
     return ExitCode::done;
 }

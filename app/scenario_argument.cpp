@@ -36,8 +36,10 @@ struct Setting {
 };
 
 /// One setting would silently undo the other.
-[[noreturn]] void refusePair(const std::string& one, const std::string& other, const std::string& problem) {
-    throw CommandError(ExitCode::usage, one + " and " + other + " " + problem + "; give one of them");
+[[noreturn]] void refusePair(const std::string& one, const std::string& other, const Message& problem) {
+    throw CommandError(
+        ExitCode::usage,
+        Message(translatable("drillwave::Message", "%1 and %2 %3; give one of them"), {one, other, problem}));
 }
 
 Assignments assignmentsOf(const std::vector<Setting>& settings) {
@@ -52,7 +54,8 @@ std::vector<Setting> settings(const Arguments& arguments) {
     for (const std::string& word : arguments.values(setOption.name)) {
         const std::size_t equals = word.find('=');
         if (equals == std::string::npos)
-            throw CommandError(ExitCode::usage, "--set " + shortened(word) + ": needs KEY=VALUE");
+            throw CommandError(ExitCode::usage, about("--set " + shortened(word),
+                                                      translatable("drillwave::Message", "needs KEY=VALUE")));
         all.push_back({std::string(trimmed(word.substr(0, equals))), word.substr(equals + 1),
                        "--set " + shortened(word)});
     }
@@ -76,10 +79,10 @@ bool isKey(const std::string& key) {
 }
 
 /// Why not, empty when it is set.
-std::string assign(Scenario& scenario, const Setting& setting) {
+Message assign(Scenario& scenario, const Setting& setting) {
     if (setting.key != titleKey) return assignText(scenario, setting.key, setting.value);
     if (const TextProblem problem = checkText(setting.value); !problem.reason.empty())
-        return "holds " + problem.reason;
+        return {translatable("drillwave::Message", "holds %1"), {Message::ofTable(problem.reason)}};
     scenario.title = setting.value;
     return {};
 }
@@ -90,8 +93,8 @@ const Example* exampleNamed(const std::string& path) {
     return std::filesystem::exists(path, error) ? nullptr : findExample(path);
 }
 
-/// "; did you mean …?" where FILE is nearly the name of an example, or how those of a few begin.
-std::string nearExample(const std::string& path) {
+/// "`a` or `b`" where FILE is nearly the name of an example, or how those of a few begin.
+Message nearExample(const std::string& path) {
     std::vector<std::string_view> names, begun;
     for (const Example& example : builtInExamples()) {
         names.push_back(example.name);
@@ -100,19 +103,29 @@ std::string nearExample(const std::string& path) {
     constexpr std::size_t few = 3;
     if (begun.empty() || begun.size() > few) begun = {nearestName(path, names)};
     if (begun.front().empty()) return {};
-    std::string list;
-    for (const std::string_view name : begun)
-        list += (list.empty() ? "`" : " or `") + std::string(name) + "`";
-    return "; did you mean the example " + list + "?";
+    Message list;
+    for (const std::string_view name : begun) {
+        const std::string quoted = "`" + std::string(name) + "`";
+        list = list.isEmpty() ? Message(quoted)
+                              : Message(translatable("drillwave::Message", "%1 or %2"), {list, quoted});
+    }
+    return list;
 }
 
-void tellNewerVersion(const std::string& path, const std::string& version) {
+void tellNewerVersion(const std::string& path, const std::string& version, const ReadingStyle& style) {
     if (isNewerVersion(version, versionText))
-        std::fprintf(stderr, "%s: note: written by Drillwave %s, newer than this %s: results may differ\n",
-                     printable(path).c_str(), shortened(version).c_str(), versionText);
+        printRemark(
+            {translatable("drillwave::Message",
+                          "%1: note: written by Drillwave %2, newer than this %3: results may differ"),
+             {path, shortened(version), std::string(versionText)}},
+            style);
 }
 
 }  // namespace
+
+void printRemark(const Message& remark, const ReadingStyle& style) {
+    std::fprintf(stderr, "%s\n", printable(style.said(remark)).c_str());
+}
 
 std::vector<OptionSpec> scenarioOptions(std::initializer_list<OptionSpec> own) {
     std::vector<OptionSpec> options{setOption};
@@ -126,13 +139,18 @@ void rethrow(const ScenarioError& error) {
     throw CommandError(unreadable ? ExitCode::unreadableInput : ExitCode::invalidScenario, error.messages());
 }
 
-std::string inputBytes(const std::string& path) {
+std::string inputBytes(const std::string& path, const ReadingStyle& style) {
     if (const Example* example = exampleNamed(path)) return std::string(example->text);
-    FileBytes file = readInput(path, maximumInputBytes);
-    if (!file.problem.empty())
-        throw CommandError(ExitCode::unreadableInput, std::vector{inputName(path) + ": the scenario file " +
-                                                                  file.problem + nearExample(path)});
-    return std::move(file.bytes);
+    FileBytes file = readInput(path, maximumInputBytes, style);
+    if (file.problem.isEmpty()) return std::move(file.bytes);
+    const Message near = nearExample(path);
+    throw CommandError(
+        ExitCode::unreadableInput,
+        std::vector{Message(near.isEmpty()
+                                ? translatable("drillwave::Message", "%1: the scenario file %2")
+                                : translatable("drillwave::Message",
+                                               "%1: the scenario file %2; did you mean the example %3?"),
+                            {inputName(path), file.problem, near})});
 }
 
 ScenarioInput parsedInput(std::string_view bytes, const std::string& path) {
@@ -143,16 +161,19 @@ ScenarioInput parsedInput(std::string_view bytes, const std::string& path) {
     }
 }
 
-ScenarioInput loadScenarioFile(const std::string& path) {
-    return parsedInput(inputBytes(path), path);
+ScenarioInput loadScenarioFile(const std::string& path, const ReadingStyle& style) {
+    return parsedInput(inputBytes(path, style), path);
 }
 
 void checkOutputIsNone(const std::string& output, const std::vector<std::string>& inputs) {
     for (const std::string& input : inputs) {
         std::error_code error;
         if (std::filesystem::equivalent(output, input, error) && !error)
-            throw CommandError(ExitCode::usage, "-o " + output + " is read as input (" + input +
-                                                    "); choose another name for the output");
+            throw CommandError(
+                ExitCode::usage,
+                Message(translatable("drillwave::Message",
+                                     "-o %1 is read as input (%2); choose another name for the output"),
+                        {output, input}));
     }
 }
 
@@ -168,18 +189,19 @@ void checkOutputIsNoInput(const std::string& output, const std::string& scenario
 ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments) {
     if (isStandardInput(path) && arguments.value("presets") == "-")
         throw CommandError(ExitCode::usage,
-                           "FILE - and --presets - would both read standard input; take one");
-    ScenarioInput input = loadScenarioFile(path);
-    tellNewerVersion(inputName(path), input.version);
+                           translatable("drillwave::Message",
+                                        "FILE - and --presets - would both read standard input; take one"));
+    ScenarioInput input = loadScenarioFile(path, arguments.style());
+    tellNewerVersion(inputName(path), input.version, arguments.style());
     Scenario& scenario = input.document.scenario;
     applyPresets(scenario, arguments, inputName(path));
-    std::vector<std::string> problems;
+    std::vector<Message> problems;
     bool isUsage = false;
     const std::vector<Setting> all = settings(arguments);
     for (const Setting& setting : all) {
-        const std::string problem = assign(scenario, setting);
-        if (problem.empty()) continue;
-        problems.push_back(setting.word + ": " + problem);
+        const Message problem = assign(scenario, setting);
+        if (problem.isEmpty()) continue;
+        problems.push_back(about(setting.word, problem));
         isUsage |= setting.isShort || !isKey(setting.key);
     }
     if (!problems.empty())
@@ -187,9 +209,10 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
                            CommandError::Begin::withOption);
     if (const auto pair = assignmentsOf(all).meeting(scenario))
         refusePair(all[pair->one].word, all[pair->other].word, pair->problem);
-    const std::string with = arguments.has(setOption.name) ? " with --set: " : ": ";
+    const char* pattern =
+        arguments.has(setOption.name) ? translatable("drillwave::Message", "%1 with --set: %2") : "%1: %2";
     for (const InputProblem& problem : validate(scenario))
-        problems.push_back(inputName(path) + with + problem.text.text());
+        problems.emplace_back(pattern, std::vector<Message>{inputName(path), problem.text});
     if (!problems.empty())
         throw CommandError(ExitCode::invalidScenario, problems, CommandError::Begin::withOption);
     return input;
@@ -198,8 +221,10 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
 ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments) {
     ScenarioInput input = loadScenarioInput(path, arguments);
     if (input.method && input.method->method != Method::exact)
-        std::fprintf(stderr, "%s: note: was solved by %s; this command solves exactly\n",
-                     printable(inputName(path)).c_str(), describe(*input.method).c_str());
+        printRemark(
+            {translatable("drillwave::Message", "%1: note: was solved by %2; this command solves exactly"),
+             {inputName(path), methodMessage(*input.method)}},
+            arguments.style());
     return std::move(input.document);
 }
 
@@ -216,16 +241,17 @@ void checkNotSet(const Arguments& arguments, const Scenario& scenario, std::span
     for (const Setting& setting : settings(arguments))
         for (std::size_t a = 0; a < axes.size(); ++a)
             for (const Scenario& there : repeated)
-                if (const std::string problem = rivalProblem(setting.key, scenario, axes[a].key(), there);
-                    !problem.empty())
+                if (const Message problem = rivalProblem(setting.key, scenario, axes[a].key(), there);
+                    !problem.isEmpty())
                     refusePair(words[a], setting.word, problem);
 }
 
-void remarkOnValues(const Scenario& scenario, const std::string& path) {
+void remarkOnValues(const Scenario& scenario, const std::string& path, const ReadingStyle& style) {
     for (const Alert& alert : alertsFor(scenario))
         if (alert.code == AlertCode::implausibleValue)
-            std::fprintf(stderr, "%s: warning: %s\n", printable(inputName(path)).c_str(),
-                         printable(alertText(alert)).c_str());
+            printRemark({translatable("drillwave::Message", "%1: warning: %2"),
+                         {inputName(path), alertMessage(alert, style)}},
+                        style);
 }
 
 }  // namespace drillwave

@@ -47,16 +47,19 @@ void checkOutputIsNone(const std::string& output, const std::vector<std::string>
 void checkNotSet(const Arguments& arguments, const Scenario& scenario, std::span<const SweepAxis> axes,
                  std::span<const std::string> words);
 
+/// A line on stderr in the language of the reader.
+void printRemark(const Message& remark, const ReadingStyle& style);
+
 /// One line on stderr for each value outside its usual range, which is most often a mistyped unit: to be
 /// called before work that such a value may make long.
-void remarkOnValues(const Scenario& scenario, const std::string& path);
+void remarkOnValues(const Scenario& scenario, const std::string& path, const ReadingStyle& style);
 
 /// Just loads a scenario file, the scenario of a result, a built-in example where there is no file of that
 /// name, or standard input. Throws CommandError with every problem of the file.
-ScenarioInput loadScenarioFile(const std::string& path);
+ScenarioInput loadScenarioFile(const std::string& path, const ReadingStyle& style = plainStyle());
 
 /// The same in two steps: what FILE names as it is, and that read.
-std::string inputBytes(const std::string& path);
+std::string inputBytes(const std::string& path, const ReadingStyle& style);
 ScenarioInput parsedInput(std::string_view bytes, const std::string& path);
 
 /// Throws what a scenario could not be loaded for as a CommandError.

@@ -28,7 +28,7 @@ ExitCode runStability(const Arguments& arguments, const Drawing* drawing) {
     checkStandardOutput();
     const Interruption interruption;
     const std::vector<StabilityCase> cases = stabilityCases();
-    ProgressBar bar(cases.size(), "cases");
+    ProgressBar bar(cases.size(), translatable("drillwave::Message", "cases"), arguments.style());
     const int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     const StabilityReport report =
         checkStability(cases, jobs, interruption.token(),

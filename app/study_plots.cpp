@@ -27,8 +27,10 @@ std::vector<std::string> formatsIn(const std::string& list) {
         const std::string format = list.substr(begin, end - begin);
         begin = end + 1;
         if (std::ranges::find(pictureFormats, format) == pictureFormats.end())
-            throw CommandError(ExitCode::usage, "--plots " + shortened(list) + ": `" + format +
-                                                    "` is not a plot format; choose from " + knownFormats());
+            throw CommandError(ExitCode::usage,
+                               Message(translatable("drillwave::Message",
+                                                    "--plots %1: `%2` is not a plot format; choose from %3"),
+                                       {shortened(list), format, knownFormats()}));
         if (std::ranges::find(formats, format) == formats.end()) formats.push_back(format);
     }
     return formats;
@@ -38,8 +40,10 @@ std::vector<std::string> formatsIn(const std::string& list) {
 std::string placeOf(const Arguments& arguments, const char* what) {
     const std::string place = arguments.value("o").value_or("-");
     if (place == "-")
-        throw CommandError(ExitCode::usage,
-                           std::string("--plots is about files; add -o ") + what + " to say where they go");
+        throw CommandError(
+            ExitCode::usage,
+            Message(translatable("drillwave::Message", "%1 is about files; add -o %2 to say where they go"),
+                    {std::string("--plots"), std::string(what)}));
     return place;
 }
 
@@ -69,8 +73,11 @@ StudyPlots StudyPlots::besideFile(const Arguments& arguments) {
     if (!plots.areWanted()) return plots;
     const std::string path = placeOf(arguments, "FILE.csv");
     if (isStream(path))
-        throw CommandError(ExitCode::usage,
-                           "--plots: there is no place for pictures beside " + path + "; give -o FILE.csv");
+        throw CommandError(
+            ExitCode::usage,
+            Message(translatable("drillwave::Message",
+                                 "--plots: there is no place for pictures beside %1; give -o FILE.csv"),
+                    {path}));
     plots.m_folder = prefixOf(path);
     plots.m_order.stem = studyStem(path.substr(plots.m_folder.size()));
     plots.m_order.mark = studyPictureMark;

@@ -17,7 +17,9 @@ std::vector<SweepAxis> axesOf(const Arguments& arguments) {
     std::vector<SweepAxis> axes;
     for (const std::string& word : arguments.values("vary")) axes.push_back(axisArgument("vary", word));
     if (axes.empty())
-        throw CommandError(ExitCode::usage, "needs --vary KEY=START:STOP:COUNT[:log] or --vary KEY=A,B,C");
+        throw CommandError(ExitCode::usage,
+                           translatable("drillwave::Message",
+                                        "needs --vary KEY=START:STOP:COUNT[:log] or --vary KEY=A,B,C"));
     return axes;
 }
 
@@ -59,14 +61,11 @@ ExitCode runSweepCommand(const Arguments& arguments, const Drawing* drawing) {
                       .shard = options.shard,
                       .method = options.method,
                       .workLimit = options.workLimit};
-    if (std::vector<std::string> problems = problemsOf(sweep); !problems.empty()) {
-        for (std::string& problem : problems) problem = path + ": " + problem;
-        throw CommandError(ExitCode::invalidScenario, std::move(problems));
-    }
+    if (std::vector<Message> problems = problemsOf(sweep); !problems.empty())
+        throw CommandError(ExitCode::invalidScenario, eachAbout(path, std::move(problems)));
 
-    if (const std::string problem = plots.areWanted() ? pictureProblem(sweep) : std::string();
-        !problem.empty())
-        throw CommandError(ExitCode::usage, "--plots: " + problem);
+    if (const Message problem = plots.areWanted() ? pictureProblem(sweep) : Message(); !problem.isEmpty())
+        throw CommandError(ExitCode::usage, about("--plots", problem));
 
     RowRecord record = recordOf("sweep", arguments, options, sweep.columns, base,
                                 rowsOf(sweep.shard, pointCount(sweep)).size());
@@ -79,7 +78,7 @@ ExitCode runSweepCommand(const Arguments& arguments, const Drawing* drawing) {
         RowKeeper keeper(sink, rows.numbers);
         return runSweep(sweep, options.jobs, stop, keeper, progress);
     };
-    return writeRows(run, record, options, out, interruption,
+    return writeRows(run, record, options, out, interruption, arguments.style(),
                      [&] { return plots.draw(&rows, drawing, interruption); });
 }
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave table FILE CASES.csv
-#include <cstdio>
 #include <fstream>
 
 #include "app/command.h"
@@ -9,19 +8,18 @@
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "core/study/rows/table.h"
-#include "core/text/name_text.h"
 
 namespace drillwave {
 
 namespace {
 
 /// Prints warnings, throws problems, returns the number of rows.
-std::uint64_t check(const Table& table, std::istream& cases, int jobs, const Interruption& interruption) {
+std::uint64_t check(const Table& table, std::istream& cases, int jobs, const ReadingStyle& style,
+                    const Interruption& interruption) {
     TableCheck found = checkTable(table, cases, jobs, interruption.token());
     interruption.check();
     if (!found.problems.empty()) throw CommandError(ExitCode::invalidScenario, std::move(found.problems));
-    for (const std::string& warning : found.warnings)
-        std::fprintf(stderr, "%s\n", printable(warning).c_str());
+    for (const Message& warning : found.warnings) printRemark(warning, style);
     cases.clear();
     cases.seekg(0);
     return found.rows;
@@ -31,7 +29,9 @@ ExitCode runTableCommand(const Arguments& arguments, const Drawing*) {
     const std::string& scenarioPath = arguments.operands()[0];
     const std::string& path = arguments.operands()[1];
     if (isStandardInput(scenarioPath) && isStandardInput(path))
-        throw CommandError(ExitCode::usage, "FILE and CASES are both standard input; give a name for one");
+        throw CommandError(ExitCode::usage,
+                           translatable("drillwave::Message",
+                                        "FILE and CASES are both standard input; give a name for one"));
     const ScenarioInput input = loadScenarioInput(scenarioPath, arguments);
     const ScenarioDocument& base = input.document;
     const RowOptions options = rowOptions(arguments, input.method);
@@ -43,17 +43,17 @@ ExitCode runTableCommand(const Arguments& arguments, const Drawing*) {
                       .shard = options.shard,
                       .method = options.method,
                       .workLimit = options.workLimit};
-    RereadableInput cases(path);
+    RereadableInput cases(path, RereadableInput::mostKept, arguments.style());
     const Interruption interruption;
     OutputFile out(options.path, options.overwrite);
-    const std::uint64_t rows = check(table, cases.stream(), options.jobs, interruption);
+    const std::uint64_t rows = check(table, cases.stream(), options.jobs, arguments.style(), interruption);
     RowRecord record =
         recordOf("table", arguments, options, table.columns, base, rowsOf(table.shard, rows).size());
     record.cases = inputName(path);
     const auto run = [&](std::stop_token stop, RowSink& sink, const RowProgress& progress) {
         return runTable(table, cases.stream(), rows, options.jobs, stop, sink, progress);
     };
-    return writeRows(run, record, options, out, interruption);
+    return writeRows(run, record, options, out, interruption, arguments.style());
 }
 
 }  // namespace

@@ -27,26 +27,31 @@ std::optional<SweepAxis> axisOf(const Arguments& arguments) {
     const std::optional<std::string> frequencies = arguments.value("frequency");
     if (!along && !frequencies) return std::nullopt;
     if (along && frequencies)
-        throw CommandError(ExitCode::usage,
-                           "--frequency VALUES is --along drill.blow_frequency=VALUES; give one of them");
+        throw CommandError(
+            ExitCode::usage,
+            translatable("drillwave::Message",
+                         "--frequency VALUES is --along drill.blow_frequency=VALUES; give one of them"));
     const std::string option = along ? "--along" : "--frequency";
     ParsedAxis parsed =
         parseAxis(along ? *along : "drill.blow_frequency=" + *frequencies, customaryThrustPoints);
-    if (!parsed.problem.empty())
+    if (!parsed.problem.isEmpty())
         throw CommandError(
             parsed.kind == ParsedAxis::Kind::badValue ? ExitCode::invalidScenario : ExitCode::usage,
-            option + ": " + parsed.problem);
+            about(option, parsed.problem));
     if (!parsed.axis.parameter)
-        throw CommandError(ExitCode::usage, option + ": pulse.shape is no number; sweep takes it");
+        throw CommandError(
+            ExitCode::usage,
+            about(option, translatable("drillwave::Message", "pulse.shape is no number; sweep takes it")));
     if (parsed.axis.count > mostThrustPoints)
         throw CommandError(ExitCode::usage,
-                           option + ": at most " + std::to_string(mostThrustPoints) + " values");
+                           Message(translatable("drillwave::Message", "%1: at most %2 values"),
+                                   {option, std::to_string(mostThrustPoints)}));
     return std::move(parsed.axis);
 }
 
 ThrustCurve curveAlong(const Scenario& scenario, const SweepAxis& axis, int jobs, const WorkLimits& limits,
-                       const Interruption& interruption) {
-    ProgressBar bar(axis.count, "points");
+                       const ReadingStyle& style, const Interruption& interruption) {
+    ProgressBar bar(axis.count, translatable("drillwave::Message", "points"), style);
     const auto progress = [&](const ThrustCurve& soFar) { bar.show(soFar.points.size()); };
     ThrustCurve curve =
         thrustAlong(scenario, *axis.parameter, valuesOf(axis), jobs, interruption.token(), progress, limits);
@@ -64,14 +69,17 @@ void checkSolved(const ThrustCurve& curve, const std::string& path, const Argume
         if (failed++ == 0) reason = point.reason;
     }
     if (failed == 0) return;
-    throw CommandError(ExitCode::unsolvedOrFailed,
-                       path + ": " + std::to_string(failed) + " of " + std::to_string(curve.points.size()) +
-                           " points could not be solved: their cells are empty; the first: " + reason +
-                           (isAtLimit(reason) ? limitHint(arguments, scenario) : std::string()));
+    throw CommandError(
+        ExitCode::unsolvedOrFailed,
+        Message(translatable("drillwave::Message",
+                             "%1: %2 of %3 points could not be solved: their cells are empty; the first: %4"),
+                {path, std::to_string(failed), std::to_string(curve.points.size()),
+                 reasonWithHint(reason, arguments, scenario)}));
 }
 
-ThrustStudy study(const Scenario& scenario, const WorkLimits& limits, const Interruption& interruption) {
-    ShareBar bar;
+ThrustStudy study(const Scenario& scenario, const WorkLimits& limits, const ReadingStyle& style,
+                  const Interruption& interruption) {
+    ShareBar bar(style);
     ThrustStudy found =
         studyThrust(scenario, interruption.token(), bar.progress(), anyNumberOfPieces, limits);
     interruption.check();
@@ -80,12 +88,14 @@ ThrustStudy study(const Scenario& scenario, const WorkLimits& limits, const Inte
 
 /// Finds out before anything is computed whether there can be an answer.
 void checkQuestion(const Scenario& scenario, const std::optional<SweepAxis>& axis, const std::string& path) {
-    std::string problem = thrustProblem(scenario).text();
-    if (problem.empty() && axis) {
-        problem = whyNotApplicable(*axis->parameter, scenario).text();
-        if (!problem.empty()) problem = std::string(axis->key()) + " has no meaning here: " + problem;
+    Message problem = thrustProblem(scenario);
+    if (problem.isEmpty() && axis) {
+        problem = whyNotApplicable(*axis->parameter, scenario);
+        if (!problem.isEmpty())
+            problem = {translatable("drillwave::Message", "%1 has no meaning here: %2"),
+                       {std::string(axis->key()), problem}};
     }
-    if (!problem.empty()) throw CommandError(ExitCode::invalidScenario, path + ": " + problem);
+    if (!problem.isEmpty()) throw CommandError(ExitCode::invalidScenario, about(path, problem));
 }
 
 ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
@@ -94,11 +104,16 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const std::optional<SweepAxis> axis = axisOf(arguments);
     if (csvPath && !axis)
-        throw CommandError(ExitCode::usage, "-o writes the table of --along; add --along KEY=START:STOP");
+        throw CommandError(
+            ExitCode::usage,
+            translatable("drillwave::Message", "-o writes the table of --along; add --along KEY=START:STOP"));
     if (arguments.has("force") && !csvPath)
-        throw CommandError(ExitCode::usage, "--force is about the file of -o; add -o FILE.csv");
+        throw CommandError(ExitCode::usage, translatable("drillwave::Message",
+                                                         "--force is about the file of -o; add -o FILE.csv"));
     if (csvPath == "-" && arguments.has("json"))
-        throw CommandError(ExitCode::usage, "--json and -o - would both print to standard output; take one");
+        throw CommandError(ExitCode::usage,
+                           translatable("drillwave::Message",
+                                        "--json and -o - would both print to standard output; take one"));
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const int jobs = jobsOf(arguments);
     const WorkLimits limits = workLimitsOf(arguments);
@@ -120,19 +135,21 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
 
     if (csvPath != "-") checkStandardOutput();
     const Interruption interruption;
-    remarkOnValues(report.scenario, path);
+    remarkOnValues(report.scenario, path, arguments.style());
     if (axis)
-        report.along = ThrustAlong{*axis, curveAlong(report.scenario, *axis, jobs, limits, interruption)};
+        report.along = ThrustAlong{
+            *axis, curveAlong(report.scenario, *axis, jobs, limits, arguments.style(), interruption)};
     // Before anything is written: whoever interrupts it leaves nothing behind.
-    if (csvPath != "-") report.study = study(report.scenario, limits, interruption);
+    if (csvPath != "-") report.study = study(report.scenario, limits, arguments.style(), interruption);
     if (csvPath)
         writeStudy(*csvPath, scenarioHeader(report.scenarioText) + thrustCsv(*report.along),
                    plots.draw(&report, drawing, interruption), overwrite, interruption);
     if (csvPath != "-") {
         if (!report.study.reason.empty())
-            throw CommandError(ExitCode::unsolvedOrFailed,
-                               path + ": could not be solved: " + report.study.reason +
-                                   limitHint(arguments, report.scenario, report.study.hindrance));
+            throw CommandError(
+                ExitCode::unsolvedOrFailed,
+                couldNotBeSolved(path, reasonWithHint(report.study.reason, arguments, report.scenario,
+                                                      report.study.hindrance)));
         printText(arguments.has("json") ? thrustJson(report) : thrustText(report, arguments.style()));
     }
     if (report.along) checkSolved(report.along->curve, path, arguments, report.scenario);

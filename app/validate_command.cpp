@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave validate FILE…
-#include <cstdio>
 #include <string_view>
 
 #include "app/command.h"
 #include "app/preset_options.h"
 #include "app/scenario_argument.h"
-#include "core/text/name_text.h"
 #include "core/yaml/preset_file.h"
 
 namespace drillwave {
@@ -26,8 +24,8 @@ bool holdsPresets(std::string_view text) {
 }
 
 /// Presets are checked as presets.
-void check(const std::string& path) {
-    const std::string text = inputBytes(path);
+void check(const std::string& path, const ReadingStyle& style) {
+    const std::string text = inputBytes(path, style);
     if (holdsPresets(text))
         parsedPresets(text, path);
     else
@@ -38,10 +36,9 @@ ExitCode validateFiles(const Arguments& arguments, const Drawing*) {
     ExitCode result = ExitCode::done;
     for (const std::string& path : arguments.operands()) {
         try {
-            check(path);
+            check(path, arguments.style());
         } catch (const CommandError& error) {
-            for (const std::string& line : error.lines())
-                std::fprintf(stderr, "%s\n", printable(line).c_str());
+            for (const Message& line : error.messages()) printRemark(line, arguments.style());
             result = worse(result, error.code());
         }
     }

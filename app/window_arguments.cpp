@@ -15,17 +15,23 @@ namespace {
 
 [[noreturn]] void refuseWord(const std::string& word) {
     if (word.size() > 1 && word.starts_with('-'))
-        throw CommandError(ExitCode::usage, "unknown option `" + shortened(word) + "`; see drillwave --help");
+        throw CommandError(ExitCode::usage, Message(translatable("drillwave::Message",
+                                                                 "unknown option `%1`; see drillwave --help"),
+                                                    {shortened(word)}));
     std::vector<std::string_view> names;
     for (const Command* command : commands()) names.push_back(command->name);
     for (const Example& example : builtInExamples()) names.push_back(example.name);
     const std::string near(nearestName(word, names));
     if (!near.empty())
-        throw CommandError(ExitCode::usage,
-                           "`" + shortened(word) +
-                               "` is neither a command, nor a file or an example; did you mean `drillwave " +
-                               near + "`?");
-    throw CommandError(ExitCode::unreadableInput, word + ": No such file or command; see drillwave --help");
+        throw CommandError(
+            ExitCode::usage,
+            Message(translatable(
+                        "drillwave::Message",
+                        "`%1` is neither a command, nor a file or an example; did you mean `drillwave %2`?"),
+                    {shortened(word), near}));
+    throw CommandError(
+        ExitCode::unreadableInput,
+        about(word, translatable("drillwave::Message", "No such file or command; see drillwave --help")));
 }
 
 }  // namespace
@@ -48,8 +54,10 @@ WindowArguments windowArguments(std::span<const std::string> words) {
         const Example* example = isFile ? nullptr : findExample(word);
         if (!isFile && !example) refuseWord(word);
         if (!arguments.file.empty() || arguments.example)
-            throw CommandError(ExitCode::usage,
-                               "`" + shortened(word) + "` is too much; the window opens one file");
+            throw CommandError(
+                ExitCode::usage,
+                Message(translatable("drillwave::Message", "`%1` is too much; the window opens one file"),
+                        {shortened(word)}));
         if (isFile) arguments.file = word;
         arguments.example = example;
     }

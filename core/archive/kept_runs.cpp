@@ -38,10 +38,10 @@ class Reader {
 
     KeptRuns read() {
         const FileBytes index = readFile(m_folder + "/" + indexName, maximumIndexBytes);
-        if (index.problem.empty())
+        if (index.problem.isEmpty())
             readIndex(index.bytes);
         else
-            refuse(indexName, index.problem + "; the runs in this folder are not shown");
+            refuse(indexName, index.problem.text() + "; the runs in this folder are not shown");
         for (int number = 0; number < mostRuns; ++number)
             if (isThere(m_folder + "/" + runFileName(number)) && !has(number))
                 m_kept.foreign.push_back(number);
@@ -57,8 +57,8 @@ class Reader {
         while (reader.next(record)) {
             if (std::exchange(isHeader, false)) continue;
             const std::string place = std::string(indexName) + ":" + std::to_string(reader.line());
-            if (!record.problem.empty())
-                return refuse(place, record.problem + "; this run and those below are left out");
+            if (!record.problem.isEmpty())
+                return refuse(place, record.problem.text() + "; this run and those below are left out");
             readRow(place, record.cells);
         }
     }
@@ -73,7 +73,7 @@ class Reader {
                                      "` is not the file of a run (A.yaml, B.yaml, …), or the second "
                                      "row of it; this run is left out");
         const FileBytes file = readFile(m_folder + "/" + cells[0], maximumScenarioBytes);
-        if (!file.problem.empty()) return refuse(cells[0], file.problem + "; this run is left out");
+        if (!file.problem.isEmpty()) return refuse(cells[0], file.problem.text() + "; this run is left out");
         try {
             m_kept.runs.push_back({.number = *number,
                                    .name = cells[1],

@@ -58,7 +58,7 @@ void checkRecord(const Node& record, const std::string& source) {
                           {translatable("drillwave::Message", "this program reads the format %1"),
                            {std::to_string(rowRecordFormat)}});
     if (const std::string* method = record.textOf("method"); method && *method != methodOfStrings)
-        if (const std::string problem = methodProblem(*method); !problem.empty())
+        if (const Message problem = methodProblem(*method); !problem.isEmpty())
             refuseResultValue(source, "method", *method, problem);
     if (const std::string* segments = record.textOf("segments"))
         if (!segmentsIn(*segments)) refuseResultValue(source, "segments", *segments, segmentsProblem());
@@ -97,7 +97,7 @@ ScenarioInput parseCsv(std::string_view text, const std::string& source) {
                                           "run, gap, thrust and accuracy begin with one (a sweep or table "
                                           "has it in the .yaml beside it)"));
     const ResultRemarks remarks = remarksOf(yaml);
-    if (!remarks.problem.empty()) refuseResult(source, remarks.problem);
+    if (!remarks.problem.isEmpty()) refuseResult(source, remarks.problem);
     return {.document = parseScenario(std::string_view(yaml).substr(remarks.length), source),
             .isResult = true,
             .version = remarks.version,
@@ -152,7 +152,7 @@ ScenarioInput parseInput(std::string_view text, const std::string& source) {
                      translatable("drillwave::Message",
                                   "the scenario file is larger than 1024 KiB, too large to be meant"));
     const ResultRemarks remarks = remarksOf(plain);
-    if (!remarks.problem.empty()) refuseResult(source, remarks.problem);
+    if (!remarks.problem.isEmpty()) refuseResult(source, remarks.problem);
     return {.document = parseScenario(text, source),
             .isResult = false,
             .version = remarks.version,
@@ -161,7 +161,7 @@ ScenarioInput parseInput(std::string_view text, const std::string& source) {
 
 ScenarioInput loadInput(const std::string& path) {
     const FileBytes file = readStart(path, maximumInputBytes);
-    if (!file.problem.empty())
+    if (!file.problem.isEmpty())
         refuseResult(path, {translatable("drillwave::Message", "the scenario file %1"), {file.problem}});
     return parseInput(file.bytes, path);
 }

@@ -34,26 +34,33 @@ std::vector<Entry> entriesOf(std::string_view record) {
     return entries;
 }
 
-[[noreturn]] void refusePart(const std::string& file, const std::string& reason) {
+[[noreturn]] void refusePart(const std::string& file, const Message& reason) {
     throw ScenarioError(ScenarioError::Kind::unreadable, file + ".yaml",
-                        {{"", reason + "; parts are joined by the records that were written with them"}});
+                        {{"",
+                          {translatable("drillwave::Message",
+                                        "%1; parts are joined by the records that were written with them"),
+                           {reason}}}});
 }
 
-std::string placeOf(const Shard& shard) {
-    return "part " + std::to_string(shard.index) + " of " + std::to_string(shard.count);
+Message placeOf(const Shard& shard) {
+    return {translatable("drillwave::Message", "part %1 of %2"),
+            {std::to_string(shard.index), std::to_string(shard.count)}};
 }
 
 /// "3", "3, 5 to 9", at most some of them.
-std::string rangesOf(const std::vector<std::uint64_t>& numbers) {
+Message rangesOf(const std::vector<std::uint64_t>& numbers) {
     constexpr int mostRanges = 20;
-    std::string text;
+    Message text;
     int ranges = 0;
     for (std::size_t i = 0; i < numbers.size();) {
         std::size_t end = i;
         while (end + 1 < numbers.size() && numbers[end + 1] == numbers[end] + 1) ++end;
-        if (ranges++ == mostRanges) return text + " …";
-        text += (text.empty() ? "" : ", ") + std::to_string(numbers[i]);
-        if (end > i) text += (end == i + 1 ? ", " : " to ") + std::to_string(numbers[end]);
+        if (ranges++ == mostRanges) return {"%1 …", {text}};
+        Message range = std::to_string(numbers[i]);
+        if (end > i)
+            range = {end == i + 1 ? "%1, %2" : translatable("drillwave::Message", "%1 to %2"),
+                     {range, std::to_string(numbers[end])}};
+        text = text.isEmpty() ? range : Message("%1, %2", {text, range});
         i = end + 1;
     }
     return text;
@@ -62,24 +69,29 @@ std::string rangesOf(const std::vector<std::uint64_t>& numbers) {
 }  // namespace
 
 RowPart parseRowPart(std::string_view record, const std::string& file) {
-    if (!record.starts_with(rowRecordKey)) refusePart(file, "is no record of rows");
+    if (!record.starts_with(rowRecordKey))
+        refusePart(file, translatable("drillwave::Message", "is no record of rows"));
     const YamlTree tree = parseYaml(record);
-    if (!tree.problem.text.isEmpty()) refusePart(file, "cannot be read: " + tree.problem.text.text());
+    if (!tree.problem.text.isEmpty())
+        refusePart(file, {translatable("drillwave::Message", "cannot be read: %1"), {tree.problem.text}});
     const std::string* format = tree.root.textOf(rowRecordFormatKey);
     const std::string known = std::to_string(rowRecordFormat);
     if (!format || *format != known)
-        refusePart(file, "is of another format than " + known + ", from a newer program");
+        refusePart(file,
+                   {translatable("drillwave::Message", "is of another format than %1, from a newer program"),
+                    {known}});
     const std::string* command = tree.root.textOf("command");
     const std::string* rows = tree.root.textOf("rows");
     const YamlNode* part = tree.root.valueOf("part");
     RowPart read{.file = file, .command = {}, .rows = 0, .shard = {}, .record = std::string(record)};
-    if (!command) refusePart(file, "has no command");
+    if (!command) refusePart(file, translatable("drillwave::Message", "has no command"));
     const auto count = rows ? wholeNumberIn<std::uint64_t>(*rows) : std::nullopt;
-    if (!count) refusePart(file, "has no number of rows");
+    if (!count) refusePart(file, translatable("drillwave::Message", "has no number of rows"));
     read.rows = *count;
     if (part) {
         const std::optional<Shard> shard = parseShard(part->text);
-        if (!shard) refusePart(file, "part: " + part->text + " is no part I/N");
+        if (!shard)
+            refusePart(file, {translatable("drillwave::Message", "part: %1 is no part I/N"), {part->text}});
         read.shard = *shard;
     }
     read.command = *command;
@@ -99,8 +111,11 @@ std::string differingKey(const RowPart& one, const RowPart& other) {
     return left.empty() ? std::string() : std::string(left.begin()->first);
 }
 
-std::vector<std::string> wholeProblems(std::span<const RowPart> parts) {
-    std::vector<std::string> problems;
+std::vector<Message> wholeProblems(std::span<const RowPart> parts) {
+    std::vector<Message> problems;
+    const auto add = [&](const char* pattern, std::vector<Message> places) {
+        problems.emplace_back(pattern, std::move(places));
+    };
     std::map<std::uint64_t, const RowPart*> byIndex;
     std::uint64_t rows = 0;
     for (const RowPart& part : parts) {
@@ -108,23 +123,26 @@ std::vector<std::string> wholeProblems(std::span<const RowPart> parts) {
         if (isNew)
             rows += part.rows;
         else
-            problems.push_back(part.file + ": is " + placeOf(part.shard) + ", as " + there->second->file +
-                               " is; give each part once");
+            add(translatable("drillwave::Message", "%1: is %2, as %3 is; give each part once"),
+                {part.file, placeOf(part.shard), there->second->file});
     }
     const std::uint64_t count = parts.front().shard.count;
     std::vector<std::uint64_t> missing;
     for (std::uint64_t index = 1; index <= count; ++index)
         if (!byIndex.contains(index)) missing.push_back(index);
     if (!missing.empty())
-        problems.push_back((missing.size() == 1 ? "part " : "parts ") + rangesOf(missing) + " of " +
-                           std::to_string(count) + (missing.size() == 1 ? " is" : " are") +
-                           " missing; run what is missing, or name it");
+        add(missing.size() == 1 ? translatable("drillwave::Message",
+                                               "part %1 of %2 is missing; run what is missing, or name it")
+                                : translatable("drillwave::Message",
+                                               "parts %1 of %2 are missing; run what is missing, or name it"),
+            {rangesOf(missing), std::to_string(count)});
     if (!problems.empty()) return problems;
     for (const RowPart& part : parts)
         if (const std::uint64_t own = rowsOf(part.shard, rows).size(); part.rows != own)
-            problems.push_back(part.file + ": has " + std::to_string(part.rows) + " rows, but " +
-                               placeOf(part.shard) + " of all " + std::to_string(rows) + " has " +
-                               std::to_string(own) + "; it is of another run");
+            add(translatable("drillwave::Message",
+                             "%1: has %2 rows, but %3 of all %4 has %5; it is of another run"),
+                {part.file, std::to_string(part.rows), placeOf(part.shard), std::to_string(rows),
+                 std::to_string(own)});
     return problems;
 }
 

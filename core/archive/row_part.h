@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/study/rows/shard.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -30,7 +31,7 @@ std::string differingKey(const RowPart& one, const RowPart& other);
 
 /// What keeps parts that agree with each other from being a whole, each a line that names the part: missing
 /// ones, doubled ones, ones with other rows than are theirs. Empty for a whole.
-std::vector<std::string> wholeProblems(std::span<const RowPart> parts);
+std::vector<Message> wholeProblems(std::span<const RowPart> parts);
 
 /// The record of the rows in one piece, of any of the parts: with that command and so many rows.
 std::string wholeRecord(const RowPart& part, std::string_view command, std::uint64_t rows);

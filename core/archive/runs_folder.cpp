@@ -14,7 +14,7 @@ void RunsFolder::adopt(const std::vector<NamedFile>& named) {
     m_files.clear();
     for (const NamedFile& file : named) {
         FileBytes found = readFile(pathOf(file.name), maximumScenarioBytes);
-        if (found.problem.empty()) m_files.push_back({file.name, std::move(found.bytes)});
+        if (found.problem.isEmpty()) m_files.push_back({file.name, std::move(found.bytes)});
     }
 }
 
@@ -28,7 +28,7 @@ bool RunsFolder::isForeign(const std::string& name) const {
     if (!isThere(pathOf(name))) return false;
     const auto ours = std::ranges::find(m_files, name, &NamedFile::name);
     const FileBytes found = readFile(pathOf(name), maximumScenarioBytes);
-    return ours == m_files.end() || !found.problem.empty() || found.bytes != ours->bytes;
+    return ours == m_files.end() || !found.problem.isEmpty() || found.bytes != ours->bytes;
 }
 
 std::string RunsFolder::foreignFile(const std::vector<NamedFile>& files) const {

@@ -27,46 +27,60 @@ DrillLength scanLengthOf(const Scenario& scenario) {
     return length;
 }
 
-std::vector<std::string> drillProblems(const Scenario& scenario, const DrillLength& length) {
+std::vector<Message> drillProblems(const Scenario& scenario, const DrillLength& length) {
     if (!hasUnits(scenario))
-        return {"drillwave: a dimensionless scenario has no drill; give the rod and the drill in units"};
+        return {about(
+            std::string("drillwave"),
+            translatable("drillwave::Message",
+                         "a dimensionless scenario has no drill; give the rod and the drill in units"))};
     const Drill& drill = scenario.drill;
-    std::vector<std::string> problems;
-    if (!drill.blowFrequency) problems.emplace_back("drill.blow_frequency: is missing: many blows need it");
-    if (!drill.thrust) problems.emplace_back("drill.thrust: is missing: many blows need it");
+    std::vector<Message> problems;
+    const auto add = [&](const char* key, Message problem) {
+        problems.push_back(about(std::string(key), std::move(problem)));
+    };
+    if (!drill.blowFrequency)
+        add("drill.blow_frequency", translatable("drillwave::Message", "is missing: many blows need it"));
+    if (!drill.thrust)
+        add("drill.thrust", translatable("drillwave::Message", "is missing: many blows need it"));
     if (scenario.pulse.shape == PulseShape::rigidBody)
-        problems.emplace_back("pulse.shape: the reference case rigid_body is one impact and has no blows");
+        add("pulse.shape", translatable("drillwave::Message",
+                                        "the reference case rigid_body is one impact and has no blows"));
     if (drill.machineMass.value_or(0) == 0) {
         if (drill.damperDamping.value_or(0) > 0)
-            problems.emplace_back("drill.damper_damping: needs drill.machine_mass, which the damper carries");
+            add("drill.damper_damping",
+                translatable("drillwave::Message", "needs drill.machine_mass, which the damper carries"));
         if (drill.damperStiffness.value_or(0) > 0)
-            problems.emplace_back(
-                "drill.damper_stiffness: needs drill.machine_mass, which the damper carries");
+            add("drill.damper_stiffness",
+                translatable("drillwave::Message", "needs drill.machine_mass, which the damper carries"));
     }
     if (length.settle >= length.blows)
-        problems.push_back("drill.settle: " + std::to_string(length.settle) +
-                           " must be less than the blows, which are " + std::to_string(length.blows));
+        add("drill.settle",
+            {translatable("drillwave::Message", "%1 must be less than the blows, which are %2"),
+             {std::to_string(length.settle), std::to_string(length.blows)}});
     if (!drill.blowFrequency || !problems.empty()) return problems;
     const double interval = 1 / *drill.blowFrequency;
     const double least = interval * (1 - widestScatter * drill.intervalScatter.value_or(0));
     const double pulse =
         isForced(scenario) ? pulseForceOf(scenario).end * pulseDuration(scenario) : pulseDuration(scenario);
     if (!(pulse < least))
-        problems.push_back("drill.blow_frequency: a blow lasts " + formatNumber(pulse) +
-                           " s, which is no less than the interval of the blows; lower the frequency or make "
-                           "the blow shorter");
+        add("drill.blow_frequency", {translatable("drillwave::Message",
+                                                  "a blow lasts %1 s, which is no less than the interval of "
+                                                  "the blows; lower the frequency or make the blow shorter"),
+                                     {formatNumber(pulse)}});
     const double roundTrips = interval / (2 * chainProperties(scenario).transitTime);
     if (roundTrips < leastRoundTrips)
-        problems.push_back(
-            "drill.blow_frequency: waves take longer from hammer to bit than from blow to blow (" +
-            formatNumber(roundTrips) + " round trips); lower the frequency or make the string shorter");
+        add("drill.blow_frequency",
+            {translatable("drillwave::Message",
+                          "waves take longer from hammer to bit than from blow to blow (%1 round trips); "
+                          "lower the frequency or make the string shorter"),
+             {formatNumber(roundTrips)}});
     return problems;
 }
 
-std::string drillProblem(const Scenario& scenario) {
-    std::string line;
-    for (const std::string& problem : drillProblems(scenario, scanLengthOf(scenario)))
-        line += (line.empty() ? "" : "; ") + problem;
+Message drillProblem(const Scenario& scenario) {
+    Message line;
+    for (const Message& problem : drillProblems(scenario, scanLengthOf(scenario)))
+        line = line.isEmpty() ? problem : Message("%1; %2", {line, problem});
     return line;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/model/scenario.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -25,9 +26,9 @@ DrillLength scanLengthOf(const Scenario& scenario);
 
 /// Why a valid scenario cannot be drilled with, each with its key: "drill.thrust: is missing …". Empty where
 /// it can.
-std::vector<std::string> drillProblems(const Scenario& scenario, const DrillLength& length);
+std::vector<Message> drillProblems(const Scenario& scenario, const DrillLength& length);
 
 /// All of them in a line, of a study of many values.
-std::string drillProblem(const Scenario& scenario);
+Message drillProblem(const Scenario& scenario);
 
 }  // namespace drillwave

@@ -26,12 +26,12 @@ std::span<const std::string_view> methodNames() {
     return names.all();
 }
 
-std::string methodProblem(std::string_view name) {
+Message methodProblem(std::string_view name) {
     if (findMethod(name)) return {};
     std::string list;
-    for (const std::string_view known : names.all())
-        list += (list.empty() ? "" : known == names.all().back() ? " or " : ", ") + std::string(known);
-    return "must be " + list;
+    for (const std::string_view known : names.all().first(names.all().size() - 1))
+        list += (list.empty() ? "" : ", ") + std::string(known);
+    return {translatable("drillwave::Message", "must be %1 or %2"), {list, std::string(names.all().back())}};
 }
 
 std::optional<int> segmentsIn(std::string_view text) {
@@ -40,7 +40,7 @@ std::optional<int> segmentsIn(std::string_view text) {
     return segments;
 }
 
-std::string segmentsProblem() {
+Message segmentsProblem() {
     return wholeNumberProblem(minimumSegments, maximumSegments);
 }
 
@@ -55,8 +55,8 @@ std::string describe(const MethodChoice& choice) {
     return methodMessage(choice).text();
 }
 
-std::string methodRefusal(Method method, const Problem& problem) {
-    return method == Method::closedForm ? closedFormRefusal(problem) : std::string();
+Message methodRefusal(Method method, const Problem& problem) {
+    return method == Method::closedForm ? closedFormRefusal(problem) : Message();
 }
 
 Impact MethodSolver::solve(const Problem& problem, Detail detail, const MethodChoice& choice,

@@ -30,14 +30,14 @@ std::optional<Method> findMethod(std::string_view name);
 /// All names, in the order of Method.
 std::span<const std::string_view> methodNames();
 /// Why a name is that of no method: "must be exact, lattice or closed_form"; empty when it is.
-std::string methodProblem(std::string_view name);
+Message methodProblem(std::string_view name);
 /// What results of drill strings say, which have one method.
 inline constexpr std::string_view methodOfStrings = "polynomial_cells";
 
 /// The segments of a lattice from text; nothing where they are no whole number that is permitted, for which
 /// segmentsProblem() is the reason.
 std::optional<int> segmentsIn(std::string_view text);
-std::string segmentsProblem();
+Message segmentsProblem();
 
 /// A method with its settings.
 struct MethodChoice {
@@ -52,7 +52,7 @@ Message methodMessage(const MethodChoice& choice);
 std::string describe(const MethodChoice& choice);
 
 /// Why a method says nothing about a blow that others can solve; empty when it does.
-std::string methodRefusal(Method method, const Problem& problem);
+Message methodRefusal(Method method, const Problem& problem);
 
 /// A wave piece of the exact solver is worth so many cells of a string.
 inline constexpr long cellsOfPiece = 30;

@@ -36,20 +36,24 @@ Number number(const From& from) {
 }
 
 /// Of a scenario that is none of them.
-std::string whyNone(OutputOf which, const Scenario& scenario) {
-    if (which == OutputOf::uniformRod) return "only a uniform rod has it (`drillwave: 1`)";
-    if (!concerns(OutputOf::drillString, scenario)) return "only a drill string has it (`drillwave: 2`)";
+Message whyNone(OutputOf which, const Scenario& scenario) {
+    if (which == OutputOf::uniformRod)
+        return translatable("drillwave::Message", "only a uniform rod has it (`drillwave: 1`)");
+    if (!concerns(OutputOf::drillString, scenario))
+        return translatable("drillwave::Message", "only a drill string has it (`drillwave: 2`)");
     return isForced(scenario)
-               ? "only a hammer of sections has it (`hammer`), this string is driven by a force"
-               : "only faces with a stiffness have it (`hammer.face_stiffness`)";
+               ? translatable("drillwave::Message",
+                              "only a hammer of sections has it (`hammer`), this string is driven by a force")
+               : translatable("drillwave::Message",
+                              "only faces with a stiffness have it (`hammer.face_stiffness`)");
 }
 
-std::string whyNoPower(const Scenario& scenario) {
-    return frequencyProblem(scenario, translatable("drillwave::Message", "the percussion power")).text();
+Message whyNoPower(const Scenario& scenario) {
+    return frequencyProblem(scenario, translatable("drillwave::Message", "the percussion power"));
 }
 
-std::string whyNoRate(const Scenario& scenario) {
-    return frequencyProblem(scenario, translatable("drillwave::Message", "the penetration rate")).text();
+Message whyNoRate(const Scenario& scenario) {
+    return frequencyProblem(scenario, translatable("drillwave::Message", "the penetration rate"));
 }
 
 constexpr std::string_view thrustMarginName = "thrust_margin";
@@ -111,7 +115,7 @@ constexpr auto outputTable = std::to_array<Output>({
      Detail::cor,
      [](const From& f) { return thrustNeeded(f.scenario, f.summary.cor, f.summary.transferred); },
      "thrust needed by this blow", OutputOf::anyBlow, OutputGroup::none, "", std::nullopt, std::nullopt,
-     [](const Scenario& s) { return thrustProblem(s).text(); }},
+     thrustProblem},
     {thrustMarginName,
      "effective feed force over the largest of the four needs of the thrust, less 1, when the scenario has "
      "them; takes a study of all gaps",
@@ -282,9 +286,9 @@ bool concerns(OutputOf which, const Scenario& scenario) {
     return false;
 }
 
-std::string Output::problem(const Scenario& scenario) const {
+Message Output::problem(const Scenario& scenario) const {
     if (!concerns(scenario)) return whyNone(of, scenario);
-    return lack ? lack(scenario) : std::string();
+    return lack ? lack(scenario) : Message();
 }
 
 bool Output::concerns(const Scenario& scenario) const {

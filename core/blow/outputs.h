@@ -12,6 +12,7 @@
 #include "core/blow/impact_summary.h"
 #include "core/model/scales.h"
 #include "core/model/scenario.h"
+#include "core/text/message.h"
 #include "core/text/units.h"
 #include "core/wave/impact.h"
 
@@ -74,12 +75,12 @@ struct Output {
     std::optional<EnergyPart> part = {};  ///< what it belongs to, or is
     std::optional<Load> load = {};        ///< which one, where it is a largest force in the rod
     /// problem(), for what not every blow of those has.
-    std::string (*lack)(const Scenario&) = nullptr;
+    Message (*lack)(const Scenario&) = nullptr;
     std::string_view shortTitle = {};  ///< in the window, where it is another one
     int order = 0;                     ///< of its group: what stays before what is largest for a moment
 
     /// Why such a scenario has none and what to do; empty when it has.
-    std::string problem(const Scenario& scenario) const;
+    Message problem(const Scenario& scenario) const;
     /// In the measure; nothing where there is none: without the waves, or where problem() says why.
     std::optional<double> value(const OutputSource& source) const {
         return concerns(source.scenario) ? number(source) : std::nullopt;

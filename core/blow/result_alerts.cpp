@@ -50,7 +50,7 @@ std::optional<AlertArgument> closedFormObstacle(const Problem& problem) {
     if (!problem.law.isBilinear())
         return AlertArgument{rockLawKey, static_cast<double>(problem.law.corners.size())};
     if (problem.transitTime() < 0.5) return AlertArgument{"tau", problem.transitTime()};
-    if (!closedFormRefusal(problem).empty()) return AlertArgument{"delta", problem.gap};
+    if (!closedFormRefusal(problem).isEmpty()) return AlertArgument{"delta", problem.gap};
     if (overlapIsSmall(problem.law.beta, problem.transitTime())) return std::nullopt;
     return AlertArgument{"beta", problem.law.beta};
 }

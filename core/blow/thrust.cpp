@@ -17,12 +17,15 @@ Message thrustProblem(const Scenario& scenario) {
     return frequencyProblem(scenario, translatable("drillwave::Message", "the thrust"));
 }
 
-std::string thrustMarginProblem(const Scenario& scenario) {
+Message thrustMarginProblem(const Scenario& scenario) {
     if (!gapHasPeriod(scenario))
-        return "the margin of the thrust is known of uniform rods alone (`drillwave: 1`)";
-    if (const Message problem = thrustProblem(scenario); !problem.isEmpty()) return problem.text();
+        return translatable("drillwave::Message",
+                            "the margin of the thrust is known of uniform rods alone (`drillwave: 1`)");
+    if (const Message problem = thrustProblem(scenario); !problem.isEmpty()) return problem;
     if (!scenario.drill.thrust)
-        return "the margin of the thrust needs drill.thrust; give it in the scenario or with --set";
+        return translatable(
+            "drillwave::Message",
+            "the margin of the thrust needs drill.thrust; give it in the scenario or with --set");
     return {};
 }
 

@@ -20,7 +20,7 @@ std::optional<double> thrustNeeded(const Scenario& scenario, double cor, double 
 Message thrustProblem(const Scenario& scenario);
 
 /// Why there is no margin of the installed thrust, likewise.
-std::string thrustMarginProblem(const Scenario& scenario);
+Message thrustMarginProblem(const Scenario& scenario);
 
 /// Why there is nothing per time for a scenario, `what` being "the thrust" or the like; empty when there is.
 Message frequencyProblem(const Scenario& scenario, const char* what);

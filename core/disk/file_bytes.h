@@ -5,12 +5,14 @@
 #include <cstddef>
 #include <string>
 
+#include "core/text/message.h"
+
 namespace drillwave {
 
 /// What was read, or why not ("cannot be opened: No such file or directory").
 struct FileBytes {
     std::string bytes;
-    std::string problem;
+    Message problem;
 };
 
 /// Reads a regular file of at most `maximumBytes`; anything else (a folder, a pipe, a device) is refused

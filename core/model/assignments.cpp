@@ -13,7 +13,7 @@
 namespace drillwave {
 namespace {
 
-constexpr std::string_view sameThing = "set the same thing";
+constexpr const char* sameThing = translatable("drillwave::Message", "set the same thing");
 
 /// Where a key comes among those that are set together.
 using Rank = std::tuple<std::ptrdiff_t, int, std::ptrdiff_t>;
@@ -58,10 +58,9 @@ bool mayMeet(const AssignedKey& a, const AssignedKey& b) {
     return a.parameter && b.parameter && mayMeet(*a.parameter, *b.parameter);
 }
 
-std::string rivalProblem(const AssignedKey& a, const Scenario& ofA, const AssignedKey& b,
-                         const Scenario& ofB) {
-    if (areRivals(a, b)) return std::string(sameThing);
-    return a.parameter && b.parameter ? meetingProblem(*a.parameter, ofA, *b.parameter, ofB) : std::string();
+Message rivalProblem(const AssignedKey& a, const Scenario& ofA, const AssignedKey& b, const Scenario& ofB) {
+    if (areRivals(a, b)) return sameThing;
+    return a.parameter && b.parameter ? meetingProblem(*a.parameter, ofA, *b.parameter, ofB) : Message();
 }
 
 }  // namespace
@@ -70,7 +69,7 @@ bool areRivals(std::string_view a, std::string_view b) {
     return areRivals(assigned(a), assigned(b));
 }
 
-std::string rivalProblem(std::string_view a, const Scenario& ofA, std::string_view b, const Scenario& ofB) {
+Message rivalProblem(std::string_view a, const Scenario& ofA, std::string_view b, const Scenario& ofB) {
     return rivalProblem(assigned(a), ofA, assigned(b), ofB);
 }
 
@@ -97,15 +96,15 @@ void Assignments::skip() {
 
 std::optional<RivalPair> Assignments::rivals(const IsSet& isSet) const {
     for (const auto& [a, b] : m_rivals)
-        if (!isSet || (isSet(a) && isSet(b))) return RivalPair{a, b, std::string(sameThing)};
+        if (!isSet || (isSet(a) && isSet(b))) return RivalPair{a, b, sameThing};
     return std::nullopt;
 }
 
 std::optional<RivalPair> Assignments::meeting(const Scenario& scenario, const IsSet& isSet) const {
     for (const auto& [a, b] : m_mayMeet) {
         if (isSet && !(isSet(a) && isSet(b))) continue;
-        std::string problem = rivalProblem(*m_keys[a], scenario, *m_keys[b], scenario);
-        if (!problem.empty()) return RivalPair{a, b, std::move(problem)};
+        Message problem = rivalProblem(*m_keys[a], scenario, *m_keys[b], scenario);
+        if (!problem.isEmpty()) return RivalPair{a, b, std::move(problem)};
     }
     return std::nullopt;
 }

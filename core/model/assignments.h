@@ -12,6 +12,7 @@
 
 #include "core/model/kept_parameter.h"
 #include "core/model/scenario.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -22,12 +23,12 @@ bool areRivals(std::string_view a, std::string_view b);
 /// Why two keys cannot both be set, as what stands behind them: "set the same thing" where they are rivals;
 /// "set one section, …" where both are about one that stands in the file once. Empty when they can. The
 /// scenarios are as for meetingProblem().
-std::string rivalProblem(std::string_view a, const Scenario& ofA, std::string_view b, const Scenario& ofB);
+Message rivalProblem(std::string_view a, const Scenario& ofA, std::string_view b, const Scenario& ofB);
 
 /// Two keys of Assignments that cannot both be set.
 struct RivalPair {
     std::size_t one = 0, other = 0;  ///< one < other
-    std::string problem;             ///< rivalProblem()
+    Message problem;                 ///< rivalProblem()
 };
 
 /// A key, and the parameter that it names, if any.

@@ -16,8 +16,8 @@ namespace {
 constexpr const char* notOfUniformRod =
     translatable("drillwave::Message", "only a drill string has it (`drillwave: 2`), this is a uniform rod");
 
-std::string refusal(std::string_view key, std::string_view text, std::string_view reason) {
-    return std::string(key) + " = " + shortened(trimmed(text)) + " (" + std::string(reason) + ")";
+Message refusal(std::string_view key, std::string_view text, const Message& reason) {
+    return refusedValue(std::string(key), shortened(trimmed(text)), reason);
 }
 
 constexpr const char* notOfString =
@@ -29,35 +29,36 @@ constexpr const char* notOfForce =
     translatable("drillwave::Message",
                  "only a hammer of sections has it (`hammer`), this string is driven by a force (`pulse`)");
 
-std::string assignWord(Scenario& scenario, const WordParameter& parameter, std::string_view text) {
+Message assignWord(Scenario& scenario, const WordParameter& parameter, std::string_view text) {
     const auto words = parameter.words();
     const auto found = std::ranges::find(words, trimmed(text));
     if (found != words.end()) {
-        const std::string reason =
-            parameter.assign(scenario, static_cast<std::size_t>(found - words.begin()));
-        return reason.empty() ? reason : refusal(parameter.key, text, reason);
+        const Message reason = parameter.assign(scenario, static_cast<std::size_t>(found - words.begin()));
+        return reason.isEmpty() ? reason : refusal(parameter.key, text, reason);
     }
     if (const Message reason = shapeRefusal(scenario, PulseShape());
         parameter.key == pulseShapeKey && !reason.isEmpty())
-        return refusal(parameter.key, text, reason.text());
-    return refusal(parameter.key, text, "must be one of " + parameter.list());
+        return refusal(parameter.key, text, reason);
+    return refusal(parameter.key, text,
+                   {translatable("drillwave::Message", "must be one of %1"), {parameter.list()}});
 }
 
-std::string assignRestrike(Scenario& scenario, std::string_view text) {
+Message assignRestrike(Scenario& scenario, std::string_view text) {
     const std::optional<bool> restrike = findTruth(trimmed(text));
     if (!isString(scenario)) return refusal(restrikeKey, text, notOfUniformRod);
     if (isForced(scenario)) return refusal(restrikeKey, text, notOfForce);
-    if (!restrike) return refusal(restrikeKey, text, "must be true or false");
+    if (!restrike)
+        return refusal(restrikeKey, text, translatable("drillwave::Message", "must be true or false"));
     scenario.drillString.hammer.restrike = *restrike;
     return {};
 }
 
-std::string unknownKey(std::string_view key) {
+Message unknownKey(std::string_view key) {
     for (const std::string_view text : {"title", "pulse.file", "pulse.points", "hammer.sections", "string"})
-        if (key == text) return "`" + std::string(key) + "` is no number; write it into the scenario file";
-    const std::string near = nearestKey(key);
-    return "`" + shortened(key) + "` is not a parameter" +
-           (near.empty() ? "" : "; did you mean `" + near + "`?");
+        if (key == text)
+            return {translatable("drillwave::Message", "`%1` is no number; write it into the scenario file"),
+                    {std::string(key)}};
+    return notAParameter(key);
 }
 
 /// Names the group that does in a dimensionless scenario what this parameter does in a dimensional one.
@@ -135,12 +136,20 @@ Message whyNotApplicable(const Parameter& parameter, const Scenario& scenario) {
     return {translatable("drillwave::Message", "only a piston has it, the shape is %1"), {shape}};
 }
 
-std::string assignNumber(Scenario& scenario, const Parameter& parameter, double si) {
+Message assignNumber(Scenario& scenario, const Parameter& parameter, double si) {
     if (const Message reason = whyNotApplicable(parameter, scenario); !reason.isEmpty())
-        return "has no meaning here: " + reason.text();
-    if (const Message problem = rangeProblem(parameter, si); !problem.isEmpty()) return problem.text();
+        return {translatable("drillwave::Message", "has no meaning here: %1"), {reason}};
+    if (const Message problem = rangeProblem(parameter, si); !problem.isEmpty()) return problem;
     parameter.assign(scenario, si);
     return {};
+}
+
+Message notAParameter(std::string_view key) {
+    const std::string near = nearestKey(key);
+    if (near.empty())
+        return {translatable("drillwave::Message", "`%1` is not a parameter"), {shortened(key)}};
+    return {translatable("drillwave::Message", "`%1` is not a parameter; did you mean `%2`?"),
+            {shortened(key), near}};
 }
 
 std::string nearestKey(std::string_view key) {
@@ -152,30 +161,29 @@ std::string nearestKey(std::string_view key) {
     return std::string(nearestName(key, keys));
 }
 
-std::string assignText(Scenario& scenario, std::string_view key, std::string_view text, const Unit* unit) {
+Message assignText(Scenario& scenario, std::string_view key, std::string_view text, const Unit* unit) {
     if (const WordParameter* word = findWordParameter(key)) return assignWord(scenario, *word, text);
     if (key == restrikeKey) return assignRestrike(scenario, text);
     const KeptParameter parameter = findParameter(key);
     return parameter ? assignText(scenario, *parameter, text, unit) : unknownKey(key);
 }
 
-std::string assignText(Scenario& scenario, const Parameter& parameter, std::string_view text,
-                       const Unit* unit) {
+Message assignText(Scenario& scenario, const Parameter& parameter, std::string_view text, const Unit* unit) {
     if (const KeptParameter other = hasUnits(scenario) ? KeptParameter() : inScales(parameter);
         other && &*other != &parameter)
         return assignText(scenario, *other, text, unit);
     const std::string_view key = parameter.key;
     const Message inapplicable = whyNotApplicable(parameter, scenario);
-    if (!inapplicable.isEmpty()) return refusal(key, text, inapplicable.text());
+    if (!inapplicable.isEmpty()) return refusal(key, text, inapplicable);
     const BareNumber bare = unit ? BareNumber::inDefaultUnit : BareNumber::refused;
     const TypedQuantity typed =
         parseQuantity(text, parameter.quantity, bare, unit ? unit : &parameter.displayUnit());
-    if (!typed.valid()) return refusal(key, text, typed.problem.text());
+    if (!typed.valid()) return refusal(key, text, typed.problem);
     const Message problem = rangeProblem(parameter, typed.si);
-    if (!problem.isEmpty()) return refusal(key, text, problem.text());
+    if (!problem.isEmpty()) return refusal(key, text, problem);
     parameter.assign(scenario, typed.si);
     const Message lost = readBackProblem(parameter, scenario, typed.si);
-    return lost.isEmpty() ? std::string() : refusal(key, text, lost.text());
+    return lost.isEmpty() ? lost : refusal(key, text, lost);
 }
 
 }  // namespace drillwave

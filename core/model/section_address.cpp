@@ -50,24 +50,45 @@ std::vector<std::string_view> namesIn(const SectionAddress& address, const Drill
     return names;
 }
 
-std::string noSuchName(const SectionAddress& address, const DrillString& drillString) {
+Message noSuchName(const SectionAddress& address, const DrillString& drillString) {
     const std::vector<std::string_view> names = namesIn(address, drillString);
     const std::string_view near = nearestName(spoken(address.name), names);
     std::string list;
     for (const std::string_view name : names) list += (list.empty() ? "" : ", ") + std::string(name);
-    const std::string chain = address.chain == Chain::hammer ? "hammer" : "string";
-    return "no section of the " + chain + " is called `" + shortened(address.name) + "`; " +
-           (!near.empty()  ? "did you mean `" + std::string(near) + "`?"
-            : list.empty() ? "its sections have no names, give a place: `" + chain + ".1." +
-                                 std::string(address.field->key) + "`"
-                           : "its names: " + shortened(list));
+    const bool hammer = address.chain == Chain::hammer;
+    const std::string name = shortened(address.name);
+    if (!near.empty())
+        return {hammer ? translatable("drillwave::Message",
+                                      "no section of the hammer is called `%1`; did you mean `%2`?")
+                       : translatable("drillwave::Message",
+                                      "no section of the string is called `%1`; did you mean `%2`?"),
+                {name, std::string(near)}};
+    if (!list.empty())
+        return {hammer ? translatable("drillwave::Message",
+                                      "no section of the hammer is called `%1`; its names: %2")
+                       : translatable("drillwave::Message",
+                                      "no section of the string is called `%1`; its names: %2"),
+                {name, shortened(list)}};
+    return {
+        hammer
+            ? translatable(
+                  "drillwave::Message",
+                  "no section of the hammer is called `%1`; its sections have no names, give a place: `%2`")
+            : translatable(
+                  "drillwave::Message",
+                  "no section of the string is called `%1`; its sections have no names, give a place: `%2`"),
+        {name, sectionKey(address.chain, 1, address.field->key)}};
 }
 
-std::string noSuchPlace(const SectionAddress& address, const DrillString& drillString) {
+Message noSuchPlace(const SectionAddress& address, const DrillString& drillString) {
     const bool hammer = address.chain == Chain::hammer;
     const std::uint64_t count = hammer ? drillString.hammer.sections.size() : sectionCount(drillString);
-    return std::string("the ") + (hammer ? "hammer" : "string") + " has only " + std::to_string(count) +
-           (count == 1 ? " section" : " sections");
+    const char* pattern =
+        hammer ? (count == 1 ? translatable("drillwave::Message", "the hammer has only %1 section")
+                             : translatable("drillwave::Message", "the hammer has only %1 sections"))
+               : (count == 1 ? translatable("drillwave::Message", "the string has only %1 section")
+                             : translatable("drillwave::Message", "the string has only %1 sections"));
+    return {pattern, {std::to_string(count)}};
 }
 
 }  // namespace
@@ -111,7 +132,7 @@ std::string sectionKey(Chain chain, std::uint64_t place, std::string_view field)
     return sectionKey(chain, place) + "." + std::string(field);
 }
 
-std::string whyNoneThere(const SectionAddress& address, const DrillString& drillString) {
+Message whyNoneThere(const SectionAddress& address, const DrillString& drillString) {
     return address.place == 0 ? noSuchName(address, drillString) : noSuchPlace(address, drillString);
 }
 

@@ -72,7 +72,7 @@ void visitSections(const SectionAddress& address, String& drillString, const Vis
 
 /// Why no section is meant, where there is none: "no section of the string is called `adaptor`; did you mean
 /// `adapter`?".
-std::string whyNoneThere(const SectionAddress& address, const DrillString& drillString);
+Message whyNoneThere(const SectionAddress& address, const DrillString& drillString);
 
 /// The known key most like a mistyped one of a section, as far as it can be told without a scenario; empty
 /// when none is close.

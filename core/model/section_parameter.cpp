@@ -132,8 +132,8 @@ bool mayMeet(const Parameter& one, const Parameter& other) {
            areRivals(*one.address->field, *other.address->field);
 }
 
-std::string meetingProblem(const Parameter& one, const Scenario& ofOne, const Parameter& other,
-                           const Scenario& ofOther) {
+Message meetingProblem(const Parameter& one, const Scenario& ofOne, const Parameter& other,
+                       const Scenario& ofOther) {
     if (!mayMeet(one, other)) return {};
     const SectionAddress &a = *one.address, &b = *other.address;
     const std::vector<std::size_t> numbers = numbersOf(a, ofOne);
@@ -141,22 +141,30 @@ std::string meetingProblem(const Parameter& one, const Scenario& ofOne, const Pa
         return std::ranges::find(numbers, number) != numbers.end();
     };
     if (std::ranges::none_of(numbersOf(b, ofOther), isOfOne)) return {};
-    if (a.place > 0 && b.place > 0) return "set one section, which a repeat brings to both places";
+    if (a.place > 0 && b.place > 0)
+        return translatable("drillwave::Message", "set one section, which a repeat brings to both places");
     const SectionAddress& place = a.place > 0 ? a : b;
-    return "set one section: section " + std::to_string(place.place) + " of the " +
-           (place.chain == Chain::hammer ? "hammer" : "string") + " is called " +
-           shortened(a.place > 0 ? b.name : a.name);
+    return {
+        place.chain == Chain::hammer
+            ? translatable("drillwave::Message", "set one section: section %1 of the hammer is called %2")
+            : translatable("drillwave::Message", "set one section: section %1 of the string is called %2"),
+        {std::to_string(place.place), shortened(a.place > 0 ? b.name : a.name)}};
 }
 
-std::string whyNoSection(const Parameter& parameter, const Scenario& scenario) {
-    if (!hasSections(scenario)) return "only a drill string has it (`drillwave: 2`), this is a uniform rod";
-    if (!parameter.address) return "the string has no repeat";
+Message whyNoSection(const Parameter& parameter, const Scenario& scenario) {
+    if (!hasSections(scenario))
+        return translatable("drillwave::Message",
+                            "only a drill string has it (`drillwave: 2`), this is a uniform rod");
+    if (!parameter.address) return translatable("drillwave::Message", "the string has no repeat");
     const SectionAddress& address = *parameter.address;
     bool found = false;
     visitSections(address, scenario.drillString, [&](const Section&) { found = true; });
     if (found && address.field->with == SectionField::With::area)
-        return "goes with an area, and the section is given by its diameter";
-    if (found) return "goes with a diameter, and the section is given by its area";
+        return translatable("drillwave::Message",
+                            "goes with an area, and the section is given by its diameter");
+    if (found)
+        return translatable("drillwave::Message",
+                            "goes with a diameter, and the section is given by its area");
     return whyNoneThere(address, scenario.drillString);
 }
 

@@ -25,11 +25,11 @@ bool mayMeet(const Parameter& one, const Parameter& other);
 /// Why the two cannot both be set, as what stands behind their keys: "set one section, …", where a section
 /// that stands in the file once is both; empty when none is. The two scenarios differ in their repeats alone:
 /// places count in that of their own.
-std::string meetingProblem(const Parameter& one, const Scenario& ofOne, const Parameter& other,
-                           const Scenario& ofOther);
+Message meetingProblem(const Parameter& one, const Scenario& ofOne, const Parameter& other,
+                       const Scenario& ofOther);
 
 /// Why not: "no section of the string is called `adaptor`; did you mean `adapter`?".
-std::string whyNoSection(const Parameter& parameter, const Scenario& scenario);
+Message whyNoSection(const Parameter& parameter, const Scenario& scenario);
 
 /// Every number that a section of a string scenario has, by place, in the order of a file; and the repeat.
 std::vector<KeptParameter> sectionParameters(const Scenario& scenario);

@@ -11,20 +11,21 @@
 namespace drillwave {
 namespace {
 
-std::string setShape(Scenario& scenario, std::size_t word) {
+Message setShape(Scenario& scenario, std::size_t word) {
     const auto shape = static_cast<PulseShape>(word);
-    std::string refusal = shapeRefusal(scenario, shape).text();
-    if (refusal.empty()) scenario.pulse.shape = shape;
+    Message refusal = shapeRefusal(scenario, shape);
+    if (refusal.isEmpty()) scenario.pulse.shape = shape;
     return refusal;
 }
 
-std::string setLaw(Scenario& scenario, std::size_t word) {
+Message setLaw(Scenario& scenario, std::size_t word) {
     scenario.bitRock = withLaw(std::move(scenario.bitRock), static_cast<RockLaw>(word));
     return {};
 }
 
-std::string setIndexing(Scenario& scenario, std::size_t word) {
-    if (!hasUnits(scenario)) return "a dimensionless scenario has no drill";
+Message setIndexing(Scenario& scenario, std::size_t word) {
+    if (!hasUnits(scenario))
+        return translatable("drillwave::Message", "a dimensionless scenario has no drill");
     scenario.drill.indexing = static_cast<RockIndexing>(word);
     return {};
 }

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/model/scenario.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -17,7 +18,7 @@ struct WordParameter {
     std::string_view (*value)(const Scenario&);    ///< the one of a scenario
     /// Sets the word of that number. Returns why the scenario has none of this key, or not that one: "only a
     /// drill string has it …"; empty when done.
-    std::string (*assign)(Scenario&, std::size_t word);
+    Message (*assign)(Scenario&, std::size_t word);
 
     /// "rectangular, triangular, …", for messages.
     std::string list() const;

@@ -28,7 +28,7 @@ Json numberJson(const std::optional<double>& value) {
 JsonObject dimensionlessJson(const Blow& blow) {
     JsonObject object;
     for (const Output& output : outputs())
-        if (!output.isOnlySi() && output.problem(blow.scenario).empty())
+        if (!output.isOnlySi() && output.problem(blow.scenario).isEmpty())
             object[output.name] = numberJson(valueOf(blow, output));
     return object;
 }
@@ -37,7 +37,7 @@ JsonObject dimensionlessJson(const Blow& blow) {
 void addSi(JsonObject& report, const Blow& blow) {
     JsonObject si, units;
     for (const Output& output : outputs()) {
-        if (!output.problem(blow.scenario).empty()) continue;
+        if (!output.problem(blow.scenario).isEmpty()) continue;
         std::optional<double> value = valueOf(blow, output);
         if (value) value = inSi(output, *value, blow);
         si[output.name] = numberJson(value);

@@ -38,7 +38,7 @@ std::optional<SweepAxis> frequencyAxis(const Scenario& scenario) {
     };
     ParsedAxis parsed = parseAxis(
         std::string(frequencyKey) + "=" + value(frequency / 2) + ":" + value(frequency * 1.5), points);
-    if (!parsed.problem.empty()) return std::nullopt;
+    if (!parsed.problem.isEmpty()) return std::nullopt;
     return std::move(parsed.axis);
 }
 

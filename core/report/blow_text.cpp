@@ -121,7 +121,7 @@ void addSummary(TextGrid& grid, const Blow& blow, const ReadingStyle& style) {
     for (const SummaryLine& line : summaryLines) {
         if (!concerns(line.of, blow.scenario)) continue;
         const Output& output = *findOutput(line.output);
-        if (!output.problem(blow.scenario).empty()) continue;
+        if (!output.problem(blow.scenario).isEmpty()) continue;
         const std::optional<double> value = output.value({blow.summary, blow.scenario});
         if (!value) continue;
         if (!hasSections(blow.scenario))

@@ -79,7 +79,7 @@ template <class IsWanted>
 std::vector<ReportRow> rowsOf(const Blow& blow, const ReadingStyle& style, const IsWanted& isWanted) {
     std::vector<ReportRow> rows;
     for (const Output& output : outputs()) {
-        if (!isWanted(output) || !output.problem(blow.scenario).empty()) continue;
+        if (!isWanted(output) || !output.problem(blow.scenario).isEmpty()) continue;
         const std::optional<double> value = output.value({blow.summary, blow.scenario, blow.thrustMargin()});
         if (!value) continue;
         ReportRow row{std::string(output.name), style.said(Message::ofTable(output.title)), {}};

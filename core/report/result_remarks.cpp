@@ -27,8 +27,9 @@ void readMethod(std::string_view line, ResultRemarks& remarks) {
     const std::string_view method = words.substr(0, comma);
     if (method == methodOfStrings) return;  // there is no choice
     remarks.problem = methodProblem(method);
-    if (!remarks.problem.empty()) {
-        remarks.problem = "was solved by method " + shortened(method) + " (" + remarks.problem + ")";
+    if (!remarks.problem.isEmpty()) {
+        remarks.problem = {translatable("drillwave::Message", "was solved by method %1 (%2)"),
+                           {shortened(method), remarks.problem}};
         return;
     }
     MethodChoice choice;
@@ -38,8 +39,8 @@ void readMethod(std::string_view line, ResultRemarks& remarks) {
         const std::size_t length = words.ends_with(unit) ? words.size() - unit.size() : 0;
         const std::optional<int> segments = segmentsIn(words.substr(0, length));
         if (!segments)
-            remarks.problem =
-                "was solved by a lattice of `" + shortened(words) + "` (" + segmentsProblem() + ")";
+            remarks.problem = {translatable("drillwave::Message", "was solved by a lattice of `%1` (%2)"),
+                               {shortened(words), segmentsProblem()}};
         choice.lattice.segments = segments.value_or(choice.lattice.segments);
     }
     remarks.method = choice;

@@ -19,7 +19,7 @@ struct ResultRemarks {
     std::string version;
     std::optional<MethodChoice> method;
     std::size_t length = 0;  ///< bytes of these lines
-    std::string problem;     ///< a method that is none of this program; empty when it is
+    Message problem;         ///< a method that is none of this program; empty when it is
 };
 
 /// The lines, as comments of a YAML file; `columns` says what the columns of a CSV file mean, and is left out

@@ -20,7 +20,8 @@ class CellScanner {
             quotedPart(text);
         }
         while (!atCellEnd()) {
-            if (m_wasQuoted && m_problem.empty()) m_problem = "text follows a closing quote";
+            if (m_wasQuoted && m_problem.isEmpty())
+                m_problem = translatable("drillwave::Message", "text follows a closing quote");
             take(text);
         }
         m_wasQuoted = false;
@@ -38,7 +39,7 @@ class CellScanner {
         return false;
     }
 
-    const std::string& problem() const { return m_problem; }
+    const Message& problem() const { return m_problem; }
 
   private:
     bool atCellEnd() const {
@@ -52,7 +53,7 @@ class CellScanner {
         while (true) {
             const int c = m_in.sgetc();
             if (c == endOfInput) {
-                m_problem = "a quote is not closed";
+                m_problem = translatable("drillwave::Message", "a quote is not closed");
                 return;
             }
             if (c == '"') {
@@ -67,7 +68,7 @@ class CellScanner {
     void take(std::string& text) {
         const int c = m_in.sbumpc();
         if (m_budget == 0) {
-            if (m_problem.empty()) m_problem = "the record is too long";
+            if (m_problem.isEmpty()) m_problem = translatable("drillwave::Message", "the record is too long");
             return;
         }
         --m_budget;
@@ -78,7 +79,7 @@ class CellScanner {
     std::size_t m_budget;
     int& m_line;
     bool m_wasQuoted = false;
-    std::string m_problem;
+    Message m_problem;
 };
 
 void skipByteOrderMark(std::streambuf& in) {
@@ -122,7 +123,7 @@ bool CsvReader::next(CsvRecord& record) {
             record.cells.push_back(scanner.cell());
             // A cell costs more than its bytes: a line of a million commas is refused as well.
             if (record.cells.size() > m_maximumRecordBytes / 16) {
-                record.problem = "the record has too many cells";
+                record.problem = translatable("drillwave::Message", "the record has too many cells");
                 record.cells.clear();
                 skipLine(in);
                 ++m_nextLine;

@@ -7,15 +7,17 @@
 #include <string_view>
 #include <vector>
 
+#include "core/text/message.h"
+
 namespace drillwave {
 
 /// A cell quoted where RFC 4180 needs it.
 std::string csvCell(std::string_view text);
 
-/// One record without the line end, split into unquoted cells; nullopt-like empty `problem` when well formed.
+/// One record without the line end, split into unquoted cells; empty `problem` when well formed.
 struct CsvRecord {
     std::vector<std::string> cells;
-    std::string problem;
+    Message problem;
 };
 
 /// Reads records one at a time in bounded memory (quotes, CRLF, embedded line ends, UTF-8 BOM skipped).

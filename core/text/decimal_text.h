@@ -9,6 +9,8 @@
 #include <string>
 #include <string_view>
 
+#include "core/text/message.h"
+
 namespace drillwave {
 
 /// Without blanks and tabs at either end.
@@ -33,8 +35,9 @@ std::optional<Number> wholeNumberIn(std::string_view text) {
 
 /// "must be a whole number from 1 to 9", the reason where it is another.
 template <std::integral Number>
-std::string wholeNumberProblem(Number low, Number high) {
-    return "must be a whole number from " + std::to_string(low) + " to " + std::to_string(high);
+Message wholeNumberProblem(Number low, Number high) {
+    return {translatable("drillwave::Message", "must be a whole number from %1 to %2"),
+            {std::to_string(low), std::to_string(high)}};
 }
 
 /// number × 10^exponent rounded once, so that ("38", −3) is 0.038. `number` as numberLength() found it.

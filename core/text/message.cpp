@@ -12,6 +12,7 @@ std::string Message::text() const {
 std::string Message::said(const std::function<std::string(const std::string&)>& say) const {
     if (isWords || isEmpty()) return pattern;
     const std::string here = say(pattern);
+    if (arguments.empty()) return here;  // a reason that a number or a name was put into stays as it is
     std::string sentence;
     for (std::size_t i = 0; i < here.size(); ++i) {
         const bool isPlace =
@@ -25,6 +26,11 @@ std::string Message::said(const std::function<std::string(const std::string&)>& 
         sentence += arguments[number].said(say);
     }
     return sentence;
+}
+
+std::vector<Message> eachAbout(const Message& name, std::vector<Message> sentences) {
+    for (Message& sentence : sentences) sentence = about(name, std::move(sentence));
+    return sentences;
 }
 
 }  // namespace drillwave

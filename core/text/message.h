@@ -42,4 +42,16 @@ constexpr const char* translatable(const char* /*context*/, const char* pattern)
     return pattern;
 }
 
+/// A sentence behind the name of what it is about: "out.csv: exists already".
+inline Message about(Message name, Message sentence) {
+    return {"%1: %2", {std::move(name), std::move(sentence)}};
+}
+/// The same of several sentences about one.
+std::vector<Message> eachAbout(const Message& name, std::vector<Message> sentences);
+
+/// Why something cannot have a value: "beta = -1 (must be above 0)".
+inline Message refusedValue(std::string name, std::string value, Message reason) {
+    return {"%1 = %2 (%3)", {std::move(name), std::move(value), std::move(reason)}};
+}
+
 }  // namespace drillwave

@@ -68,26 +68,29 @@ void appendPrintable(std::string& printed, std::string_view utf8) {
 
 }  // namespace
 
-std::string lineProblem(std::string_view text) {
-    if (!isUtf8(text)) return "must be UTF-8";
+Message lineProblem(std::string_view text) {
+    if (!isUtf8(text)) return translatable("drillwave::Message", "must be UTF-8");
     for (std::size_t at = 0; at < text.size();) {
         const auto [code, length] = characterAt(text, at);
-        if (code == '\n' || code == '\r') return "must be one line";
-        if (isOf(controls, code)) return "must have no control characters";
-        if (isOf(turning, code)) return "must have no characters that turn the direction of reading";
+        if (code == '\n' || code == '\r') return translatable("drillwave::Message", "must be one line");
+        if (isOf(controls, code))
+            return translatable("drillwave::Message", "must have no control characters");
+        if (isOf(turning, code))
+            return translatable("drillwave::Message",
+                                "must have no characters that turn the direction of reading");
         at += length;
     }
     return {};
 }
 
-std::string nameProblem(std::string_view text) {
-    if (std::string problem = lineProblem(text); !problem.empty()) return problem;
+Message nameProblem(std::string_view text) {
+    if (Message problem = lineProblem(text); !problem.isEmpty()) return problem;
     for (std::size_t at = 0; at < text.size();) {
         const auto [code, length] = characterAt(text, at);
         if (isLetter(code)) return {};
         at += length;
     }
-    return "must have a letter";
+    return translatable("drillwave::Message", "must have a letter");
 }
 
 std::string printable(std::string_view text) {

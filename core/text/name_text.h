@@ -5,15 +5,17 @@
 #include <string>
 #include <string_view>
 
+#include "core/text/message.h"
+
 namespace drillwave {
 
 /// Why a text cannot stand in one line: "must be one line", "must be UTF-8". It must be UTF-8 without control
 /// characters and without those that turn the direction in which others are read. Empty when it can.
-std::string lineProblem(std::string_view text);
+Message lineProblem(std::string_view text);
 
 /// Why a text cannot be a name or the source of a value: lineProblem(), or "must have a letter". Empty when
 /// it can.
-std::string nameProblem(std::string_view text);
+Message nameProblem(std::string_view text);
 
 /// The text as it can be printed in a message: what is not UTF-8, control characters and those that turn the
 /// direction of reading are written as "\xE9" and "\u202E".

@@ -37,9 +37,10 @@ PresetFile parsePresets(std::string_view text, const std::string& source) {
 
 PresetFile loadPresets(const std::string& path) {
     const FileBytes file = readFile(path, maximumPresetBytes);
-    if (!file.problem.empty())
-        throw ScenarioError(ScenarioError::Kind::unreadable, path,
-                            {{"", "the file of presets " + file.problem}});
+    if (!file.problem.isEmpty())
+        throw ScenarioError(
+            ScenarioError::Kind::unreadable, path,
+            {{"", {translatable("drillwave::Message", "the file of presets %1"), {file.problem}}}});
     return parsePresets(file.bytes, path);
 }
 

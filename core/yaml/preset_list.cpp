@@ -36,8 +36,8 @@ std::string PresetList::textOf(const YamlEntries& entries, const YamlNode& item,
                                       translatable("drillwave::Message", "must be text"));
         return {};
     }
-    const std::string problem = nameProblem(value.text);
-    if (problem.empty()) return value.text;
+    const Message problem = nameProblem(value.text);
+    if (problem.isEmpty()) return value.text;
     m_reader.problems().reportValue(value.offset, path, value.text, problem);
     return {};
 }

@@ -101,8 +101,8 @@ YamlEntries PresetReader::valuesOf(const YamlEntries& entries, const Section& se
         const bool isPair = pair.kind == YamlKind::sequence && pair.children.size() == 2 &&
                             itemOf(pair, 1).kind == YamlKind::scalar && !itemOf(pair, 1).text.empty();
         if (isPair) values.emplace(key, YamlEntry{entry.key, &itemOf(pair, 0)});
-        if (const std::string problem = isPair ? nameProblem(itemOf(pair, 1).text) : std::string();
-            !problem.empty())
+        if (const Message problem = isPair ? nameProblem(itemOf(pair, 1).text) : Message();
+            !problem.isEmpty())
             m_reader.problems().reportValue(itemOf(pair, 1).offset, joinedKey(section.section, key),
                                             itemOf(pair, 1).text,
                                             {translatable("drillwave::Message", "the source %1"), {problem}});

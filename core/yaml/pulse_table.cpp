@@ -61,8 +61,8 @@ class TableReader {
     }
 
     void readHeader(const CsvRecord& record, int line) {
-        if (!record.problem.empty() || record.cells.size() != 2) {
-            report(line, record.problem.empty()
+        if (!record.problem.isEmpty() || record.cells.size() != 2) {
+            report(line, record.problem.isEmpty()
                              ? Message(translatable("drillwave::Message", "the header must be %1"),
                                        {"`" + expectedHeader() + "`"})
                              : record.problem);
@@ -83,8 +83,8 @@ class TableReader {
 
     void readPoint(const CsvRecord& record, int line) {
         if (!m_timeUnit || !m_forceUnit) return;
-        if (!record.problem.empty() || record.cells.size() != 2) {
-            report(line, record.problem.empty()
+        if (!record.problem.isEmpty() || record.cells.size() != 2) {
+            report(line, record.problem.isEmpty()
                              ? Message(translatable("drillwave::Message", "a row must be a time and a force"))
                              : record.problem);
             return;
@@ -116,7 +116,7 @@ PulseTable readPulseTable(const std::string& path, const std::string& source, Sc
     const FileBytes file = readFile(path, maximumTableBytes);
     PulseTable table;
     table.unreadable = true;
-    if (!file.problem.empty()) {
+    if (!file.problem.isEmpty()) {
         table.problems.push_back({"pulse.file",
                                   {translatable("drillwave::Message", "the pulse table %1"), {file.problem}},
                                   0,

@@ -66,7 +66,7 @@ std::vector<std::string> ScenarioError::lines() const {
 
 ScenarioDocument loadScenario(const std::string& path) {
     const FileBytes file = readFile(path, maximumScenarioBytes);
-    if (!file.problem.empty())
+    if (!file.problem.isEmpty())
         throw ScenarioError(
             ScenarioError::Kind::unreadable, path,
             {{"", {translatable("drillwave::Message", "the scenario file %1"), {file.problem}}}});

@@ -16,7 +16,7 @@ class TestProgressBar : public QObject {
         std::FILE* log = std::tmpfile();
         QVERIFY(log);
         {
-            ProgressBar bar(200, "rows", {.stream = log, .between = {}});
+            ProgressBar bar(200, "rows", plainStyle(), {.stream = log, .between = {}});
             for (const std::uint64_t done : {50, 100, 200}) bar.show(done);
         }
         const QList<QByteArray> lines = contents(log).split('\n');
@@ -31,7 +31,7 @@ class TestProgressBar : public QObject {
         std::FILE* log = std::tmpfile();
         QVERIFY(log);
         {
-            ProgressBar bar(200, {}, {.stream = log, .between = std::chrono::hours(1)});
+            ProgressBar bar(200, {}, plainStyle(), {.stream = log, .between = std::chrono::hours(1)});
             for (std::uint64_t done = 0; done <= 200; ++done) bar.show(done);
         }
         QCOMPARE(contents(log), QByteArray());

@@ -50,13 +50,15 @@ constexpr const char* usage = R"(usage: fuzz_inputs [TARGET…] [--inputs N | --
 )";
 
 /// A line that somebody is to read. What it quotes is cleaned where it is printed.
-void requireLine(const std::string& line) {
+void requireLine(const Message& message) {
     constexpr std::size_t longest = 4000;
+    const std::string line = message.text();
     if (line.empty()) throw std::logic_error("refused without a word");
     if (line.size() > longest) throw std::logic_error("refused with a book: " + line);
 }
 
-bool noneOf(const std::vector<std::string>& lines) {
+template <class Line>
+bool noneOf(const std::vector<Line>& lines) {
     std::ranges::for_each(lines, requireLine);
     return lines.empty();
 }
@@ -198,7 +200,7 @@ bool takesSamples(const std::string& text) {
     if (!table.hasSamples()) return false;
     std::istringstream again(text);
     const Samples samples = readSamples(again, guessedSource(table).source);
-    if (!samples.problem.empty()) return noneOf({samples.problem});
+    if (!samples.problem.empty()) return noneOf(std::vector{samples.problem});
     if (samples.time.size() != samples.value.size()) throw std::logic_error("times without values");
     if (!std::ranges::is_sorted(samples.time)) throw std::logic_error("time goes back");
     return true;
@@ -239,9 +241,9 @@ bool takesAssignment(const std::string& text) {
     if (equals == std::string::npos) return false;
     bool isTaken = false;
     for (Scenario scenario : {rod, string}) {
-        const std::string problem = assignText(scenario, std::string_view(text).substr(0, equals),
-                                               std::string_view(text).substr(equals + 1));
-        if (!problem.empty()) {
+        const Message problem = assignText(scenario, std::string_view(text).substr(0, equals),
+                                           std::string_view(text).substr(equals + 1));
+        if (!problem.isEmpty()) {
             requireLine(problem);
             continue;
         }
@@ -269,8 +271,8 @@ bool takesQuantity(const std::string& text) {
 
 template <class Parsed>
 bool isWithoutProblem(const Parsed& parsed) {
-    if (!parsed.problem.empty()) requireLine(parsed.problem);
-    return parsed.problem.empty();
+    if (!parsed.problem.isEmpty()) requireLine(parsed.problem);
+    return parsed.problem.isEmpty();
 }
 
 std::vector<Target> allTargets() {

@@ -25,6 +25,7 @@
 #include "ui/import/import_words.h"
 #include "ui/import/table_fields.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -169,7 +170,7 @@ QWidget* ImportDialog::makeButtons() {
 
 void ImportDialog::readStart() {
     const FileBytes start = drillwave::readStart(QFile::encodeName(m_path).toStdString(), startBytes);
-    m_unreadable = QString::fromStdString(start.problem);
+    m_unreadable = translated(start.problem);
     std::istringstream in(start.bytes);
     m_table->setLines(firstLines(in, mostLines));
 }

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "core/disk/file_bytes.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
 
 namespace drillwave {
@@ -39,7 +40,7 @@ QString problemOf(const Samples& samples) {
 Samples readFile(const ImportQuestion& question, const StudyFeed<ImportPreview>& feed) {
     const std::string path = QFile::encodeName(question.path).toStdString();
     Samples none;
-    none.problem = readStart(path, 0).problem;
+    none.problem = translated(readStart(path, 0).problem).toStdString();
     if (!none.problem.empty()) return none;
     std::ifstream in(path, std::ios::binary);
     const auto size = static_cast<std::size_t>(QFile(question.path).size());

@@ -48,18 +48,21 @@ Scenario CurveQuestion::firstScenario() const {
     return AxisScenario(base, all).set(values);
 }
 
-std::vector<std::string> problemsOf(const CurveQuestion& question) {
-    if (std::string problem = followProblem(question.along); !problem.empty()) return {std::move(problem)};
-    std::vector<std::string> problems = problemsOf(
+std::vector<Message> problemsOf(const CurveQuestion& question) {
+    if (Message problem = followProblem(question.along); !problem.isEmpty()) return {std::move(problem)};
+    std::vector<Message> problems = problemsOf(
         Sweep{.base = question.base, .axes = question.axes(), .columns = question.columns, .shard = {}});
     for (const OutputColumn& column : question.columns)
         if (column.output->needsThrustStudy())
-            problems.push_back(
-                std::string(column.output->name) +
-                " takes a study of all gaps at every point; `drillwave thrust --along` has it");
+            problems.emplace_back(
+                translatable(
+                    "drillwave::Message",
+                    "%1 takes a study of all gaps at every point; `drillwave thrust --along` has it"),
+                std::vector<Message>{std::string(column.output->name)});
     if (question.family && question.family->count > maximumCurveLines)
-        problems.push_back("a family has at most " + std::to_string(maximumCurveLines) + " lines, this one " +
-                           std::to_string(question.family->count));
+        problems.emplace_back(
+            translatable("drillwave::Message", "a family has at most %1 lines, this one %2"),
+            std::vector<Message>{std::to_string(maximumCurveLines), std::to_string(question.family->count)});
     return problems;
 }
 

@@ -47,7 +47,7 @@ inline constexpr std::size_t maximumCurveLines = 50;
 /// What makes a question unusable, each a line: a range that cannot be followed, see followProblem(), alone;
 /// as problemsOf(Sweep), axes of one quantity, ends none of which is a scenario; outputs that take a study at
 /// every point. Empty when it can be studied.
-std::vector<std::string> problemsOf(const CurveQuestion& question);
+std::vector<Message> problemsOf(const CurveQuestion& question);
 
 /// A part of the range, SI, and why it is not as the others (there may be other reasons within).
 struct CurveStretch {

@@ -65,7 +65,7 @@ const CurveSampler::Blow& CurveSampler::blowAt(double share) {
     if (!isNew) return blow;
     const Scenario& scenario = scenarioAt(share);
     if (m_scenario.obstacle()) {
-        blow.reason = m_scenario.obstacle()->reason;
+        blow.reason = m_scenario.obstacle()->reason.text();
         return blow;
     }
     if (!m_hasPulse || m_pulseMoves) m_solver.setPulse(scenario);

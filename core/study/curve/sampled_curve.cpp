@@ -49,7 +49,7 @@ class PointSampler {
         at.push_back(m_question.along.value(task.point));
         const Scenario& scenario = m_scenario.set(at);
         task.values.assign(m_question.columns.size(), std::numeric_limits<double>::quiet_NaN());
-        task.reason = m_scenario.obstacle() ? m_scenario.obstacle()->reason : std::string();
+        task.reason = m_scenario.obstacle() ? m_scenario.obstacle()->reason.text() : std::string();
         if (!task.reason.empty()) return;
         m_solver.setPulse(scenario);
         task.reason = m_solver.solve(scenario, task.values, stop);
@@ -154,16 +154,18 @@ CurveStudy studyOf(const CurveQuestion& question, const std::vector<Samples>& sa
 
 }  // namespace
 
-std::vector<std::string> sampledProblemsOf(const CurveQuestion& question) {
+std::vector<Message> sampledProblemsOf(const CurveQuestion& question) {
     const SweepAxis& along = question.along;
     const bool isRange = along.kind == SweepAxis::Kind::linear || along.kind == SweepAxis::Kind::logarithmic;
     if (!isRange || !(along.start < along.stop) || along.count < 2)
-        return {"the range of " + std::string(along.key()) + " must end above its beginning"};
-    std::vector<std::string> problems = problemsOf(
+        return {Message(translatable("drillwave::Message", "the range of %1 must end above its beginning"),
+                        {std::string(along.key())})};
+    std::vector<Message> problems = problemsOf(
         Sweep{.base = question.base, .axes = question.axes(), .columns = question.columns, .shard = {}});
     if (question.family && question.family->count > maximumCurveLines)
-        problems.push_back("a family has at most " + std::to_string(maximumCurveLines) + " lines, this one " +
-                           std::to_string(question.family->count));
+        problems.emplace_back(
+            translatable("drillwave::Message", "a family has at most %1 lines, this one %2"),
+            std::vector<Message>{std::to_string(maximumCurveLines), std::to_string(question.family->count)});
     return problems;
 }
 

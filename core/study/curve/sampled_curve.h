@@ -13,7 +13,7 @@
 namespace drillwave {
 
 /// What makes a question unusable, as problemsOf(CurveQuestion); whole numbers can be asked for here.
-std::vector<std::string> sampledProblemsOf(const CurveQuestion& question);
+std::vector<Message> sampledProblemsOf(const CurveQuestion& question);
 
 /// Told on the calling thread how many points are solved, of all, and, whenever the points lie twice as close
 /// as before, the lines through those that are there.

@@ -40,10 +40,13 @@ KeptParameter energyParameter(const Scenario& scenario) {
     return nullptr;
 }
 
-std::string keepEnergyProblem(const Scenario& scenario) {
-    if (!hasUnits(scenario)) return "a scenario given by its groups has no energy to keep; leave it out";
+Message keepEnergyProblem(const Scenario& scenario) {
+    if (!hasUnits(scenario))
+        return translatable("drillwave::Message",
+                            "a scenario given by its groups has no energy to keep; leave it out");
     if (!energyParameter(scenario))
-        return "a blow of given points has neither impulse nor velocity to scale; leave it out";
+        return translatable("drillwave::Message",
+                            "a blow of given points has neither impulse nor velocity to scale; leave it out");
     return {};
 }
 

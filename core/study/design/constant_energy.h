@@ -6,6 +6,7 @@
 
 #include "core/model/kept_parameter.h"
 #include "core/model/scenario.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -17,7 +18,7 @@ double blowEnergy(const Scenario& scenario);
 KeptParameter energyParameter(const Scenario& scenario);
 
 /// Why the energy of such a scenario cannot be kept and what to do; empty when it can.
-std::string keepEnergyProblem(const Scenario& scenario);
+Message keepEnergyProblem(const Scenario& scenario);
 
 /// Gives the blow that energy: impulse or velocity times √(energy/blowEnergy()). Requires that there is no
 /// keepEnergyProblem().

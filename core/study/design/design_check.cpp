@@ -16,13 +16,13 @@ namespace {
 /// Lines, each once, no more than are read.
 class Lines {
   public:
-    void add(bool isUsage, const std::string& text) {
+    void add(bool isUsage, const Message& text) {
         constexpr std::size_t enough = 20;
-        if (text.empty() || m_lines.size() == enough || !m_told.insert(text).second) return;
+        if (text.isEmpty() || m_lines.size() == enough || !m_told.insert(text.text()).second) return;
         m_lines.push_back({isUsage, text});
     }
-    void usage(const std::string& text) { add(true, text); }
-    void invalid(const std::string& text) { add(false, text); }
+    void usage(const Message& text) { add(true, text); }
+    void invalid(const Message& text) { add(false, text); }
     bool empty() const { return m_lines.empty(); }
     std::vector<DesignProblemLine> take() { return std::move(m_lines); }
 
@@ -32,25 +32,33 @@ class Lines {
 };
 
 void checkCounts(const DesignStudy& study, Lines& lines) {
-    const auto most = [&](std::size_t count, std::size_t limit, const std::string& what) {
-        if (count > limit)
-            lines.usage("at most " + std::to_string(limit) + " " + what + ", these are " +
-                        std::to_string(count));
+    const auto most = [&](std::size_t count, std::size_t limit, const char* pattern) {
+        if (count > limit) lines.usage({pattern, {std::to_string(limit), std::to_string(count)}});
     };
     const std::size_t drawn = study.draws ? study.draws->parameters.size() : 0;
     if (study.dimensions() == 0)
-        lines.usage("nothing is uncertain; give --uncertain KEY=LOW:HIGH or --draws FILE.csv");
-    most(study.uncertain.size() + drawn, mostUncertain, "uncertain parameters");
-    most(study.choices.size(), mostChoices, "choices");
-    most(study.aims.size(), mostAims, "aims");
+        lines.usage(translatable("drillwave::Message",
+                                 "nothing is uncertain; give --uncertain KEY=LOW:HIGH or --draws FILE.csv"));
+    most(study.uncertain.size() + drawn, mostUncertain,
+         translatable("drillwave::Message", "at most %1 uncertain parameters, these are %2"));
+    most(study.choices.size(), mostChoices,
+         translatable("drillwave::Message", "at most %1 choices, these are %2"));
+    most(study.aims.size(), mostAims, translatable("drillwave::Message", "at most %1 aims, these are %2"));
     const std::uint64_t designs = study.designCount();
     if (designs == 0 || designs > mostDesigns)
-        lines.usage("at most " + std::to_string(mostDesigns) + " designs, the choices make " +
-                    (designs == 0 ? std::string("more than can be counted") : std::to_string(designs)) +
-                    "; give fewer values");
+        lines.usage(
+            {designs == 0
+                 ? translatable(
+                       "drillwave::Message",
+                       "at most %1 designs, the choices make more than can be counted; give fewer values")
+                 : translatable("drillwave::Message",
+                                "at most %1 designs, the choices make %2; give fewer values"),
+             {std::to_string(mostDesigns), std::to_string(designs)}});
     else if (designs * study.samples > mostDesignSolves)
-        lines.usage("at most " + std::to_string(mostDesignSolves) + " blows, " + std::to_string(designs) +
-                    " designs at " + std::to_string(study.samples) + " samples are more; take fewer");
+        lines.usage(
+            {translatable("drillwave::Message",
+                          "at most %1 blows, %2 designs at %3 samples are more; take fewer"),
+             {std::to_string(mostDesignSolves), std::to_string(designs), std::to_string(study.samples)}});
 }
 
 std::vector<NamedKey> keysOf(const DesignStudy& study, std::vector<NamedKey> keys) {
@@ -63,57 +71,70 @@ std::vector<NamedKey> keysOf(const DesignStudy& study, std::vector<NamedKey> key
     return keys;
 }
 
+Message energyLine(const Scenario& scenario) {
+    const Message problem = keepEnergyProblem(scenario);
+    return problem.isEmpty() ? problem : about(std::string("--keep-energy"), problem);
+}
+
 void checkKeys(const DesignStudy& study, const std::vector<NamedKey>& unread, Lines& lines) {
     const std::vector<NamedKey> keys = keysOf(study, unread);
     for (std::size_t a = 0; a < keys.size(); ++a)
         for (std::size_t b = a + 1; b < keys.size(); ++b) {
             const NamedKey &one = keys[a], &other = keys[b];
             if (one.key == other.key && one.isChosen && other.isPercent) continue;
-            const std::string problem = rivalProblem(one.key, study.base, other.key, study.base);
-            if (problem.empty()) continue;
+            const Message problem = rivalProblem(one.key, study.base, other.key, study.base);
+            if (problem.isEmpty()) continue;
             if (one.key != other.key)
-                lines.invalid(one.key + " and " + other.key + " " + problem + "; leave out one of them");
+                lines.invalid({translatable("drillwave::Message", "%1 and %2 %3; leave out one of them"),
+                               {one.key, other.key, problem}});
             else if (one.isChosen == other.isChosen)
-                lines.invalid(one.key + " is given twice; give it once");
+                lines.invalid(
+                    {translatable("drillwave::Message", "%1 is given twice; give it once"), {one.key}});
             else
-                lines.invalid(one.key + " is chosen and uncertain: only +-P% about the choice can be both");
+                lines.invalid(
+                    {translatable("drillwave::Message",
+                                  "%1 is chosen and uncertain: only +-P% about the choice can be both"),
+                     {one.key}});
         }
     if (!study.keepsEnergy) return;
-    lines.invalid([&] {
-        const std::string problem = keepEnergyProblem(study.base);
-        return problem.empty() ? problem : "--keep-energy: " + problem;
-    }());
+    lines.invalid(energyLine(study.base));
     const KeptParameter scaled = energyParameter(study.base);
     for (const NamedKey& named : keys)
         if (scaled && named.isChosen && areRivals(named.key, scaled->key))
-            lines.invalid("--keep-energy sets " + std::string(scaled->key) + ", and so does --choose " +
-                          named.key + "; leave out one of them");
+            lines.invalid(
+                {translatable("drillwave::Message",
+                              "--keep-energy sets %1, and so does --choose %2; leave out one of them"),
+                 {std::string(scaled->key), named.key}});
 }
 
 /// Limits and aims, of the base: what a blow has does not depend on its numbers.
 void checkOutputs(const DesignStudy& study, Lines& lines) {
     for (const OutputColumn& column : study.columns()) {
         if (column.output->needsThrustStudy())
-            lines.invalid("thrust_margin is a study of all gaps by itself; aim at thrust");
+            lines.invalid(translatable("drillwave::Message",
+                                       "thrust_margin is a study of all gaps by itself; aim at thrust"));
         else if (column.output->needsDrilling())
-            lines.invalid(std::string(column.output->name) +
-                          " is a march of many blows by itself; `drillwave drill` and sweeps have it");
+            lines.invalid(
+                {translatable("drillwave::Message",
+                              "%1 is a march of many blows by itself; `drillwave drill` and sweeps have it"),
+                 {std::string(column.output->name)}});
         else
             lines.invalid(columnProblem({&column, 1}, study.base));
     }
 }
 
-std::string named(const DesignStudy& study, std::uint64_t design) {
-    if (study.choices.empty()) return {};
+/// Of a design, by its choices.
+Message at(const DesignStudy& study, std::uint64_t design, const Message& problem) {
+    if (study.choices.empty()) return problem;
     const std::vector<double> values = study.choice(design);
-    std::string text = "at ";
+    std::string text;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const RowColumn column = study.choices[i].column();
         text += (i == 0 ? "" : ", ") + std::string(study.choices[i].key()) + " = ";
         column.appendText(text, values[i]);
         if (column.unit && !column.unit->name.empty()) text += " " + std::string(column.unit->name);
     }
-    return text + ": ";
+    return {translatable("drillwave::Message", "at %1: %2"), {text, problem}};
 }
 
 /// A design must be a scenario, and take each uncertain number alone and all together at both ends: all
@@ -121,17 +142,15 @@ std::string named(const DesignStudy& study, std::uint64_t design) {
 void checkDesign(const DesignStudy& study, std::uint64_t design, AxisScenario& chosen, Lines& lines) {
     if (!study.choices.empty()) {
         chosen.set(study.choice(design));
-        if (chosen.obstacle()) return lines.invalid(named(study, design) + chosen.obstacle()->text);
+        if (chosen.obstacle()) return lines.invalid(at(study, design, chosen.obstacle()->text));
     }
-    if (study.keepsEnergy && (!keepEnergyProblem(chosen.scenario()).empty())) {
-        const std::string problem = keepEnergyProblem(chosen.scenario());
-        return lines.invalid("--keep-energy: " + problem);
-    }
+    if (const Message line = study.keepsEnergy ? energyLine(chosen.scenario()) : Message(); !line.isEmpty())
+        return lines.invalid(line);
     const Scenario scenario = designScenario(study, design);
     bool fits = true;
     for (const UncertainInput& input : study.uncertain) {
-        const std::string problem = input.problemIn(scenario);
-        fits &= problem.empty();
+        const Message problem = input.problemIn(scenario);
+        fits &= problem.isEmpty();
         lines.invalid(problem);
     }
     if (!fits) return;
@@ -141,7 +160,7 @@ void checkDesign(const DesignStudy& study, std::uint64_t design, AxisScenario& c
             const std::vector<SweepAxis> alone{axes[a]};
             AxisScenario scene(scenario, alone);
             scene.set(std::vector{end});
-            if (scene.obstacle()) lines.invalid(named(study, design) + scene.obstacle()->text);
+            if (scene.obstacle()) lines.invalid(at(study, design, scene.obstacle()->text));
         }
 }
 

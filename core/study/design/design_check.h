@@ -13,7 +13,7 @@ namespace drillwave {
 /// A line, and whether the words of the question are at fault or what the scenario is.
 struct DesignProblemLine {
     bool isUsage = false;
-    std::string text;
+    Message text;
 };
 
 /// A key that the question names, and where.

@@ -45,7 +45,7 @@ std::string DesignLimit::name() const {
 std::vector<DesignAim> customaryAims(const Scenario& scenario) {
     using Kind = Statistic::Kind;
     std::vector<DesignAim> aims{{Sense::largest, findOutput("efficiency"), {Kind::quantile, 5}}};
-    if (const Output* thrust = findOutput("thrust"); thrust->problem(scenario).empty())
+    if (const Output* thrust = findOutput("thrust"); thrust->problem(scenario).isEmpty())
         aims.push_back({Sense::least, thrust, {Kind::quantile, 95}});
     return aims;
 }

@@ -3,6 +3,7 @@
 
 #include "core/model/parameter.h"
 #include "core/study/rows/table_header.h"
+#include "core/study/rows/table_row.h"
 #include "core/text/csv.h"
 #include "core/text/decimal_text.h"
 
@@ -14,9 +15,10 @@ constexpr std::size_t mostMessages = 20;
 
 void readHeader(const TableHeader& header, const std::string& place, ReadDraws& read) {
     for (const HeaderRemark& problem : header.problems)
-        read.invalid.push_back(place + ": " +
-                               (problem.column > 0 ? "column " + std::to_string(problem.column) + " " : "") +
-                               problem.text);
+        read.invalid.push_back(about(place, problem.column > 0
+                                                ? Message(translatable("drillwave::Message", "column %1 %2"),
+                                                          {std::to_string(problem.column), problem.text})
+                                                : problem.text));
     if (!read.invalid.empty()) return;
     for (const CaseColumn& column : header.columns) {
         if (column.kind == CaseColumn::Kind::parameter && !column.parameter->rules.wholeNumber) {
@@ -24,14 +26,19 @@ void readHeader(const TableHeader& header, const std::string& place, ReadDraws& 
             continue;
         }
         const bool isKnown = column.kind != CaseColumn::Kind::other;
-        read.invalid.push_back(place + ": column `" + shortened(column.text) + "` is " +
-                               (isKnown ? "no number that can be uncertain" : "not a parameter") +
-                               "; leave it out of the draws");
+        read.invalid.push_back(about(
+            place, {isKnown ? translatable(
+                                  "drillwave::Message",
+                                  "column `%1` is no number that can be uncertain; leave it out of the draws")
+                            : translatable("drillwave::Message",
+                                           "column `%1` is not a parameter; leave it out of the draws"),
+                    {shortened(column.text)}}));
     }
     if (const auto pair = header.assignments().rivals(); pair && read.invalid.empty())
-        read.invalid.push_back(place + ": " + std::string(header.columns[pair->one].key()) + " and " +
-                               std::string(header.columns[pair->other].key()) + " " + pair->problem +
-                               "; leave out one of them");
+        read.invalid.push_back(
+            about(place, {translatable("drillwave::Message", "%1 and %2 %3; leave out one of them"),
+                          {std::string(header.columns[pair->one].key()),
+                           std::string(header.columns[pair->other].key()), pair->problem}}));
     read.draws.columns.resize(read.draws.parameters.size());
 }
 
@@ -39,8 +46,10 @@ void readCell(const CaseColumn& column, const std::string& cell, const std::stri
               double& value) {
     const Parameter& parameter = *column.parameter;
     if (trimmed(cell).empty()) {
-        read.unreadable.push_back(place + ": the cell of " + std::string(parameter.key) +
-                                  " is missing; every draw needs a value of every key");
+        read.unreadable.push_back(
+            about(place, {translatable("drillwave::Message",
+                                       "the cell of %1 is missing; every draw needs a value of every key"),
+                          {std::string(parameter.key)}}));
         return;
     }
     const TypedQuantity typed =
@@ -49,8 +58,8 @@ void readCell(const CaseColumn& column, const std::string& cell, const std::stri
     value = typed.si;
     const Message problem = typed.valid() ? rangeProblem(parameter, typed.si) : typed.problem;
     if (!problem.isEmpty())
-        read.invalid.push_back(place + ": " + std::string(parameter.key) + " = " + shortened(cell) + " (" +
-                               problem.text() + ")");
+        read.invalid.push_back(
+            about(place, refusedValue(std::string(parameter.key), shortened(cell), problem)));
 }
 
 }  // namespace
@@ -60,7 +69,8 @@ ReadDraws readDraws(std::istream& table, const std::string& source) {
     CsvReader reader(table);
     CsvRecord record;
     if (!reader.next(record)) {
-        read.unreadable.push_back(source + ": has no header; write the keys into the first row");
+        read.unreadable.push_back(about(
+            source, translatable("drillwave::Message", "has no header; write the keys into the first row")));
         return read;
     }
     const auto place = [&] { return source + ":" + std::to_string(reader.line()); };
@@ -69,26 +79,25 @@ ReadDraws readDraws(std::istream& table, const std::string& source) {
     if (!read.invalid.empty()) return read;
     std::vector<double> values(header.columns.size());
     while (reader.next(record) && read.unreadable.size() + read.invalid.size() < mostMessages) {
-        if (!record.problem.empty() || record.cells.size() != values.size()) {
-            read.unreadable.push_back(place() + ": " +
-                                      (record.problem.empty()
-                                           ? "has " + std::to_string(record.cells.size()) +
-                                                 " cells, the header has " + std::to_string(values.size())
-                                           : record.problem));
+        if (!record.problem.isEmpty() || record.cells.size() != values.size()) {
+            read.unreadable.push_back(
+                about(place(), record.problem.isEmpty() ? cellCountProblem(record.cells.size(), values.size())
+                                                        : record.problem));
             continue;
         }
         for (std::size_t i = 0; i < values.size(); ++i)
             readCell(header.columns[i], record.cells[i], place() + ":" + std::to_string(i + 1), read,
                      values[i]);
         if (read.draws.rows() == mostDraws) {
-            read.unreadable.push_back(source + ": has more than " + std::to_string(mostDraws) +
-                                      " rows; leave some out");
+            read.unreadable.push_back(
+                about(source, {translatable("drillwave::Message", "has more than %1 rows; leave some out"),
+                               {std::to_string(mostDraws)}}));
             break;
         }
         for (std::size_t i = 0; i < values.size(); ++i) read.draws.columns[i].push_back(values[i]);
     }
     if (read.unreadable.empty() && read.invalid.empty() && read.draws.rows() == 0)
-        read.unreadable.push_back(source + ": has no rows of draws");
+        read.unreadable.push_back(about(source, translatable("drillwave::Message", "has no rows of draws")));
     return read;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "core/model/kept_parameter.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -25,8 +26,8 @@ struct Draws {
 /// Draws read from a table, or why not.
 struct ReadDraws {
     Draws draws;
-    std::vector<std::string> unreadable;  ///< cells missing, no rows, no text: "posterior.csv:7: …"
-    std::vector<std::string> invalid;     ///< columns and values that no parameter takes
+    std::vector<Message> unreadable;  ///< cells missing, no rows, no text: "posterior.csv:7: …"
+    std::vector<Message> invalid;     ///< columns and values that no parameter takes
 };
 
 /// Reads a CSV table with a header of keys and units, as of `drillwave table`; `source` names it in messages,

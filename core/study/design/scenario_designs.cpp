@@ -41,7 +41,7 @@ class ScenarioSolver : public DesignSolver {
                 m_values[inputs + i] = m_study.draws->columns[i][row];
         }
         m_scene->set(m_values);
-        if (m_scene->obstacle()) return m_scene->obstacle()->reason;
+        if (m_scene->obstacle()) return m_scene->obstacle()->reason.text();
         if (!m_hasPulse || m_scene->movesPulse(0)) m_solver.setPulse(m_scene->scenario());
         m_hasPulse = !m_scene->movesPulse(0);
         return told(m_solver.solve(m_scene->scenario(), outputs, stop), outputs);

@@ -14,44 +14,46 @@ namespace drillwave {
 
 namespace {
 
-std::string refusal(std::string_view key, std::string_view value, std::string_view reason) {
-    return std::string(key) + " = " + shortened(value) + " (" + std::string(reason) + ")";
+Message refusal(std::string_view key, std::string_view value, const Message& reason) {
+    return refusedValue(std::string(key), shortened(value), reason);
 }
 
 /// Whether the whole range is one that the parameter can have and the kind can be made of.
-std::string rangeRefusal(const UncertainInput& input, std::string_view text) {
+Message rangeRefusal(const UncertainInput& input, std::string_view text) {
     const Parameter& parameter = *input.parameter;
-    const auto refuse = [&](std::string_view reason) { return refusal(parameter.key, text, reason); };
-    if (input.low == input.high) return refuse("has no width; give LOW below HIGH");
-    if (!(input.low < input.high)) return refuse("is upside down; give LOW below HIGH");
+    const auto refuse = [&](const Message& reason) { return refusal(parameter.key, text, reason); };
+    if (input.low == input.high)
+        return refuse(translatable("drillwave::Message", "has no width; give LOW below HIGH"));
+    if (!(input.low < input.high))
+        return refuse(translatable("drillwave::Message", "is upside down; give LOW below HIGH"));
     for (const double end : {input.low, input.high})
-        if (const Message problem = rangeProblem(parameter, end); !problem.isEmpty())
-            return refuse(problem.text());
+        if (const Message problem = rangeProblem(parameter, end); !problem.isEmpty()) return refuse(problem);
     if (input.low <= 0 && input.kind == DistributionKind::log)
-        return refuse("must begin above 0 where it is `log`");
+        return refuse(translatable("drillwave::Message", "must begin above 0 where it is `log`"));
     if (input.low <= 0 && input.kind == DistributionKind::lognormal)
-        return refuse("must begin above 0 where it is `lognormal`");
+        return refuse(translatable("drillwave::Message", "must begin above 0 where it is `lognormal`"));
     if (input.kind != DistributionKind::normal || !parameter.hard.lowOpen) return {};
     const double mean = (input.low + input.high) / 2;
     const double deviation = (input.high - input.low) / (2 * normalHalfWidth);
     return mean - normalCut * deviation <= parameter.hard.low
-               ? refuse("reaches " + formatNumber(parameter.hard.low) +
-                        ", where there is no answer; use lognormal")
-               : std::string();
+               ? refuse({translatable("drillwave::Message",
+                                      "reaches %1, where there is no answer; use lognormal"),
+                         {formatNumber(parameter.hard.low)}})
+               : Message();
 }
 
-std::string readEnd(UncertainInput& input, std::string_view text, double& end) {
+Message readEnd(UncertainInput& input, std::string_view text, double& end) {
     const Parameter& parameter = *input.parameter;
     const TypedQuantity typed =
         parseQuantity(text, parameter.quantity, BareNumber::refused, &parameter.displayUnit());
-    if (!typed.valid()) return refusal(parameter.key, text, typed.problem.text());
+    if (!typed.valid()) return refusal(parameter.key, text, typed.problem);
     const bool sameUnit = !input.unit || input.unit == typed.unit;
     input.unit = sameUnit ? typed.unit : &unitsOf(parameter.quantity).front();
     end = typed.si;
     return {};
 }
 
-std::string readPercent(UncertainInput& input, std::string_view text) {
+Message readPercent(UncertainInput& input, std::string_view text) {
     const std::string_view number = trimmed(text.substr(2, text.size() - 3));
     const std::optional<double> percent = parseNumber(number);
     input.kind = DistributionKind::percent;
@@ -60,10 +62,11 @@ std::string readPercent(UncertainInput& input, std::string_view text) {
         input.percent = *percent;
         return {};
     }
-    return refusal(input.parameter->key, text, "needs a number above 0 of per cent, as +-5%");
+    return refusal(input.parameter->key, text,
+                   translatable("drillwave::Message", "needs a number above 0 of per cent, as +-5%"));
 }
 
-std::string readValues(ParsedUncertain& parsed, std::string_view text) {
+Message readValues(ParsedUncertain& parsed, std::string_view text) {
     UncertainInput& input = parsed.input;
     text = trimmed(text);
     if (text.starts_with("+-") && text.ends_with('%')) return readPercent(input, text);
@@ -76,43 +79,48 @@ std::string readValues(ParsedUncertain& parsed, std::string_view text) {
     }
     parsed.isMistyped = true;
     if (parts.size() < 2 || parts.size() > 3)
-        return std::string(input.parameter->key) +
-               " needs LOW:HIGH, LOW:HIGH:log, :normal or :lognormal, or +-P%";
+        return {translatable("drillwave::Message",
+                             "%1 needs LOW:HIGH, LOW:HIGH:log, :normal or :lognormal, or +-P%"),
+                {std::string(input.parameter->key)}};
     if (parts.size() == 3) {
         using enum DistributionKind;
         constexpr std::array kinds{uniform, log, normal, lognormal};
         const auto found =
             std::ranges::find(kinds, parts[2], [](DistributionKind kind) { return name(kind); });
         if (found == kinds.end())
-            return "`" + shortened(parts[2]) + "` behind the range of " + std::string(input.parameter->key) +
-                   " is not known; choose from uniform, log, normal, lognormal";
+            return {
+                translatable(
+                    "drillwave::Message",
+                    "`%1` behind the range of %2 is not known; choose from uniform, log, normal, lognormal"),
+                {shortened(parts[2]), std::string(input.parameter->key)}};
         input.kind = *found;
     }
     parsed.isMistyped = false;
-    if (std::string problem = readEnd(input, parts[0], input.low); !problem.empty()) return problem;
-    if (std::string problem = readEnd(input, parts[1], input.high); !problem.empty()) return problem;
+    if (Message problem = readEnd(input, parts[0], input.low); !problem.isEmpty()) return problem;
+    if (Message problem = readEnd(input, parts[1], input.high); !problem.isEmpty()) return problem;
     return rangeRefusal(input, text);
 }
 
-std::string read(ParsedUncertain& parsed, std::string_view text) {
+Message read(ParsedUncertain& parsed, std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos) {
         parsed.isMistyped = true;
-        return "`" + shortened(text) + "` is no range: write KEY=LOW:HIGH, KEY=LOW:HIGH:log or KEY=+-P%";
+        return {translatable("drillwave::Message",
+                             "`%1` is no range: write KEY=LOW:HIGH, KEY=LOW:HIGH:log or KEY=+-P%"),
+                {shortened(text)}};
     }
     const std::string_view key = trimmed(text.substr(0, equals));
     parsed.input.parameter = findParameter(key);
     if (key == pulseShapeKey || key == restrikeKey || key == "bit_rock.law")
-        return std::string(key) + " is no number and cannot be uncertain; choose among several by --choose";
-    if (!parsed.input.parameter) {
-        const std::string near = nearestKey(key);
-        return "`" + shortened(key) + "` is not a parameter" +
-               (near.empty() ? "" : "; did you mean `" + near + "`?");
-    }
+        return {translatable("drillwave::Message",
+                             "%1 is no number and cannot be uncertain; choose among several by --choose"),
+                {std::string(key)}};
+    if (!parsed.input.parameter) return notAParameter(key);
     if (parsed.input.parameter->rules.wholeNumber)
-        return std::string(key) +
-               " takes whole numbers alone and cannot be uncertain; choose among several "
-               "by --choose";
+        return {translatable(
+                    "drillwave::Message",
+                    "%1 takes whole numbers alone and cannot be uncertain; choose among several by --choose"),
+                {std::string(key)}};
     return readValues(parsed, text.substr(equals + 1));
 }
 
@@ -126,20 +134,23 @@ Distribution UncertainInput::in(const Scenario& design) const {
     return {kind, value - width, value + width};
 }
 
-std::string UncertainInput::problemIn(const Scenario& design) const {
+Message UncertainInput::problemIn(const Scenario& design) const {
     const std::string key(parameter->key);
     if (const Message why = whyNotApplicable(*parameter, design); !why.isEmpty())
-        return key + " has no meaning here: " + why.text();
+        return {translatable("drillwave::Message", "%1 has no meaning here: %2"), {key, why}};
     if (kind != DistributionKind::percent) return {};
     const std::optional<double> value = parameter->value(design);
     if (!value || *value == 0)
-        return key + " = +-" + formatNumber(percent) + "% (the scenario has " + (value ? "0" : "no value") +
-               " there; give LOW:HIGH)";
+        return {
+            value ? translatable("drillwave::Message", "%1 = +-%2% (the scenario has 0 there; give LOW:HIGH)")
+                  : translatable("drillwave::Message",
+                                 "%1 = +-%2% (the scenario has no value there; give LOW:HIGH)"),
+            {key, formatNumber(percent)}};
     for (const double share : {1 - percent / 100, 1 + percent / 100})
         if (const Message problem = rangeProblem(*parameter, *value * share); !problem.isEmpty())
-            return key + " = +-" + formatNumber(percent) + "% of " +
-                   formatQuantity(*value, parameter->quantity, parameter->displayUnit()) + " (" +
-                   problem.text() + ")";
+            return {translatable("drillwave::Message", "%1 = +-%2% of %3 (%4)"),
+                    {key, formatNumber(percent),
+                     formatQuantity(*value, parameter->quantity, parameter->displayUnit()), problem}};
     return {};
 }
 

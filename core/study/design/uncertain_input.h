@@ -9,6 +9,7 @@
 #include "core/model/kept_parameter.h"
 #include "core/model/scenario.h"
 #include "core/study/design/distribution.h"
+#include "core/text/message.h"
 #include "core/text/units.h"
 
 namespace drillwave {
@@ -26,14 +27,14 @@ struct UncertainInput {
     /// problemIn() it.
     Distribution in(const Scenario& design) const;
     /// Why it cannot scatter so in a design, as a line; empty when it can.
-    std::string problemIn(const Scenario& design) const;
+    Message problemIn(const Scenario& design) const;
 };
 
 /// One read from text, or why not.
 struct ParsedUncertain {
     UncertainInput input;
     bool isMistyped = false;  ///< the problem is one of the words, not of key or values
-    std::string problem;
+    Message problem;
 };
 
 /// Reads "KEY=LOW:HIGH[:log|normal|lognormal]" or "KEY=+-P%". Refuses a key that is not known or no number

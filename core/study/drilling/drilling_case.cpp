@@ -47,7 +47,7 @@ DrillingSettings scanSettingsOf(const Scenario& scenario) {
     return {.blows = length.blows, .settle = length.settle, .cells = scanCells};
 }
 
-std::vector<std::string> drillingRefusals(const Scenario& scenario, const DrillingSettings& settings) {
+std::vector<Message> drillingRefusals(const Scenario& scenario, const DrillingSettings& settings) {
     return drillProblems(scenario, {settings.blows, settings.settle});
 }
 

@@ -33,7 +33,7 @@ DrillingSettings scanSettingsOf(const Scenario& scenario);
 
 /// Why a valid scenario cannot be drilled with, each with its key: "drill.thrust: is missing …". Empty where
 /// it can.
-std::vector<std::string> drillingRefusals(const Scenario& scenario, const DrillingSettings& settings);
+std::vector<Message> drillingRefusals(const Scenario& scenario, const DrillingSettings& settings);
 
 /// SI values of the units of a Problem.
 struct DrillingUnits {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/drilling/drilling_numbers.h"
 
+#include "core/text/message.h"
+
 namespace drillwave {
 
 namespace {
@@ -50,11 +52,12 @@ std::string whyNoStatistics(const DrillingResult& result) {
         case DrillingOutcome::done:
             return {};
         case DrillingOutcome::pushedBack:
-            return "the machine is pushed back: no motion that is bounded";
+            return translatable("drillwave::Message",
+                                "the machine is pushed back: no motion that is bounded");
         case DrillingOutcome::notSolved:
             return result.reason;
         case DrillingOutcome::stopped:
-            return "it was stopped";
+            return translatable("drillwave::Message", "it was stopped");
     }
     return {};
 }

@@ -112,15 +112,20 @@ bool isRange(const SweepAxis& axis) {
 
 }  // namespace
 
-std::vector<std::string> problemsOf(const MapStudy& study) {
-    std::vector<std::string> problems;
+std::vector<Message> problemsOf(const MapStudy& study) {
+    std::vector<Message> problems;
     for (const SweepAxis& axis : {study.x, study.y})
         if (!isRange(axis))
-            problems.push_back("the axis " + std::string(axis.key()) +
-                               " of a map needs START:STOP:COUNT or START:STOP:COUNT:log");
+            problems.emplace_back(
+                translatable("drillwave::Message",
+                             "the axis %1 of a map needs START:STOP:COUNT or START:STOP:COUNT:log"),
+                std::vector<Message>{std::string(axis.key())});
     if (problems.empty() && study.x.count > maximumMapPoints / study.y.count)
-        problems.push_back("the map has more than " + std::to_string(maximumMapPoints) +
-                           " points; take fewer, or `drillwave sweep`, which keeps none");
+        problems.emplace_back(
+            translatable(
+                "drillwave::Message",
+                "the map has more than %1 points; take fewer, or `drillwave sweep`, which keeps none"),
+            std::vector<Message>{std::to_string(maximumMapPoints)});
     if (!problems.empty()) return problems;
     return problemsOf(Sweep{.base = study.base,
                             .axes = {study.x, study.y},

@@ -32,7 +32,7 @@ inline constexpr std::uint64_t maximumMapPoints = 16'000'000;
 
 /// What makes a map unusable, each in a line: what makes the sweep of the same axes so (problemsOf(Sweep)),
 /// an axis without a range, too many points. Empty when it can be solved.
-std::vector<std::string> problemsOf(const MapStudy& study);
+std::vector<Message> problemsOf(const MapStudy& study);
 
 /// Told on the calling thread what there is so far, whenever some more points are there.
 using MapProgress = std::function<void(const MapGrid& soFar)>;

@@ -26,7 +26,7 @@ MethodChoice lattice(int segments, LatticeWaves waves) {
 /// What is to be measured, in order.
 std::vector<MethodChoice> plan(const Problem& problem, const std::vector<int>& ladder) {
     std::vector<MethodChoice> choices{{.method = Method::exact, .lattice = {}}};
-    if (methodRefusal(Method::closedForm, problem).empty())
+    if (methodRefusal(Method::closedForm, problem).isEmpty())
         choices.push_back({.method = Method::closedForm, .lattice = {}});
     for (const LatticeWaves waves : {LatticeWaves::ring, LatticeWaves::moved})
         for (const int segments : ladder) choices.push_back(lattice(segments, waves));

@@ -67,7 +67,7 @@ const Scenario& AxisScenario::set(std::span<const double> values) {
     if (hasUnits(m_scenario) || m_changesLaw) restore();
     m_obstacle.reset();
     for (const std::size_t a : m_assignments.order())
-        if (std::string problem = m_axes[a].assign(m_scenario, values[a]); !problem.empty() && !m_obstacle)
+        if (Message problem = m_axes[a].assign(m_scenario, values[a]); !problem.isEmpty() && !m_obstacle)
             m_obstacle = {std::string(m_axes[a].key()), problem, problem, true};
     if (!m_obstacle && m_judges) m_obstacle = judge(values);
     return m_scenario;
@@ -76,16 +76,17 @@ const Scenario& AxisScenario::set(std::span<const double> values) {
 std::optional<PointObstacle> AxisScenario::judge(std::span<const double> values) const {
     if (const auto pair = m_assignments.meeting(m_scenario)) {
         const std::string one(m_axes[pair->one].key()), other(m_axes[pair->other].key());
-        const std::string reason = one + " and " + other + " " + pair->problem + "; vary one of them";
+        const Message reason{translatable("drillwave::Message", "%1 and %2 %3; vary one of them"),
+                             {one, other, pair->problem}};
         return PointObstacle{one, reason, reason};
     }
     if (const auto problems = validate(m_scenario); !problems.empty())
-        return PointObstacle{problems.front().key, problems.front().reason.text(),
-                             problems.front().text.text()};
+        return PointObstacle{problems.front().key, problems.front().reason, problems.front().text};
     for (std::size_t a = 0; a < m_axes.size(); ++a)
-        if (const std::string lost = m_axes[a].readBackProblem(m_scenario, values[a]); !lost.empty()) {
+        if (const Message lost = m_axes[a].readBackProblem(m_scenario, values[a]); !lost.isEmpty()) {
             const std::string key(m_axes[a].key());
-            return PointObstacle{key, key + " " + lost, key + " " + lost};
+            const Message reason("%1 %2", {key, lost});
+            return PointObstacle{key, reason, reason};
         }
     return std::nullopt;
 }

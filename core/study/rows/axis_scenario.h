@@ -24,8 +24,8 @@ void visitCorners(std::span<const SweepAxis> axes,
 /// Why a point of a study is no scenario.
 struct PointObstacle {
     std::string key;         ///< that it is about; may be empty
-    std::string reason;      ///< "rod.bore must be less than the diameter of 38 mm", whatever the value is
-    std::string text;        ///< the same with the value, where there is one
+    Message reason;          ///< "rod.bore must be less than the diameter of 38 mm", whatever the value is
+    Message text;            ///< the same with the value, where there is one
     bool isMeaning = false;  ///< an axis has no meaning there
 };
 

@@ -84,7 +84,7 @@ std::string CaseSolver::solveDrillString(const Scenario& scenario, std::span<dou
 std::string CaseSolver::march(const Scenario& scenario, const std::stop_token& stop) {
     m_drill.reset();
     m_lack.clear();
-    if (!m_drillWishes.any || !drillProblem(scenario).empty()) return {};
+    if (!m_drillWishes.any || !drillProblem(scenario).isEmpty()) return {};
     const DrillingSettings settings = scanSettingsOf(scenario);
     const DrillingWants wants{.cellError = m_drillWishes.penetrationError,
                               .lyapunov = m_drillWishes.lyapunov,

@@ -13,16 +13,18 @@ namespace {
 
 constexpr std::string_view allName = "all";
 
-std::string unknownOutput(std::string_view name) {
+Message unknownOutput(std::string_view name) {
     const std::vector<std::string_view> names = outputNames();
     const std::string_view near = nearestName(name, names);
-    if (name == allName) return "`all` are all outputs already; give it alone";
-    std::string problem = "`" + shortened(name) + "` is not an output; ";
-    if (!near.empty()) return problem + "did you mean `" + std::string(near) + "`?";
-    problem += "choose from all, ";
-    for (const std::string_view known : names)
-        problem += (known == names.front() ? "" : ", ") + std::string(known);
-    return problem;
+    if (name == allName)
+        return translatable("drillwave::Message", "`all` are all outputs already; give it alone");
+    if (!near.empty())
+        return {translatable("drillwave::Message", "`%1` is not an output; did you mean `%2`?"),
+                {shortened(name), std::string(near)}};
+    std::string list(allName);
+    for (const std::string_view known : names) list += ", " + std::string(known);
+    return {translatable("drillwave::Message", "`%1` is not an output; choose from %2"),
+            {shortened(name), list}};
 }
 
 }  // namespace
@@ -50,7 +52,10 @@ OutputChoice chooseOutputs(std::string_view list, OutputUnits units) {
         const Output* output = findOutput(name);
         if (!output) return {{}, false, unknownOutput(name)};
         if (std::ranges::find(choice.columns, output, &OutputColumn::output) != choice.columns.end())
-            return {{}, false, "`" + std::string(name) + "` is given twice; give it once"};
+            return {{},
+                    false,
+                    {translatable("drillwave::Message", "`%1` is given twice; give it once"),
+                     {std::string(name)}}};
         choice.columns.push_back({output, units});
         if (comma == std::string_view::npos) return choice;
         list.remove_prefix(comma + 1);
@@ -60,7 +65,7 @@ OutputChoice chooseOutputs(std::string_view list, OutputUnits units) {
 std::vector<OutputColumn> allOutputsOf(const Scenario& scenario, OutputUnits units) {
     std::vector<OutputColumn> columns;
     for (const Output& output : outputs())
-        if (output.problem(scenario).empty()) columns.push_back({&output, units});
+        if (output.problem(scenario).isEmpty()) columns.push_back({&output, units});
     return columns;
 }
 
@@ -94,13 +99,14 @@ DrillWishes drillWishesFor(std::span<const OutputColumn> columns) {
     return wished;
 }
 
-std::string columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario) {
+Message columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario) {
     const bool dimensional = hasUnits(scenario);
     for (const OutputColumn& column : columns) {
         if (column.units == OutputUnits::si && !dimensional)
-            return "SI columns need a scenario in physical units; this one is given by its dimensionless "
-                   "groups";
-        if (std::string problem = column.output->problem(scenario); !problem.empty()) return problem;
+            return translatable("drillwave::Message",
+                                "SI columns need a scenario in physical units; this one is given by its "
+                                "dimensionless groups");
+        if (Message problem = column.output->problem(scenario); !problem.isEmpty()) return problem;
     }
     return {};
 }

@@ -33,7 +33,7 @@ struct OutputColumn {
 struct OutputChoice {
     std::vector<OutputColumn> columns;
     bool all = false;  ///< all of them were asked for; see allOutputsOf()
-    std::string problem;
+    Message problem;
 };
 
 /// Reads "cor,peak_force"; names the nearest output for a mistyped one. "all" are all of outputs(), those
@@ -53,7 +53,7 @@ WaveNumbers waveNumbersFor(std::span<const OutputColumn> columns);
 DrillWishes drillWishesFor(std::span<const OutputColumn> columns);
 
 /// Why a column would be empty for every such scenario and what to do; empty when none would.
-std::string columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario);
+Message columnProblem(std::span<const OutputColumn> columns, const Scenario& scenario);
 
 /// The names that chooseOutputs() knows, in order.
 std::vector<std::string_view> outputNames();

@@ -60,7 +60,7 @@ class GridRowMaker {
             std::ranges::copy(m_values, row.begin());
             const std::string reason =
                 m_scenario.obstacle()
-                    ? m_scenario.obstacle()->reason
+                    ? m_scenario.obstacle()->reason.text()
                     : m_solver.solve(m_scenario.scenario(), row.subspan(m_values.size()), stop);
             if (!reason.empty()) chunk.rows.fail(reason);
             changed = point.advance();

@@ -23,8 +23,8 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     }
 }
 
-std::string refusal(std::string_view key, std::string_view value, std::string_view reason) {
-    return std::string(key) + " = " + shortened(value) + " (" + std::string(reason) + ")";
+Message refusal(std::string_view key, std::string_view value, const Message& reason) {
+    return refusedValue(std::string(key), shortened(value), reason);
 }
 
 /// What is measured in scales of the blow in a dimensionless scenario has no unit there: the first value
@@ -37,19 +37,19 @@ void takeForm(SweepAxis& axis, std::string_view text) {
 }
 
 /// Reads a value of the axis; a problem for what is no value or out of range.
-std::string readValue(ParsedAxis& parsed, std::string_view text, double& value) {
+Message readValue(ParsedAxis& parsed, std::string_view text, double& value) {
     SweepAxis& axis = parsed.axis;
     takeForm(axis, text);
     const Parameter& parameter = *axis.parameter;
     const TypedQuantity typed =
         parseQuantity(text, parameter.quantity, BareNumber::refused, &parameter.displayUnit());
     parsed.kind = ParsedAxis::Kind::badValue;
-    if (!typed.valid()) return refusal(parameter.key, text, typed.problem.text());
+    if (!typed.valid()) return refusal(parameter.key, text, typed.problem);
     const bool sameUnit = !axis.unit || axis.unit == typed.unit;
     axis.unit = sameUnit ? typed.unit : &unitsOf(parameter.quantity).front();
     value = typed.si;
     const Message problem = rangeProblem(parameter, value);
-    if (!problem.isEmpty()) return refusal(parameter.key, text, problem.text());
+    if (!problem.isEmpty()) return refusal(parameter.key, text, problem);
     parsed.kind = ParsedAxis::Kind::badText;
     return {};
 }
@@ -61,94 +61,102 @@ double between(double a, double b, double position, double last) {
     return std::isfinite(sum) ? sum / last : a * ((last - position) / last) + b * (position / last);
 }
 
-std::string readCount(SweepAxis& axis, std::string_view text) {
+Message readCount(SweepAxis& axis, std::string_view text) {
     axis.count = wholeNumberIn<decltype(axis.count)>(text).value_or(0);
     if (axis.count >= 1 && axis.count <= maximumSweepPoints) return {};
-    return "the count `" + shortened(text) + "` of " + std::string(axis.key()) + " " +
-           wholeNumberProblem<std::uint64_t>(1, maximumSweepPoints);
+    return {translatable("drillwave::Message", "the count `%1` of %2 must be a whole number from 1 to %3"),
+            {shortened(text), std::string(axis.key()), std::to_string(maximumSweepPoints)}};
 }
 
 /// START, STOP and, as the last of `parts`, perhaps `log`.
-std::string readEnds(ParsedAxis& parsed, const std::vector<std::string_view>& parts, std::size_t last,
-                     std::string_view lastName) {
+Message readEnds(ParsedAxis& parsed, const std::vector<std::string_view>& parts, std::size_t last) {
     SweepAxis& axis = parsed.axis;
-    const std::string key(axis.key());
     if (parts.size() == last + 2 && parts.back() != "log")
-        return "`" + shortened(parts.back()) + "` behind the " + std::string(lastName) + " of " + key +
-               " is not known; only `log` may follow";
+        return {last == 1 ? translatable("drillwave::Message",
+                                         "`%1` behind the end of %2 is not known; only `log` may follow")
+                          : translatable("drillwave::Message",
+                                         "`%1` behind the count of %2 is not known; only `log` may follow"),
+                {shortened(parts.back()), std::string(axis.key())}};
     axis.kind = parts.size() == last + 2 ? SweepAxis::Kind::logarithmic : SweepAxis::Kind::linear;
-    if (std::string problem = readValue(parsed, parts[0], axis.start); !problem.empty()) return problem;
-    if (std::string problem = readValue(parsed, parts[1], axis.stop); !problem.empty()) return problem;
+    if (Message problem = readValue(parsed, parts[0], axis.start); !problem.isEmpty()) return problem;
+    if (Message problem = readValue(parsed, parts[1], axis.stop); !problem.isEmpty()) return problem;
     return {};
 }
 
-std::string logarithmProblem(const SweepAxis& axis) {
+Message logarithmProblem(const SweepAxis& axis) {
     if (axis.kind != SweepAxis::Kind::logarithmic || (axis.start > 0 && axis.stop > 0)) return {};
-    return "a logarithmic axis of " + std::string(axis.key()) + " must begin and end above 0";
+    return {translatable("drillwave::Message", "a logarithmic axis of %1 must begin and end above 0"),
+            {std::string(axis.key())}};
 }
 
 /// Each value of the axis of a whole number must be one.
-std::string wholeNumberProblem(const SweepAxis& axis) {
+Message wholeNumberProblem(const SweepAxis& axis) {
     if (!axis.parameter->rules.wholeNumber) return {};
     const double most = axis.parameter->hard.high - axis.parameter->hard.low + 1;
-    const std::string advice =
-        std::string(axis.key()) + " takes whole numbers alone; give a COUNT that hits them, or a list A,B,C";
+    const Message advice{
+        translatable("drillwave::Message",
+                     "%1 takes whole numbers alone; give a COUNT that hits them, or a list A,B,C"),
+        {std::string(axis.key())}};
     if (static_cast<double>(axis.count) > most) return advice;
     for (std::uint64_t i = 0; i < axis.count; ++i)
         if (!rangeProblem(*axis.parameter, axis.value(i)).isEmpty()) return advice;
     return {};
 }
 
-std::string spacingProblem(const SweepAxis& axis) {
-    std::string problem = logarithmProblem(axis);
-    return problem.empty() ? wholeNumberProblem(axis) : problem;
+Message spacingProblem(const SweepAxis& axis) {
+    const Message problem = logarithmProblem(axis);
+    return problem.isEmpty() ? wholeNumberProblem(axis) : problem;
 }
 
 /// The count may lack where one is assumed.
-std::string readRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts,
-                      std::optional<std::uint64_t> assumedCount) {
+Message readRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts,
+                  std::optional<std::uint64_t> assumedCount) {
     SweepAxis& axis = parsed.axis;
     if (assumedCount && (parts.size() == 2 || (parts.size() == 3 && parts[2] == "log"))) {
-        if (std::string problem = readEnds(parsed, parts, 1, "end"); !problem.empty()) return problem;
+        if (Message problem = readEnds(parsed, parts, 1); !problem.isEmpty()) return problem;
         axis.count = countWithin(*axis.parameter, axis.start, axis.stop, *assumedCount);
         return spacingProblem(axis);
     }
     if (parts.size() < 3 || parts.size() > 4)
-        return std::string(axis.key()) + " needs START:STOP:COUNT, START:STOP:COUNT:log or a list A,B,C";
-    if (std::string problem = readEnds(parsed, parts, 2, "count"); !problem.empty()) return problem;
-    if (std::string problem = readCount(axis, parts[2]); !problem.empty()) return problem;
+        return {translatable("drillwave::Message",
+                             "%1 needs START:STOP:COUNT, START:STOP:COUNT:log or a list A,B,C"),
+                {std::string(axis.key())}};
+    if (Message problem = readEnds(parsed, parts, 2); !problem.isEmpty()) return problem;
+    if (Message problem = readCount(axis, parts[2]); !problem.isEmpty()) return problem;
     return spacingProblem(axis);
 }
 
-std::string followedForm(std::string_view key) {
-    return std::string(key) + " needs START:STOP or START:STOP:log";
+Message followedForm(std::string_view key) {
+    return {translatable("drillwave::Message", "%1 needs START:STOP or START:STOP:log"), {std::string(key)}};
 }
 
-std::string wordsProblem(const WordParameter& words) {
-    return std::string(words.key) + " has no numbers to go along; make a family of " +
-           (words.key == pulseShapeKey ? "shapes" : "words");
+Message wordsProblem(const WordParameter& words) {
+    return {words.key == pulseShapeKey
+                ? translatable("drillwave::Message", "%1 has no numbers to go along; make a family of shapes")
+                : translatable("drillwave::Message", "%1 has no numbers to go along; make a family of words"),
+            {std::string(words.key)}};
 }
 
-std::string readFollowedRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts) {
+Message readFollowedRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts) {
     SweepAxis& axis = parsed.axis;
     if (parts.size() < 2 || parts.size() > 3) return followedForm(axis.key());
-    if (std::string problem = readEnds(parsed, parts, 1, "end"); !problem.empty()) return problem;
+    if (Message problem = readEnds(parsed, parts, 1); !problem.isEmpty()) return problem;
     axis.count = 2;
     return followProblem(axis);
 }
 
-std::string readList(ParsedAxis& parsed, const std::vector<std::string_view>& items) {
+Message readList(ParsedAxis& parsed, const std::vector<std::string_view>& items) {
     SweepAxis& axis = parsed.axis;
     axis.count = items.size();
     for (const std::string_view item : items) {
         double value = 0;
-        if (std::string problem = readValue(parsed, item, value); !problem.empty()) return problem;
+        if (Message problem = readValue(parsed, item, value); !problem.isEmpty()) return problem;
         axis.list.push_back(value);
     }
     return {};
 }
 
-std::string readWords(ParsedAxis& parsed, const std::vector<std::string_view>& items) {
+Message readWords(ParsedAxis& parsed, const std::vector<std::string_view>& items) {
     SweepAxis& axis = parsed.axis;
     axis.kind = SweepAxis::Kind::words;
     axis.count = items.size();
@@ -157,35 +165,37 @@ std::string readWords(ParsedAxis& parsed, const std::vector<std::string_view>& i
         const auto found = std::ranges::find(words, item);
         if (found == words.end()) {
             parsed.kind = ParsedAxis::Kind::badValue;
-            return refusal(axis.key(), item, "must be one of " + axis.words->list());
+            return refusal(axis.key(), item,
+                           {translatable("drillwave::Message", "must be one of %1"), {axis.words->list()}});
         }
         axis.list.push_back(static_cast<double>(found - words.begin()));
     }
     return {};
 }
 
-/// KEY and what stands behind its sign; `forms` are those that an axis may have.
-std::string readKey(ParsedAxis& parsed, std::string_view text, std::string_view forms,
-                    std::string_view& values) {
+/// KEY and what stands behind its sign; without one it is `noAxis`, which says the forms that there are.
+Message readKey(ParsedAxis& parsed, std::string_view text, std::string_view& values, const char* noAxis) {
     const std::size_t equals = text.find('=');
-    if (equals == std::string_view::npos)
-        return "`" + shortened(text) + "` is no axis: write " + std::string(forms);
+    if (equals == std::string_view::npos) return {noAxis, {shortened(text)}};
     const std::string_view key = trimmed(text.substr(0, equals));
     values = text.substr(equals + 1);
     parsed.axis.parameter = findParameter(key);
     parsed.axis.words = findWordParameter(key);
     if (parsed.axis.parameter || parsed.axis.words) return {};
-    if (key == restrikeKey) return std::string(key) + " has no numbers to go along; give it with --set";
-    const std::string near = nearestKey(key);
-    return "`" + shortened(key) + "` is not a parameter" +
-           (near.empty() ? "" : "; did you mean `" + near + "`?");
+    if (key == restrikeKey)
+        return {translatable("drillwave::Message", "%1 has no numbers to go along; give it with --set"),
+                {std::string(key)}};
+    return notAParameter(key);
 }
 
-std::string readAxis(ParsedAxis& parsed, std::string_view text, std::optional<std::uint64_t> assumedCount) {
+Message readAxis(ParsedAxis& parsed, std::string_view text, std::optional<std::uint64_t> assumedCount) {
     std::string_view values;
-    if (std::string problem =
-            readKey(parsed, text, "KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C", values);
-        !problem.empty())
+    if (Message problem = readKey(
+            parsed, text, values,
+            translatable(
+                "drillwave::Message",
+                "`%1` is no axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C"));
+        !problem.isEmpty())
         return problem;
     if (!parsed.axis.parameter) return readWords(parsed, split(values, ','));
     if (values.find(':') != std::string_view::npos)
@@ -193,10 +203,13 @@ std::string readAxis(ParsedAxis& parsed, std::string_view text, std::optional<st
     return readList(parsed, split(values, ','));
 }
 
-std::string readFollowedAxis(ParsedAxis& parsed, std::string_view text) {
+Message readFollowedAxis(ParsedAxis& parsed, std::string_view text) {
     std::string_view values;
-    if (std::string problem = readKey(parsed, text, "KEY=START:STOP or KEY=START:STOP:log", values);
-        !problem.empty())
+    if (Message problem =
+            readKey(parsed, text, values,
+                    translatable("drillwave::Message",
+                                 "`%1` is no axis: write KEY=START:STOP or KEY=START:STOP:log"));
+        !problem.isEmpty())
         return problem;
     if (!parsed.axis.parameter) return wordsProblem(*parsed.axis.words);
     return readFollowedRange(parsed, split(values, ':'));
@@ -231,18 +244,20 @@ double SweepAxis::value(std::uint64_t i) const {
     return unit->toSi(std::pow(10.0, between(std::log10(a), std::log10(b), position, last)));
 }
 
-std::string SweepAxis::assign(Scenario& scenario, double value) const {
+Message SweepAxis::assign(Scenario& scenario, double value) const {
     if (words) {
-        const std::string reason = words->assign(scenario, static_cast<std::size_t>(value));
-        return reason.empty() ? reason : std::string(key()) + " has no meaning here: " + reason;
+        const Message reason = words->assign(scenario, static_cast<std::size_t>(value));
+        return reason.isEmpty() ? reason
+                                : Message(translatable("drillwave::Message", "%1 has no meaning here: %2"),
+                                          {std::string(key()), reason});
     }
-    const std::string problem = assignNumber(scenario, *parameter, value);
-    return problem.empty() ? problem : std::string(key()) + " " + problem;
+    const Message problem = assignNumber(scenario, *parameter, value);
+    return problem.isEmpty() ? problem : Message("%1 %2", {std::string(key()), problem});
 }
 
-std::string SweepAxis::readBackProblem(const Scenario& scenario, double value) const {
+Message SweepAxis::readBackProblem(const Scenario& scenario, double value) const {
     if (!parameter || !parameter->applies(scenario)) return {};
-    return drillwave::readBackProblem(*parameter, scenario, value).text();
+    return drillwave::readBackProblem(*parameter, scenario, value);
 }
 
 std::vector<std::uint64_t> SweepAxis::extremes() const {
@@ -265,18 +280,23 @@ ParsedAxis parseRange(std::string_view text) {
     return parsed;
 }
 
-std::string followProblem(const SweepAxis& axis) {
+Message followProblem(const SweepAxis& axis) {
     // Narrower ranges, of their larger end, have fewer values than places of their features are to have.
     constexpr double narrowest = 1e-4;
     const std::string key(axis.key());
     if (!axis.parameter) return wordsProblem(*axis.words);
     if (axis.parameter->rules.wholeNumber)
-        return key + " has whole numbers alone; make a family of them, or sweep it";
+        return {translatable("drillwave::Message",
+                             "%1 has whole numbers alone; make a family of them, or sweep it"),
+                {key}};
     if (axis.kind != SweepAxis::Kind::linear && axis.kind != SweepAxis::Kind::logarithmic)
         return followedForm(key);
-    if (!(axis.start < axis.stop)) return "the range of " + key + " must end above its beginning";
+    if (!(axis.start < axis.stop))
+        return {translatable("drillwave::Message", "the range of %1 must end above its beginning"), {key}};
     if (axis.stop - axis.start < narrowest * std::max(std::abs(axis.start), std::abs(axis.stop)))
-        return "the range of " + key + " is too narrow: it must be at least 1e-4 of its end";
+        return {translatable("drillwave::Message",
+                             "the range of %1 is too narrow: it must be at least 1e-4 of its end"),
+                {key}};
     return logarithmProblem(axis);
 }
 

@@ -36,9 +36,9 @@ struct SweepAxis {
     double value(std::uint64_t i) const;
     /// Sets one of its values. Returns why the scenario cannot have it, "rod.bore has no meaning here: …";
     /// empty when it has.
-    std::string assign(Scenario& scenario, double value) const;
+    Message assign(Scenario& scenario, double value) const;
     /// Why a scenario in which all axes have been set does not hold that value; empty when it does.
-    std::string readBackProblem(const Scenario& scenario, double value) const;
+    Message readBackProblem(const Scenario& scenario, double value) const;
     /// Where the extreme values are: two indices, all of them for words.
     std::vector<std::uint64_t> extremes() const;
     bool operator==(const SweepAxis&) const = default;
@@ -52,7 +52,7 @@ struct ParsedAxis {
     /// What was wrong: the words, or a value that the parameter cannot take.
     enum class Kind { badText, badValue } kind = Kind::badText;
     SweepAxis axis;
-    std::string problem;
+    Message problem;
 };
 
 /// Reads "KEY=START:STOP" or "KEY=START:STOP:log", a range to be followed from START up to STOP: an axis of
@@ -61,7 +61,7 @@ ParsedAxis parseRange(std::string_view text);
 
 /// Why no curve can follow the axis from `start` up to `stop`, whatever made it: what parseRange() refuses of
 /// an axis whose ends are values of its parameter. Empty when one can.
-std::string followProblem(const SweepAxis& axis);
+Message followProblem(const SweepAxis& axis);
 
 /// How many even steps from `start` to `stop` give values of a parameter where `most` (≥ 2) are wanted: so
 /// many, but of whole numbers as many as meet whole numbers alone.

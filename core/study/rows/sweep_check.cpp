@@ -31,23 +31,26 @@ class ImpossibleCorners {
         // one bad combination explains the others of the same kind
         if (m_problems.size() >= enough || std::ranges::find(m_keys, obstacle.key) != m_keys.end()) return;
         m_keys.push_back(obstacle.key);
-        m_problems.push_back((obstacle.isMeaning ? "the axis " : "at " + pointText(m_axes, point) + ": ") +
-                             obstacle.text);
+        m_problems.push_back(obstacle.isMeaning
+                                 ? Message(translatable("drillwave::Message", "the axis %1"), {obstacle.text})
+                                 : Message(translatable("drillwave::Message", "at %1: %2"),
+                                           {pointText(m_axes, point), obstacle.text}));
     }
 
-    std::vector<std::string> take() { return std::move(m_problems); }
+    std::vector<Message> take() { return std::move(m_problems); }
 
   private:
     const std::vector<SweepAxis>& m_axes;
-    std::vector<std::string> m_keys, m_problems;
+    std::vector<std::string> m_keys;
+    std::vector<Message> m_problems;
 };
 
 /// A grid must have a scenario somewhere, and that its outputs.
-std::vector<std::string> cornerProblems(const Sweep& sweep) {
+std::vector<Message> cornerProblems(const Sweep& sweep) {
     AxisScenario scenario(sweep.base, sweep.axes);
     ImpossibleCorners impossible(sweep.axes);
     bool isPossible = false;
-    std::string ofColumns;
+    Message ofColumns;
     std::vector<double> values(sweep.axes.size());
     visitCorners(sweep.axes, [&](std::span<const std::uint64_t> point) {
         for (std::size_t a = 0; a < values.size(); ++a) values[a] = sweep.axes[a].value(point[a]);
@@ -57,25 +60,28 @@ std::vector<std::string> cornerProblems(const Sweep& sweep) {
         ofColumns = columnProblem(sweep.columns, scenario.scenario());
     });
     if (!isPossible) return impossible.take();
-    return ofColumns.empty() ? std::vector<std::string>() : std::vector{ofColumns};
+    return ofColumns.isEmpty() ? std::vector<Message>() : std::vector{ofColumns};
 }
 
 }  // namespace
 
-std::vector<std::string> problemsOf(const Sweep& sweep) {
-    std::vector<std::string> problems;
+std::vector<Message> problemsOf(const Sweep& sweep) {
+    std::vector<Message> problems;
+    const auto add = [&](const char* pattern, std::vector<Message> places) {
+        problems.emplace_back(pattern, std::move(places));
+    };
     if (sweep.axes.size() > maximumSweepAxes) {
-        problems.push_back("a sweep has at most " + std::to_string(maximumSweepAxes) + " axes, this one " +
-                           std::to_string(sweep.axes.size()));
+        add(translatable("drillwave::Message", "a sweep has at most %1 axes, this one %2"),
+            {std::to_string(maximumSweepAxes), std::to_string(sweep.axes.size())});
         return problems;
     }
     if (const auto pair = assignmentsOf(sweep.axes).rivals())
-        problems.push_back("the axes " + std::string(sweep.axes[pair->one].key()) + " and " +
-                           std::string(sweep.axes[pair->other].key()) + " " + pair->problem +
-                           "; vary one of them");
+        add(translatable("drillwave::Message", "the axes %1 and %2 %3; vary one of them"),
+            {std::string(sweep.axes[pair->one].key()), std::string(sweep.axes[pair->other].key()),
+             pair->problem});
     if (pointCount(sweep) == 0)
-        problems.push_back("the grid has more than " + std::to_string(maximumSweepPoints) +
-                           " points; take fewer values");
+        add(translatable("drillwave::Message", "the grid has more than %1 points; take fewer values"),
+            {std::to_string(maximumSweepPoints)});
     return problems.empty() ? cornerProblems(sweep) : problems;
 }
 

@@ -12,6 +12,6 @@ namespace drillwave {
 /// What makes a sweep unusable, each a line: two axes of one quantity, too many axes or points, outputs that
 /// such scenarios have not, no corner of the grid that is a scenario (AxisScenario). Empty when it can run; a
 /// point that is none has no answer then.
-std::vector<std::string> problemsOf(const Sweep& sweep);
+std::vector<Message> problemsOf(const Sweep& sweep);
 
 }  // namespace drillwave

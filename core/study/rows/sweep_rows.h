@@ -29,7 +29,7 @@ inline constexpr std::uint64_t mostDrawnLines = 16;
 std::size_t lineAxis(const std::vector<SweepAxis>& axes);
 
 /// Why there is no picture of a sweep and what to do; empty when there is one.
-std::string pictureProblem(const Sweep& sweep);
+Message pictureProblem(const Sweep& sweep);
 
 /// Keeps the numbers of rows on their way to another sink.
 class RowKeeper : public RowSink {

@@ -24,7 +24,7 @@ struct TableChunk : RowChunk {
     std::vector<CsvRecord> records;
     std::vector<int> lines;  // of each record, from 1
     std::size_t used = 0;    // rows of this chunk; the rest are kept for their memory
-    std::vector<std::string> problems;
+    std::vector<Message> problems;
 };
 
 /// Reads rows first … last − 1, numbered from the row below the header.
@@ -87,7 +87,7 @@ class TableRowMaker {
     std::string solve(const CsvRecord& record, int line, std::span<double> outputs,
                       const std::stop_token& stop) {
         if (const auto problems = m_assigner.assign(record, line); !problems.empty())
-            return "the table has changed since it was checked: " + problems.front();
+            return "the table has changed since it was checked: " + problems.front().text();
         if (m_movesPulse) m_solver.setPulse(m_assigner.scenario());
         return m_solver.solve(m_assigner.scenario(), outputs, stop);
     }
@@ -110,7 +110,7 @@ bool sets(const TableHeader& header, std::string_view key) {
 }
 
 /// Why the outputs would be empty in every row.
-std::string outputProblem(const Table& table, const TableHeader& header) {
+Message outputProblem(const Table& table, const TableHeader& header) {
     Scenario sample = table.base;
     if (sets(header, "drill.blow_frequency")) sample.drill.blowFrequency = 1;
     if (sets(header, "drill.thrust")) sample.drill.thrust = 1;
@@ -121,24 +121,26 @@ std::string outputProblem(const Table& table, const TableHeader& header) {
 TableHeader checkHeader(const Table& table, RowReader& reader, TableCheck& check) {
     CsvRecord record;
     if (!reader.header(record)) {
-        check.problems.push_back(table.source + ": is empty; its first row must name parameters");
+        check.problems.push_back(
+            about(table.source,
+                  translatable("drillwave::Message", "is empty; its first row must name parameters")));
         return {};
     }
     const std::string place = table.source + ":" + std::to_string(reader.line());
-    if (!record.problem.empty()) {
-        check.problems.push_back(place + ": " + record.problem);
+    if (!record.problem.isEmpty()) {
+        check.problems.push_back(about(place, record.problem));
         return {};
     }
     TableHeader header = readTableHeader(record.cells, table.columns);
-    const auto tell = [&](const std::vector<HeaderRemark>& remarks, std::vector<std::string>& lines) {
+    const auto tell = [&](const std::vector<HeaderRemark>& remarks, std::vector<Message>& lines) {
         for (const HeaderRemark& remark : remarks)
-            lines.push_back(place + (remark.column > 0 ? ":" + std::to_string(remark.column) : "") + ": " +
-                            remark.text);
+            lines.push_back(
+                about(place + (remark.column > 0 ? ":" + std::to_string(remark.column) : ""), remark.text));
     };
     tell(header.problems, check.problems);
     tell(header.warnings, check.warnings);
     if (check.problems.size() > maximumProblems) check.problems.resize(maximumProblems);
-    if (const std::string problem = outputProblem(table, header); !problem.empty())
+    if (const Message problem = outputProblem(table, header); !problem.isEmpty())
         check.problems.push_back(problem);
     return header;
 }
@@ -158,13 +160,13 @@ TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::st
                                                                                std::stop_token) mutable {
             chunk.problems.clear();
             for (std::size_t i = 0; i < chunk.used; ++i)
-                for (std::string& problem : assigner.assign(chunk.records[i], chunk.lines[i]))
+                for (Message& problem : assigner.assign(chunk.records[i], chunk.lines[i]))
                     chunk.problems.push_back(std::move(problem));
         };
     };
     const auto deliver = [&](TableChunk& chunk) {
         check.rows += chunk.used;
-        for (std::string& problem : chunk.problems)
+        for (Message& problem : chunk.problems)
             if (check.problems.size() < maximumProblems) check.problems.push_back(std::move(problem));
         return check.problems.size() < maximumProblems;
     };

@@ -31,8 +31,8 @@ struct Table {
 /// What a table is like, found before anything is computed.
 struct TableCheck {
     std::uint64_t rows = 0;
-    std::vector<std::string> problems;  ///< "cases.csv:7:3: bit_rock.gamma = 1.3 (…)", the first twenty
-    std::vector<std::string> warnings;  ///< "cases.csv:1: column 4 …"
+    std::vector<Message> problems;  ///< "cases.csv:7:3: bit_rock.gamma = 1.3 (…)", the first twenty
+    std::vector<Message> warnings;  ///< "cases.csv:1: column 4 …"
     WorkEnd end = WorkEnd::finished;
 };
 

@@ -58,9 +58,13 @@ std::optional<char> otherSeparator(std::string_view cell) {
     return std::nullopt;
 }
 
-std::string wrongSeparator(char separator) {
-    return std::string("cells are separated by ") + (separator == '\t' ? "tabs" : "`;`") +
-           ", not by `,`; save the table with `,` between them and `.` in numbers";
+const char* wrongSeparator(char separator) {
+    return separator == '\t' ? translatable("drillwave::Message",
+                                            "cells are separated by tabs, not by `,`; save the table with "
+                                            "`,` between them and `.` in numbers")
+                             : translatable("drillwave::Message",
+                                            "cells are separated by `;`, not by `,`; save the table with `,` "
+                                            "between them and `.` in numbers");
 }
 
 /// The beginning of keys that a name has, "rod.": nothing but a key of theirs is meant by it.
@@ -72,35 +76,51 @@ std::string_view groupOf(std::string_view name) {
                : std::string_view();
 }
 
-std::string misspelt(std::string_view name, std::string_view group) {
-    const std::string near = nearestKey(name);
-    const std::string way = near.empty() ? "; write a key that there is" : "; did you mean `" + near + "`";
-    return "`" + shortened(name) + "` is not a parameter" + way + ", or another name than `" +
-           std::string(group) + "…` for a column that is only to be passed through" +
-           (near.empty() ? "" : "?");
+Message misspelt(std::string_view name, std::string_view group) {
+    const std::string near = nearestKey(name), others = std::string(group) + "…";
+    if (near.empty())
+        return {translatable("drillwave::Message",
+                             "`%1` is not a parameter; write a key that there is, or another name than `%2` "
+                             "for a column that is only to be passed through"),
+                {shortened(name), others}};
+    return {translatable("drillwave::Message",
+                         "`%1` is not a parameter; did you mean `%2`, or another name than `%3` for a column "
+                         "that is only to be passed through?"),
+            {shortened(name), near, others}};
 }
 
 /// Why a column that is none of a parameter may not just be passed through; empty when it may.
-std::string misnamed(std::string_view cell, std::string_view name) {
+Message misnamed(std::string_view cell, std::string_view name) {
     if (const TextProblem problem = checkText(cell); !problem.reason.empty())
-        return "has " + problem.reason + "; save the table as CSV in UTF-8";
+        return {translatable("drillwave::Message", "has %1; save the table as CSV in UTF-8"),
+                {Message::ofTable(problem.reason)}};
     if (const auto separator = otherSeparator(cell)) return wrongSeparator(*separator);
     if (name == restrikeKey)
-        return "`" + std::string(name) + "` is no number; give it with --set for all rows";
+        return {translatable("drillwave::Message", "`%1` is no number; give it with --set for all rows"),
+                {std::string(name)}};
     const std::string key = meantKey(name);
     if (const std::string_view group = groupOf(name); key.empty() && !group.empty())
         return misspelt(name, group);
     if (key.empty()) return {};
     const bool unitInParentheses = name.find('(') != std::string_view::npos;
-    return "`" + shortened(name) + "` is not a parameter; write `" + key +
-           (unitInParentheses ? "`, with its unit in square brackets" : "`") +
-           ", or another name for a column that is only to be passed through";
+    return {unitInParentheses
+                ? translatable("drillwave::Message",
+                               "`%1` is not a parameter; write `%2`, with its unit in square brackets, or "
+                               "another name for a column that is only to be passed through")
+                : translatable("drillwave::Message",
+                               "`%1` is not a parameter; write `%2`, or another name for a column that is "
+                               "only to be passed through"),
+            {shortened(name), key}};
 }
 
-std::string passedThrough(std::string_view name) {
+Message passedThrough(std::string_view name) {
     const std::string near = nearestKey(name);
-    return "`" + shortened(name) + "` is not a parameter and only passed through" +
-           (near.empty() ? "" : "; did you mean `" + near + "`?");
+    if (near.empty())
+        return {translatable("drillwave::Message", "`%1` is not a parameter and only passed through"),
+                {shortened(name)}};
+    return {translatable("drillwave::Message",
+                         "`%1` is not a parameter and only passed through; did you mean `%2`?"),
+            {shortened(name), near}};
 }
 
 void readUnit(CaseColumn& column, std::string_view unit, std::size_t number, TableHeader& header) {
@@ -111,29 +131,35 @@ void readUnit(CaseColumn& column, std::string_view unit, std::size_t number, Tab
     const std::string key(column.key());
     header.problems.push_back(
         {number, quantity == Quantity::ratio
-                     ? key + " has no unit; write it without `[" + shortened(unit) + "]`"
-                     : key + ": unit `" + shortened(unit) +
-                           "` is not known here; units that would do: " + unitList(quantity)});
+                     ? Message(translatable("drillwave::Message", "%1 has no unit; write it without `[%2]`"),
+                               {key, shortened(unit)})
+                     : Message(translatable("drillwave::Message",
+                                            "%1: unit `%2` is not known here; units that would do: %3"),
+                               {key, shortened(unit), unitList(quantity)})});
 }
 
 void checkTwice(const CaseColumn& column, std::size_t number, TableHeader& header) {
     const auto earlier = std::ranges::find(header.columns, column.key(), &CaseColumn::key);
     if (earlier == header.columns.end()) return;
-    header.problems.push_back({number, "sets " + std::string(column.key()) + " again, column " +
-                                           std::to_string(earlier - header.columns.begin() + 1) +
-                                           " does already; keep one of them"});
+    header.problems.push_back(
+        {number,
+         {translatable("drillwave::Message", "sets %1 again, column %2 does already; keep one of them"),
+          {std::string(column.key()), std::to_string(earlier - header.columns.begin() + 1)}}});
 }
 
 /// A column that sets nothing.
 void judgeOther(std::string_view cell, std::size_t number, std::span<const OutputColumn> outputs,
                 TableHeader& header) {
     const std::string_view name = splitHeading(cell).name;
-    if (std::string problem = misnamed(cell, name); !problem.empty())
+    if (Message problem = misnamed(cell, name); !problem.isEmpty())
         header.problems.push_back({number, std::move(problem)});
     else if (std::ranges::find(outputs, trimmed(cell), &OutputColumn::header) != outputs.end())
-        header.warnings.push_back({number, "`" + shortened(trimmed(cell)) +
-                                               "` is passed through as it is; the column that is computed "
-                                               "follows with the same name"});
+        header.warnings.push_back(
+            {number,
+             {translatable(
+                  "drillwave::Message",
+                  "`%1` is passed through as it is; the column that is computed follows with the same name"),
+              {shortened(trimmed(cell))}}});
     else if (!isOutput(name))
         header.warnings.push_back({number, passedThrough(name)});
 }
@@ -141,9 +167,10 @@ void judgeOther(std::string_view cell, std::size_t number, std::span<const Outpu
 void checkSetsSomething(TableHeader& header) {
     const auto sets = [](const CaseColumn& column) { return column.kind != CaseColumn::Kind::other; };
     if (!header.problems.empty() || std::ranges::any_of(header.columns, sets)) return;
-    header.problems.push_back({0,
-                               "no column names a parameter, so that every row would be the same blow; name "
-                               "some in the first row, as `beta` or `rod.length [m]`"});
+    header.problems.push_back(
+        {0, translatable("drillwave::Message",
+                         "no column names a parameter, so that every row would be the same blow; name some "
+                         "in the first row, as `beta` or `rod.length [m]`")});
 }
 
 }  // namespace

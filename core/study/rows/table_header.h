@@ -27,7 +27,7 @@ struct CaseColumn {
 /// Something about a column, counted from 1; 0 is the header as a whole.
 struct HeaderRemark {
     std::size_t column = 0;
-    std::string text;
+    Message text;
 };
 
 /// The columns in the order of the file.

@@ -13,27 +13,36 @@ namespace drillwave {
 namespace {
 
 /// Cells go into the result as they are: what is no text must not.
-std::string textProblem(std::string_view cell) {
+Message textProblem(std::string_view cell) {
     const auto isPlain = [](char c) { return c >= 0x20 && c < 0x7F; };
     if (std::ranges::all_of(cell, isPlain)) return {};
     const TextProblem problem = checkText(cell);
-    return problem.reason.empty() ? std::string() : "has " + problem.reason + "; save the table in UTF-8";
+    if (problem.reason.empty()) return {};
+    return {translatable("drillwave::Message", "has %1; save the table in UTF-8"),
+            {Message::ofTable(problem.reason)}};
 }
 
 /// A reader of the result takes the unit of the header for that of every cell.
-std::string unitProblem(const CaseColumn& column, std::string_view cell) {
+Message unitProblem(const CaseColumn& column, std::string_view cell) {
     if (!column.unit) return {};
     cell = trimmed(cell);
     if (numberLength(cell) == cell.size()) return {};
     const TypedQuantity typed =
         parseQuantity(cell, column.parameter->quantity, BareNumber::inDefaultUnit, column.unit);
     if (!typed.valid() || typed.unit == column.unit) return {};
-    return std::string(column.key()) + " = " + shortened(cell) + " (is in " + std::string(typed.unit->name) +
-           ", the column in " + std::string(column.unit->name) +
-           ": write it in that, or the header without a unit)";
+    return refusedValue(
+        std::string(column.key()), shortened(cell),
+        {translatable("drillwave::Message",
+                      "is in %1, the column in %2: write it in that, or the header without a unit"),
+         {std::string(typed.unit->name), std::string(column.unit->name)}});
 }
 
 }  // namespace
+
+Message cellCountProblem(std::size_t cells, std::size_t columns) {
+    return {translatable("drillwave::Message", "has %1 cells, the header has %2"),
+            {std::to_string(cells), std::to_string(columns)}};
+}
 
 TableRowAssigner::TableRowAssigner(const Scenario& base, const std::string& source, const TableHeader& header)
     : m_base(base),
@@ -42,23 +51,22 @@ TableRowAssigner::TableRowAssigner(const Scenario& base, const std::string& sour
       m_assignments(header.assignments()),
       m_scenario(base) {}
 
-std::vector<std::string> TableRowAssigner::assign(const CsvRecord& row, int line) {
-    std::vector<std::string> problems = assignCells(row, line);
+std::vector<Message> TableRowAssigner::assign(const CsvRecord& row, int line) {
+    std::vector<Message> problems = assignCells(row, line);
     if (!problems.empty()) return problems;
     for (const InputProblem& problem : validate(m_scenario))
-        problems.push_back(place(line) + ": " + problem.text.text());
+        problems.push_back(about(place(line), problem.text));
     return problems;
 }
 
-std::vector<std::string> TableRowAssigner::assignCells(const CsvRecord& row, int line) {
+std::vector<Message> TableRowAssigner::assignCells(const CsvRecord& row, int line) {
     const std::vector<std::string>& cells = row.cells;
-    if (!row.problem.empty()) return {place(line) + ": " + row.problem};
+    if (!row.problem.isEmpty()) return {about(place(line), row.problem)};
     if (cells.size() != m_header.columns.size())
-        return {place(line) + ": has " + std::to_string(cells.size()) + " cells, the header has " +
-                std::to_string(m_header.columns.size())};
-    std::vector<std::string> problems;
-    const auto add = [&](std::size_t i, const std::string& problem) {
-        if (!problem.empty()) problems.push_back(place(line) + ":" + std::to_string(i + 1) + ": " + problem);
+        return {about(place(line), cellCountProblem(cells.size(), m_header.columns.size()))};
+    std::vector<Message> problems;
+    const auto add = [&](std::size_t i, const Message& problem) {
+        if (!problem.isEmpty()) problems.push_back(about(place(line) + ":" + std::to_string(i + 1), problem));
     };
     for (std::size_t i = 0; i < cells.size(); ++i) add(i, textProblem(cells[i]));
     if (!problems.empty()) return problems;
@@ -72,16 +80,16 @@ std::vector<std::string> TableRowAssigner::assignCells(const CsvRecord& row, int
     return problems;
 }
 
-std::string TableRowAssigner::assignCell(const CaseColumn& column, const std::string& cell) {
-    if (std::string problem = unitProblem(column, cell); !problem.empty()) return problem;
+Message TableRowAssigner::assignCell(const CaseColumn& column, const std::string& cell) {
+    if (Message problem = unitProblem(column, cell); !problem.isEmpty()) return problem;
     return column.parameter ? assignText(m_scenario, *column.parameter, cell, column.unit)
                             : assignText(m_scenario, column.key(), cell);
 }
 
-std::string TableRowAssigner::rivalText(const RivalPair& pair) const {
-    return std::string(m_header.columns[pair.other].key()) + " and " +
-           std::string(m_header.columns[pair.one].key()) + " " + pair.problem +
-           "; leave one of the two cells empty";
+Message TableRowAssigner::rivalText(const RivalPair& pair) const {
+    return {translatable("drillwave::Message", "%1 and %2 %3; leave one of the two cells empty"),
+            {std::string(m_header.columns[pair.other].key()), std::string(m_header.columns[pair.one].key()),
+             pair.problem}};
 }
 
 }  // namespace drillwave

@@ -11,6 +11,9 @@
 
 namespace drillwave {
 
+/// Of a row that has not as many cells as there are columns.
+Message cellCountProblem(std::size_t cells, std::size_t columns);
+
 /// Sets the cells of one row after another on top of a scenario. One for each thread.
 class TableRowAssigner {
   public:
@@ -22,12 +25,12 @@ class TableRowAssigner {
 
     /// What is wrong with the row on that line (from 1), each with its place,
     /// "cases.csv:7:3: bit_rock.gamma = 1.3 (…)"; empty when scenario() is its valid scenario.
-    std::vector<std::string> assign(const CsvRecord& row, int line);
+    std::vector<Message> assign(const CsvRecord& row, int line);
 
   private:
-    std::vector<std::string> assignCells(const CsvRecord& row, int line);
-    std::string assignCell(const CaseColumn& column, const std::string& cell);
-    std::string rivalText(const RivalPair& pair) const;
+    std::vector<Message> assignCells(const CsvRecord& row, int line);
+    Message assignCell(const CaseColumn& column, const std::string& cell);
+    Message rivalText(const RivalPair& pair) const;
 
     std::string place(int line) const { return m_source + ":" + std::to_string(line); }
 

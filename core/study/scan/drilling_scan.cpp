@@ -89,13 +89,12 @@ bool sharesFullRate(const Scenario& base, const SweepAxis& axis) {
 
 }  // namespace
 
-std::vector<std::string> scanRefusals(const Scenario& base, const SweepAxis& axis,
-                                      const DrillingSettings& settings) {
+std::vector<Message> scanRefusals(const Scenario& base, const SweepAxis& axis,
+                                  const DrillingSettings& settings) {
     for (const std::uint64_t index : axis.extremes()) {
         Scenario scenario = base;
-        if (std::string problem = axis.assign(scenario, axis.value(index)); !problem.empty())
-            return {problem};
-        if (std::vector<std::string> problems = drillingRefusals(scenario, settings); !problems.empty())
+        if (Message problem = axis.assign(scenario, axis.value(index)); !problem.isEmpty()) return {problem};
+        if (std::vector<Message> problems = drillingRefusals(scenario, settings); !problems.empty())
             return problems;
     }
     return {};

@@ -44,8 +44,8 @@ struct DrillingScanWork {
 };
 
 /// Why a value of the axis cannot be drilled with, all of them; empty where all can.
-std::vector<std::string> scanRefusals(const Scenario& base, const SweepAxis& axis,
-                                      const DrillingSettings& settings);
+std::vector<Message> scanRefusals(const Scenario& base, const SweepAxis& axis,
+                                  const DrillingSettings& settings);
 
 /// What a value takes at most, in cells times nodes, with λ.
 double scanWork(const Scenario& scenario, const DrillingSettings& settings);

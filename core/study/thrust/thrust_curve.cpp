@@ -23,8 +23,8 @@ struct ScenarioAt {
 
 ScenarioAt scenarioAt(const Scenario& base, const Parameter& parameter, double value) {
     ScenarioAt at{base, {}};
-    at.obstacle = assignNumber(at.scenario, parameter, value);
-    if (!at.obstacle.empty()) at.obstacle = std::string(parameter.key) + " " + at.obstacle;
+    if (const Message problem = assignNumber(at.scenario, parameter, value); !problem.isEmpty())
+        at.obstacle = std::string(parameter.key) + " " + problem.text();
     if (const auto problems = at.obstacle.empty() ? validate(at.scenario) : std::vector<InputProblem>();
         !problems.empty())
         at.obstacle = problems.front().text.text();

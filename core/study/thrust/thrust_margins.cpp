@@ -20,7 +20,7 @@ std::optional<double> ThrustMargins::of(const Scenario& scenario, const Problem&
 
 std::optional<WidestNeed> ThrustMargins::widest(const Scenario& scenario, const Problem& problem,
                                                 const Estimate& cor, const std::stop_token& stop) {
-    if (!thrustMarginProblem(scenario).empty()) return std::nullopt;
+    if (!thrustMarginProblem(scenario).isEmpty()) return std::nullopt;
     const GapRebounds rebounds = m_finder.of(problem, stop);
     if (!rebounds.quantile.known() || !rebounds.worst.known()) return std::nullopt;
     return widestOf(thrustNeeds(scenario, cor, rebounds));

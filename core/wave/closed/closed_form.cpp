@@ -165,27 +165,32 @@ bool overlapIsSmall(double beta, double tau) {
     return endsInTime && 2 * largestPush(beta) < 2 + secondPulseImpulse(beta) - 3 * left;
 }
 
-std::string closedFormRefusal(const Problem& problem) {
-    if (const std::string_view refusal = rodRefusal(problem); !refusal.empty()) return std::string(refusal);
+Message closedFormRefusal(const Problem& problem) {
+    if (const std::string_view refusal = rodRefusal(problem); !refusal.empty())
+        return Message::ofTable(refusal);
     constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
-    std::string found;
-    const auto add = [&](const std::string& text) { found += (found.empty() ? "" : ", ") + text; };
+    Message found;
+    const auto add = [&](Message text) {
+        found = found.isEmpty() ? std::move(text) : Message("%1, %2", {found, std::move(text)});
+    };
     if (problem.force().shape != PulseShape::rectangular)
         add("pulse.shape = " + std::string(name(problem.force().shape)));
     if (problem.law.gamma != 1) add("gamma = " + formatNumber(problem.law.gamma));
-    if (!problem.law.isBilinear()) add("a loading curve of more than one line");
+    if (!problem.law.isBilinear())
+        add(translatable("drillwave::Message", "a loading curve of more than one line"));
     if (std::abs(problem.gap - std::round(problem.gap)) > rounding * std::max(1.0, problem.gap))
         add("delta = " + formatNumber(problem.gap));
     if (problem.transitTime() < 0.5) add("tau = " + formatNumber(problem.transitTime()));
-    if (found.empty()) return found;
-    return "the closed form is for a rectangular pulse, gamma = 1, a whole number as delta and tau >= 0.5, "
-           "not " +
-           found + "; use the exact method or the lattice";
+    if (found.isEmpty()) return found;
+    return {translatable("drillwave::Message",
+                         "the closed form is for a rectangular pulse, gamma = 1, a whole number as delta and "
+                         "tau >= 0.5, not %1; use the exact method or the lattice"),
+            {found}};
 }
 
 Impact solveClosedForm(const Problem& problem, Detail detail) {
     Impact impact;
-    impact.reason = closedFormRefusal(problem);
+    impact.reason = closedFormRefusal(problem).text();
     if (!impact.reason.empty()) return impact;
     const double beta = problem.law.beta;
     if (!overlapIsSmall(beta, problem.transitTime())) {

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "core/text/message.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
 
@@ -38,7 +39,7 @@ bool overlapIsSmall(double beta, double tau);
 
 /// Why the closed form says nothing about this blow: γ ≠ 1, a gap that is no whole δ, another pulse, or a
 /// pulse longer than a round trip. Empty when it does.
-std::string closedFormRefusal(const Problem& problem);
+Message closedFormRefusal(const Problem& problem);
 
 /// The closed form as an impact like that of the other solvers. `corError` is the neglected overlap; the
 /// histories are those of the paper, each pulse alone, so that the balances of momentum and energy are out by

@@ -82,7 +82,7 @@ void TestOutputs::everyOutputHasANumberWhereTheScenarioHasIt() {
     int told = 0;
     for (const Output& output : outputs()) {
         const std::optional<double> value = output.value({drill.summary, drill.scenario, 0.1});
-        if (!output.problem(drill.scenario).empty()) {  // of drill strings
+        if (!output.problem(drill.scenario).isEmpty()) {  // of drill strings
             QVERIFY(!value);
             continue;
         }
@@ -92,7 +92,7 @@ void TestOutputs::everyOutputHasANumberWhereTheScenarioHasIt() {
     QCOMPARE(told, 26);
     const Blow groups = solveBlow(groupsCase({0.5, 0.1, 10, 0.2}), {}, Detail::ledger);
     for (const Output& output : outputs()) {
-        const bool isThere = output.problem(groups.scenario).empty() && output.detail != Detail::histories;
+        const bool isThere = output.problem(groups.scenario).isEmpty() && output.detail != Detail::histories;
         QCOMPARE(output.value({groups.summary, groups.scenario}).has_value(), isThere);
     }
 }
@@ -104,7 +104,7 @@ void TestOutputs::anOutputNeedsNoMoreThanItsDetail() {
     const Blow full = solveBlow(scenario, {}, Detail::histories);
     for (const Output& output : outputs()) {
         if (output.measure == Measure::error || output.needsThrustStudy()) continue;  // rounding; no blow
-        if (!output.problem(scenario).empty()) continue;  // of drill strings; without a thrust
+        if (!output.problem(scenario).isEmpty()) continue;  // of drill strings; without a thrust
         const Blow own = solveBlow(scenario, {}, output.detail);
         const double value = *output.value({own.summary, scenario});
         const double expected = *output.value({full.summary, scenario});
@@ -122,7 +122,7 @@ void TestOutputs::siValuesDoNotDependOnTheUnitsOfTheScenario() {
     const Blow x = solveBlow(a, {}, Detail::histories);
     const Blow y = solveBlow(b, {}, Detail::histories);
     for (const Output& output : outputs()) {
-        if (output.measure == Measure::error || !output.problem(a).empty()) continue;  // rounding noise
+        if (output.measure == Measure::error || !output.problem(a).isEmpty()) continue;  // rounding noise
         const double first = siOf(x, output.name), second = siOf(y, output.name);
         QVERIFY2(std::abs(first - second) <= 1e-12 * std::abs(second), std::string(output.name).c_str());
     }
@@ -167,8 +167,8 @@ void TestOutputs::thrustIsFrequencyTimesTheImpulseThatComesBack() {
     QVERIFY(std::abs(siOf(blow, "thrust") / (50 * 51 * (1 + blow.impact.cor)) - 1) < 1e-15);
     const Output& thrust = *findOutput("thrust");
     QCOMPARE(thrust.detail, Detail::cor);
-    QCOMPARE(thrust.problem(Scenario()), thrustProblem(Scenario()).text());
-    QVERIFY(!thrust.problem(Scenario()).empty());
+    QVERIFY(thrust.problem(Scenario()) == thrustProblem(Scenario()));
+    QVERIFY(!thrust.problem(Scenario()).isEmpty());
 }
 
 // Work and penetration of a blow, 50 times a second.
@@ -182,7 +182,7 @@ void TestOutputs::powerAndRateAreThoseOfOneBlowTimesTheFrequency() {
     for (const char* name : {"percussion_power", "penetration_rate"}) {
         QVERIFY(findOutput(name)->isOnlySi());
         QVERIFY(!valueOf(solveBlow(Scenario(), {}, Detail::ledger), name));
-        const std::string problem = findOutput(name)->problem(Scenario());
+        const std::string problem = findOutput(name)->problem(Scenario()).text();
         QVERIFY(problem.find("drill.blow_frequency") != std::string::npos);
         QVERIFY(problem.find("thrust") == std::string::npos);
     }
@@ -192,11 +192,11 @@ void TestOutputs::theMarginNeedsAnInstalledThrust() {
     const Output& margin = *findOutput("thrust_margin");
     QVERIFY(!margin.isOnlySi());
     QVERIFY(margin.needsThrustStudy());
-    QVERIFY(margin.problem(Scenario()).find("drill.blow_frequency") != std::string::npos);
-    QVERIFY(margin.problem(drillOf(50)).find("drill.thrust") != std::string::npos);
+    QVERIFY(margin.problem(Scenario()).text().find("drill.blow_frequency") != std::string::npos);
+    QVERIFY(margin.problem(drillOf(50)).text().find("drill.thrust") != std::string::npos);
     Scenario complete = drillOf(50);
     complete.drill.thrust = 5000;
-    QVERIFY(margin.problem(complete).empty());
+    QVERIFY(margin.problem(complete).isEmpty());
 }
 
 void TestOutputs::manyBlowsNeedAFrequencyAndAThrust() {
@@ -210,12 +210,12 @@ void TestOutputs::manyBlowsNeedAFrequencyAndAThrust() {
     const OutputSource source{blow.summary, complete, {}, &numbers};
     for (const Output& output : drillOutputs()) {
         const auto says = [&](const Scenario& scenario, const char* word) {
-            return output.problem(scenario).find(word) != std::string::npos;
+            return output.problem(scenario).text().find(word) != std::string::npos;
         };
         QVERIFY(says(Scenario(), "drill.blow_frequency") && says(Scenario(), "drill.thrust"));
         QVERIFY(!says(drillOf(50), "drill.blow_frequency") && says(drillOf(50), "drill.thrust"));
         QVERIFY(says(neverSettles, "drill.settle"));
-        QVERIFY(output.problem(complete).empty());
+        QVERIFY(output.problem(complete).isEmpty());
         QVERIFY(!output.value({blow.summary, complete}));  // without a march
         QCOMPARE(output.value(source).has_value(), output.name == "drill_gap_mean");
     }
@@ -264,7 +264,7 @@ void TestOutputs::anOutputIsOfTheBlowsThatItsRowSays() {
     for (const Output& output : outputs()) {
         QCOMPARE(output.concerns(scenario), concerns(output.of, scenario));
         if (output.concerns(scenario)) continue;
-        QVERIFY(!output.problem(scenario).empty());
+        QVERIFY(!output.problem(scenario).isEmpty());
         QVERIFY(!output.value({summary, scenario}));
     }
 }

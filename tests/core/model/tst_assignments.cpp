@@ -43,7 +43,7 @@ void TestAssignments::whatSetsNothingIsNumberedButNotSet() {
     QCOMPARE(assignments.order(), (std::vector<std::size_t>{3, 1}));
     const std::optional<RivalPair> pair = assignments.rivals();
     QVERIFY(pair && pair->one == 1 && pair->other == 3);
-    QCOMPARE(pair->problem, std::string("set the same thing"));
+    QCOMPARE(pair->problem.text(), std::string("set the same thing"));
     QVERIFY(!assignments.rivals([](std::size_t i) { return i != 3; }));
     QVERIFY(!assignments.movesPulse(0));
 }

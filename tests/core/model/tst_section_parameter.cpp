@@ -42,7 +42,7 @@ Scenario threeRods() {
 }
 
 QString set(Scenario& scenario, std::string_view key, std::string_view text) {
-    return QString::fromStdString(assignText(scenario, key, text));
+    return QString::fromStdString(assignText(scenario, key, text).text());
 }
 
 std::optional<double> valueOf(std::string_view key, const Scenario& scenario) {
@@ -269,7 +269,7 @@ void TestSectionParameter::keysOfOneSectionAreRivals() {
     QFETCH(QString, problem);
     const Scenario scenario = threeRods();
     const auto problemOf = [&](const QByteArray& a, const QByteArray& b) {
-        return QString::fromStdString(rivalProblem(a.constData(), scenario, b.constData(), scenario));
+        return QString::fromStdString(rivalProblem(a.constData(), scenario, b.constData(), scenario).text());
     };
     QCOMPARE(problemOf(one, other), problem);
     QCOMPARE(problemOf(other, one), problem);
@@ -286,7 +286,7 @@ void TestSectionParameter::placesAreThoseOfTheirOwnScenario() {
     const Scenario three = threeRods();
     Scenario one = three;
     one.drillString.parts[1].repeat = 1;
-    QVERIFY(rivalProblem("string.4.length", one, "string.8.length", three) != "");  // the bit skirt
+    QVERIFY(!rivalProblem("string.4.length", one, "string.8.length", three).isEmpty());  // the bit skirt
     QCOMPARE(rivalProblem("string.4.length", three, "string.8.length", three), std::string());
 }
 

@@ -38,7 +38,7 @@ void TestBlowJson::numbersReadBackExactly() {
     qsizetype written = 0;
     for (const Output& output : outputs()) {
         const std::optional<double> value = output.value({blow.summary, blow.scenario});
-        if (!output.problem(blow.scenario).empty()) continue;
+        if (!output.problem(blow.scenario).isEmpty()) continue;
         const QString name = QString::fromUtf8(output.name.data(), qsizetype(output.name.size()));
         QVERIFY2(si[name].isDouble() && value, qPrintable(name));
         QCOMPARE(si[name].toDouble(), inSi(output, *value, blow));

@@ -30,7 +30,7 @@ Contents contentsOf(const std::string& text, std::size_t limit = 1 << 20) {
         for (const std::string& cell : record.cells) cells << QString::fromStdString(cell);
         contents.records << cells;
         contents.lines << reader.line();
-        if (!record.problem.empty()) contents.problems << QString::fromStdString(record.problem);
+        if (!record.problem.isEmpty()) contents.problems << QString::fromStdString(record.problem.text());
     }
     return contents;
 }

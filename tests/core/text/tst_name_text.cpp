@@ -39,7 +39,7 @@ void TestNameText::aNameIsOneLineWithALetter_data() {
 void TestNameText::aNameIsOneLineWithALetter() {
     QFETCH(QByteArray, name);
     QFETCH(QString, problem);
-    QCOMPARE(QString::fromStdString(nameProblem(name.toStdString())), problem);
+    QCOMPARE(QString::fromStdString(nameProblem(name.toStdString()).text()), problem);
 }
 
 void TestNameText::whatIsNoTextIsPrintedAsItsNumber_data() {

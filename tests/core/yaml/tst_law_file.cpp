@@ -102,7 +102,7 @@ class TestLawFile : public QObject {
 
     void aLawIsSetByKeys() {
         Scenario scenario = parseScenario(rod + rock, "file").scenario;
-        QVERIFY(!assignText(scenario, "bit_rock.corner.1.force", "90 kN").empty());
+        QVERIFY(!assignText(scenario, "bit_rock.corner.1.force", "90 kN").isEmpty());
         QCOMPARE(assignText(scenario, "bit_rock.law", "corners"), std::string());
         QVERIFY(!validate(scenario).empty());
         QCOMPARE(assignText(scenario, "bit_rock.corner.1.force", "90 kN"), std::string());
@@ -112,27 +112,27 @@ class TestLawFile : public QObject {
         QVERIFY(!validate(scenario).empty());  // there is no second one
         Scenario bare = parseScenario(groups, "file").scenario;
         QCOMPARE(assignText(bare, "bit_rock.law", "corners"), std::string());
-        QVERIFY(!assignText(bare, "bit_rock.corner.1.force", "90 kN").empty());
+        QVERIFY(!assignText(bare, "bit_rock.corner.1.force", "90 kN").isEmpty());
         QCOMPARE(assignText(bare, "bit_rock.corner.1.force", "0.6"), std::string());
         QCOMPARE(bare.bitRock.corners.front().force, 0.6);
-        QVERIFY(!assignText(bare, "bit_rock.corner.65.force", "0.6").empty());
+        QVERIFY(!assignText(bare, "bit_rock.corner.65.force", "0.6").isEmpty());
     }
 
     void axesTakeLawsAndCorners() {
         const ParsedAxis laws = parseAxis("bit_rock.law=bilinear,corners");
-        QVERIFY2(laws.problem.empty(), laws.problem.c_str());
+        QVERIFY2(laws.problem.isEmpty(), laws.problem.text().c_str());
         QCOMPARE(std::string(laws.axis.key()), std::string("bit_rock.law"));
         Scenario scenario = parseScenario(rod + rock + corners, "file").scenario;
         QCOMPARE(laws.axis.assign(scenario, laws.axis.value(0)), std::string());
         QVERIFY(scenario.bitRock.law == RockLaw::bilinear && scenario.bitRock.corners.empty());
-        QVERIFY(!parseAxis("bit_rock.law=bilinear,curved").problem.empty());
+        QVERIFY(!parseAxis("bit_rock.law=bilinear,curved").problem.isEmpty());
         const ParsedAxis inSi = parseAxis("bit_rock.corner.1.force=50kN:100kN:3");
-        QVERIFY(inSi.problem.empty());
+        QVERIFY(inSi.problem.isEmpty());
         QVERIFY(inSi.axis.parameter->quantity == Quantity::force);
         const ParsedAxis inScales = parseAxis("bit_rock.corner.1.force=0.2:0.6:3");
-        QVERIFY(inScales.problem.empty());
+        QVERIFY(inScales.problem.isEmpty());
         QVERIFY(inScales.axis.parameter->quantity == Quantity::ratio);
-        QVERIFY(!inScales.axis.assign(scenario, 0.2).empty());
+        QVERIFY(!inScales.axis.assign(scenario, 0.2).isEmpty());
     }
 
     void whatIsWrongIsToldWhereItStands_data() {

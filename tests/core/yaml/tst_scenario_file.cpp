@@ -126,7 +126,8 @@ void TestScenarioFile::aMeanForceIsReadAndKept() {
     QVERIFY(document.scenario.pulse.impulseFromForce);
     QCOMPARE(document.scenario.pulse.impulse, 255e3 * 200e-6);
     compareText(writeScenario(document), text);
-    QCOMPARE(QString::fromStdString(assignText(document.scenario, "pulse.duration", "100 us")), QString());
+    QCOMPARE(QString::fromStdString(assignText(document.scenario, "pulse.duration", "100 us").text()),
+             QString());
     compareText(writeScenario(document), replaced(text, "200 us                # t0", "100 us"));
 }
 

@@ -221,12 +221,12 @@ CurvePage::Wish CurvePage::wish() const {
     curve.base = scenario();
     curve.base.title.clear();
     const ParsedAxis along = m_isSampled ? parseAxis(axisText()) : parseRange(axisText());
-    if (!along.problem.empty()) return {{}, QString::fromStdString(along.problem)};
+    if (!along.problem.isEmpty()) return {{}, translated(along.problem)};
     curve.along = along.axis;
     takeOut(curve.base, *range.parameter, range.start);
     if (const StudyFamily family = askedFamily(); family.parameter) {
         const ParsedAxis values = parseAxis(family.text());
-        if (!values.problem.empty()) return {{}, QString::fromStdString(values.problem)};
+        if (!values.problem.isEmpty()) return {{}, translated(values.problem)};
         curve.family = values.axis;
         takeOut(curve.base, *family.parameter, family.values.front());
     }
@@ -236,7 +236,7 @@ CurvePage::Wish CurvePage::wish() const {
     asked.reference = static_cast<ReferenceScale>(m_reference->currentIndex());
     asked.closedForm = m_closedForm->isChecked();
     QStringList problems;
-    for (const std::string& problem : problemsOf(asked)) problems << QString::fromStdString(problem);
+    for (const Message& problem : problemsOf(asked)) problems << translated(problem);
     if (!problems.isEmpty()) return {{}, problems.join(QLatin1Char('\n'))};
     return {std::move(asked), {}};
 }

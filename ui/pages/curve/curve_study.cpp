@@ -76,7 +76,7 @@ void takeOut(Scenario& scenario, const Parameter& parameter, double value) {
     if (!Assignments({parameter.key}).movePulse()) parameter.assign(scenario, value);
 }
 
-std::vector<std::string> problemsOf(const CurvePageQuestion& question) {
+std::vector<Message> problemsOf(const CurvePageQuestion& question) {
     return question.isSampled() ? sampledProblemsOf(question.curve) : problemsOf(question.curve);
 }
 

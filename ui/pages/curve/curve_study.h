@@ -43,7 +43,7 @@ struct CurvePageStudy {
 void takeOut(Scenario& scenario, const Parameter& parameter, double value);
 
 /// What makes it unusable; empty when it can be studied.
-std::vector<std::string> problemsOf(const CurvePageQuestion& question);
+std::vector<Message> problemsOf(const CurvePageQuestion& question);
 
 /// Told what there is of a curve that grows.
 using CurvePagePreview = std::function<void(const CurvePageStudy& soFar)>;

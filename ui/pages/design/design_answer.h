@@ -17,9 +17,9 @@ inline constexpr std::uint64_t firstSamples = 16;
 
 /// What there is so far.
 struct DesignAnswer {
-    DesignReport report;                ///< of as many samples as its study says
-    std::uint64_t wanted = 0;           ///< samples of the last answer
-    std::vector<std::string> problems;  ///< why nothing can be solved: then there is nothing else
+    DesignReport report;            ///< of as many samples as its study says
+    std::uint64_t wanted = 0;       ///< samples of the last answer
+    std::vector<Message> problems;  ///< why nothing can be solved: then there is nothing else
     bool isRefined() const { return report.study.samples == wanted; }
     /// Whether there are designs to be shown, and one of them to be taken.
     bool hasBest() const { return report.findings.best.robust.has_value(); }

@@ -97,12 +97,12 @@ DesignPage::Wish DesignPage::wish() const {
     QStringList problems;
     for (const std::string& text : m_uncertain->texts()) {
         ParsedUncertain parsed = parseUncertain(text);
-        if (!parsed.problem.empty()) problems << QString::fromStdString(parsed.problem);
+        if (!parsed.problem.isEmpty()) problems << translated(parsed.problem);
         study.uncertain.push_back(std::move(parsed.input));
     }
     for (const std::string& text : m_choices->texts()) {
         ParsedAxis parsed = parseAxis(text);
-        if (!parsed.problem.empty()) problems << QString::fromStdString(parsed.problem);
+        if (!parsed.problem.isEmpty()) problems << translated(parsed.problem);
         study.choices.push_back(std::move(parsed.axis));
     }
     if (!problems.isEmpty()) return {{}, problems.join(QLatin1Char('\n'))};
@@ -120,7 +120,7 @@ void DesignPage::ask() {
         m_choices->present(scenario());
         m_aims->present(scenario());
     }
-    m_keepEnergy->setEnabled(keepEnergyProblem(scenario()).empty());
+    m_keepEnergy->setEnabled(keepEnergyProblem(scenario()).isEmpty());
     Wish now = wish();
     m_problem = now.problem;
     if (!now.study) return m_study.job().cancel();
@@ -141,7 +141,7 @@ void DesignPage::present() {
     if (!answer) return;
     if (!answer->problems.empty()) {
         QStringList lines;
-        for (const std::string& line : answer->problems) lines << QString::fromStdString(line);
+        for (const Message& line : answer->problems) lines << translated(line);
         return refuse(lines.join(QLatin1Char('\n')));
     }
     if (!answer->hasBest()) {

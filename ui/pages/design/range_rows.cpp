@@ -207,7 +207,7 @@ QString RangeRow::take(double StudyRange::*end, double si) {
         const StudyRange before = std::exchange(m_range, range);
         const ParsedUncertain parsed = parseUncertain(text());
         m_range = before;
-        if (!parsed.problem.empty()) return QString::fromStdString(parsed.problem);
+        if (!parsed.problem.isEmpty()) return translated(parsed.problem);
     }
     m_range = range;
     follow();
@@ -240,8 +240,8 @@ void RangeRow::follow() {
                                                       : tr("This one stays as it is"));
     if (m_density) {
         const ParsedUncertain parsed = parseUncertain(text());
-        m_density->setVisible(parsed.problem.empty());
-        if (parsed.problem.empty()) m_density->present(parsed.input.in(m_scenario));
+        m_density->setVisible(parsed.problem.isEmpty());
+        if (parsed.problem.isEmpty()) m_density->present(parsed.input.in(m_scenario));
     }
     emit changed();
 }

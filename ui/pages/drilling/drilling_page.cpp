@@ -143,10 +143,10 @@ void DrillingPage::hideEvent(QHideEvent* event) {
     if (!event->spontaneous()) setLeastLines(plotLinesOfMarch);
 }
 
-void DrillingPage::refuse(const std::vector<std::string>& problems) {
+void DrillingPage::refuse(const std::vector<Message>& problems) {
     m_table->clearNumbers();
     QStringList lines;
-    for (const std::string& problem : problems) lines << QString::fromStdString(problem);
+    for (const Message& problem : problems) lines << translated(problem);
     showNothing(lines.join(QLatin1Char('\n')));
 }
 
@@ -204,7 +204,7 @@ void DrillingPage::showScanState() {
     const DrillingScanAnswer* answer = m_scan.value();
     QString problem = job.problem();
     if (answer && job.isCurrent() && !answer->refusals.empty())
-        problem = QString::fromStdString(answer->refusals.front());
+        problem = translated(answer->refusals.front());
     m_scanButton->setEnabled(m_axis->isValid() || isRunning);
     m_scanButton->setStatusTip(problem);
 }
@@ -228,8 +228,7 @@ QString DrillingPage::wordsOf(const DrillingAnswer& answer) const {
             sentences << (alert.level == AlertLevel::warning ? QStringLiteral("⚠ ") : QString()) +
                              translated(alertMessage(alert, style));
     if (const DrillingScanAnswer* scan = m_scan.value(); scan && m_scan.job().isCurrent()) {
-        for (const std::string& refusal : scan->refusals)
-            sentences << tr("No scan: %1").arg(QString::fromStdString(refusal));
+        for (const Message& refusal : scan->refusals) sentences << tr("No scan: %1").arg(translated(refusal));
         if (scan->scan && m_scan.job().state() == StudyState::finished)
             sentences << tr("The scan below: %1").arg(translated(scanSentence(*scan->scan, style)));
     }
@@ -294,7 +293,7 @@ void DrillingPage::click(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers mo
 QString DrillingPage::obstacle() const {
     if (QString unfinished = StudyPage::obstacle(); !unfinished.isEmpty()) return unfinished;
     const DrillingAnswer* answer = m_march.value();
-    if (!answer->refusals.empty()) return QString::fromStdString(answer->refusals.front());
+    if (!answer->refusals.empty()) return translated(answer->refusals.front());
     return answer->isComplete() ? QString() : translated(verdictSentence(*answer->result));
 }
 

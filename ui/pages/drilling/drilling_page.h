@@ -62,7 +62,7 @@ class DrillingPage : public StudyPage {
     DrillingScanQuestion scanQuestion() const;
     DrillingShown shownUnitsNow() const;
     void keepBefore();
-    void refuse(const std::vector<std::string>& problems);
+    void refuse(const std::vector<Message>& problems);
     void draw(const DrillingAnswer& answer);
     void addScan(DrillingPicture& picture) const;
     /// Whether a scan is shown that is of the present scenario and complete.

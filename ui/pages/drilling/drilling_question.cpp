@@ -139,7 +139,7 @@ DrillingScanAnswer answerDrillingScan(const DrillingScanQuestion& question,
                                       const StudyFeed<DrillingScanAnswer>& feed) {
     DrillingScanAnswer found;
     const ParsedAxis parsed = parseAxis(scanAxisText(question.range));
-    if (!parsed.problem.empty()) {
+    if (!parsed.problem.isEmpty()) {
         found.refusals = {parsed.problem};
         return found;
     }

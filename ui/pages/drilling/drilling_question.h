@@ -33,7 +33,7 @@ QVector<QPointF> corOverPeriod(const Scenario& scenario, const std::stop_token& 
 
 struct DrillingAnswer {
     DrillingQuestion question;
-    std::vector<std::string> refusals;  ///< drillingRefusals(): then there is nothing else
+    std::vector<Message> refusals;      ///< drillingRefusals(): then there is nothing else
     std::vector<DrillingBlow> growing;  ///< the blows so far, until there is a result
     std::shared_ptr<const DrillingResult> result;
     QVector<QPointF> corOverGap;  ///< corOverPeriod()
@@ -73,7 +73,7 @@ DrillingScanQuestion drillingScanQuestion(const Scenario& scenario, const StudyR
 std::string scanAxisText(const StudyRange& range);
 
 struct DrillingScanAnswer {
-    std::vector<std::string> refusals;
+    std::vector<Message> refusals;
     std::shared_ptr<const DrillingScan> scan;
     std::shared_ptr<const DrillingScan> constantForce, strongDamper;  ///< where they are wanted and possible
 };

@@ -18,6 +18,7 @@
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -165,8 +166,8 @@ void MapPage::ask() {
         .study = study(), .levels = m_levels->levels(), .number = *m_newest + 1, .newest = m_newest};
     const double factor = mapUnit(question.study.output, scenario(), unitsFor(scenario())).factor;
     for (double& level : question.levels) level /= factor;
-    const std::vector<std::string> problems = problemsOf(question.study);
-    m_problem = problems.empty() ? QString() : QString::fromStdString(problems.front());
+    const std::vector<Message> problems = problemsOf(question.study);
+    m_problem = problems.empty() ? QString() : translated(problems.front());
     if (question.study.x.parameter == question.study.y.parameter)
         m_problem = tr("Both axes are %1: choose another parameter for one of them.")
                         .arg(parameterName(*question.study.x.parameter));

@@ -28,7 +28,7 @@ void OutputBox::present(const Scenario& scenario) {
         const QSignalBlocker quiet(this);
         clear();
         for (const Output& output : outputs()) {
-            if (!output.problem(scenario).empty()) continue;
+            if (!output.problem(scenario).isEmpty()) continue;
             if (m_offered == OfferedOutputs::ofOneBlow && output.needsThrustStudy()) continue;
             addItem(outputName(output), fromView(output.name));
             setItemData(count() - 1, coreText(output.meaning), Qt::ToolTipRole);

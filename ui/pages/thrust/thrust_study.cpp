@@ -20,7 +20,7 @@ std::string axisText(const StudyRange& range) {
 
 SweepAxis axisOf(const StudyRange& range) {
     const ParsedAxis parsed = parseAxis(axisText(range), customaryThrustPoints);
-    assert(parsed.problem.empty());
+    assert(parsed.problem.isEmpty());
     return parsed.axis;
 }
 

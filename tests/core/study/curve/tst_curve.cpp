@@ -494,14 +494,14 @@ void TestCurve::whatCannotBeFollowedIsRefused() {
     QFETCH(QString, family);
     QFETCH(QString, problem);
     const ParsedAxis parsed = parseRange(along.toStdString());
-    std::vector<std::string> problems{parsed.problem};
-    if (parsed.problem.empty()) {
+    std::vector<Message> problems{parsed.problem};
+    if (parsed.problem.isEmpty()) {
         CurveQuestion asked = question(PulseShape::rectangular, {0.5, 0.1, 10, 0}, along.toUtf8());
         if (!family.isEmpty()) asked.family = parseAxis(family.toStdString()).axis;
         problems = problemsOf(asked);
     }
     QCOMPARE(problems.size(), 1u);
-    QVERIFY2(problems[0].find(problem.toStdString()) != std::string::npos, problems[0].c_str());
+    QVERIFY2(problems[0].text().find(problem.toStdString()) != std::string::npos, problems[0].text().c_str());
 }
 
 void TestCurve::aRangeBeyondWhatCanBeHasAStretchWithoutAnswer() {
@@ -553,9 +553,9 @@ void TestCurve::anAxisThatNoTextSaidIsRefusedAlike() {
     CurveQuestion asked = question(PulseShape::rectangular, {0.5, 0.1, 10, 0}, "beta=1:2");
     QVERIFY(problemsOf(asked).empty());
     asked.along = along;
-    const std::vector<std::string> problems = problemsOf(asked);
+    const std::vector<Message> problems = problemsOf(asked);
     QCOMPARE(problems.size(), 1u);
-    QVERIFY2(problems[0].find(problem.toStdString()) != std::string::npos, problems[0].c_str());
+    QVERIFY2(problems[0].text().find(problem.toStdString()) != std::string::npos, problems[0].text().c_str());
 }
 
 QTEST_GUILESS_MAIN(TestCurve)

@@ -59,7 +59,7 @@ GoalAnswer answerTo(const CurveQuestion& asked) {
 /// What another solver says of the scenario with that value.
 double solvedBy(Method method, const CurveQuestion& asked, double x) {
     Scenario scenario = asked.base;
-    if (!asked.along.assign(scenario, x).empty()) qFatal("no such value");
+    if (!asked.along.assign(scenario, x).isEmpty()) qFatal("no such value");
     MethodChoice choice;
     choice.method = method;
     CaseSolver solver(asked.columns, choice, asked.workLimit);

@@ -241,7 +241,7 @@ void TestDesignStudy::problemsAreToldTogether() {
                               "bit_rock.gap=0mm:1mm:log", "bit_rock.stiffness=1MN/m:250MN/m:normal",
                               "pulse.shape=0:1", "no.key=0:1", "string.repeat=1:3"}) {
         const ParsedUncertain parsed = parseUncertain(wrong);
-        QVERIFY2(!parsed.problem.empty() && !parsed.isMistyped, wrong);
+        QVERIFY2(!parsed.problem.isEmpty() && !parsed.isMistyped, wrong);
     }
     QVERIFY(parseUncertain("bit_rock.gamma=0.1:0.2:odd").isMistyped);
     QVERIFY(!findStatistic("q0") && !findStatistic("q00") && !findStatistic("q100"));

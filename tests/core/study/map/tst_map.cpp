@@ -287,9 +287,9 @@ void TestMap::whatCannotBeMappedIsSaid_data() {
 void TestMap::whatCannotBeMappedIsSaid() {
     QFETCH(MapStudy, study);
     QFETCH(QString, problem);
-    const std::vector<std::string> problems = problemsOf(study);
+    const std::vector<Message> problems = problemsOf(study);
     QVERIFY(!problems.empty());
-    QCOMPARE(QString::fromStdString(problems.front()), problem);
+    QCOMPARE(QString::fromStdString(problems.front().text()), problem);
 }
 
 QTEST_GUILESS_MAIN(TestMap)

@@ -77,7 +77,7 @@ void setCell(Scenario& scenario, const std::string& heading, const std::string& 
     const std::string unit = bracket == std::string::npos
                                  ? std::string()
                                  : " " + heading.substr(bracket + 2, heading.size() - bracket - 3);
-    const std::string problem = assignText(scenario, key, cell + unit);
+    const std::string problem = assignText(scenario, key, cell + unit).text();
     if (!problem.empty()) qFatal("%s", problem.c_str());
 }
 
@@ -333,9 +333,10 @@ void TestSweep::impossibleSweepsAreRefused_data() {
 void TestSweep::impossibleSweepsAreRefused() {
     QFETCH(Sweep, sweep);
     QFETCH(QString, reason);
-    const std::vector<std::string> problems = problemsOf(sweep);
+    const std::vector<Message> problems = problemsOf(sweep);
     QVERIFY(!problems.empty());
-    QVERIFY2(QString::fromStdString(problems.front()).contains(reason), problems.front().c_str());
+    const std::string told = problems.front().text();
+    QVERIFY2(QString::fromStdString(told).contains(reason), told.c_str());
 }
 
 QTEST_GUILESS_MAIN(TestSweep)

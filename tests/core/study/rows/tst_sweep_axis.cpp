@@ -103,7 +103,7 @@ void TestSweepAxis::valuesAreThoseAPersonExpects_data() {
 void TestSweepAxis::valuesAreThoseAPersonExpects() {
     QFETCH(QString, text);
     const ParsedAxis parsed = parseAxis(text.toStdString());
-    QCOMPARE(QString::fromStdString(parsed.problem), QString());
+    QCOMPARE(QString::fromStdString(parsed.problem.text()), QString());
     QTEST(QString::fromStdString(parsed.axis.column().header), "header");
     QTEST(textsOf(parsed.axis), "values");
 }
@@ -170,7 +170,7 @@ void TestSweepAxis::extremesHoldTheSmallestAndLargestValue() {
 }
 
 void TestSweepAxis::theCountMayBeLeftOutWhereOneIsAssumed() {
-    QVERIFY(!parseAxis("beta=1:2").problem.empty());
+    QVERIFY(!parseAxis("beta=1:2").problem.isEmpty());
     for (const auto& [text, count, kind] : {std::tuple("beta=1:2", 101, SweepAxis::Kind::linear),
                                             std::tuple("beta=1:2:log", 101, SweepAxis::Kind::logarithmic),
                                             std::tuple("string.repeat=1:5", 5, SweepAxis::Kind::linear),
@@ -181,13 +181,13 @@ void TestSweepAxis::theCountMayBeLeftOutWhereOneIsAssumed() {
                                             std::tuple("beta=1:2:7:log", 7, SweepAxis::Kind::logarithmic),
                                             std::tuple("beta=1,2,4", 3, SweepAxis::Kind::list)}) {
         const ParsedAxis parsed = parseAxis(text, 101);
-        QCOMPARE(parsed.problem, std::string());
+        QCOMPARE(parsed.problem.text(), std::string());
         QCOMPARE(parsed.axis.count, std::uint64_t(count));
         QCOMPARE(parsed.axis.kind, kind);
     }
     QVERIFY(!parseAxis("beta=1", 101).axis.list.empty());
-    QVERIFY(!parseAxis("beta=1:2:lgo", 101).problem.empty());
-    QVERIFY(!parseAxis("beta=0:2:log", 101).problem.empty());
+    QVERIFY(!parseAxis("beta=1:2:lgo", 101).problem.isEmpty());
+    QVERIFY(!parseAxis("beta=0:2:log", 101).problem.isEmpty());
 }
 
 void TestSweepAxis::wrongTextIsRefusedWithTheReason_data() {
@@ -241,7 +241,7 @@ void TestSweepAxis::wrongTextIsRefusedWithTheReason() {
     QFETCH(QString, reason);
     QFETCH(bool, isValue);
     const ParsedAxis parsed = parseAxis(text.toStdString());
-    QVERIFY2(QString::fromStdString(parsed.problem).contains(reason), parsed.problem.c_str());
+    QVERIFY2(QString::fromStdString(parsed.problem.text()).contains(reason), parsed.problem.text().c_str());
     QCOMPARE(parsed.kind == ParsedAxis::Kind::badValue, isValue);
 }
 

@@ -154,12 +154,13 @@ void TestTable::unknownColumnsAreWarnedOfAndOutputsAreNot() {
         checkOf(tableOf(dimensionless()), "beta,impulse,peak_force [N],gama,site,cor\n1,,,0.5,A,\n");
     QVERIFY(check.problems.empty());
     QCOMPARE(check.warnings.size(), std::size_t{3});
-    QCOMPARE(QString::fromStdString(check.warnings[0]),
+    QCOMPARE(QString::fromStdString(check.warnings[0].text()),
              QString("cases.csv:1:4: `gama` is not a parameter and only passed through; did you mean "
                      "`gamma`?"));
-    QVERIFY(QString::fromStdString(check.warnings[1]).contains("`site`"));
+    QVERIFY(QString::fromStdString(check.warnings[1].text()).contains("`site`"));
     // The output of that name is appended: there will be two.
-    QVERIFY(QString::fromStdString(check.warnings[2]).startsWith("cases.csv:1:6: `cor` is passed through"));
+    QVERIFY(QString::fromStdString(check.warnings[2].text())
+                .startsWith("cases.csv:1:6: `cor` is passed through"));
 }
 
 void TestTable::badTablesAreRefusedWithTheirPlace_data() {
@@ -248,7 +249,8 @@ void TestTable::badTablesAreRefusedWithTheirPlace() {
     QFETCH(QString, problem);
     const TableCheck check = checkOf(tableOf(Scenario()), cases.toStdString());
     QCOMPARE(check.problems.size(), std::size_t{1});
-    QVERIFY2(QString::fromStdString(check.problems[0]).startsWith(problem), check.problems[0].c_str());
+    QVERIFY2(QString::fromStdString(check.problems[0].text()).startsWith(problem),
+             check.problems[0].text().c_str());
 }
 
 // Both rows would be solved with the value of the place, and show the other beside it.
@@ -256,7 +258,7 @@ void TestTable::twoCellsOfOneSectionAreRefused() {
     const Scenario base = parseScenario(findExample("t38_string")->text, "").scenario;
     const auto problemOf = [&](const std::string& cases) {
         const TableCheck check = checkOf(tableOf(base), cases);
-        return check.problems.empty() ? QString() : QString::fromStdString(check.problems.front());
+        return check.problems.empty() ? QString() : QString::fromStdString(check.problems.front().text());
     };
     QVERIFY(problemOf("string.3.length [mm],string.5.length [mm]\n3000,2000\n")
                 .startsWith(
@@ -274,7 +276,7 @@ void TestTable::onlyTheFirstTwentyProblemsAreListed() {
     const TableCheck check = checkOf(tableOf(dimensionless()), cases, 4);
     QCOMPARE(check.problems.size(), std::size_t{20});
     for (int i = 0; i < 20; ++i)
-        QVERIFY(QString::fromStdString(check.problems[static_cast<std::size_t>(i)])
+        QVERIFY(QString::fromStdString(check.problems[static_cast<std::size_t>(i)].text())
                     .startsWith(QString("cases.csv:%1:1:").arg(3 + 2 * i)));
 }
 
