@@ -12,6 +12,8 @@ class TestReportText : public QObject {
   private slots:
     void numbersStandUnderEachOther();
     void cellsMayBeAlignedToTheLeft();
+    void columnsAreCharacters();
+    void aParagraphIsAsWideAsItsCharacters();
     void aRemarkWidensNoColumn();
     void linesHaveNoBlanksAtTheirEnd();
     void aTitleTakesOneLine();
@@ -35,6 +37,21 @@ void TestReportText::cellsMayBeAlignedToTheLeft() {
     QCOMPARE(grid.text(), std::string("  restitution  0.25\n"
                                       "  force        1.5 F0  7 kN\n"
                                       "  time         12 t0   120 us\n"));
+}
+
+// An umlaut has two bytes.
+void TestReportText::columnsAreCharacters() {
+    TextGrid grid;
+    grid.add({"Größe", "e", "Stöße"});
+    grid.add({"kleinste", "0,25", "7"});
+    QCOMPARE(grid.text(), std::string("  Größe        e  Stöße\n"
+                                      "  kleinste  0,25      7\n"));
+}
+
+void TestReportText::aParagraphIsAsWideAsItsCharacters() {
+    const std::string letters(96, 'x');
+    QCOMPARE(paragraph(letters + " ü y"), "  " + letters + " ü\n  y\n");
+    QCOMPARE(paragraph(letters + "ü ü y"), "  " + letters + "ü\n  ü y\n");
 }
 
 void TestReportText::aRemarkWidensNoColumn() {

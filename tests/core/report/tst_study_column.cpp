@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/report/study_column.h"
+#include "core/text/language_style.h"
 
 using namespace drillwave;
 
@@ -39,6 +40,8 @@ void TestStudyColumn::peopleReadWhatHasATitle() {
     QCOMPARE(withCells("exact", columns, Row{1.25e-7, 3e-6}),
              (std::vector<std::string>{"exact", "1.2e-07", "3 us"}));
     QCOMPARE(withCells("exact", columns, Row{none, 3e-6}), (std::vector<std::string>{"exact", "-", "3 us"}));
+    QCOMPARE(withCells("exact", columns, Row{1.25e-7, 3.5e-6}, styleOf(*findLanguage("de"))),
+             (std::vector<std::string>{"exact", "1,2e-07", "3,5 us"}));
 }
 
 void TestStudyColumn::programsReadEveryColumn() {
