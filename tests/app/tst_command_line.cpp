@@ -31,6 +31,7 @@ class TestCommandLine : public QObject {
     void helpTellsOfWhateverHasAName();
     void mistakesGetOneLineAndTheirExitCode_data();
     void mistakesGetOneLineAndTheirExitCode();
+    void mistakesAreToldInTheLanguageOfTheCommand();
     void pointsBeyondTheLimitAreTold();
     void pointsThatCannotBeAreEmptyAndTold_data();
     void pointsThatCannotBeAreEmptyAndTold();
@@ -324,6 +325,35 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
     QTest::newRow("figures into no folder")
         << QStringList{"figures", "-o", "/dev/null/x"} << 4 << "cannot be made";
     QTest::newRow("unknown example") << QStringList{"examples", "t38_medium"} << 2 << "t38_medium";
+}
+
+// Keys, names of files and the exit code are the same in all of them.
+void TestCommandLine::mistakesAreToldInTheLanguageOfTheCommand() {
+    const QStringList words{"run", example("t38_medium_rock"), "--set", "rod.length=-1 m"};
+    const Finished english = run(words);
+    QCOMPARE(english.exitCode, 5);
+    QVERIFY2(english.error.endsWith("rod.length = -1 m (must be greater than 0)\n"), english.error);
+    const Finished german = run(words + QStringList{"--language", "de"});
+    QCOMPARE(german.exitCode, 5);
+    QVERIFY2(german.error.endsWith("rod.length = -1 m (muss größer als 0 sein)\n"), german.error);
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("DRILLWAVE_LANGUAGE", "de");
+    QCOMPARE(run(words, environment).error, german.error);
+
+    QTemporaryDir place;
+    const QString path = place.filePath("bad.yaml");
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("drillwave: 1\ngroups: {beta: -1}\n") > 0);
+    file.close();
+    for (const char* command : {"run", "validate"}) {
+        const Finished read = run({command, path, "--language", "de"});
+        QCOMPARE(read.exitCode, 5);
+        QVERIFY2(read.error.contains("beta = -1 (muss größer als 0 sein)"), read.error);
+    }
+    const Finished remark =
+        run({"run", example("t38_medium_rock"), "--set", "rod.density=9001kg/m^3", "--language", "de"});
+    QCOMPARE(remark.exitCode, 0);
+    QVERIFY2(remark.error.contains("ρ = 9001 kg/m^3 liegt außerhalb des üblichen Bereichs"), remark.error);
 }
 
 void TestCommandLine::pointsBeyondTheLimitAreTold() {

@@ -52,6 +52,7 @@ class TestScenarioArgument : public QObject {
     void settingsApplyWhateverTheirOrder();
     void refusalsHaveTheirExitCodes_data();
     void refusalsHaveTheirExitCodes();
+    void refusalsAreInTheLanguageOfTheReader();
     void theSectionsOfADrillStringAreSet();
     void anOutputIsNoInput();
     void whatAnAxisChangesIsNotSet();
@@ -110,6 +111,21 @@ void TestScenarioArgument::refusalsHaveTheirExitCodes() {
     const Refusal refused = refusal(path.toStdString(), {"--set", setting.toStdString()});
     QCOMPARE(refused.code, code);
     QVERIFY2(QString::fromStdString(refused.line).contains(part), refused.line.c_str());
+}
+
+void TestScenarioArgument::refusalsAreInTheLanguageOfTheReader() {
+    const auto said = [](const char* setting, const char* code) {
+        try {
+            loaded(example, {"--set", setting});
+        } catch (const CommandError& error) {
+            return QString::fromStdString(styleOf(*findLanguage(code)).said(error.messages().front()));
+        }
+        return QString();
+    };
+    QCOMPARE(said("rod.length=-1 m", "en"),
+             QStringLiteral("--set rod.length=-1 m: rod.length = -1 m (must be greater than 0)"));
+    QCOMPARE(said("rod.length=-1 m", "de"),
+             QStringLiteral("--set rod.length=-1 m: rod.length = -1 m (muss größer als 0 sein)"));
 }
 
 void TestScenarioArgument::theSectionsOfADrillStringAreSet() {
