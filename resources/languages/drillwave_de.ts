@@ -6881,6 +6881,2304 @@ eine Projektion weiterer Dimensionen</translation>
         <source>lattices of other step lengths find no solution, so that its error cannot be estimated; use more segments or the exact method</source>
         <translation>Gitter anderer Schrittlängen finden keine Lösung, so dass sich der Fehler nicht schätzen lässt; mehr Segmente oder das exakte Verfahren nehmen</translation>
     </message>
+    <message>
+        <source>%1; parts are joined by the records that were written with them</source>
+        <translation>%1; Teile werden anhand der .yaml zusammengefügt, die mit ihnen geschrieben wurden</translation>
+    </message>
+    <message>
+        <source>part %1 of %2</source>
+        <translation>Teil %1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>is no record of rows</source>
+        <translation>beschreibt keine Zeilen</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>kann nicht gelesen werden: %1</translation>
+    </message>
+    <message>
+        <source>is of another format than %1, from a newer program</source>
+        <translation>hat ein anderes Format als %1, von einem neueren Programm</translation>
+    </message>
+    <message>
+        <source>has no command</source>
+        <translation>nennt keinen Befehl</translation>
+    </message>
+    <message>
+        <source>has no number of rows</source>
+        <translation>nennt keine Anzahl von Zeilen</translation>
+    </message>
+    <message>
+        <source>part: %1 is no part I/N</source>
+        <translation>part: %1 ist kein Teil I/N</translation>
+    </message>
+    <message>
+        <source>%1: is %2, as %3 is; give each part once</source>
+        <translation>%1: ist %2, wie auch %3; jeden Teil nur einmal angeben</translation>
+    </message>
+    <message>
+        <source>part %1 of %2 is missing; run what is missing, or name it</source>
+        <translation>Teil %1 von %2 fehlt; Fehlendes rechnen oder angeben</translation>
+    </message>
+    <message>
+        <source>parts %1 of %2 are missing; run what is missing, or name it</source>
+        <translation>Teile %1 von %2 fehlen; Fehlendes rechnen oder angeben</translation>
+    </message>
+    <message>
+        <source>%1: has %2 rows, but %3 of all %4 has %5; it is of another run</source>
+        <translation>%1: hat %2 Zeilen, %3 aber müsste %5 von insgesamt %4 haben; die Datei stammt aus einem anderen Lauf</translation>
+    </message>
+    <message>
+        <source>a dimensionless scenario has no drill; give the rod and the drill in units</source>
+        <translation>ein dimensionsloses Szenario hat keine Maschine; Stange und Maschine mit Einheiten angeben</translation>
+    </message>
+    <message>
+        <source>is missing: many blows need it</source>
+        <translation>fehlt: für viele Schläge ist es nötig</translation>
+    </message>
+    <message>
+        <source>the reference case rigid_body is one impact and has no blows</source>
+        <translation>der Referenzfall rigid_body ist ein einziger Stoß und hat keine Schläge</translation>
+    </message>
+    <message>
+        <source>needs drill.machine_mass, which the damper carries</source>
+        <translation>braucht drill.machine_mass, die der Dämpfer trägt</translation>
+    </message>
+    <message>
+        <source>%1 must be less than the blows, which are %2</source>
+        <translation>%1 muss kleiner als die Anzahl der Schläge (%2) sein</translation>
+    </message>
+    <message>
+        <source>a blow lasts %1 s, which is no less than the interval of the blows; lower the frequency or make the blow shorter</source>
+        <translation>ein Schlag dauert %1 s und damit nicht kürzer als der Schlagabstand; die Frequenz senken oder den Schlag verkürzen</translation>
+    </message>
+    <message>
+        <source>waves take longer from hammer to bit than from blow to blow (%1 round trips); lower the frequency or make the string shorter</source>
+        <translation>Wellen brauchen vom Hammer zur Bohrkrone länger als von einem Schlag zum nächsten (%1 Hin- und Rückläufe); die Frequenz senken oder den Strang kürzen</translation>
+    </message>
+    <message>
+        <source>must be %1 or %2</source>
+        <translation>muss %1 oder %2 sein</translation>
+    </message>
+    <message>
+        <source>only a uniform rod has it (`drillwave: 1`)</source>
+        <translation>das hat nur eine gleichförmige Stange (`drillwave: 1`)</translation>
+    </message>
+    <message>
+        <source>only a drill string has it (`drillwave: 2`)</source>
+        <translation>das hat nur ein Bohrstrang (`drillwave: 2`)</translation>
+    </message>
+    <message>
+        <source>only a hammer of sections has it (`hammer`), this string is driven by a force</source>
+        <translation>das hat nur ein Hammer aus Abschnitten (`hammer`), diesen Strang treibt eine Kraft</translation>
+    </message>
+    <message>
+        <source>only faces with a stiffness have it (`hammer.face_stiffness`)</source>
+        <translation>das haben nur Schlagflächen mit einer Steifigkeit (`hammer.face_stiffness`)</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 Zellen</translation>
+    </message>
+    <message>
+        <source>%1 pieces</source>
+        <translation>%1 Stücke</translation>
+    </message>
+    <message>
+        <source>%1 of %2 segments</source>
+        <translation>%1 mit %2 Segmenten</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 Schritte</translation>
+    </message>
+    <message>
+        <source>the margin of the thrust is known of uniform rods alone (`drillwave: 1`)</source>
+        <translation>die Reserve des Andrucks gibt es nur bei gleichförmigen Stangen (`drillwave: 1`)</translation>
+    </message>
+    <message>
+        <source>the margin of the thrust needs drill.thrust; give it in the scenario or with --set</source>
+        <translation>die Reserve des Andrucks braucht drill.thrust; im Szenario oder mit --set angeben</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>kann nicht geöffnet werden: %1</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>es gibt keine solche Datei</translation>
+    </message>
+    <message>
+        <source>is a folder, not a file</source>
+        <translation>ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>ist keine gewöhnliche Datei</translation>
+    </message>
+    <message>
+        <source>is larger than %1 KiB, too large to be meant</source>
+        <translation>ist größer als %1 KiB, zu groß, um gemeint zu sein</translation>
+    </message>
+    <message>
+        <source>set the same thing</source>
+        <translation>setzen dasselbe</translation>
+    </message>
+    <message>
+        <source>`%1` is no number; write it into the scenario file</source>
+        <translation>`%1` ist keine Zahl; in die Szenariodatei schreiben</translation>
+    </message>
+    <message>
+        <source>has no meaning here: %1</source>
+        <translation>hat hier keine Bedeutung: %1</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter</source>
+        <translation>`%1` ist kein Parameter</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter; did you mean `%2`?</source>
+        <translation>`%1` ist kein Parameter; war `%2` gemeint?</translation>
+    </message>
+    <message>
+        <source>no section of the hammer is called `%1`; did you mean `%2`?</source>
+        <translation>kein Abschnitt des Hammers heißt `%1`; war `%2` gemeint?</translation>
+    </message>
+    <message>
+        <source>no section of the string is called `%1`; did you mean `%2`?</source>
+        <translation>kein Abschnitt des Strangs heißt `%1`; war `%2` gemeint?</translation>
+    </message>
+    <message>
+        <source>no section of the hammer is called `%1`; its names: %2</source>
+        <translation>kein Abschnitt des Hammers heißt `%1`; die Namen sind: %2</translation>
+    </message>
+    <message>
+        <source>no section of the string is called `%1`; its names: %2</source>
+        <translation>kein Abschnitt des Strangs heißt `%1`; die Namen sind: %2</translation>
+    </message>
+    <message>
+        <source>no section of the hammer is called `%1`; its sections have no names, give a place: `%2`</source>
+        <translation>kein Abschnitt des Hammers heißt `%1`; seine Abschnitte haben keine Namen, eine Nummer angeben: `%2`</translation>
+    </message>
+    <message>
+        <source>no section of the string is called `%1`; its sections have no names, give a place: `%2`</source>
+        <translation>kein Abschnitt des Strangs heißt `%1`; seine Abschnitte haben keine Namen, eine Nummer angeben: `%2`</translation>
+    </message>
+    <message>
+        <source>the hammer has only %1 section</source>
+        <translation>der Hammer hat nur %1 Abschnitt</translation>
+    </message>
+    <message>
+        <source>the hammer has only %1 sections</source>
+        <translation>der Hammer hat nur %1 Abschnitte</translation>
+    </message>
+    <message>
+        <source>the string has only %1 section</source>
+        <translation>der Strang hat nur %1 Abschnitt</translation>
+    </message>
+    <message>
+        <source>the string has only %1 sections</source>
+        <translation>der Strang hat nur %1 Abschnitte</translation>
+    </message>
+    <message>
+        <source>set one section, which a repeat brings to both places</source>
+        <translation>setzen denselben Abschnitt, der durch eine Wiederholung unter beiden Nummern vorkommt</translation>
+    </message>
+    <message>
+        <source>set one section: section %1 of the hammer is called %2</source>
+        <translation>setzen denselben Abschnitt: Abschnitt %1 des Hammers heißt %2</translation>
+    </message>
+    <message>
+        <source>set one section: section %1 of the string is called %2</source>
+        <translation>setzen denselben Abschnitt: Abschnitt %1 des Strangs heißt %2</translation>
+    </message>
+    <message>
+        <source>the string has no repeat</source>
+        <translation>der Strang hat keine Wiederholung</translation>
+    </message>
+    <message>
+        <source>goes with an area, and the section is given by its diameter</source>
+        <translation>gehört zu einem Querschnitt, und der Abschnitt ist durch seinen Durchmesser gegeben</translation>
+    </message>
+    <message>
+        <source>goes with a diameter, and the section is given by its area</source>
+        <translation>gehört zu einem Durchmesser, und der Abschnitt ist durch seinen Querschnitt gegeben</translation>
+    </message>
+    <message>
+        <source>a dimensionless scenario has no drill</source>
+        <translation>ein dimensionsloses Szenario hat keine Maschine</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>not solved: %1</source>
+        <translation>nicht gelöst: %1</translation>
+    </message>
+    <message>
+        <source>THE RING DOES NOT GIVE THE NUMBERS OF THE MOVED WAVES at %1 segments: please report this.</source>
+        <translation>DER RINGPUFFER GIBT DIE ZAHLEN DER VERSCHOBENEN WELLEN NICHT WIEDER (%1 Segmente): bitte melden.</translation>
+    </message>
+    <message>
+        <source>The ring buffer gives every number of the moved waves, to the last bit.</source>
+        <translation>Der Ringpuffer gibt jede Zahl der verschobenen Wellen wieder, bis auf das letzte Bit genau.</translation>
+    </message>
+    <message>
+        <source>The table</source>
+        <translation>Die Tabelle</translation>
+    </message>
+    <message>
+        <source>Errors are absolute, forces in F0; those of lattice and closed form against the exact solution.
+estimate: what the method itself says about its error of e. order: observed, from the row above.
+force: largest difference of the force history, at ends and middles of all steps; mid-step: at the
+middles. A force that is constant in each step cannot come closer than half its change in a step.</source>
+        <translation>Fehler sind absolut, Kräfte in F0; die von Gitter und geschlossener Form gegen die exakte Lösung.
+Schätzung: was das Verfahren selbst zum Fehler von e sagt. Ordnung: beobachtet, zur Zeile darüber.
+Kraft: größte Abweichung des Kraftverlaufs an Enden und Mitten aller Schritte; Schrittmitte: in
+den Mitten. Eine je Schritt konstante Kraft weicht mindestens um ihre halbe Änderung je Schritt ab.</translation>
+    </message>
+    <message>
+        <source>Times: processor time of a solve for e alone. speed: how many times faster than the paper&apos;s choice,
+the lattice of %1 segments with moved waves.</source>
+        <translation>Zeiten: Rechenzeit einer Lösung nur für e. Tempo: wievielmal so schnell wie in der Veröffentlichung,
+Gitter mit %1 Segmenten und verschobenen Wellen.</translation>
+    </message>
+    <message>
+        <source>%1 Rows of over a second have fewer runs.</source>
+        <translation>%1 Zeilen über einer Sekunde haben weniger Läufe.</translation>
+    </message>
+    <message>
+        <source>In long double it was not solved: %1.</source>
+        <translation>In long double nicht gelöst: %1.</translation>
+    </message>
+    <message>
+        <source>Its errors are differences to a solution in long double (%1 bits, %2),
+whose own error is below %3 and counted in: they show
+rounding and truncation, but not a mistaken event: both march with the same code for events.</source>
+        <translation>Ihre Fehler sind Differenzen zu einer Lösung in long double (%1 Bit, %2),
+deren eigener Fehler unter %3 liegt und eingerechnet ist: sie zeigen Rundungs- und
+Abbruchfehler, aber kein falsches Ereignis: beide rechnen Ereignisse mit demselben Code.</translation>
+    </message>
+    <message>
+        <source>The exact solution</source>
+        <translation>Die exakte Lösung</translation>
+    </message>
+    <message>
+        <source>So its histories were put back into the equations at %1 points, without that code.
+Largest residuals, in F0 (1 + beta/gamma):</source>
+        <translation>Daher wurden ihre Verläufe an %1 Punkten in die Gleichungen eingesetzt, ohne diesen Code.
+Größte Residuen, in F0 (1 + beta/gamma):</translation>
+    </message>
+    <message>
+        <source>F&apos; = a (2g - F), a = beta or beta/gamma</source>
+        <translation>F&apos; = a (2g - F), a = beta oder beta/gamma</translation>
+    </message>
+    <message>
+        <source>F&apos; = a (2g - F), a = s_j beta on line j, or beta/gamma</source>
+        <translation>F&apos; = a (2g - F), a = s_j beta auf Gerade j, oder beta/gamma</translation>
+    </message>
+    <message>
+        <source>F = law of the penetration and of the largest one so far</source>
+        <translation>F = Gesetz der Eindringung und der bisher größten</translation>
+    </message>
+    <message>
+        <source>smallest force</source>
+        <translation>kleinste Kraft</translation>
+    </message>
+    <message>
+        <source>pulse %1</source>
+        <translation>Schlagform %1</translation>
+    </message>
+    <message>
+        <source>e = %1, peak force %2 F0</source>
+        <translation>e = %1, Spitzenkraft %2 F0</translation>
+    </message>
+    <message>
+        <source>Over the whole ladder the error of e falls with the number of segments to the power of %1.</source>
+        <translation>Über alle Auflösungen fällt der Fehler von e mit der Anzahl der Segmente hoch %1.</translation>
+    </message>
+    <message>
+        <source>error: of the efficiency, against %1 (cut cells half as large again, stated error %2)
+stated: what the method says of it; impulse: error of the impulse on the rock, of the hammer&apos;s
+cells: polynomial cells, cut at jumps (sweep, map); cells_cut: cut at every corner of a wave (run);
+plain: a lattice of constant cells, as others have it</source>
+        <translation>Fehler: gegen den Wirkungsgrad %1 (geteilte Zellen, nochmals halb so groß, Fehler %2)
+angegeben: laut Verfahren; Kraftstoß: Fehler des Kraftstoßes auf das Gestein durch den des Hammers
+cells: polynomiale Zellen, an Sprüngen geteilt (sweep, map); cells_cut: an jeder Wellenecke (run);
+plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
+    </message>
+    <message>
+        <source>and what the hammer takes back</source>
+        <translation>und was der Hammer zurücknimmt</translation>
+    </message>
+    <message>
+        <source>work on the rock</source>
+        <translation>Arbeit am Gestein</translation>
+    </message>
+    <message>
+        <source>impulse 1 + e</source>
+        <translation>Kraftstoß 1 + e</translation>
+    </message>
+    <message>
+        <source>impulse on the rock</source>
+        <translation>Kraftstoß auf das Gestein</translation>
+    </message>
+    <message>
+        <source>%1 of the hammer&apos;s</source>
+        <translation>das %1-Fache dessen des Hammers</translation>
+    </message>
+    <message>
+        <source>restitution e of the string</source>
+        <translation>Stoßzahl e des Strangs</translation>
+    </message>
+    <message>
+        <source>peak force on the rock</source>
+        <translation>Spitzenkraft auf das Gestein</translation>
+    </message>
+    <message>
+        <source>largest penetration</source>
+        <translation>größte Eindringung</translation>
+    </message>
+    <message>
+        <source>residual penetration</source>
+        <translation>bleibende Eindringung</translation>
+    </message>
+    <message>
+        <source>penetration that stays</source>
+        <translation>bleibende Eindringung</translation>
+    </message>
+    <message>
+        <source>largest compression</source>
+        <translation>größter Druck</translation>
+    </message>
+    <message>
+        <source>largest tension</source>
+        <translation>größter Zug</translation>
+    </message>
+    <message>
+        <source>compression after</source>
+        <translation>Druck danach</translation>
+    </message>
+    <message>
+        <source>percussion power</source>
+        <translation>Schlagleistung</translation>
+    </message>
+    <message>
+        <source>penetration rate</source>
+        <translation>Bohrfortschritt</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>höchstens %1</translation>
+    </message>
+    <message>
+        <source>first contact</source>
+        <translation>erster Kontakt</translation>
+    </message>
+    <message>
+        <source>last separation</source>
+        <translation>letzte Trennung</translation>
+    </message>
+    <message>
+        <source>time in contact</source>
+        <translation>Zeit in Kontakt</translation>
+    </message>
+    <message>
+        <source>hammer leaves</source>
+        <translation>Hammer löst sich</translation>
+    </message>
+    <message>
+        <source>hammer rebound</source>
+        <translation>Hammerrückprall</translation>
+    </message>
+    <message>
+        <source>away from the rock</source>
+        <translation>vom Gestein weg</translation>
+    </message>
+    <message>
+        <source>hammer work W</source>
+        <translation>Hammerarbeit W</translation>
+    </message>
+    <message>
+        <source>in the rebound</source>
+        <translation>im Rückprall</translation>
+    </message>
+    <message>
+        <source>in waves</source>
+        <translation>in Wellen</translation>
+    </message>
+    <message>
+        <source>%1 of the force&apos;s</source>
+        <translation>das %1-Fache dessen der Kraft</translation>
+    </message>
+    <message>
+        <source>%1, not met: short by %2 (%3)</source>
+        <translation>%1, nicht erfüllt: es fehlen %2 (%3)</translation>
+    </message>
+    <message>
+        <source>%1, met with %2 (%3) to spare</source>
+        <translation>%1, erfüllt: %2 (%3) übrig</translation>
+    </message>
+    <message>
+        <source>%1, installed %2</source>
+        <translation>%1, installiert %2</translation>
+    </message>
+    <message>
+        <source>%1, installed %2, effective %3</source>
+        <translation>%1, installiert %2, wirksam %3</translation>
+    </message>
+    <message>
+        <source>thrust needed</source>
+        <translation>nötiger Andruck</translation>
+    </message>
+    <message>
+        <source>(error estimated as %1)</source>
+        <translation>(Fehler geschätzt auf %1)</translation>
+    </message>
+    <message>
+        <source>(error below %1)</source>
+        <translation>(Fehler unter %1)</translation>
+    </message>
+    <message>
+        <source>%1 of I0, %2 of W</source>
+        <translation>%1 von I0, %2 von W</translation>
+    </message>
+    <message>
+        <source>method %1, %2, %3, solved in %4</source>
+        <translation>Verfahren %1, %2, %3, gelöst in %4</translation>
+    </message>
+    <message>
+        <source>%1 contact</source>
+        <translation>%1 Kontakt</translation>
+    </message>
+    <message>
+        <source>%1 contacts</source>
+        <translation>%1 Kontakte</translation>
+    </message>
+    <message>
+        <source>warning: %1</source>
+        <translation>Warnung: %1</translation>
+    </message>
+    <message>
+        <source>note: %1</source>
+        <translation>Hinweis: %1</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>kleinster Wert</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>Minimum</translation>
+    </message>
+    <message>
+        <source>maximum</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>kink</source>
+        <translation>Knick</translation>
+    </message>
+    <message>
+        <source>jump</source>
+        <translation>Sprung</translation>
+    </message>
+    <message>
+        <source>rises above %1</source>
+        <translation>steigt über %1</translation>
+    </message>
+    <message>
+        <source>falls below %1</source>
+        <translation>fällt unter %1</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>auf %1</translation>
+    </message>
+    <message>
+        <source>slope %1 to %2</source>
+        <translation>Steigung %1 auf %2</translation>
+    </message>
+    <message>
+        <source>end of the range</source>
+        <translation>Ende des Bereichs</translation>
+    </message>
+    <message>
+        <source>between points</source>
+        <translation>zwischen Punkten</translation>
+    </message>
+    <message>
+        <source>everywhere</source>
+        <translation>überall</translation>
+    </message>
+    <message>
+        <source>and %1 more such stretches</source>
+        <translation>weitere solche Teile des Bereichs: %1</translation>
+    </message>
+    <message>
+        <source>Along %1 from %2 to %3, by its logarithm.</source>
+        <translation>Entlang %1 von %2 bis %3, logarithmisch.</translation>
+    </message>
+    <message>
+        <source>Along %1 from %2 to %3.</source>
+        <translation>Entlang %1 von %2 bis %3.</translation>
+    </message>
+    <message>
+        <source>and %1 more; --json has all</source>
+        <translation>und %1 weitere; --json enthält alle</translation>
+    </message>
+    <message>
+        <source>known by points alone from %1 to %2: %3</source>
+        <translation>nur von einzelnen Punkten bekannt von %1 bis %2: %3</translation>
+    </message>
+    <message>
+        <source>no answer from %1 to %2: %3</source>
+        <translation>keine Antwort von %1 bis %2: %3</translation>
+    </message>
+    <message>
+        <source>From %1 blows in %2.</source>
+        <translation>Aus %1 Schlägen in %2.</translation>
+    </message>
+    <message>
+        <source>%1 draws of %2</source>
+        <translation>%1 Ziehungen von %2</translation>
+    </message>
+    <message>
+        <source>Uncertain: %1.</source>
+        <translation>Unsicher: %1.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 values)</source>
+        <translation>%1 (%2 Werte)</translation>
+    </message>
+    <message>
+        <source>nothing, the design of FILE alone</source>
+        <translation>nichts, nur die Auslegung von FILE</translation>
+    </message>
+    <message>
+        <source>Chosen: %1; every blow has the energy of FILE&apos;s.</source>
+        <translation>Zur Wahl: %1; jeder Schlag hat dieselbe Energie wie der von FILE.</translation>
+    </message>
+    <message>
+        <source>Chosen: %1.</source>
+        <translation>Zur Wahl: %1.</translation>
+    </message>
+    <message>
+        <source>%1 design, %2 samples each, the same for all; errors are of 95 %.</source>
+        <translation>%1 Auslegung, je %2 Stichproben, für alle dieselben; Fehler zu 95 %.</translation>
+    </message>
+    <message>
+        <source>%1 designs, %2 samples each, the same for all; errors are of 95 %.</source>
+        <translation>%1 Auslegungen, je %2 Stichproben, für alle dieselben; Fehler zu 95 %.</translation>
+    </message>
+    <message>
+        <source>design</source>
+        <translation>Auslegung</translation>
+    </message>
+    <message>
+        <source>%1 nominal</source>
+        <translation>%1 nominal</translation>
+    </message>
+    <message>
+        <source>marginal</source>
+        <translation>grenzwertig</translation>
+    </message>
+    <message>
+        <source>robust best</source>
+        <translation>robust beste</translation>
+    </message>
+    <message>
+        <source>nominal best</source>
+        <translation>nominal beste</translation>
+    </message>
+    <message>
+        <source>%1 in place of %2: %3 %4, where all is as in FILE %5.</source>
+        <translation>%1 anstelle von %2: %3 %4, wenn alles wie in FILE ist, %5.</translation>
+    </message>
+    <message>
+        <source>none is better in all aims</source>
+        <translation>keine ist in allen Zielen besser</translation>
+    </message>
+    <message>
+        <source>and %1 more: -o DIR writes them all.</source>
+        <translation>und %1 weitere: -o DIR schreibt sie alle.</translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation>konstant</translation>
+    </message>
+    <message>
+        <source>draws</source>
+        <translation>Ziehungen</translation>
+    </message>
+    <message>
+        <source>acts in combination</source>
+        <translation>wirkt im Zusammenspiel</translation>
+    </message>
+    <message>
+        <source>What is worth measuring: share of the scatter, # alone, - with others</source>
+        <translation>Was sich zu messen lohnt: Anteil an der Streuung, # allein, - mit anderen</translation>
+    </message>
+    <message>
+        <source>row %1 of the draws</source>
+        <translation>Zeile %1 der Ziehungen</translation>
+    </message>
+    <message>
+        <source>Least %1 of the robust best found in the ranges: %2 at %3 (samples alone: %4; %5 searches, %6 of them ended here).</source>
+        <translation>Kleinster in den Bereichen gefundener Wert (%1) der robust besten: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
+    </message>
+    <message>
+        <source>Largest %1 of the robust best found in the ranges: %2 at %3 (samples alone: %4; %5 searches, %6 of them ended here).</source>
+        <translation>Größter in den Bereichen gefundener Wert (%1) der robust besten: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
+    </message>
+    <message>
+        <source>%1 sample could not be solved and are left out: %2.</source>
+        <translation>%1 Stichprobe konnte nicht gelöst werden und ist weggelassen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 samples could not be solved and are left out: %2.</source>
+        <translation>%1 Stichproben konnten nicht gelöst werden und sind weggelassen: %2.</translation>
+    </message>
+    <message>
+        <source>%1 design with more than 0.1 % of them have no statistics.</source>
+        <translation>%1 Auslegung mit mehr als 0,1 % davon hat keine Statistik.</translation>
+    </message>
+    <message>
+        <source>%1 designs with more than 0.1 % of them have no statistics.</source>
+        <translation>%1 Auslegungen mit mehr als 0,1 % davon haben keine Statistik.</translation>
+    </message>
+    <message>
+        <source>Up to %1 % of the samples of a design have an error of their own that is larger than that of the statistics: blows that chatter.</source>
+        <translation>Bis zu %1 % der Stichproben einer Auslegung haben einen eigenen Fehler, der größer ist als der der Statistik: Schläge, bei denen die Bohrkrone rattert.</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 oder %2</translation>
+    </message>
+    <message>
+        <source>%1 or %2 others</source>
+        <translation>%1 oder %2 weitere</translation>
+    </message>
+    <message>
+        <source>The samples do not tell the best designs apart: take any of %1.</source>
+        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede davon ist recht: %1.</translation>
+    </message>
+    <message>
+        <source>The samples do not tell the best designs apart: take any of %1; of them %2 has the largest %3, %4.</source>
+        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede davon ist recht: %1; unter ihnen hat %2 den größten Wert (%3), %4.</translation>
+    </message>
+    <message>
+        <source>The samples do not tell the best designs apart: take any of %1; of them %2 has the least %3, %4.</source>
+        <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede davon ist recht: %1; unter ihnen hat %2 den kleinsten Wert (%3), %4.</translation>
+    </message>
+    <message>
+        <source>The robust best is at the upper end of %1: widen the choice.</source>
+        <translation>Die robust beste liegt am oberen Ende von %1: die Wahl erweitern.</translation>
+    </message>
+    <message>
+        <source>The robust best is at the lower end of %1: widen the choice.</source>
+        <translation>Die robust beste liegt am unteren Ende von %1: die Wahl erweitern.</translation>
+    </message>
+    <message>
+        <source>The choices change the energy of the blow by up to %1 %: machines of different power are compared; --keep-energy keeps it.</source>
+        <translation>Die Wahl ändert die Energie des Schlags um bis zu %1 %: verglichen werden Maschinen verschiedener Leistung; --keep-energy hält die Energie.</translation>
+    </message>
+    <message>
+        <source>The scatter of the efficiency is nearly all that of gamma; loading_work shows what wave and machine can do: --aim max:loading_work@q05.</source>
+        <translation>Der Wirkungsgrad streut fast nur mit gamma; loading_work zeigt, was Welle und Maschine können: --aim max:loading_work@q05.</translation>
+    </message>
+    <message>
+        <source>%1: no design has it</source>
+        <translation>%1: keine Auslegung erfüllt das</translation>
+    </message>
+    <message>
+        <source>%1: the nearest is %2 of %3</source>
+        <translation>%1: am nächsten kommt %3 mit %2</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>Ruhe</translation>
+    </message>
+    <message>
+        <source>bouncing</source>
+        <translation>Springen</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>pushed_back</source>
+        <translation>weicht zurück</translation>
+    </message>
+    <message>
+        <source>not_solved</source>
+        <translation>nicht gelöst</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>period %1</source>
+        <translation>Periode %1</translation>
+    </message>
+    <message>
+        <source>irregular</source>
+        <translation>unregelmäßig</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>Spalt</translation>
+    </message>
+    <message>
+        <source>penetration</source>
+        <translation>Eindringung</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>%1 blows at each value</source>
+        <translation>%1 Schläge bei jedem Wert</translation>
+    </message>
+    <message>
+        <source>with %1, %2 blows at each value</source>
+        <translation>mit %1, %2 Schläge bei jedem Wert</translation>
+    </message>
+    <message>
+        <source>Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- has the scatter of the blows at that value and the most that other cells change at five of the values.</source>
+        <translation>Volle Rate sind 95 % dessen, was ein Vorschub von 2 (1 + 2e) f J mit demselben Dämpfer ergibt. +- enthält die Streuung der Schläge bei diesem Wert und die größte Änderung durch andere Zellen bei fünf der Werte.</translation>
+    </message>
+    <message>
+        <source>Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. There is no over-feed side: friction, rotation and buckling are not in the model.</source>
+        <translation>Eindringungen sind obere Grenzen: alles Gestein unter der Bohrkrone gibt nach, und Bohrklein verschwindet. Zu viel Vorschub gibt es hier nicht: Reibung, Drehung und Knicken sind nicht im Modell.</translation>
+    </message>
+    <message>
+        <source>contact share</source>
+        <translation>Kontaktanteil</translation>
+    </message>
+    <message>
+        <source>balances</source>
+        <translation>Bilanzen</translation>
+    </message>
+    <message>
+        <source>%1 blows</source>
+        <translation>%1 Schläge</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>Abweichung</translation>
+    </message>
+    <message>
+        <source>rock impulse</source>
+        <translation>Kraftstoß auf das Gestein</translation>
+    </message>
+    <message>
+        <source>up to %1 m/min: an upper limit, all rock under the bit gives way and cuttings vanish</source>
+        <translation>bis %1 m/min: obere Grenze, alles Gestein unter der Krone gibt nach, Bohrklein verschwindet</translation>
+    </message>
+    <message>
+        <source>%1 of the blows begin on the rock</source>
+        <translation>%1 der Schläge beginnen auf dem Gestein</translation>
+    </message>
+    <message>
+        <source>rock %1, damper %2, waves %3, new faces %4 of what hammer and feed bring</source>
+        <translation>Gestein %1, Dämpfer %2, Wellen %3, neue Gesteinsflächen %4 dessen, was Hammer und Vorschub bringen</translation>
+    </message>
+    <message>
+        <source>momentum to %1, energy to %2</source>
+        <translation>Impuls auf %1, Energie auf %2</translation>
+    </message>
+    <message>
+        <source>phi = %1 (thrust over mean reaction), n_b = %2 round trips a blow</source>
+        <translation>phi = %1 (Andruck durch mittlere Reaktion), n_b = %2 Hin- und Rückläufe je Schlag</translation>
+    </message>
+    <message>
+        <source>installed thrust of %1</source>
+        <translation>installierter Andruck %1</translation>
+    </message>
+    <message>
+        <source>effective force of %1 (thrust %2, less %3 of weight along the hole)</source>
+        <translation>wirksame Vorschubkraft %1 (Andruck %2, abzüglich %3 Gewicht entlang des Lochs)</translation>
+    </message>
+    <message>
+        <source>effective force of %1 (thrust %2, and %3 of weight along the hole)</source>
+        <translation>wirksame Vorschubkraft %1 (Andruck %2 und %3 Gewicht entlang des Lochs)</translation>
+    </message>
+    <message>
+        <source>The gap has a period of d0 = %1.</source>
+        <translation>Der Spalt hat die Periode d0 = %1.</translation>
+    </message>
+    <message>
+        <source>The gap has a period of d0.</source>
+        <translation>Der Spalt hat die Periode d0.</translation>
+    </message>
+    <message>
+        <source>%1 in %2.</source>
+        <translation>%1 in %2.</translation>
+    </message>
+    <message>
+        <source>rises through it</source>
+        <translation>steigt hindurch</translation>
+    </message>
+    <message>
+        <source>falls through it</source>
+        <translation>fällt hindurch</translation>
+    </message>
+    <message>
+        <source>turns round at it</source>
+        <translation>kehrt dort um</translation>
+    </message>
+    <message>
+        <source>is there at an end</source>
+        <translation>an einem Ende erreicht</translation>
+    </message>
+    <message>
+        <source>is it everywhere</source>
+        <translation>überall erreicht</translation>
+    </message>
+    <message>
+        <source>jumps over it</source>
+        <translation>springt darüber</translation>
+    </message>
+    <message>
+        <source>between points, from %1 to %2</source>
+        <translation>zwischen Punkten, von %1 auf %2</translation>
+    </message>
+    <message>
+        <source>where it is known by points alone</source>
+        <translation>wo das Ergebnis nur von einzelnen Punkten bekannt ist</translation>
+    </message>
+    <message>
+        <source>where it has no answer</source>
+        <translation>wo es keine Antwort gibt</translation>
+    </message>
+    <message>
+        <source>where it is known by points alone or has no answer</source>
+        <translation>wo das Ergebnis nur von einzelnen Punkten bekannt ist oder es keine Antwort gibt</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 von %2 bis %3</translation>
+    </message>
+    <message>
+        <source>no %1 gives %2</source>
+        <translation>%1 ergibt nirgends %2</translation>
+    </message>
+    <message>
+        <source>no %1 gives %2, which it jumps over at %3</source>
+        <translation>%1 ergibt nirgends %2, was bei %3 übersprungen wird</translation>
+    </message>
+    <message>
+        <source>%1: there is no answer anywhere</source>
+        <translation>%1: nirgends gibt es eine Antwort</translation>
+    </message>
+    <message>
+        <source>%1: the nearest is %2, at %3</source>
+        <translation>%1: am nächsten kommt %2, bei %3</translation>
+    </message>
+    <message>
+        <source>%1: the nearest is %2, at %3; there may be one %4</source>
+        <translation>%1: am nächsten kommt %2, bei %3; eine Stelle kann es noch dort geben, %4</translation>
+    </message>
+    <message>
+        <source>Goal: %1</source>
+        <translation>Ziel: %1</translation>
+    </message>
+    <message>
+        <source>None: %1.</source>
+        <translation>Keine Stelle: %1.</translation>
+    </message>
+    <message>
+        <source>There may be others %1.</source>
+        <translation>Weitere kann es dort geben, %1.</translation>
+    </message>
+    <message>
+        <source>There are no others from %1 to %2.</source>
+        <translation>Weitere gibt es nicht von %1 bis %2.</translation>
+    </message>
+    <message>
+        <source>%1 point</source>
+        <translation>%1 Punkt</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>nowhere between the points</source>
+        <translation>nirgends zwischen den Punkten</translation>
+    </message>
+    <message>
+        <source>%1 on %2, within %3</source>
+        <translation>%1 auf %2, Abstand höchstens %3</translation>
+    </message>
+    <message>
+        <source>%1 line</source>
+        <translation>%1 Linie</translation>
+    </message>
+    <message>
+        <source>%1 lines</source>
+        <translation>%1 Linien</translation>
+    </message>
+    <message>
+        <source>%1, but for %2 where it jumps across</source>
+        <translation>%1, außer bei %2, wo das Ergebnis darüber springt</translation>
+    </message>
+    <message>
+        <source>%1; %2 where the blows do not repeat: a mean scatters there, and the contour with it</source>
+        <translation>%1; %2, wo sich die Schläge nicht wiederholen: dort streut ein Mittel, und die Höhenlinie mit ihm</translation>
+    </message>
+    <message>
+        <source>%1; %2 crossing not placed: %3</source>
+        <translation>%1; %2 Schnittpunkt nicht verortet: %3</translation>
+    </message>
+    <message>
+        <source>%1; %2 crossings not placed: %3</source>
+        <translation>%1; %2 Schnittpunkte nicht verortet: %3</translation>
+    </message>
+    <message>
+        <source>%1 value</source>
+        <translation>%1 Wert</translation>
+    </message>
+    <message>
+        <source>%1 values</source>
+        <translation>%1 Werte</translation>
+    </message>
+    <message>
+        <source>%1 = %2 to %3, %4, log</source>
+        <translation>%1 = %2 bis %3, %4, log</translation>
+    </message>
+    <message>
+        <source>%1 = %2 to %3, %4</source>
+        <translation>%1 = %2 bis %3, %4</translation>
+    </message>
+    <message>
+        <source>%1 over %2; %3</source>
+        <translation>%1 über %2; %3</translation>
+    </message>
+    <message>
+        <source>%1 not solved: %2</source>
+        <translation>%1 nicht gelöst: %2</translation>
+    </message>
+    <message>
+        <source>%1 blow in %2.</source>
+        <translation>%1 Schlag in %2.</translation>
+    </message>
+    <message>
+        <source>%1 blows in %2.</source>
+        <translation>%1 Schläge in %2.</translation>
+    </message>
+    <message>
+        <source>slope %1 k from %2</source>
+        <translation>Steigung %1 k ab %2</translation>
+    </message>
+    <message>
+        <source>%1 k from %2</source>
+        <translation>%1 k ab %2</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>und %1 weitere</translation>
+    </message>
+    <message>
+        <source>rock law %1</source>
+        <translation>Gesetz des Gesteins %1</translation>
+    </message>
+    <message>
+        <source>was solved by method %1 (%2)</source>
+        <translation>wurde mit dem Verfahren %1 gelöst (%2)</translation>
+    </message>
+    <message>
+        <source>was solved by a lattice of `%1` (%2)</source>
+        <translation>wurde mit einem Gitter von `%1` gelöst (%2)</translation>
+    </message>
+    <message>
+        <source>kind of case</source>
+        <translation>Art des Falls</translation>
+    </message>
+    <message>
+        <source>cases</source>
+        <translation>Fälle</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>bestanden</translation>
+    </message>
+    <message>
+        <source>worst balance</source>
+        <translation>größter Bilanzfehler</translation>
+    </message>
+    <message>
+        <source>continuity</source>
+        <translation>Stetigkeit</translation>
+    </message>
+    <message>
+        <source>pieces</source>
+        <translation>Stücke</translation>
+    </message>
+    <message>
+        <source>momentum residual</source>
+        <translation>Fehler der Impulsbilanz</translation>
+    </message>
+    <message>
+        <source>energy residual</source>
+        <translation>Fehler der Energiebilanz</translation>
+    </message>
+    <message>
+        <source>pull of the rock</source>
+        <translation>Zug des Gesteins</translation>
+    </message>
+    <message>
+        <source>return after the end</source>
+        <translation>Rückkehr nach dem Ende</translation>
+    </message>
+    <message>
+        <source>change over 1e-10</source>
+        <translation>Änderung bei 1e-10</translation>
+    </message>
+    <message>
+        <source>distance from limit</source>
+        <translation>Abstand vom Grenzfall</translation>
+    </message>
+    <message>
+        <source>distance from lattice</source>
+        <translation>Abstand vom Gitter</translation>
+    </message>
+    <message>
+        <source>distance from long double</source>
+        <translation>Abstand von long double</translation>
+    </message>
+    <message>
+        <source>stated error</source>
+        <translation>angegebener Fehler</translation>
+    </message>
+    <message>
+        <source>wave pieces</source>
+        <translation>Wellenstücke</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>Sekunden</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>Maximum</translation>
+    </message>
+    <message>
+        <source>mark</source>
+        <translation>Marke</translation>
+    </message>
+    <message>
+        <source>where</source>
+        <translation>wo</translation>
+    </message>
+    <message>
+        <source>FAILED %1: %2</source>
+        <translation>DURCHGEFALLEN %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 cases: %2 passed, %3 failed, %4 not solved</source>
+        <translation>%1 Fälle: %2 bestanden, %3 durchgefallen, %4 nicht gelöst</translation>
+    </message>
+    <message>
+        <source>%1 of %2, n_b = %3</source>
+        <translation>%1 mit %2 je Schlag, n_b = %3</translation>
+    </message>
+    <message>
+        <source>What a damper changes, and what waves from blow to blow, `drillwave drill` follows.</source>
+        <translation>Was ein Dämpfer ändert und was Wellen von Schlag zu Schlag ändern, verfolgt `drillwave drill`.</translation>
+    </message>
+    <message>
+        <source>%1 takes a study of all gaps at every point; `drillwave thrust --along` has it</source>
+        <translation>%1 braucht an jedem Punkt eine Studie aller Spalte; `drillwave thrust --along` hat es</translation>
+    </message>
+    <message>
+        <source>a family has at most %1 lines, this one %2</source>
+        <translation>eine Schar hat höchstens %1 Kurven, diese %2</translation>
+    </message>
+    <message>
+        <source>the range of %1 must end above its beginning</source>
+        <translation>der Bereich von %1 muss über seinem Anfang enden</translation>
+    </message>
+    <message>
+        <source>a scenario given by its groups has no energy to keep; leave it out</source>
+        <translation>ein durch seine Kennzahlen gegebenes Szenario hat keine Energie zu halten; die Option weglassen</translation>
+    </message>
+    <message>
+        <source>a blow of given points has neither impulse nor velocity to scale; leave it out</source>
+        <translation>ein Schlag aus gegebenen Punkten hat weder Kraftstoß noch Geschwindigkeit zum Skalieren; die Option weglassen</translation>
+    </message>
+    <message>
+        <source>nothing is uncertain; give --uncertain KEY=LOW:HIGH or --draws FILE.csv</source>
+        <translation>nichts ist unsicher; --uncertain KEY=LOW:HIGH oder --draws FILE.csv angeben</translation>
+    </message>
+    <message>
+        <source>at most %1 uncertain parameters, these are %2</source>
+        <translation>höchstens %1 unsichere Parameter, dies sind %2</translation>
+    </message>
+    <message>
+        <source>at most %1 choices, these are %2</source>
+        <translation>höchstens %1 Größen zur Wahl, dies sind %2</translation>
+    </message>
+    <message>
+        <source>at most %1 aims, these are %2</source>
+        <translation>höchstens %1 Ziele, dies sind %2</translation>
+    </message>
+    <message>
+        <source>at most %1 designs, the choices make more than can be counted; give fewer values</source>
+        <translation>höchstens %1 Auslegungen, was zur Wahl steht, ergibt mehr, als sich zählen lässt; weniger Werte angeben</translation>
+    </message>
+    <message>
+        <source>at most %1 designs, the choices make %2; give fewer values</source>
+        <translation>höchstens %1 Auslegungen, was zur Wahl steht, ergibt %2; weniger Werte angeben</translation>
+    </message>
+    <message>
+        <source>at most %1 blows, %2 designs at %3 samples are more; take fewer</source>
+        <translation>höchstens %1 Schläge, %2 Auslegungen mit je %3 Stichproben sind mehr; weniger nehmen</translation>
+    </message>
+    <message>
+        <source>%1 and %2 %3; leave out one of them</source>
+        <translation>%1 und %2 %3; eines davon weglassen</translation>
+    </message>
+    <message>
+        <source>%1 is given twice; give it once</source>
+        <translation>%1 ist zweimal angegeben; einmal angeben</translation>
+    </message>
+    <message>
+        <source>%1 is chosen and uncertain: only +-P% about the choice can be both</source>
+        <translation>%1 ist gewählt und unsicher: beides zugleich geht nur mit +-P% um die Wahl</translation>
+    </message>
+    <message>
+        <source>--keep-energy sets %1, and so does --choose %2; leave out one of them</source>
+        <translation>--keep-energy setzt %1, und --choose %2 auch; eines davon weglassen</translation>
+    </message>
+    <message>
+        <source>thrust_margin is a study of all gaps by itself; aim at thrust</source>
+        <translation>thrust_margin ist für sich schon eine Untersuchung aller Spalte; thrust als Ziel nehmen</translation>
+    </message>
+    <message>
+        <source>%1 is a march of many blows by itself; `drillwave drill` and sweeps have it</source>
+        <translation>%1 ist für sich schon eine Rechnung über viele Schläge; `drillwave drill` und sweep haben es</translation>
+    </message>
+    <message>
+        <source>at %1: %2</source>
+        <translation>bei %1: %2</translation>
+    </message>
+    <message>
+        <source>column %1 %2</source>
+        <translation>Spalte %1 %2</translation>
+    </message>
+    <message>
+        <source>column `%1` is no number that can be uncertain; leave it out of the draws</source>
+        <translation>Spalte `%1` ist keine Zahl, die unsicher sein kann; in den Ziehungen weglassen</translation>
+    </message>
+    <message>
+        <source>column `%1` is not a parameter; leave it out of the draws</source>
+        <translation>Spalte `%1` ist kein Parameter; in den Ziehungen weglassen</translation>
+    </message>
+    <message>
+        <source>the cell of %1 is missing; every draw needs a value of every key</source>
+        <translation>die Zelle von %1 fehlt; jede Ziehung braucht zu jedem Schlüssel einen Wert</translation>
+    </message>
+    <message>
+        <source>has no header; write the keys into the first row</source>
+        <translation>hat keinen Kopf; die Schlüssel in die erste Zeile schreiben</translation>
+    </message>
+    <message>
+        <source>has more than %1 rows; leave some out</source>
+        <translation>hat mehr als %1 Zeilen; einige weglassen</translation>
+    </message>
+    <message>
+        <source>has no rows of draws</source>
+        <translation>hat keine Zeilen mit Ziehungen</translation>
+    </message>
+    <message>
+        <source>has no width; give LOW below HIGH</source>
+        <translation>hat keine Breite; LOW kleiner als HIGH angeben</translation>
+    </message>
+    <message>
+        <source>is upside down; give LOW below HIGH</source>
+        <translation>steht verkehrt herum; LOW kleiner als HIGH angeben</translation>
+    </message>
+    <message>
+        <source>must begin above 0 where it is `log`</source>
+        <translation>muss bei `log` über 0 beginnen</translation>
+    </message>
+    <message>
+        <source>must begin above 0 where it is `lognormal`</source>
+        <translation>muss bei `lognormal` über 0 beginnen</translation>
+    </message>
+    <message>
+        <source>reaches %1, where there is no answer; use lognormal</source>
+        <translation>reicht bis %1, wo es keine Antwort gibt; lognormal nehmen</translation>
+    </message>
+    <message>
+        <source>needs a number above 0 of per cent, as +-5%</source>
+        <translation>braucht eine Prozentzahl über 0, wie +-5%</translation>
+    </message>
+    <message>
+        <source>%1 needs LOW:HIGH, LOW:HIGH:log, :normal or :lognormal, or +-P%</source>
+        <translation>%1 braucht LOW:HIGH, LOW:HIGH:log, :normal oder :lognormal, oder +-P%</translation>
+    </message>
+    <message>
+        <source>`%1` behind the range of %2 is not known; choose from uniform, log, normal, lognormal</source>
+        <translation>`%1` hinter dem Bereich von %2 ist nicht bekannt; möglich sind uniform, log, normal, lognormal</translation>
+    </message>
+    <message>
+        <source>`%1` is no range: write KEY=LOW:HIGH, KEY=LOW:HIGH:log or KEY=+-P%</source>
+        <translation>`%1` ist kein Bereich: KEY=LOW:HIGH, KEY=LOW:HIGH:log oder KEY=+-P% schreiben</translation>
+    </message>
+    <message>
+        <source>%1 is no number and cannot be uncertain; choose among several by --choose</source>
+        <translation>%1 ist keine Zahl und kann nicht unsicher sein; mit --choose unter mehreren wählen</translation>
+    </message>
+    <message>
+        <source>%1 takes whole numbers alone and cannot be uncertain; choose among several by --choose</source>
+        <translation>%1 nimmt nur ganze Zahlen und kann nicht unsicher sein; mit --choose unter mehreren wählen</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning here: %2</source>
+        <translation>%1 hat hier keine Bedeutung: %2</translation>
+    </message>
+    <message>
+        <source>%1 = +-%2% (the scenario has 0 there; give LOW:HIGH)</source>
+        <translation>%1 = +-%2% (das Szenario hat dort 0; LOW:HIGH angeben)</translation>
+    </message>
+    <message>
+        <source>%1 = +-%2% (the scenario has no value there; give LOW:HIGH)</source>
+        <translation>%1 = +-%2% (das Szenario hat dort keinen Wert; LOW:HIGH angeben)</translation>
+    </message>
+    <message>
+        <source>%1 = +-%2% of %3 (%4)</source>
+        <translation>%1 = +-%2% von %3 (%4)</translation>
+    </message>
+    <message>
+        <source>the machine is pushed back: no motion that is bounded</source>
+        <translation>die Maschine weicht zurück: keine beschränkte Bewegung</translation>
+    </message>
+    <message>
+        <source>it was stopped</source>
+        <translation>es wurde angehalten</translation>
+    </message>
+    <message>
+        <source>the axis %1 of a map needs START:STOP:COUNT or START:STOP:COUNT:log</source>
+        <translation>die Achse %1 eines Kennfelds braucht START:STOP:COUNT oder START:STOP:COUNT:log</translation>
+    </message>
+    <message>
+        <source>the map has more than %1 points; take fewer, or `drillwave sweep`, which keeps none</source>
+        <translation>das Kennfeld hat mehr als %1 Punkte; weniger nehmen, oder `drillwave sweep`, das keine behält</translation>
+    </message>
+    <message>
+        <source>momentum residual %1</source>
+        <translation>Fehler der Impulsbilanz %1</translation>
+    </message>
+    <message>
+        <source>energy residual %1</source>
+        <translation>Fehler der Energiebilanz %1</translation>
+    </message>
+    <message>
+        <source>the rock pulls: F/Fmax %1</source>
+        <translation>das Gestein zieht: F/Fmax %1</translation>
+    </message>
+    <message>
+        <source>not at its end: the front end returns by %1</source>
+        <translation>nicht am Ende: das vordere Ende kehrt um %1 zurück</translation>
+    </message>
+    <message>
+        <source>not continuous: e changes by %1</source>
+        <translation>nicht stetig: e ändert sich um %1</translation>
+    </message>
+    <message>
+        <source>far from its limit by a factor %1</source>
+        <translation>um den Faktor %1 zu weit vom Grenzfall entfernt</translation>
+    </message>
+    <message>
+        <source>the lattice differs by estimates: %1</source>
+        <translation>das Gitter weicht um das %1-Fache der geschätzten Fehler ab</translation>
+    </message>
+    <message>
+        <source>the stated error is exceeded by a factor %1</source>
+        <translation>der angegebene Fehler ist um den Faktor %1 überschritten</translation>
+    </message>
+    <message>
+        <source>%1 and %2 %3; vary one of them</source>
+        <translation>%1 und %2 %3; eines davon variieren</translation>
+    </message>
+    <message>
+        <source>`all` are all outputs already; give it alone</source>
+        <translation>`all` sind schon alle Ergebnisse; allein angeben</translation>
+    </message>
+    <message>
+        <source>`%1` is not an output; did you mean `%2`?</source>
+        <translation>`%1` ist kein Ergebnis; war `%2` gemeint?</translation>
+    </message>
+    <message>
+        <source>`%1` is not an output; choose from %2</source>
+        <translation>`%1` ist kein Ergebnis; möglich sind %2</translation>
+    </message>
+    <message>
+        <source>`%1` is given twice; give it once</source>
+        <translation>`%1` ist zweimal angegeben; einmal angeben</translation>
+    </message>
+    <message>
+        <source>SI columns need a scenario in physical units; this one is given by its dimensionless groups</source>
+        <translation>SI-Spalten brauchen ein Szenario in physikalischen Einheiten; dieses ist durch seine dimensionslosen Kennzahlen gegeben</translation>
+    </message>
+    <message>
+        <source>the count `%1` of %2 must be a whole number from 1 to %3</source>
+        <translation>die Anzahl `%1` von %2 muss eine ganze Zahl von 1 bis %3 sein</translation>
+    </message>
+    <message>
+        <source>`%1` behind the end of %2 is not known; only `log` may follow</source>
+        <translation>`%1` hinter dem Ende von %2 ist nicht bekannt; nur `log` darf folgen</translation>
+    </message>
+    <message>
+        <source>`%1` behind the count of %2 is not known; only `log` may follow</source>
+        <translation>`%1` hinter der Anzahl von %2 ist nicht bekannt; nur `log` darf folgen</translation>
+    </message>
+    <message>
+        <source>a logarithmic axis of %1 must begin and end above 0</source>
+        <translation>eine logarithmische Achse von %1 muss über 0 beginnen und enden</translation>
+    </message>
+    <message>
+        <source>%1 takes whole numbers alone; give a COUNT that hits them, or a list A,B,C</source>
+        <translation>%1 nimmt nur ganze Zahlen; ein COUNT angeben, das sie trifft, oder eine Liste A,B,C</translation>
+    </message>
+    <message>
+        <source>%1 needs START:STOP:COUNT, START:STOP:COUNT:log or a list A,B,C</source>
+        <translation>%1 braucht START:STOP:COUNT, START:STOP:COUNT:log oder eine Liste A,B,C</translation>
+    </message>
+    <message>
+        <source>%1 needs START:STOP or START:STOP:log</source>
+        <translation>%1 braucht START:STOP oder START:STOP:log</translation>
+    </message>
+    <message>
+        <source>%1 has no numbers to go along; make a family of shapes</source>
+        <translation>%1 hat keine Zahlen zum Verfolgen; eine Schar von Formen daraus machen</translation>
+    </message>
+    <message>
+        <source>%1 has no numbers to go along; make a family of words</source>
+        <translation>%1 hat keine Zahlen zum Verfolgen; eine Schar von Wörtern daraus machen</translation>
+    </message>
+    <message>
+        <source>%1 has no numbers to go along; give it with --set</source>
+        <translation>%1 hat keine Zahlen zum Verfolgen; mit --set angeben</translation>
+    </message>
+    <message>
+        <source>`%1` is no axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C</source>
+        <translation>`%1` ist keine Achse: KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log oder KEY=A,B,C schreiben</translation>
+    </message>
+    <message>
+        <source>`%1` is no axis: write KEY=START:STOP or KEY=START:STOP:log</source>
+        <translation>`%1` ist keine Achse: KEY=START:STOP oder KEY=START:STOP:log schreiben</translation>
+    </message>
+    <message>
+        <source>%1 has whole numbers alone; make a family of them, or sweep it</source>
+        <translation>%1 hat nur ganze Zahlen; eine Schar daraus machen, oder sweep nehmen</translation>
+    </message>
+    <message>
+        <source>the range of %1 is too narrow: it must be at least 1e-4 of its end</source>
+        <translation>der Bereich von %1 ist zu schmal: er muss mindestens 1e-4 seines Endes betragen</translation>
+    </message>
+    <message>
+        <source>the axis %1</source>
+        <translation>die Achse %1</translation>
+    </message>
+    <message>
+        <source>a sweep has at most %1 axes, this one %2</source>
+        <translation>sweep hat höchstens %1 Achsen, hier sind es %2</translation>
+    </message>
+    <message>
+        <source>the axes %1 and %2 %3; vary one of them</source>
+        <translation>die Achsen %1 und %2 %3; eine davon variieren</translation>
+    </message>
+    <message>
+        <source>the grid has more than %1 points; take fewer values</source>
+        <translation>das Raster hat mehr als %1 Punkte; weniger Werte nehmen</translation>
+    </message>
+    <message>
+        <source>pictures show one axis or two, not %1; vary fewer, or leave out --plots</source>
+        <translation>Bilder zeigen eine oder zwei Achsen, nicht %1; weniger variieren, oder --plots weglassen</translation>
+    </message>
+    <message>
+        <source>no axis has two numbers or more to draw a curve along</source>
+        <translation>keine Achse hat zwei Zahlen oder mehr, über denen sich eine Kurve zeichnen lässt</translation>
+    </message>
+    <message>
+        <source>a part of the rows cannot be drawn; leave out --shard</source>
+        <translation>ein Teil der Zeilen lässt sich nicht zeichnen; --shard weglassen</translation>
+    </message>
+    <message>
+        <source>at most %1 rows can be drawn, not %2; take fewer</source>
+        <translation>höchstens %1 Zeilen lassen sich zeichnen, nicht %2; weniger nehmen</translation>
+    </message>
+    <message>
+        <source>at most %1 curves can be told apart, and %2 has %3 values; take fewer, or draw a map (drillwave map)</source>
+        <translation>höchstens %1 Kurven lassen sich unterscheiden, und %2 hat %3 Werte; weniger nehmen, oder ein Kennfeld zeichnen (drillwave map)</translation>
+    </message>
+    <message>
+        <source>at most %1 outputs can be drawn, not %2; choose with --outputs</source>
+        <translation>höchstens %1 Ergebnisse lassen sich zeichnen, nicht %2; mit --outputs auswählen</translation>
+    </message>
+    <message>
+        <source>is empty; its first row must name parameters</source>
+        <translation>ist leer; die erste Zeile muss Parameter nennen</translation>
+    </message>
+    <message>
+        <source>cells are separated by tabs, not by `,`; save the table with `,` between them and `.` in numbers</source>
+        <translation>Zellen sind durch Tabulatoren getrennt, nicht durch `,`; die Tabelle mit `,` dazwischen und `.` in Zahlen speichern</translation>
+    </message>
+    <message>
+        <source>cells are separated by `;`, not by `,`; save the table with `,` between them and `.` in numbers</source>
+        <translation>Zellen sind durch `;` getrennt, nicht durch `,`; die Tabelle mit `,` dazwischen und `.` in Zahlen speichern</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter; write a key that there is, or another name than `%2` for a column that is only to be passed through</source>
+        <translation>`%1` ist kein Parameter; einen vorhandenen Schlüssel schreiben, oder für eine Spalte, die nur durchgereicht werden soll, einen anderen Namen als `%2`</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter; did you mean `%2`, or another name than `%3` for a column that is only to be passed through?</source>
+        <translation>`%1` ist kein Parameter; war `%2` gemeint, oder für eine Spalte, die nur durchgereicht werden soll, ein anderer Name als `%3`?</translation>
+    </message>
+    <message>
+        <source>has %1; save the table as CSV in UTF-8</source>
+        <translation>enthält %1; die Tabelle als CSV in UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>`%1` is no number; give it with --set for all rows</source>
+        <translation>`%1` ist keine Zahl; mit --set für alle Zeilen angeben</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter; write `%2`, with its unit in square brackets, or another name for a column that is only to be passed through</source>
+        <translation>`%1` ist kein Parameter; `%2` schreiben, mit der Einheit in eckigen Klammern, oder für eine Spalte, die nur durchgereicht werden soll, einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter; write `%2`, or another name for a column that is only to be passed through</source>
+        <translation>`%1` ist kein Parameter; `%2` schreiben, oder für eine Spalte, die nur durchgereicht werden soll, einen anderen Namen</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter and only passed through</source>
+        <translation>`%1` ist kein Parameter und wird nur durchgereicht</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter and only passed through; did you mean `%2`?</source>
+        <translation>`%1` ist kein Parameter und wird nur durchgereicht; war `%2` gemeint?</translation>
+    </message>
+    <message>
+        <source>%1 has no unit; write it without `[%2]`</source>
+        <translation>%1 hat keine Einheit; ohne `[%2]` schreiben</translation>
+    </message>
+    <message>
+        <source>%1: unit `%2` is not known here; units that would do: %3</source>
+        <translation>%1: die Einheit `%2` ist hier nicht bekannt; möglich sind: %3</translation>
+    </message>
+    <message>
+        <source>sets %1 again, column %2 does already; keep one of them</source>
+        <translation>setzt %1 noch einmal, Spalte %2 tut das schon; eine davon behalten</translation>
+    </message>
+    <message>
+        <source>`%1` is passed through as it is; the column that is computed follows with the same name</source>
+        <translation>`%1` wird unverändert durchgereicht; die berechnete Spalte folgt unter demselben Namen</translation>
+    </message>
+    <message>
+        <source>no column names a parameter, so that every row would be the same blow; name some in the first row, as `beta` or `rod.length [m]`</source>
+        <translation>keine Spalte nennt einen Parameter, so dass jede Zeile derselbe Schlag wäre; in der ersten Zeile welche nennen, wie `beta` oder `rod.length [m]`</translation>
+    </message>
+    <message>
+        <source>has %1; save the table in UTF-8</source>
+        <translation>enthält %1; die Tabelle in UTF-8 speichern</translation>
+    </message>
+    <message>
+        <source>is in %1, the column in %2: write it in that, or the header without a unit</source>
+        <translation>ist in %1, die Spalte in %2: in deren Einheit schreiben, oder den Kopf ohne Einheit</translation>
+    </message>
+    <message>
+        <source>has %1 cells, the header has %2</source>
+        <translation>hat %1 Zellen, der Kopf hat %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 %3; leave one of the two cells empty</source>
+        <translation>%1 und %2 %3; eine der beiden Zellen leer lassen</translation>
+    </message>
+    <message>
+        <source>text follows a closing quote</source>
+        <translation>auf ein schließendes Anführungszeichen folgt Text</translation>
+    </message>
+    <message>
+        <source>a quote is not closed</source>
+        <translation>ein Anführungszeichen ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>the record is too long</source>
+        <translation>der Datensatz ist zu lang</translation>
+    </message>
+    <message>
+        <source>the record has too many cells</source>
+        <translation>der Datensatz hat zu viele Zellen</translation>
+    </message>
+    <message>
+        <source>must be a whole number from %1 to %2</source>
+        <translation>muss eine ganze Zahl von %1 bis %2 sein</translation>
+    </message>
+    <message>
+        <source>must be UTF-8</source>
+        <translation>muss UTF-8 sein</translation>
+    </message>
+    <message>
+        <source>must be one line</source>
+        <translation>muss eine einzige Zeile sein</translation>
+    </message>
+    <message>
+        <source>must have no control characters</source>
+        <translation>darf keine Steuerzeichen enthalten</translation>
+    </message>
+    <message>
+        <source>must have no characters that turn the direction of reading</source>
+        <translation>darf keine Zeichen enthalten, die die Leserichtung umkehren</translation>
+    </message>
+    <message>
+        <source>must have a letter</source>
+        <translation>muss einen Buchstaben enthalten</translation>
+    </message>
+    <message>
+        <source>a loading curve of more than one line</source>
+        <translation>eine Belastungskurve aus mehr als einer Geraden</translation>
+    </message>
+    <message>
+        <source>the closed form is for a rectangular pulse, gamma = 1, a whole number as delta and tau &gt;= 0.5, not %1; use the exact method or the lattice</source>
+        <translation>die geschlossene Form gilt für Rechteckschlag, gamma = 1, ganzzahliges delta und tau &gt;= 0,5, nicht für %1; das exakte Verfahren oder das Gitter nehmen</translation>
+    </message>
+    <message>
+        <source>the file of presets %1</source>
+        <translation>die Datei mit Vorgaben %1</translation>
+    </message>
+    <message>
+        <source>--segments %1: needs at most %2 whole numbers from %3 to %4, as in 100,1000,10000</source>
+        <translation>--segments %1: braucht höchstens %2 ganze Zahlen von %3 bis %4, wie 100,1000,10000</translation>
+    </message>
+    <message>
+        <source>--segments %1: would move waves by %2 segments, more than --work-limit, now %3, permits (half a minute is some 1e9); take fewer or permit more</source>
+        <translation>--segments %1: würde Wellen um %2 Segmente verschieben, mehr als --work-limit, jetzt %3, erlaubt (eine halbe Minute ist etwa 1e9); weniger nehmen oder mehr erlauben</translation>
+    </message>
+    <message>
+        <source>unknown option `%1`; did you mean `%2`?</source>
+        <translation>unbekannte Option `%1`; war `%2` gemeint?</translation>
+    </message>
+    <message>
+        <source>unknown option `%1`; --help lists the options</source>
+        <translation>unbekannte Option `%1`; --help listet die Optionen auf</translation>
+    </message>
+    <message>
+        <source>`%1` needs a value: %2</source>
+        <translation>`%1` braucht einen Wert: %2</translation>
+    </message>
+    <message>
+        <source>%1; `%2` behind it is an option, a file of that name is ./%2</source>
+        <translation>%1; `%2` dahinter ist eine Option, eine Datei dieses Namens ist ./%2</translation>
+    </message>
+    <message>
+        <source>%1; `%2` behind it is an option</source>
+        <translation>%1; `%2` dahinter ist eine Option</translation>
+    </message>
+    <message>
+        <source>`%1` takes no value</source>
+        <translation>`%1` nimmt keinen Wert</translation>
+    </message>
+    <message>
+        <source>--level: at most %1 levels</source>
+        <translation>--level: höchstens %1 Werte</translation>
+    </message>
+    <message>
+        <source>-o needs a name, this one is empty; - is standard output</source>
+        <translation>-o braucht einen Namen, dieser ist leer; - ist die Standardausgabe</translation>
+    </message>
+    <message>
+        <source>needs %1; see drillwave %2 --help</source>
+        <translation>braucht %1; siehe drillwave %2 --help</translation>
+    </message>
+    <message>
+        <source>`%1` is too much; takes none, see drillwave %2 --help</source>
+        <translation>`%1` ist zu viel; der Befehl nimmt keine Argumente, siehe drillwave %2 --help</translation>
+    </message>
+    <message>
+        <source>`%1` is too much; takes %2, see drillwave %3 --help</source>
+        <translation>`%1` ist zu viel; der Befehl nimmt %2, siehe drillwave %3 --help</translation>
+    </message>
+    <message>
+        <source>--goal is about one output; --outputs names %1</source>
+        <translation>--goal gilt für ein einziges Ergebnis; --outputs nennt %1</translation>
+    </message>
+    <message>
+        <source>--goal %1: without --si %2 is a number without a unit; add --si</source>
+        <translation>--goal %1: ohne --si ist %2 eine Zahl ohne Einheit; --si hinzufügen</translation>
+    </message>
+    <message>
+        <source>needs --along KEY=START:STOP or KEY=START:STOP:log</source>
+        <translation>braucht --along KEY=START:STOP oder KEY=START:STOP:log</translation>
+    </message>
+    <message>
+        <source>--goal has no place where -o - prints the curve; leave out -o, or give -o FILE.csv</source>
+        <translation>--goal hat keinen Platz, wo -o - die Kurve ausgibt; -o weglassen oder -o FILE.csv angeben</translation>
+    </message>
+    <message>
+        <source>%1: could not be solved everywhere: from %2 = %3 to %4: %5</source>
+        <translation>%1: konnte nicht überall gelöst werden: von %2 = %3 bis %4: %5</translation>
+    </message>
+    <message>
+        <source>--force is about the file of -o; add -o FILE.csv</source>
+        <translation>--force gilt für die Datei von -o; -o FILE.csv hinzufügen</translation>
+    </message>
+    <message>
+        <source>--json and -o - would both print to standard output; take one</source>
+        <translation>--json und -o - würden beide auf die Standardausgabe schreiben; eines davon nehmen</translation>
+    </message>
+    <message>
+        <source>takes one FILE; `%1` is a second one</source>
+        <translation>nimmt nur ein FILE; `%1` ist ein zweites</translation>
+    </message>
+    <message>
+        <source>needs FILE</source>
+        <translation>braucht FILE</translation>
+    </message>
+    <message>
+        <source>blows</source>
+        <translation>Schläge</translation>
+    </message>
+    <message>
+        <source>%1: of too many samples there is no answer, so that designs have no statistics: %2 of %3; the first: %4</source>
+        <translation>%1: zu viele Stichproben haben keine Antwort, so dass es zu Auslegungen keine Statistik gibt: %2 von %3; die erste: %4</translation>
+    </message>
+    <message>
+        <source>no design meets all limits; loosen one or widen the choices</source>
+        <translation>keine Auslegung hält alle Grenzen ein; eine lockern oder die Wahl erweitern</translation>
+    </message>
+    <message>
+        <source>the scenario as it is could not be solved</source>
+        <translation>das Szenario selbst konnte nicht gelöst werden</translation>
+    </message>
+    <message>
+        <source>--force is about the files of -o; add -o DIR</source>
+        <translation>--force gilt für die Dateien von -o; -o DIR hinzufügen</translation>
+    </message>
+    <message>
+        <source>files in %1</source>
+        <translation>Dateien in %1</translation>
+    </message>
+    <message>
+        <source>`%1` needs OUTPUT@STATISTIC, as efficiency@q05</source>
+        <translation>`%1` braucht OUTPUT@STATISTIC, wie efficiency@q05</translation>
+    </message>
+    <message>
+        <source>`all` are several outputs; name one</source>
+        <translation>`all` sind mehrere Ergebnisse; eines nennen</translation>
+    </message>
+    <message>
+        <source>`%1` is not a statistic; choose from mean, q01 to q99, min, max, nominal</source>
+        <translation>`%1` ist keine Statistik; möglich sind mean, q01 bis q99, min, max, nominal</translation>
+    </message>
+    <message>
+        <source>needs max:OUTPUT@STATISTIC or min:OUTPUT@STATISTIC</source>
+        <translation>braucht max:OUTPUT@STATISTIC oder min:OUTPUT@STATISTIC</translation>
+    </message>
+    <message>
+        <source>`%1`: write --aim before it</source>
+        <translation>`%1`: --aim davor schreiben</translation>
+    </message>
+    <message>
+        <source>needs OUTPUT@STATISTIC=VALUE</source>
+        <translation>braucht OUTPUT@STATISTIC=VALUE</translation>
+    </message>
+    <message>
+        <source>there is no drillwave-window beside this program, which was built without it (DRILLWAVE_GUI), or installed without it (the package drillwave)</source>
+        <translation>neben diesem Programm fehlt drillwave-window, da es ohne gebaut (DRILLWAVE_GUI) oder ohne installiert wurde (das Paket drillwave)</translation>
+    </message>
+    <message>
+        <source>no window: %1; use `drillwave run FILE` (see --help)</source>
+        <translation>kein Fenster: %1; `drillwave run FILE` nehmen (siehe --help)</translation>
+    </message>
+    <message>
+        <source>no pictures: %1; leave out what draws them, or run the whole program</source>
+        <translation>keine Bilder: %1; weglassen, was sie zeichnet, oder das ganze Programm nehmen</translation>
+    </message>
+    <message>
+        <source>no display to open the window on; use `drillwave run FILE` (see --help), or `drillwave -platform offscreen`</source>
+        <translation>keine Anzeige für das Fenster; `drillwave run FILE` nehmen (siehe --help), oder `drillwave -platform offscreen`</translation>
+    </message>
+    <message>
+        <source>--force is about the files of -o; add -o FILE.csv or -o DIR</source>
+        <translation>--force gilt für die Dateien von -o; -o FILE.csv oder -o DIR hinzufügen</translation>
+    </message>
+    <message>
+        <source>--gaps is about a scan; add --scan KEY=START:STOP:COUNT</source>
+        <translation>--gaps gilt für einen Durchlauf; --scan KEY=START:STOP:COUNT hinzufügen</translation>
+    </message>
+    <message>
+        <source>--histories: these blows have more than %1 samples; take fewer blows or fewer --cells</source>
+        <translation>--histories: diese Schläge haben mehr als %1 Zeitpunkte; weniger Schläge oder weniger --cells nehmen</translation>
+    </message>
+    <message>
+        <source>--work-limit %1 must be a number of at least 1</source>
+        <translation>--work-limit %1 muss eine Zahl von mindestens 1 sein</translation>
+    </message>
+    <message>
+        <source>--si and --dimensionless exclude each other</source>
+        <translation>--si und --dimensionless schließen einander aus</translation>
+    </message>
+    <message>
+        <source>--histories %1 needs a folder: add -o DIR</source>
+        <translation>--histories %1 braucht einen Ordner: -o DIR hinzufügen</translation>
+    </message>
+    <message>
+        <source>--histories %1 must be A:B, blows from 1 to %2</source>
+        <translation>--histories %1 muss A:B sein, Schläge von 1 bis %2</translation>
+    </message>
+    <message>
+        <source>it takes %1 cells times nodes, more than the %2 permitted, about %3; fewer blows or --cells take less, --work-limit permits more</source>
+        <translation>es kostet %1 Zellen mal Knoten, mehr als die erlaubten %2, und dauert etwa %3; weniger Schläge oder --cells kosten weniger, --work-limit erlaubt mehr</translation>
+    </message>
+    <message>
+        <source>end_time counts for single blows, not here</source>
+        <translation>end_time zählt bei einzelnen Schlägen, nicht hier</translation>
+    </message>
+    <message>
+        <source>machine_mass without a damper: the machine presses with a constant force</source>
+        <translation>machine_mass ohne Dämpfer: die Maschine drückt mit konstanter Kraft</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 rows could not be solved: their cells are empty; the first: %4</source>
+        <translation>%1: %2 von %3 Zeilen ohne Lösung, ihre Zellen bleiben leer; die erste: %4</translation>
+    </message>
+    <message>
+        <source>--plots: a scan over %1 has words on its axis and no picture; scan a number</source>
+        <translation>--plots: ein Durchlauf über %1 hat Wörter auf der Achse und kein Bild; eine Zahl durchlaufen</translation>
+    </message>
+    <message>
+        <source>-o and --gaps name one file; give two</source>
+        <translation>-o und --gaps nennen dieselbe Datei; zwei angeben</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>`%1` is not an example; `drillwave examples` lists them</source>
+        <translation>`%1` ist kein Beispiel; `drillwave examples` listet sie auf</translation>
+    </message>
+    <message>
+        <source>`%1` is not an example; did you mean `%2`?</source>
+        <translation>`%1` ist kein Beispiel; war `%2` gemeint?</translation>
+    </message>
+    <message>
+        <source>Fig. %1 could not be drawn</source>
+        <translation>Abb. %1 konnte nicht gezeichnet werden</translation>
+    </message>
+    <message>
+        <source>%1 is about files; add -o %2 to say where they go</source>
+        <translation>%1 gilt für Dateien; mit -o %2 angeben, wohin sie sollen</translation>
+    </message>
+    <message>
+        <source>needs -o DIR, the folder for the figures</source>
+        <translation>braucht -o DIR, den Ordner für die Abbildungen</translation>
+    </message>
+    <message>
+        <source>%1 files in %2; %3 of %4 printed numbers agree, see index.html or discrepancies.csv</source>
+        <translation>%1 Dateien in %2; %3 von %4 gedruckten Zahlen stimmen, siehe index.html oder discrepancies.csv</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, d0 being %3</source>
+        <translation>muss von %1 bis %2 sein, mit d0 = %3</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2</source>
+        <translation>muss von %1 bis %2 sein</translation>
+    </message>
+    <message>
+        <source>--gap-mean needs --gap-deviation, how far gaps scatter about it</source>
+        <translation>--gap-mean braucht --gap-deviation, wie weit Spalte darum streuen</translation>
+    </message>
+    <message>
+        <source>--si is about the file of -o; add -o FILE.csv</source>
+        <translation>--si gilt für die Datei von -o; -o FILE.csv hinzufügen</translation>
+    </message>
+    <message>
+        <source>is a drill string, and this command solves uniform rods alone (`drillwave: 1`); `drillwave curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap</source>
+        <translation>ist ein Bohrstrang, und dieser Befehl löst nur gleichförmige Stangen (`drillwave: 1`); `drillwave curve FILE --along bit_rock.gap=0mm:2mm` verfolgt einen Strang über seinem Spalt</translation>
+    </message>
+    <message>
+        <source>--si: %1 is given by its dimensionless groups and has no SI units</source>
+        <translation>--si: %1 ist durch dimensionslose Kennzahlen gegeben und hat keine SI-Einheiten</translation>
+    </message>
+    <message>
+        <source>%1: could not be solved at all gaps: %2</source>
+        <translation>%1: konnte nicht bei allen Spalten gelöst werden: %2</translation>
+    </message>
+    <message>
+        <source>Usage: drillwave %1 [OPTION]…
+</source>
+        <translation>Aufruf: drillwave %1 [OPTION]…
+</translation>
+    </message>
+    <message>
+        <source>`%1` is not a section of %2</source>
+        <translation>`%1` ist kein Abschnitt von %2</translation>
+    </message>
+    <message>
+        <source>`%1` is not a section of %2, which has %3</source>
+        <translation>`%1` ist kein Abschnitt von %2; vorhanden: %3</translation>
+    </message>
+    <message>
+        <source>`%1` is neither a command nor a chapter, parameter or output; `drillwave help` says what there is</source>
+        <translation>`%1` ist weder ein Befehl noch ein Kapitel, Parameter oder Ergebnis; `drillwave help` sagt, was es gibt</translation>
+    </message>
+    <message>
+        <source>`%1` is neither a command nor a chapter, parameter or output; near it %2; `drillwave help` says what there is</source>
+        <translation>`%1` ist weder ein Befehl noch ein Kapitel, Parameter oder Ergebnis; ähnlich: %2; `drillwave help` sagt, was es gibt</translation>
+    </message>
+    <message>
+        <source>reading standard input; end it with Ctrl-D</source>
+        <translation>liest die Standardeingabe; Strg-D beendet sie</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read: %2; copy it to another disk, or get it anew</source>
+        <translation>%1: kann nicht gelesen werden: %2; auf einen anderen Datenträger kopieren oder neu beschaffen</translation>
+    </message>
+    <message>
+        <source>is not a regular file; write the rows to a file first</source>
+        <translation>ist keine gewöhnliche Datei; die Zeilen zuerst in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>cannot be opened for reading; check its permissions</source>
+        <translation>kann nicht zum Lesen geöffnet werden; die Zugriffsrechte prüfen</translation>
+    </message>
+    <message>
+        <source>%1: cannot be kept in %2: %3; set TMPDIR to a folder with more room</source>
+        <translation>%1: kann in %2 nicht zwischengespeichert werden: %3; TMPDIR auf einen Ordner mit mehr Platz setzen</translation>
+    </message>
+    <message>
+        <source>%1: is longer than %2 MiB, the most that is kept of what is not a file; write its rows to a file first</source>
+        <translation>%1: ist länger als %2 MiB, mehr wird von Eingaben, die keine Datei sind, nicht zwischengespeichert; die Zeilen zuerst in eine Datei schreiben</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>abgebrochen</translation>
+    </message>
+    <message>
+        <source>no thread can be started: %1; raise the limit of processes or memory (ulimit)</source>
+        <translation>es lässt sich kein Thread starten: %1; die Grenze für Prozesse oder Speicher erhöhen (ulimit)</translation>
+    </message>
+    <message>
+        <source>interrupted; no output was left behind</source>
+        <translation>abgebrochen; keine Ausgabe wurde zurückgelassen</translation>
+    </message>
+    <message>
+        <source>its command is none of this version: %1</source>
+        <translation>den Befehl darin gibt es in dieser Version nicht: %1</translation>
+    </message>
+    <message>
+        <source>is no file of rows</source>
+        <translation>ist keine Datei mit Zeilen</translation>
+    </message>
+    <message>
+        <source>the part is not there</source>
+        <translation>diesen Teil gibt es nicht</translation>
+    </message>
+    <message>
+        <source>%1; a part needs the record that was written with it</source>
+        <translation>%1; ein Teil braucht die .yaml, die mit ihm geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>number of parts</source>
+        <translation>Anzahl der Teile</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>%1: is a part of another run than %2: its %3 differs; leave it out or run it again</source>
+        <translation>%1: ist Teil eines anderen Laufs als %2 (Unterschied: %3); weglassen oder neu rechnen</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>%1: has %2 lines, but %3 by its record; it was changed or is of another run</source>
+        <translation>%1: hat %2 Zeilen, nach der .yaml daneben aber %3; die Datei wurde geändert oder stammt aus einem anderen Lauf</translation>
+    </message>
+    <message>
+        <source>needs -o FILE, where to write; - is standard output</source>
+        <translation>braucht -o FILE, wohin geschrieben wird; - ist die Standardausgabe</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>%1 needs one of %2</source>
+        <translation>%1 braucht eines von %2</translation>
+    </message>
+    <message>
+        <source>%1: `%2` is not one of %3</source>
+        <translation>%1: `%2` ist keines von %3</translation>
+    </message>
+    <message>
+        <source>%1 is given twice</source>
+        <translation>%1 ist zweimal angegeben</translation>
+    </message>
+    <message>
+        <source>standard output: cannot be written: %1</source>
+        <translation>Standardausgabe: kann nicht geschrieben werden: %1</translation>
+    </message>
+    <message>
+        <source>`%1` is too much; `drillwave help` says what there is</source>
+        <translation>`%1` ist zu viel; `drillwave help` sagt, was es gibt</translation>
+    </message>
+    <message>
+        <source>out of memory: this needs more than is free, or than a limit (ulimit -v, -d) permits; raise it, use fewer threads (-j 1) or ask for less at once</source>
+        <translation>Speicher erschöpft: dies braucht mehr, als frei ist oder eine Grenze (ulimit -v, -d) erlaubt; diese erhöhen, weniger Threads nehmen (-j 1) oder weniger auf einmal verlangen</translation>
+    </message>
+    <message>
+        <source>internal error: %1; please report it with the command that led to it</source>
+        <translation>interner Fehler: %1; bitte mit dem Befehl melden, der dazu geführt hat</translation>
+    </message>
+    <message>
+        <source>needs --x KEY=START:STOP:COUNT[:log] and --y likewise; %1 is missing</source>
+        <translation>braucht --x KEY=START:STOP:COUNT[:log] und ebenso --y; %1 fehlt</translation>
+    </message>
+    <message>
+        <source>--output: a map has one output; for several take `drillwave sweep`</source>
+        <translation>--output: ein Kennfeld hat ein einziges Ergebnis; für mehrere `drillwave sweep` nehmen</translation>
+    </message>
+    <message>
+        <source>%1 has no place where -o - prints the map; give -o FILE.csv</source>
+        <translation>%1 hat keinen Platz, wo -o - das Kennfeld ausgibt; -o FILE.csv angeben</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>contour points</source>
+        <translation>Höhenlinienpunkte</translation>
+    </message>
+    <message>
+        <source>%1 points of a contour could not be placed: %2</source>
+        <translation>%1 Punkte einer Höhenlinie ließen sich nicht bestimmen: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points could not be solved and have no output; %3</source>
+        <translation>%1 von %2 Punkten ohne Lösung und ohne Ergebnis; %3</translation>
+    </message>
+    <message>
+        <source>--shard: a part of a map has rows alone; add -o FILE.csv</source>
+        <translation>--shard: ein Teil eines Kennfelds hat nur Zeilen; -o FILE.csv hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1 needs the map in one piece; leave out --shard</source>
+        <translation>%1 braucht das Kennfeld in einem Stück; --shard weglassen</translation>
+    </message>
+    <message>
+        <source>--method %1: is not known; choose from %2</source>
+        <translation>--method %1: ist nicht bekannt; möglich sind %2</translation>
+    </message>
+    <message>
+        <source>--segments is about the lattice; add --method lattice</source>
+        <translation>--segments gilt für das Gitter; --method lattice hinzufügen</translation>
+    </message>
+    <message>
+        <source>%1: is for uniform rods; leave it out for a drill string</source>
+        <translation>%1: gilt für gleichförmige Stangen; bei einem Bohrstrang weglassen</translation>
+    </message>
+    <message>
+        <source>nothing can be written: %1; raise the limit of open files (ulimit -n)</source>
+        <translation>nichts kann geschrieben werden: %1; die Grenze für offene Dateien erhöhen (ulimit -n)</translation>
+    </message>
+    <message>
+        <source>standard output</source>
+        <translation>Standardausgabe</translation>
+    </message>
+    <message>
+        <source>is closed; send it to a file or to /dev/null</source>
+        <translation>ist geschlossen; in eine Datei oder nach /dev/null leiten</translation>
+    </message>
+    <message>
+        <source>the name has bytes that are not UTF-8; choose another one</source>
+        <translation>der Name hat Bytes, die kein UTF-8 sind; einen anderen wählen</translation>
+    </message>
+    <message>
+        <source>is a folder; give the name of a file</source>
+        <translation>ist ein Ordner; den Namen einer Datei angeben</translation>
+    </message>
+    <message>
+        <source>exists already; use --force to overwrite it or choose another name</source>
+        <translation>gibt es schon; mit --force überschreiben oder einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2; free some space or choose another place with -o</source>
+        <translation>%1: kann nicht geschrieben werden: %2; Platz schaffen oder mit -o einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2; choose another place with -o</source>
+        <translation>%1: kann nicht geschrieben werden: %2; mit -o einen anderen Ort wählen</translation>
+    </message>
+    <message>
+        <source>may be %1; give the whole name</source>
+        <translation>kann %1 sein; den ganzen Namen angeben</translation>
+    </message>
+    <message>
+        <source>is not known; did you mean `%1`?</source>
+        <translation>ist nicht bekannt; war `%1` gemeint?</translation>
+    </message>
+    <message>
+        <source>is not known; `%1` lists them</source>
+        <translation>ist nicht bekannt; `%1` listet auf, was es gibt</translation>
+    </message>
+    <message>
+        <source>the file of presets has an empty name; without one the built-in ones are taken</source>
+        <translation>die Datei mit Vorgaben hat einen leeren Namen; ohne die Option gelten die eingebauten</translation>
+    </message>
+    <message>
+        <source>%1: the file of presets %2</source>
+        <translation>%1: die Datei mit Vorgaben %2</translation>
+    </message>
+    <message>
+        <source>%1: the file of presets is larger than %2 KiB, too large to be meant</source>
+        <translation>%1: die Datei mit Vorgaben ist größer als %2 KiB, zu groß, um gemeint zu sein</translation>
+    </message>
+    <message>
+        <source>%1 is a drill string, whose sections are given one by one</source>
+        <translation>%1 ist ein Bohrstrang, dessen Abschnitte einzeln angegeben werden</translation>
+    </message>
+    <message>
+        <source>%1 is given by its dimensionless groups; presets need a scenario in physical units</source>
+        <translation>%1 ist durch dimensionslose Kennzahlen gegeben; Vorgaben brauchen ein Szenario in physikalischen Einheiten</translation>
+    </message>
+    <message>
+        <source>--presets is about --rod, --hammer and --rock; add one of them</source>
+        <translation>--presets gilt für --rod, --hammer und --rock; eines davon hinzufügen</translation>
+    </message>
+    <message>
+        <source>rods, for %1</source>
+        <translation>Stangen, für %1</translation>
+    </message>
+    <message>
+        <source>hammers, for %1</source>
+        <translation>Hämmer, für %1</translation>
+    </message>
+    <message>
+        <source>rocks, for %1</source>
+        <translation>Gesteine, für %1</translation>
+    </message>
+    <message>
+        <source>pistons, for drill strings (length × diameter / bore)</source>
+        <translation>Kolben, für Bohrstränge (Länge × Durchmesser / Bohrung)</translation>
+    </message>
+    <message>
+        <source>adapters, for drill strings (length × diameter / bore)</source>
+        <translation>Einsteckenden, für Bohrstränge (Länge × Durchmesser / Bohrung)</translation>
+    </message>
+    <message>
+        <source>couplings, for drill strings (length × diameter / bore)</source>
+        <translation>Kupplungsmuffen, für Bohrstränge (Länge × Durchmesser / Bohrung)</translation>
+    </message>
+    <message>
+        <source>bits, for drill strings (length × diameter / bore)</source>
+        <translation>Bohrkronen, für Bohrstränge (Länge × Durchmesser / Bohrung)</translation>
+    </message>
+    <message>
+        <source>no preset has all of &quot;%1&quot;</source>
+        <translation>keine Vorgabe enthält alles aus &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>%1 done</source>
+        <translation>%1 fertig</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>noch %1</translation>
+    </message>
+    <message>
+        <source>solving for %1; Ctrl-C ends it</source>
+        <translation>löst seit %1; Strg-C bricht ab</translation>
+    </message>
+    <message>
+        <source>solving for %1</source>
+        <translation>löst seit %1</translation>
+    </message>
+    <message>
+        <source>needs -o DIR, -o FILE.html or -o FILE.pdf, where to write</source>
+        <translation>braucht -o DIR, -o FILE.html oder -o FILE.pdf, wohin geschrieben wird</translation>
+    </message>
+    <message>
+        <source>a report is FILE.html or FILE.pdf; for a folder of that name put / behind it</source>
+        <translation>ein Bericht ist FILE.html oder FILE.pdf; für einen Ordner dieses Namens / dahinter setzen</translation>
+    </message>
+    <message>
+        <source>report in %1</source>
+        <translation>Bericht in %1</translation>
+    </message>
+    <message>
+        <source>--shard %1: needs I/N, 1 &lt;= I &lt;= N &lt;= %2</source>
+        <translation>--shard %1: braucht I/N, 1 &lt;= I &lt;= N &lt;= %2</translation>
+    </message>
+    <message>
+        <source>%1; --work-limit, now %2, permits more</source>
+        <translation>%1; --work-limit, jetzt %2, erlaubt mehr</translation>
+    </message>
+    <message>
+        <source>%1 row</source>
+        <translation>%1 Zeile</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 Zeilen</translation>
+    </message>
+    <message>
+        <source>%1; %2 for other reasons</source>
+        <translation>%1; %2 aus anderen Gründen</translation>
+    </message>
+    <message>
+        <source>%1: could not be solved: %2</source>
+        <translation>%1: konnte nicht gelöst werden: %2</translation>
+    </message>
+    <message>
+        <source>Outputs:</source>
+        <translation>Ergebnisse:</translation>
+    </message>
+    <message>
+        <source>all of these that FILE has: some need a blow frequency, thrust_margin a thrust too</source>
+        <translation>alle davon, die FILE hat: manche brauchen eine Schlagfrequenz, thrust_margin auch einen Andruck</translation>
+    </message>
+    <message>
+        <source>Of many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency and drill.thrust:</source>
+        <translation>Aus vielen Schlägen, nur namentlich, da jeder Fall eine eigene Rechnung braucht; FILE braucht drill.blow_frequency und drill.thrust:</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows could not be solved: their output cells are empty; %3</source>
+        <translation>%1 von %2 Zeilen ohne Lösung, ihre Ergebniszellen bleiben leer; %3</translation>
+    </message>
+    <message>
+        <source>note: the waves of this blow are more than can be kept: no histories.csv and no plots</source>
+        <translation>Hinweis: dieser Schlag hat mehr Wellen, als behalten werden können: keine histories.csv und keine Diagramme</translation>
+    </message>
+    <message>
+        <source>%1 and %2 %3; give one of them</source>
+        <translation>%1 und %2 %3; eines davon angeben</translation>
+    </message>
+    <message>
+        <source>needs KEY=VALUE</source>
+        <translation>braucht KEY=VALUE</translation>
+    </message>
+    <message>
+        <source>holds %1</source>
+        <translation>enthält %1</translation>
+    </message>
+    <message>
+        <source>%1: note: written by Drillwave %2, newer than this %3: results may differ</source>
+        <translation>%1: Hinweis: von Drillwave %2 geschrieben, das neuer ist als dieses %3: Ergebnisse können abweichen</translation>
+    </message>
+    <message>
+        <source>%1: the scenario file %2</source>
+        <translation>%1: die Szenariodatei %2</translation>
+    </message>
+    <message>
+        <source>%1: the scenario file %2; did you mean the example %3?</source>
+        <translation>%1: die Szenariodatei %2; war das Beispiel %3 gemeint?</translation>
+    </message>
+    <message>
+        <source>-o %1 is read as input (%2); choose another name for the output</source>
+        <translation>-o %1 wird als Eingabe gelesen (%2); für die Ausgabe einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>FILE - and --presets - would both read standard input; take one</source>
+        <translation>FILE - und --presets - würden beide die Standardeingabe lesen; eines davon nehmen</translation>
+    </message>
+    <message>
+        <source>%1 with --set: %2</source>
+        <translation>%1 mit --set: %2</translation>
+    </message>
+    <message>
+        <source>%1: note: was solved by %2; this command solves exactly</source>
+        <translation>%1: Hinweis: bisherige Lösung: %2; dieser Befehl löst exakt</translation>
+    </message>
+    <message>
+        <source>%1: warning: %2</source>
+        <translation>%1: Warnung: %2</translation>
+    </message>
+    <message>
+        <source>--plots %1: `%2` is not a plot format; choose from %3</source>
+        <translation>--plots %1: `%2` ist kein Format für Diagramme; möglich sind %3</translation>
+    </message>
+    <message>
+        <source>--plots: there is no place for pictures beside %1; give -o FILE.csv</source>
+        <translation>--plots: neben %1 ist kein Platz für Bilder; -o FILE.csv angeben</translation>
+    </message>
+    <message>
+        <source>needs --vary KEY=START:STOP:COUNT[:log] or --vary KEY=A,B,C</source>
+        <translation>braucht --vary KEY=START:STOP:COUNT[:log] oder --vary KEY=A,B,C</translation>
+    </message>
+    <message>
+        <source>FILE and CASES are both standard input; give a name for one</source>
+        <translation>FILE und CASES sind beide die Standardeingabe; für eines einen Namen angeben</translation>
+    </message>
+    <message>
+        <source>--frequency VALUES is --along drill.blow_frequency=VALUES; give one of them</source>
+        <translation>--frequency VALUES ist --along drill.blow_frequency=VALUES; eines davon angeben</translation>
+    </message>
+    <message>
+        <source>pulse.shape is no number; sweep takes it</source>
+        <translation>pulse.shape ist keine Zahl; sweep nimmt es</translation>
+    </message>
+    <message>
+        <source>%1: at most %2 values</source>
+        <translation>%1: höchstens %2 Werte</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 points could not be solved: their cells are empty; the first: %4</source>
+        <translation>%1: %2 von %3 Punkten ohne Lösung, ihre Zellen bleiben leer; der erste: %4</translation>
+    </message>
+    <message>
+        <source>-o writes the table of --along; add --along KEY=START:STOP</source>
+        <translation>-o schreibt die Tabelle von --along; --along KEY=START:STOP hinzufügen</translation>
+    </message>
+    <message>
+        <source>unknown option `%1`; see drillwave --help</source>
+        <translation>unbekannte Option `%1`; siehe drillwave --help</translation>
+    </message>
+    <message>
+        <source>`%1` is neither a command, nor a file or an example; did you mean `drillwave %2`?</source>
+        <translation>`%1` ist weder ein Befehl noch eine Datei oder ein Beispiel; war `drillwave %2` gemeint?</translation>
+    </message>
+    <message>
+        <source>No such file or command; see drillwave --help</source>
+        <translation>Keine solche Datei und kein solcher Befehl; siehe drillwave --help</translation>
+    </message>
+    <message>
+        <source>`%1` is too much; the window opens one file</source>
+        <translation>`%1` ist zu viel; das Fenster öffnet nur eine Datei</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -9660,6 +11958,780 @@ wurf</translation>
     <message>
         <source>&amp;Reset layout</source>
         <translation>Anordnung &amp;zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>help</name>
+    <message>
+        <source>Usage: drillwave [FILE]             open the window (with a scenario, a result or an example)
+       drillwave COMMAND ARGUMENTS  work without a window
+
+Commands:
+</source>
+        <translation>Aufruf: drillwave [FILE]             das Fenster öffnen (mit Szenario, Ergebnis oder Beispiel)
+        drillwave COMMAND ARGUMENTS  ohne Fenster arbeiten
+
+Befehle:
+</translation>
+    </message>
+    <message>
+        <source>
+  drillwave help TOPIC  says more: of a command, as COMMAND --help and -h do; of a parameter
+  (help bit_rock.gamma), an output (help cor), a symbol; it prints chapters of the manual and
+  sections of them (help theory 10). drillwave version prints the version.
+  Chapters: %1.
+  Without a display the window needs `-platform offscreen`.
+  drillwave --reset-ui  opens the window with its first layout, page, units and choices;
+  drillwave --language de  in German this once (sv: Swedish, en: English).
+  Commands have --language, too; for all of them set DRILLWAVE_LANGUAGE=de.
+
+Exit codes: %2.
+</source>
+        <translation>
+  drillwave help TOPIC  sagt mehr: zu einem Befehl, wie auch COMMAND --help und -h; zu einem
+  Parameter (help bit_rock.gamma), einem Ergebnis (help cor), einem Formelzeichen; es gibt
+  Kapitel des Handbuchs und Abschnitte daraus aus (help theory 10). drillwave version gibt die
+  Version aus.
+  Kapitel: %1.
+  Ohne Bildschirm braucht das Fenster `-platform offscreen`.
+  drillwave --reset-ui  öffnet es mit Anordnung, Seite, Einheiten und Auswahl wie beim ersten Mal;
+  drillwave --language de  dieses eine Mal auf Deutsch (sv: Schwedisch, en: Englisch).
+  Auch die Befehle kennen --language; für alle zugleich DRILLWAVE_LANGUAGE=de setzen.
+
+Exit-Codes: %2.
+</translation>
+    </message>
+    <message>
+        <source>FILE is a scenario, a result that holds one (summary.json, histories.csv, map.csv.yaml …), the name of
+a built-in example, or - for standard input.</source>
+        <translation>FILE ist ein Szenario, ein Ergebnis, das eines enthält (summary.json, histories.csv,
+map.csv.yaml …), der Name eines eingebauten Beispiels oder - für die Standardeingabe.</translation>
+    </message>
+    <message>
+        <source>0 done, 1 internal error or out of memory, 2 usage, 3 input cannot be read,
+4 output cannot be written, 5 scenario invalid, 6 a case could not be solved, 130 interrupted</source>
+        <translation>0 fertig, 1 interner Fehler oder Speicher erschöpft, 2 falscher Aufruf,
+3 Eingabe nicht lesbar, 4 Ausgabe nicht schreibbar, 5 Szenario ungültig,
+6 ein Fall ließ sich nicht lösen, 130 abgebrochen</translation>
+    </message>
+    <message>
+        <source>Options:</source>
+        <translation>Optionen:</translation>
+    </message>
+    <message>
+        <source>this text</source>
+        <translation>dieser Text</translation>
+    </message>
+    <message>
+        <source>version of the program</source>
+        <translation>Version des Programms</translation>
+    </message>
+    <message>
+        <source>solve one blow; a summary, and histories, events and plots into a folder</source>
+        <translation>einen Schlag lösen; Zusammenfassung, und in einen Ordner Verläufe, Ereignisse und Diagramme</translation>
+    </message>
+    <message>
+        <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
+first four can be run again. Of a drill string the histories hold the waves in the middle of its longest
+section. The plots are blow.*, rock.*, wave_picture.* and rod.*.</source>
+        <translation>Mit -o bekommt DIR scenario.yaml, summary.json, histories.csv, events.csv und die Diagramme: aus
+jeder der ersten vier Dateien lässt sich der Lauf wiederholen. Von einem Bohrstrang enthalten die
+Verläufe die Wellen in der Mitte seines längsten Abschnitts. Die Diagramme sind blow.*, rock.*,
+wave_picture.* und rod.*.</translation>
+    </message>
+    <message>
+        <source>change parameters, e.g. rod.length=4.27m beta=0.8</source>
+        <translation>Parameter ändern, zum Beispiel rod.length=4.27m beta=0.8</translation>
+    </message>
+    <message>
+        <source>take this rod; `drillwave presets` lists rods, hammers and rocks</source>
+        <translation>diese Stange nehmen; `drillwave presets` listet Stangen, Hämmer und Gesteine auf</translation>
+    </message>
+    <message>
+        <source>take this hammer</source>
+        <translation>diesen Hammer nehmen</translation>
+    </message>
+    <message>
+        <source>take this rock</source>
+        <translation>dieses Gestein nehmen</translation>
+    </message>
+    <message>
+        <source>a file of presets of your own, in place of the built-in ones</source>
+        <translation>eine eigene Datei mit Vorgaben, anstelle der eingebauten</translation>
+    </message>
+    <message>
+        <source>print one JSON object in place of the summary</source>
+        <translation>ein JSON-Objekt anstelle der Zusammenfassung ausgeben</translation>
+    </message>
+    <message>
+        <source>exact, lattice or closed_form; if not given, that of the result FILE is, or exact</source>
+        <translation>exact, lattice oder closed_form; ohne Angabe das Verfahren des Ergebnisses FILE, sonst exact</translation>
+    </message>
+    <message>
+        <source>of the lattice, 10000 as in the paper if not given</source>
+        <translation>Segmente des Gitters, ohne Angabe 10000 wie in der Veröffentlichung</translation>
+    </message>
+    <message>
+        <source>wave pieces a blow may take, 1000000 (at worst some seconds) if not given</source>
+        <translation>Wellenstücke, die ein Schlag brauchen darf, ohne Angabe 1000000 (höchstens einige Sekunden)</translation>
+    </message>
+    <message>
+        <source>write the files of the run into DIR; - writes none</source>
+        <translation>die Dateien des Laufs nach DIR schreiben; - schreibt keine</translation>
+    </message>
+    <message>
+        <source>with -o, also plots in these formats</source>
+        <translation>mit -o auch Diagramme in diesen Formaten</translation>
+    </message>
+    <message>
+        <source>with -o, CSV columns in SI, as they are where the scenario has units</source>
+        <translation>mit -o CSV-Spalten in SI-Einheiten, wie ohnehin bei Szenarien mit Einheiten</translation>
+    </message>
+    <message>
+        <source>with -o, CSV columns dimensionless all the same</source>
+        <translation>mit -o CSV-Spalten trotzdem dimensionslos</translation>
+    </message>
+    <message>
+        <source>overwrite existing files</source>
+        <translation>vorhandene Dateien überschreiben</translation>
+    </message>
+    <message>
+        <source>speak German (de), Swedish (sv) or English (en)</source>
+        <translation>Deutsch (de), Schwedisch (sv) oder Englisch (en) sprechen</translation>
+    </message>
+    <message>
+        <source>solve a grid of parameters, one CSV row per point</source>
+        <translation>ein Raster von Parametern lösen, eine CSV-Zeile je Punkt</translation>
+    </message>
+    <message>
+        <source>Every combination of the values of the axes is one row, later axes fastest. Values carry units
+where the parameter has one: --vary rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine
+FILE.csv.yaml beside FILE.csv says what the rows are: version, command, axes and scenario.
+--plots draws one axis or two: curves along the one with more values, one for each of the other.</source>
+        <translation>Jede Kombination der Werte der Achsen ist eine Zeile, spätere Achsen laufen am schnellsten.
+Werte haben Einheiten, wo der Parameter eine hat:
+--vary rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine
+FILE.csv.yaml neben FILE.csv sagt, was die Zeilen sind: Version, Befehl, Achsen und Szenario.
+--plots zeichnet eine Achse oder zwei: Kurven über der mit mehr Werten, eine für jeden der anderen.</translation>
+    </message>
+    <message>
+        <source>an axis: START:STOP:COUNT, START:STOP:COUNT:log or A,B,C</source>
+        <translation>eine Achse: START:STOP:COUNT, START:STOP:COUNT:log oder A,B,C</translation>
+    </message>
+    <message>
+        <source>output columns, cor if not given; see below</source>
+        <translation>Ergebnisspalten, ohne Angabe cor; siehe unten</translation>
+    </message>
+    <message>
+        <source>outputs in SI, with units in the header</source>
+        <translation>Ergebnisse in SI-Einheiten, mit Einheiten im Kopf</translation>
+    </message>
+    <message>
+        <source>wave pieces a row may take, 1000000 (at worst 2 s) if not given; else its cells are empty</source>
+        <translation>Wellenstücke, die eine Zeile brauchen darf, ohne Angabe 1000000 (höchstens 2 s); darüber bleiben ihre Zellen leer</translation>
+    </message>
+    <message>
+        <source>threads to use, all of them if not given</source>
+        <translation>zu nutzende Threads, ohne Angabe alle</translation>
+    </message>
+    <message>
+        <source>only the I-th of N contiguous parts, for `drillwave join`; header only in part 1</source>
+        <translation>nur den I-ten von N zusammenhängenden Teilen, für `drillwave join`; Kopf nur in Teil 1</translation>
+    </message>
+    <message>
+        <source>where to write, with FILE.csv.yaml beside it; - is standard output, as without</source>
+        <translation>wohin geschrieben wird, mit FILE.csv.yaml daneben; - ist die Standardausgabe, wie ohne Angabe</translation>
+    </message>
+    <message>
+        <source>with -o, also pictures in these formats, as in the window</source>
+        <translation>mit -o auch Bilder in diesen Formaten, wie im Fenster</translation>
+    </message>
+    <message>
+        <source>solve every row of a table of cases; its columns and the outputs</source>
+        <translation>jede Zeile einer Tabelle von Fällen lösen; ihre Spalten und die Ergebnisse</translation>
+    </message>
+    <message>
+        <source>The header of CASES names parameters, with a unit in brackets or units in the cells: rod.length [m].
+An empty cell leaves the value of FILE. Columns that are no parameters are passed through.
+CASES may be - or a pipe. FILE.csv.yaml beside FILE.csv says what the rows are.</source>
+        <translation>Der Kopf von CASES nennt Parameter, mit einer Einheit in eckigen Klammern oder Einheiten in den
+Zellen: rod.length [m]. Eine leere Zelle lässt den Wert von FILE gelten. Spalten, die keine
+Parameter sind, werden unverändert durchgereicht.
+CASES darf - oder eine Pipe sein. FILE.csv.yaml neben FILE.csv sagt, was die Zeilen sind.</translation>
+    </message>
+    <message>
+        <source>outputs along a parameter: extremes, kinks and crossings with places and errors</source>
+        <translation>Ergebnisse entlang eines Parameters: Extreme, Knicke und Schnittpunkte mit Stellen und Fehlern</translation>
+    </message>
+    <message>
+        <source>Follows outputs along a parameter by smooth pieces between kinks, which are found where the order
+of events changes; no grid to be chosen. Tells where each output is least and largest, its local
+extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is not
+smooth within the work permitted it is known by points alone, and the table says so.
+--goal asks the other way round: where along KEY the output is X. Each place is solved for, with its
+error, and it is told whether there may be others; where there is none, what comes nearest.
+Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
+        <translation>Verfolgt Ergebnisse entlang eines Parameters in glatten Stücken zwischen Knicken, die sich dort
+finden, wo die Reihenfolge der Ereignisse wechselt; ein Raster ist nicht zu wählen. Sagt, wo jedes
+Ergebnis am kleinsten und am größten ist, und nennt seine lokalen Extreme, Knicke, Sprünge und
+Schnittpunkte mit den gegebenen Werten, jeweils mit Fehler. Wo der erlaubte Aufwand für glatte
+Stücke nicht reicht, ist ein Ergebnis nur von einzelnen Punkten bekannt, und die Tabelle sagt das.
+--goal fragt umgekehrt: wo entlang KEY das Ergebnis X ist. Jede Stelle wird durch Lösen bestimmt,
+mit ihrem Fehler, und es wird gesagt, ob es weitere geben kann; wo es keine gibt, was am nächsten
+kommt.
+Werte haben Einheiten, wo der Parameter eine hat: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
+    </message>
+    <message>
+        <source>the parameter to go along: START:STOP or START:STOP:log</source>
+        <translation>der Parameter, über dem verfolgt wird: START:STOP oder START:STOP:log</translation>
+    </message>
+    <message>
+        <source>a line for each value: A,B,C, or START:STOP:COUNT[:log]</source>
+        <translation>eine Kurve für jeden Wert: A,B,C oder START:STOP:COUNT[:log]</translation>
+    </message>
+    <message>
+        <source>what to follow, cor if not given; see below</source>
+        <translation>was verfolgt wird, ohne Angabe cor; siehe unten</translation>
+    </message>
+    <message>
+        <source>also where the outputs cross this value, in the unit of their columns</source>
+        <translation>auch, wo die Ergebnisse diesen Wert kreuzen, in der Einheit ihrer Spalten</translation>
+    </message>
+    <message>
+        <source>every value of KEY that gives the only output this value, in the unit of its column; exit code 6 where none does</source>
+        <translation>alle Werte von KEY, bei denen das (einzige) Ergebnis diesen Wert hat, in der Einheit seiner Spalte; Exit-Code 6, wo es keinen gibt</translation>
+    </message>
+    <message>
+        <source>print one JSON object in place of the tables</source>
+        <translation>ein JSON-Objekt anstelle der Tabellen ausgeben</translation>
+    </message>
+    <message>
+        <source>outputs in SI</source>
+        <translation>Ergebnisse in SI-Einheiten</translation>
+    </message>
+    <message>
+        <source>wave pieces a blow may take, 1000000 if not given; else there is no answer</source>
+        <translation>Wellenstücke, die ein Schlag brauchen darf, ohne Angabe 1000000; darüber gibt es keine Antwort</translation>
+    </message>
+    <message>
+        <source>also write points of the lines, with FILE.csv.yaml beside it, places of the goal into FILE_goal.csv; - prints the points instead</source>
+        <translation>auch Punkte der Kurven schreiben, mit FILE.csv.yaml daneben, Stellen des Ziels in FILE_goal.csv; - gibt stattdessen die Punkte aus</translation>
+    </message>
+    <message>
+        <source>an output over two parameters, and its contours</source>
+        <translation>ein Ergebnis über zwei Parametern, und seine Höhenlinien</translation>
+    </message>
+    <message>
+        <source>FILE.csv has the rows of `drillwave sweep` over the same two axes, --y fastest. A contour has one
+point between two neighbouring points on either side of the level, placed there by the solver, not
+by interpolation: FILE_contours.csv says how near the level it is, or that the output jumps there.</source>
+        <translation>FILE.csv hat die Zeilen von `drillwave sweep` über denselben zwei Achsen, --y am schnellsten. Eine
+Höhenlinie hat einen Punkt zwischen zwei Nachbarpunkten beiderseits ihres Werts, durch Lösen
+bestimmt, nicht durch Interpolation: FILE_contours.csv sagt, wie nahe er dem Wert ist, oder dass das
+Ergebnis dort springt.</translation>
+    </message>
+    <message>
+        <source>the first parameter and its values; :log behind for even ratios</source>
+        <translation>der erste Parameter und seine Werte; :log dahinter für gleiche Verhältnisse</translation>
+    </message>
+    <message>
+        <source>the second one likewise</source>
+        <translation>ebenso der zweite</translation>
+    </message>
+    <message>
+        <source>what to map, cor if not given; see below</source>
+        <translation>Ergebnis des Kennfelds, ohne Angabe cor; siehe unten</translation>
+    </message>
+    <message>
+        <source>place the contour of this value; may be given again</source>
+        <translation>die Höhenlinie dieses Werts bestimmen; mehrmals möglich</translation>
+    </message>
+    <message>
+        <source>the output in SI, and levels too, which may then carry units</source>
+        <translation>Ergebnis und Höhenlinien in SI-Einheiten; Werte von Höhenlinien dürfen dann Einheiten haben</translation>
+    </message>
+    <message>
+        <source>print one JSON object, with the contours, in place of the summary</source>
+        <translation>ein JSON-Objekt, mit den Höhenlinien, anstelle der Zusammenfassung ausgeben</translation>
+    </message>
+    <message>
+        <source>wave pieces a point may take, 1000000 (at worst 2 s) if not given; else it has no output</source>
+        <translation>Wellenstücke, die ein Punkt brauchen darf, ohne Angabe 1000000 (höchstens 2 s); darüber hat er kein Ergebnis</translation>
+    </message>
+    <message>
+        <source>also write the points, with FILE.csv.yaml beside, contours into FILE_contours.csv; - prints the points instead</source>
+        <translation>auch die Punkte schreiben, mit FILE.csv.yaml daneben, Höhenlinien in FILE_contours.csv; - gibt stattdessen die Punkte aus</translation>
+    </message>
+    <message>
+        <source>put the parts of a sweep, table or map of --shard together</source>
+        <translation>die mit --shard gerechneten Teile von sweep, table oder map zusammenfügen</translation>
+    </message>
+    <message>
+        <source>FILE and FILE.yaml come out byte for byte as from the run in one piece. The parts may be named in
+any order; each needs its record beside it. All must be of one run (scenario, axes, version, number
+of parts), and each be there once: what is missing, doubled or foreign is named, with exit code 5.</source>
+        <translation>FILE und FILE.yaml werden Byte für Byte wie aus einem Lauf in einem Stück. Die Teile können in
+beliebiger Reihenfolge genannt werden; jeder braucht seine .yaml daneben. Alle müssen aus demselben
+Lauf stammen (Szenario, Achsen, Version, Anzahl der Teile), und jeder muss genau einmal da sein: was
+fehlt, doppelt oder fremd ist, wird genannt, mit Exit-Code 5.</translation>
+    </message>
+    <message>
+        <source>where to write, with FILE.yaml beside it; - is standard output</source>
+        <translation>wohin geschrieben wird, mit FILE.yaml daneben; - ist die Standardausgabe</translation>
+    </message>
+    <message>
+        <source>restitution, forces and efficiency over all gaps between bit and rock</source>
+        <translation>Stoßzahl, Kräfte und Wirkungsgrad über alle Spalte zwischen Bohrkrone und Gestein</translation>
+    </message>
+    <message>
+        <source>Results have a period in the gap, d0 = 2 I0/Z, which nobody controls at the rig: extremes and
+where they lie, mean, 5, 50 and 95 % quantiles, and the share of gaps with e &gt; 1, for all gaps of
+a period alike and, with --gap-deviation, for a gap scattered normally (cut off at no gap).</source>
+        <translation>Die Ergebnisse haben im Spalt die Periode d0 = 2 I0/Z, und den Spalt regelt am Bohrgerät niemand.
+Genannt werden Extreme und wo sie liegen, Mittel, 5 %-, 50 %- und 95 %-Quantil und der Anteil der
+Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind und, mit
+--gap-deviation, auch für einen normalverteilten Spalt (bei null abgeschnitten).</translation>
+    </message>
+    <message>
+        <source>mean of the scattered gap, as 0.5mm or, in d0, 0.2; that of FILE if not given</source>
+        <translation>Mittel des gestreuten Spalts, wie 0.5mm oder, in d0, 0.2; ohne Angabe der Spalt von FILE</translation>
+    </message>
+    <message>
+        <source>standard deviation of the scattered gap</source>
+        <translation>Standardabweichung des gestreuten Spalts</translation>
+    </message>
+    <message>
+        <source>print one JSON object in place of the table</source>
+        <translation>ein JSON-Objekt anstelle der Tabelle ausgeben</translation>
+    </message>
+    <message>
+        <source>also write the results along the gap; - prints them instead of the table</source>
+        <translation>auch die Ergebnisse über dem Spalt schreiben; - gibt sie anstelle der Tabelle aus</translation>
+    </message>
+    <message>
+        <source>with -o, columns in SI, with units in the header</source>
+        <translation>mit -o Spalten in SI-Einheiten, mit Einheiten im Kopf</translation>
+    </message>
+    <message>
+        <source>overwrite an existing file</source>
+        <translation>eine vorhandene Datei überschreiben</translation>
+    </message>
+    <message>
+        <source>many blows under a feed: gaps, penetration, whether the bit stays on the rock</source>
+        <translation>viele Schläge unter einem Vorschub: Spalte, Eindringung, ob die Bohrkrone auf dem Gestein bleibt</translation>
+    </message>
+    <message>
+        <source>Follows blow after blow: waves, motions and the machine on its damper live on between them,
+the rock is new for every blow. Told are the means with their errors, how many blows begin on
+the rock, whether the motion repeats, where the energy goes, and in a sentence what the
+thrust is good for with this damper. FILE needs drill.blow_frequency and drill.thrust.
+Penetrations are upper limits. With --scan the same over a parameter, each value from rest
+and from bouncing. DIR gets scenario.yaml, summary.json, blows.csv, with --histories
+histories.csv, and with --plots drilling.png.</source>
+        <translation>Verfolgt Schlag auf Schlag: Wellen, Bewegungen und die Maschine auf ihrem Dämpfer wirken von einem
+zum nächsten weiter, das Gestein ist für jeden Schlag neu. Genannt werden die Mittel mit ihren
+Fehlern, wie viele Schläge auf dem Gestein beginnen, ob sich die Bewegung wiederholt, wohin die
+Energie geht, und in einem Satz, wozu der Andruck mit diesem Dämpfer reicht. FILE braucht
+drill.blow_frequency und drill.thrust. Eindringungen sind obere Grenzen. Mit --scan dasselbe über
+einem Parameter, jeder Wert aus der Ruhe und aus dem Springen. DIR bekommt scenario.yaml,
+summary.json, blows.csv, mit --histories histories.csv und mit --plots drilling.png.</translation>
+    </message>
+    <message>
+        <source>short for --set drill.blows=N; 1000, of a scan 300, if not given</source>
+        <translation>kurz für --set drill.blows=N; ohne Angabe 1000, bei einem Durchlauf 300</translation>
+    </message>
+    <message>
+        <source>short for --set drill.settle=N: the first blows, which no statistic counts</source>
+        <translation>kurz für --set drill.settle=N: die ersten Schläge, die in keiner Statistik zählen</translation>
+    </message>
+    <message>
+        <source>short for --set drill.seed=N, of the scatter of the intervals</source>
+        <translation>kurz für --set drill.seed=N: Startwert der Streuung der Schlagabstände</translation>
+    </message>
+    <message>
+        <source>cells of time per t0, 10 to 400; 40, of a scan 20, if not given</source>
+        <translation>Zeitzellen je t0, 10 bis 400; ohne Angabe 40, bei einem Durchlauf 20</translation>
+    </message>
+    <message>
+        <source>over these values; :log behind it, or KEY=A,B,C</source>
+        <translation>Durchlauf über diese Werte; auch mit :log dahinter, oder KEY=A,B,C</translation>
+    </message>
+    <message>
+        <source>with --scan, also write the gap of every blow that counts</source>
+        <translation>mit --scan auch den Spalt jedes Schlags schreiben, der zählt</translation>
+    </message>
+    <message>
+        <source>with -o DIR, also write what happens from blow A to blow B</source>
+        <translation>mit -o DIR auch schreiben, was von Schlag A bis Schlag B geschieht</translation>
+    </message>
+    <message>
+        <source>numbers in SI, as if not given</source>
+        <translation>Zahlen in SI-Einheiten, wie auch ohne Angabe</translation>
+    </message>
+    <message>
+        <source>numbers as multiples of d0, v0, I0, F0 and t0</source>
+        <translation>Zahlen als Vielfache von d0, v0, I0, F0 und t0</translation>
+    </message>
+    <message>
+        <source>cells times nodes that are permitted, 4e9 if not given</source>
+        <translation>wie viele Zellen mal Knoten erlaubt sind, ohne Angabe 4e9</translation>
+    </message>
+    <message>
+        <source>also write a row for every blow, with FILE.csv.yaml beside, or all files into DIR; - prints the rows</source>
+        <translation>auch eine Zeile für jeden Schlag schreiben, mit FILE.csv.yaml daneben, oder alle Dateien nach DIR; - gibt die Zeilen aus</translation>
+    </message>
+    <message>
+        <source>thrust that blows need, and what the installed one does between them</source>
+        <translation>Andruck, den die Schläge brauchen, und was der installierte zwischen ihnen bewirkt</translation>
+    </message>
+    <message>
+        <source>First whether the installed thrust is enough, or what would be. By blow frequency f,
+impulse I0 of a blow and restitution e it is judged so (theory §10):
+  below f I0                machine pushed back
+  below f I0 (1+e)          penetration lost
+  below f I0 (1+2e)         enough, bounces: it leaves the rock between blows unless the
+                            machine damps
+  below f I0 (1+e)/(1-e)    enough, may bounce: one that was at rest is back before the
+                            next blow
+  from there on             enough, rests; over-feeding (friction, buckling, stalling) is
+                            outside the model
+The words are by the e of this blow. Beside it, each with its own e: 95 % of all gaps between bit
+and rock, rigid rock (e = 1), and the worst gap on elastic rock (gamma = 1). A margin is the
+installed thrust over f I0 (1+e), less 1; thrust_margin is that of the largest need. Where
+drill.inclination is given, the weight of rod and drill.machine_mass along the hole adds to the
+thrust in all of this. Gap at the blow: how far the bit is off the rock when the hammer strikes if
+nothing damps the rebound; - where that never becomes steady. n_b: round trips of the waves between
+two blows; what a damper changes `drillwave drill` follows. Needs a scenario in physical units with drill.blow_frequency; verdict and margins need
+drill.thrust. Of a drill string I0 is the impulse of the hammer&apos;s face; its gaps have no period, so that
+only this blow and rigid rock are told.</source>
+        <translation>Sagt zuerst, ob der installierte Andruck genügt oder welcher genügen würde. Geurteilt wird nach
+Schlagfrequenz f, Kraftstoß I0 eines Schlags und Stoßzahl e (theory §10):
+  unter f I0                Maschine weicht zurück
+  unter f I0 (1+e)          Eindringung verloren
+  unter f I0 (1+2e)         genug, springt: die Bohrkrone verlässt zwischen den Schlägen das
+                            Gestein, wenn die Maschine nicht dämpft
+  unter f I0 (1+e)/(1-e)    genug, springt vielleicht: eine zuvor ruhende Bohrkrone ist vor dem
+                            nächsten Schlag zurück
+  ab diesem Wert            genug, ruht; zu hoher Vorschub (Reibung, Knicken, Stehenbleiben der
+                            Drehung) liegt außerhalb des Modells
+Das Urteil richtet sich nach dem e dieses Schlags. Daneben, jeweils mit eigenem e: 95 % aller Spalte
+zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und der schlechteste Spalt auf elastischem
+Gestein (gamma = 1). Eine Reserve ist der installierte Andruck durch f I0 (1+e), weniger 1;
+thrust_margin ist die beim größten Bedarf. Wo drill.inclination gegeben ist, kommt bei alledem das
+Gewicht von Stange und drill.machine_mass entlang des Lochs zum Andruck hinzu. Spalt beim Schlag:
+wie weit die Bohrkrone vom Gestein entfernt ist, wenn der Hammer schlägt und nichts den Rückprall
+dämpft; - steht da, wo das nie gleichmäßig wird. n_b: Hin- und Rückläufe der Wellen zwischen zwei
+Schlägen; was ein Dämpfer ändert, verfolgt `drillwave drill`. Braucht ein Szenario in physikalischen
+Einheiten mit drill.blow_frequency; Urteil und Reserven brauchen drill.thrust. Bei einem Bohrstrang
+ist I0 der Kraftstoß an der Hammerfläche; seine Spalte haben keine Periode, so dass nur dieser
+Schlag und starres Gestein angegeben werden.</translation>
+    </message>
+    <message>
+        <source>also a table along a parameter: START:STOP[:COUNT][:log], 101 points, or each whole number, if not given, or A,B,C</source>
+        <translation>auch eine Tabelle über einem Parameter: START:STOP[:COUNT][:log], ohne COUNT 101 Punkte oder jede ganze Zahl, oder A,B,C</translation>
+    </message>
+    <message>
+        <source>short for --along drill.blow_frequency=VALUES</source>
+        <translation>kurz für --along drill.blow_frequency=VALUES</translation>
+    </message>
+    <message>
+        <source>threads for --along, all of them if not given</source>
+        <translation>Threads für --along, ohne Angabe alle</translation>
+    </message>
+    <message>
+        <source>also write the table of --along; - prints it instead</source>
+        <translation>auch die Tabelle von --along schreiben; - gibt sie stattdessen aus</translation>
+    </message>
+    <message>
+        <source>which choice is best over what is not known, what it costs, what to measure</source>
+        <translation>die beste Wahl bei unsicheren Größen, was sie kostet, was zu messen ist</translation>
+    </message>
+    <message>
+        <source>Every design of the choices is solved at the same samples of what is uncertain. Told are the best
+one by the first aim (robust best), the one that would be best where all is as in FILE (nominal
+best), which others are as good as far as the samples tell, what is worth measuring, and the worst
+that was found in the ranges.
+  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
+                                       :lognormal with LOW and HIGH as the limits of 95 %
+  --uncertain KEY=+-P%                 about the value of FILE or of the design
+Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
+max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. DIR gets designs.csv,
+pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
+        <translation>Jede Auslegung, die zur Wahl steht, wird an denselben Stichproben dessen gelöst, was unsicher ist.
+Genannt werden die nach dem ersten Ziel beste (robust beste), die, die am besten wäre, wenn alles
+wie in FILE ist (nominal beste), welche anderen nach den Stichproben gleichauf liegen, was sich zu
+messen lohnt, und das Schlechteste, das in den Bereichen gefunden wurde.
+  --uncertain KEY=LOW:HIGH             alle Werte gleich wahrscheinlich, mit :log im Logarithmus;
+                                       :normal und :lognormal mit LOW und HIGH als Grenzen von 95 %
+  --uncertain KEY=+-P%                 um den Wert von FILE oder der Auslegung
+Statistiken sind mean, q01 bis q99, min, max und nominal (wie in FILE). Ohne --aim:
+max:efficiency@q05, und min:thrust@q95, wo FILE eine Schlagfrequenz hat. DIR bekommt designs.csv,
+pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json und, mit --plots, design.png.</translation>
+    </message>
+    <message>
+        <source>what is not known; see below</source>
+        <translation>was nicht bekannt ist; siehe unten</translation>
+    </message>
+    <message>
+        <source>rows of values that belong together, headed as for table</source>
+        <translation>Zeilen zusammengehöriger Werte, mit einem Kopf wie bei table</translation>
+    </message>
+    <message>
+        <source>what can be chosen; :log behind it, or KEY=A,B,C</source>
+        <translation>was gewählt werden kann; auch mit :log dahinter, oder KEY=A,B,C</translation>
+    </message>
+    <message>
+        <source>or min:…; one to three, the first decides</source>
+        <translation>oder min:…; eines bis drei, das erste entscheidet</translation>
+    </message>
+    <message>
+        <source>a limit to every design</source>
+        <translation>eine Grenze für jede Auslegung</translation>
+    </message>
+    <message>
+        <source>likewise</source>
+        <translation>ebenso</translation>
+    </message>
+    <message>
+        <source>every design&apos;s blow has the energy of FILE&apos;s</source>
+        <translation>der Schlag jeder Auslegung hat dieselbe Energie wie der von FILE</translation>
+    </message>
+    <message>
+        <source>samples of a design, 4096, of a string 1024, if not given; a power of two</source>
+        <translation>Stichproben je Auslegung, ohne Angabe 4096, bei einem Strang 1024; eine Zweierpotenz</translation>
+    </message>
+    <message>
+        <source>which samples, 1 if not given</source>
+        <translation>welche Stichproben, ohne Angabe 1</translation>
+    </message>
+    <message>
+        <source>also write tables, the best design and the JSON object into DIR</source>
+        <translation>auch Tabellen, die beste Auslegung und das JSON-Objekt nach DIR schreiben</translation>
+    </message>
+    <message>
+        <source>a page to hand over: inputs with sources, results, verdict, plots, the scenario</source>
+        <translation>eine Seite zum Weitergeben: Eingaben mit Quellen, Ergebnisse, Urteil, Diagramme, das Szenario</translation>
+    </message>
+    <message>
+        <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
+again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on two to four pages of
+A4. DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has
+units, and those of `run --json`; the source of a value is the comment behind it in the file. Of a
+drill string also its sections, drawn to scale, with their largest stresses.</source>
+        <translation>FILE.html enthält alles in einer Datei, auch die Bilder und das Szenario, und lässt sich neu
+rechnen: `drillwave run FILE.html`. FILE.pdf ist dasselbe zum Drucken, auf zwei bis vier Seiten A4.
+DIR bekommt beide, als report.html und report.pdf. Die Zahlen sind die von `run --json`, in
+SI-Einheiten, wo das Szenario Einheiten hat; die Quelle eines Werts ist der Kommentar dahinter in
+der Datei. Von einem Bohrstrang auch die Abschnitte, maßstäblich gezeichnet, mit ihren größten
+Spannungen.</translation>
+    </message>
+    <message>
+        <source>below the title: what the report is for</source>
+        <translation>unter dem Titel: wofür der Bericht ist</translation>
+    </message>
+    <message>
+        <source>who wrote it</source>
+        <translation>wer ihn geschrieben hat</translation>
+    </message>
+    <message>
+        <source>whom it is for</source>
+        <translation>für wen er ist</translation>
+    </message>
+    <message>
+        <source>of when it is, as it is to be read; none unless given</source>
+        <translation>von wann er ist, so wie es dort stehen soll; ohne Angabe kein Datum</translation>
+    </message>
+    <message>
+        <source>where to write; - prints the HTML</source>
+        <translation>wohin geschrieben wird; - gibt das HTML aus</translation>
+    </message>
+    <message>
+        <source>the figures of the paper, and each number it prints beside the exact one</source>
+        <translation>die Abbildungen der Veröffentlichung, und jede dort gedruckte Zahl neben der exakten</translation>
+    </message>
+    <message>
+        <source>DIR gets the data of Figs 3 to 8 as CSV, the figures as pictures, discrepancies.csv, and
+index.html with all of it. Reference curves come with k0 = Z/(2T), as the paper draws them,
+and with k0 = Z/t0, as it defines it.</source>
+        <translation>DIR bekommt die Daten der Abbildungen 3 bis 8 als CSV, die Abbildungen als Bilder, discrepancies.csv
+und index.html mit allem. Die Kurven des Referenzfalls gibt es mit k0 = Z/(2T), wie die
+Veröffentlichung sie zeichnet, und mit k0 = Z/t0, wie sie es definiert.</translation>
+    </message>
+    <message>
+        <source>where to write; - prints discrepancies.csv alone</source>
+        <translation>wohin geschrieben wird; - gibt nur discrepancies.csv aus</translation>
+    </message>
+    <message>
+        <source>formats of the figures, png,svg if not given</source>
+        <translation>Formate der Abbildungen, ohne Angabe png,svg</translation>
+    </message>
+    <message>
+        <source>error against run time, every method and resolution</source>
+        <translation>Fehler über der Rechenzeit, jedes Verfahren und jede Auflösung</translation>
+    </message>
+    <message>
+        <source>Solves the blow exactly, in closed form where that applies, and with the paper&apos;s lattice of
+100 to 20000 segments, and compares errors and run times. Takes some ten seconds. Of a drill
+string: polynomial cells of several sizes beside a plain lattice.</source>
+        <translation>Löst den Schlag exakt, in geschlossener Form, wo sie gilt, und mit dem Gitter der Veröffentlichung
+(100 bis 20000 Segmente), und vergleicht Fehler und Rechenzeiten. Dauert etwa zehn Sekunden. Bei
+einem Bohrstrang: polynomiale Zellen mehrerer Größen neben einem einfachen Gitter.</translation>
+    </message>
+    <message>
+        <source>of the lattice, in place of 100 to 20000</source>
+        <translation>Segmente des Gitters, anstelle von 100 bis 20000</translation>
+    </message>
+    <message>
+        <source>moves of waves by a segment that the lattices may take, 1000000000 (half a minute) if not given</source>
+        <translation>wie oft die Gitter Wellen um ein Segment verschieben dürfen, ohne Angabe 1000000000 (eine halbe Minute)</translation>
+    </message>
+    <message>
+        <source>also write accuracy.csv into DIR; - prints it instead of the table</source>
+        <translation>auch accuracy.csv nach DIR schreiben; - gibt sie anstelle der Tabelle aus</translation>
+    </message>
+    <message>
+        <source>check the solver on stiff and extreme cases</source>
+        <translation>das exakte Verfahren an steifen und extremen Fällen prüfen</translation>
+    </message>
+    <message>
+        <source>Solves some thousand cases: the published ones, the known traps of such solvers, each parameter
+through its whole range, and products of extremes for every shape. Each is checked for the balance
+of momentum and of energy, for pulling rock, for contacts missed after the end, for continuity
+(e over changes of 1e-10 in each parameter), against its limits on soft and rigid rock and, where
+its steps resolve the contact, against the lattice solver; its stated error against a solution in
+long double. Exit code 6 if any check fails.
+Not covered, as it needs more than 30 million wave pieces: beta below 1e-6 with gamma below 1, and
+tau below 0.1 with exponential and piston blows.</source>
+        <translation>Löst einige tausend Fälle: die veröffentlichten, die bekannten Fallstricke solcher Verfahren, jeden
+Parameter durch seinen ganzen Bereich, und Kombinationen von Extremwerten für jede Form. Geprüft
+werden bei jedem die Bilanzen von Impuls und Energie, ob Gestein zieht, ob nach dem Ende ein Kontakt
+verpasst wurde, die Stetigkeit (e bei Änderungen jedes Parameters um 1e-10), die Grenzfälle auf
+weichem und starrem Gestein und, wo dessen Schritte den Kontakt auflösen, die Übereinstimmung mit
+dem Gitter; der angegebene Fehler an einer Lösung in long double. Exit-Code 6, wenn eine Prüfung
+fehlschlägt.
+Nicht abgedeckt, da es mehr als 30 Millionen Wellenstücke braucht: beta unter 1e-6 mit gamma
+unter 1, und tau unter 0,1 bei exponentiellen Schlägen und Kolbenschlägen.</translation>
+    </message>
+    <message>
+        <source>print one JSON object with all cases</source>
+        <translation>ein JSON-Objekt mit allen Fällen ausgeben</translation>
+    </message>
+    <message>
+        <source>write stability.csv into this folder; - prints it instead of the summary</source>
+        <translation>stability.csv in diesen Ordner schreiben; - gibt sie anstelle der Zusammenfassung aus</translation>
+    </message>
+    <message>
+        <source>list the problems of scenarios, one a line</source>
+        <translation>die Fehler von Szenarien auflisten, einen je Zeile</translation>
+    </message>
+    <message>
+        <source>Says nothing about a file without problems. Takes files of presets, too.</source>
+        <translation>Sagt nichts zu einer Datei ohne Fehler. Nimmt auch Dateien mit Vorgaben.</translation>
+    </message>
+    <message>
+        <source>list the built-in scenarios, or write them</source>
+        <translation>die eingebauten Szenarien auflisten, oder sie schreiben</translation>
+    </message>
+    <message>
+        <source>`drillwave examples t38_medium_rock -o -` prints one.</source>
+        <translation>`drillwave examples t38_medium_rock -o -` gibt eines aus.</translation>
+    </message>
+    <message>
+        <source>write them as scenario files into DIR; - prints them</source>
+        <translation>sie als Szenariodateien nach DIR schreiben; - gibt sie aus</translation>
+    </message>
+    <message>
+        <source>list rods, hammers, rocks and pieces of drill strings, with their sources</source>
+        <translation>Stangen, Hämmer, Gesteine und Teile von Bohrsträngen auflisten, mit ihren Quellen</translation>
+    </message>
+    <message>
+        <source>Those that are built in, or those of a file in the same format. A command takes them with --rod
+NAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has it. Pistons,
+adapters, couplings and bits are pieces of drill strings, to be put in on the page String of the window.</source>
+        <translation>Die eingebauten, oder die einer Datei im selben Format. Ein Befehl nimmt sie mit --rod NAME,
+--hammer NAME und --rock NAME; der Anfang eines Namens genügt, wo nur einer ihn hat. Kolben,
+Einsteckenden, Kupplungsmuffen und Bohrkronen sind Teile von Bohrsträngen, die auf der Seite Strang
+des Fensters eingesetzt werden.</translation>
+    </message>
+    <message>
+        <source>only those with all of these words in kind, name, numbers or source: &quot;T38 bit&quot;</source>
+        <translation>nur die mit allen diesen Wörtern in Art, Name, Zahlen oder Quelle: &quot;T38 bit&quot;</translation>
+    </message>
+    <message>
+        <source>mean gap at the blow, of many blows under a feed (drill)</source>
+        <translation>mittlerer Spalt beim Schlag, über viele Schläge unter einem Vorschub (drill)</translation>
+    </message>
+    <message>
+        <source>standard deviation of that gap</source>
+        <translation>Standardabweichung dieses Spalts</translation>
+    </message>
+    <message>
+        <source>gap that 5 % of the blows are below</source>
+        <translation>Spalt, unter dem 5 % der Schläge liegen</translation>
+    </message>
+    <message>
+        <source>gap that half of the blows are below</source>
+        <translation>Spalt, unter dem die Hälfte der Schläge liegt</translation>
+    </message>
+    <message>
+        <source>gap that 95 % of the blows are below</source>
+        <translation>Spalt, unter dem 95 % der Schläge liegen</translation>
+    </message>
+    <message>
+        <source>mean penetration of a blow: an upper limit</source>
+        <translation>mittlere Eindringung eines Schlags: eine obere Grenze</translation>
+    </message>
+    <message>
+        <source>its 95 % error; takes a second march with other cells</source>
+        <translation>ihr Fehler zu 95 %; braucht eine zweite Rechnung mit anderen Zellen</translation>
+    </message>
+    <message>
+        <source>mean penetration times blow frequency, m/s: an upper limit</source>
+        <translation>mittlere Eindringung mal Schlagfrequenz, m/s: eine obere Grenze</translation>
+    </message>
+    <message>
+        <source>mean impulse on the rock: feed force over frequency</source>
+        <translation>mittlerer Kraftstoß auf das Gestein: Vorschubkraft durch Frequenz</translation>
+    </message>
+    <message>
+        <source>mean of the largest forces on the rock</source>
+        <translation>Mittel der größten Kräfte auf das Gestein</translation>
+    </message>
+    <message>
+        <source>largest force of the damper</source>
+        <translation>größte Kraft des Dämpfers</translation>
+    </message>
+    <message>
+        <source>share of blows that begin within 0.01 d0 of the rock</source>
+        <translation>Anteil der Schläge, die höchstens 0,01 d0 vom Gestein entfernt beginnen</translation>
+    </message>
+    <message>
+        <source>contacts of a blow, mean</source>
+        <translation>Kontakte je Schlag, im Mittel</translation>
+    </message>
+    <message>
+        <source>blows after which the motion repeats, 1 to 16; 0 where it does not</source>
+        <translation>Schläge, nach denen sich die Bewegung wiederholt, 1 bis 16; 0, wo sie das nicht tut</translation>
+    </message>
+    <message>
+        <source>how fast motions part, per blow; above 0 single blows are no result; takes a second march</source>
+        <translation>wie schnell Bewegungen auseinanderlaufen, je Schlag; über 0 sind einzelne Schläge kein Ergebnis; braucht eine zweite Rechnung</translation>
+    </message>
+    <message>
+        <source>phi, feed force over mean reaction of the blows</source>
+        <translation>phi, Vorschubkraft durch mittlere Reaktion der Schläge</translation>
+    </message>
+    <message>
+        <source>n_b, round trips of a wave from blow to blow</source>
+        <translation>n_b, Hin- und Rückläufe einer Welle von Schlag zu Schlag</translation>
+    </message>
+    <message>
+        <source>error of the balance of momentum of all blows, over what the feed gave</source>
+        <translation>Fehler der Impulsbilanz aller Schläge, Anteil an dem, was der Vorschub gab</translation>
+    </message>
+    <message>
+        <source>error of the balance of energy of all blows, over the hammer work</source>
+        <translation>Fehler der Energiebilanz aller Schläge, Anteil an der Hammerarbeit</translation>
     </message>
 </context>
 </TS>

@@ -6881,6 +6881,2304 @@ en projektion av fler dimensioner</translation>
         <source>lattices of other step lengths find no solution, so that its error cannot be estimated; use more segments or the exact method</source>
         <translation>gitter med andra steglängder finner ingen lösning, så att felet inte kan uppskattas; använd fler segment eller den exakta metoden</translation>
     </message>
+    <message>
+        <source>%1; parts are joined by the records that were written with them</source>
+        <translation>%1; delar sätts ihop efter de .yaml-filer som skrevs tillsammans med dem</translation>
+    </message>
+    <message>
+        <source>part %1 of %2</source>
+        <translation>del %1 av %2</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 till %2</translation>
+    </message>
+    <message>
+        <source>is no record of rows</source>
+        <translation>är ingen .yaml-fil till rader</translation>
+    </message>
+    <message>
+        <source>cannot be read: %1</source>
+        <translation>kan inte läsas: %1</translation>
+    </message>
+    <message>
+        <source>is of another format than %1, from a newer program</source>
+        <translation>har ett annat format än %1, från ett nyare program</translation>
+    </message>
+    <message>
+        <source>has no command</source>
+        <translation>saknar kommando</translation>
+    </message>
+    <message>
+        <source>has no number of rows</source>
+        <translation>saknar antal rader</translation>
+    </message>
+    <message>
+        <source>part: %1 is no part I/N</source>
+        <translation>part: %1 är ingen del I/N</translation>
+    </message>
+    <message>
+        <source>%1: is %2, as %3 is; give each part once</source>
+        <translation>%1: är %2, liksom %3; ange varje del en gång</translation>
+    </message>
+    <message>
+        <source>part %1 of %2 is missing; run what is missing, or name it</source>
+        <translation>del %1 av %2 saknas; kör det som saknas, eller ange det</translation>
+    </message>
+    <message>
+        <source>parts %1 of %2 are missing; run what is missing, or name it</source>
+        <translation>delarna %1 av %2 saknas; kör det som saknas, eller ange det</translation>
+    </message>
+    <message>
+        <source>%1: has %2 rows, but %3 of all %4 has %5; it is of another run</source>
+        <translation>%1: har %2 rader, men %3, av totalt %4 rader, har %5; filen hör till en annan körning</translation>
+    </message>
+    <message>
+        <source>a dimensionless scenario has no drill; give the rod and the drill in units</source>
+        <translation>ett dimensionslöst scenario har ingen borrmaskin; ange stången och borrmaskinen med enheter</translation>
+    </message>
+    <message>
+        <source>is missing: many blows need it</source>
+        <translation>saknas: många slag kräver det</translation>
+    </message>
+    <message>
+        <source>the reference case rigid_body is one impact and has no blows</source>
+        <translation>referensfallet rigid_body är en enda stöt och har inga slag</translation>
+    </message>
+    <message>
+        <source>needs drill.machine_mass, which the damper carries</source>
+        <translation>kräver drill.machine_mass, som dämparen bär</translation>
+    </message>
+    <message>
+        <source>%1 must be less than the blows, which are %2</source>
+        <translation>%1 måste vara mindre än antalet slag, som är %2</translation>
+    </message>
+    <message>
+        <source>a blow lasts %1 s, which is no less than the interval of the blows; lower the frequency or make the blow shorter</source>
+        <translation>ett slag varar %1 s, vilket inte är kortare än tiden mellan slagen; sänk frekvensen eller gör slaget kortare</translation>
+    </message>
+    <message>
+        <source>waves take longer from hammer to bit than from blow to blow (%1 round trips); lower the frequency or make the string shorter</source>
+        <translation>vågorna behöver längre tid från hammare till borrkrona än det är mellan slagen (%1 varv fram och åter); sänk frekvensen eller gör strängen kortare</translation>
+    </message>
+    <message>
+        <source>must be %1 or %2</source>
+        <translation>måste vara %1 eller %2</translation>
+    </message>
+    <message>
+        <source>only a uniform rod has it (`drillwave: 1`)</source>
+        <translation>bara en likformig stång har det (`drillwave: 1`)</translation>
+    </message>
+    <message>
+        <source>only a drill string has it (`drillwave: 2`)</source>
+        <translation>bara en borrsträng har det (`drillwave: 2`)</translation>
+    </message>
+    <message>
+        <source>only a hammer of sections has it (`hammer`), this string is driven by a force</source>
+        <translation>bara en hammare av sektioner har det (`hammer`), denna sträng drivs av en kraft</translation>
+    </message>
+    <message>
+        <source>only faces with a stiffness have it (`hammer.face_stiffness`)</source>
+        <translation>bara slagytor med styvhet har det (`hammer.face_stiffness`)</translation>
+    </message>
+    <message>
+        <source>%1 cells</source>
+        <translation>%1 celler</translation>
+    </message>
+    <message>
+        <source>%1 pieces</source>
+        <translation>%1 bitar</translation>
+    </message>
+    <message>
+        <source>%1 of %2 segments</source>
+        <translation>%1 med %2 segment</translation>
+    </message>
+    <message>
+        <source>%1 steps</source>
+        <translation>%1 steg</translation>
+    </message>
+    <message>
+        <source>the margin of the thrust is known of uniform rods alone (`drillwave: 1`)</source>
+        <translation>matningskraftens marginal är känd bara för likformiga stänger (`drillwave: 1`)</translation>
+    </message>
+    <message>
+        <source>the margin of the thrust needs drill.thrust; give it in the scenario or with --set</source>
+        <translation>matningskraftens marginal kräver drill.thrust; ange den i scenariot eller med --set</translation>
+    </message>
+    <message>
+        <source>cannot be opened: %1</source>
+        <translation>kan inte öppnas: %1</translation>
+    </message>
+    <message>
+        <source>no such file</source>
+        <translation>filen finns inte</translation>
+    </message>
+    <message>
+        <source>is a folder, not a file</source>
+        <translation>är en mapp, ingen fil</translation>
+    </message>
+    <message>
+        <source>is not a regular file</source>
+        <translation>är ingen vanlig fil</translation>
+    </message>
+    <message>
+        <source>is larger than %1 KiB, too large to be meant</source>
+        <translation>är större än %1 KiB, för stor för att kunna vara avsedd</translation>
+    </message>
+    <message>
+        <source>set the same thing</source>
+        <translation>sätter samma sak</translation>
+    </message>
+    <message>
+        <source>`%1` is no number; write it into the scenario file</source>
+        <translation>`%1` är inget tal; skriv det i scenariofilen</translation>
+    </message>
+    <message>
+        <source>has no meaning here: %1</source>
+        <translation>saknar mening här: %1</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter</source>
+        <translation>`%1` är ingen parameter</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter; did you mean `%2`?</source>
+        <translation>`%1` är ingen parameter; menade du `%2`?</translation>
+    </message>
+    <message>
+        <source>no section of the hammer is called `%1`; did you mean `%2`?</source>
+        <translation>ingen sektion i hammaren heter `%1`; menade du `%2`?</translation>
+    </message>
+    <message>
+        <source>no section of the string is called `%1`; did you mean `%2`?</source>
+        <translation>ingen sektion i strängen heter `%1`; menade du `%2`?</translation>
+    </message>
+    <message>
+        <source>no section of the hammer is called `%1`; its names: %2</source>
+        <translation>ingen sektion i hammaren heter `%1`; namnen är: %2</translation>
+    </message>
+    <message>
+        <source>no section of the string is called `%1`; its names: %2</source>
+        <translation>ingen sektion i strängen heter `%1`; namnen är: %2</translation>
+    </message>
+    <message>
+        <source>no section of the hammer is called `%1`; its sections have no names, give a place: `%2`</source>
+        <translation>ingen sektion i hammaren heter `%1`; dess sektioner har inga namn, ange ett nummer: `%2`</translation>
+    </message>
+    <message>
+        <source>no section of the string is called `%1`; its sections have no names, give a place: `%2`</source>
+        <translation>ingen sektion i strängen heter `%1`; dess sektioner har inga namn, ange ett nummer: `%2`</translation>
+    </message>
+    <message>
+        <source>the hammer has only %1 section</source>
+        <translation>hammaren har bara %1 sektion</translation>
+    </message>
+    <message>
+        <source>the hammer has only %1 sections</source>
+        <translation>hammaren har bara %1 sektioner</translation>
+    </message>
+    <message>
+        <source>the string has only %1 section</source>
+        <translation>strängen har bara %1 sektion</translation>
+    </message>
+    <message>
+        <source>the string has only %1 sections</source>
+        <translation>strängen har bara %1 sektioner</translation>
+    </message>
+    <message>
+        <source>set one section, which a repeat brings to both places</source>
+        <translation>sätter samma sektion, som en upprepning för till båda ställena</translation>
+    </message>
+    <message>
+        <source>set one section: section %1 of the hammer is called %2</source>
+        <translation>sätter samma sektion: sektion %1 i hammaren heter %2</translation>
+    </message>
+    <message>
+        <source>set one section: section %1 of the string is called %2</source>
+        <translation>sätter samma sektion: sektion %1 i strängen heter %2</translation>
+    </message>
+    <message>
+        <source>the string has no repeat</source>
+        <translation>strängen har ingen upprepning</translation>
+    </message>
+    <message>
+        <source>goes with an area, and the section is given by its diameter</source>
+        <translation>hör till en area, och sektionen är given av sin diameter</translation>
+    </message>
+    <message>
+        <source>goes with a diameter, and the section is given by its area</source>
+        <translation>hör till en diameter, och sektionen är given av sin area</translation>
+    </message>
+    <message>
+        <source>a dimensionless scenario has no drill</source>
+        <translation>ett dimensionslöst scenario har ingen borrmaskin</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>metod</translation>
+    </message>
+    <message>
+        <source>not solved: %1</source>
+        <translation>inte löst: %1</translation>
+    </message>
+    <message>
+        <source>THE RING DOES NOT GIVE THE NUMBERS OF THE MOVED WAVES at %1 segments: please report this.</source>
+        <translation>RINGBUFFERTEN GER INTE DE FLYTTADE VÅGORNAS TAL vid %1 segment: rapportera gärna detta.</translation>
+    </message>
+    <message>
+        <source>The ring buffer gives every number of the moved waves, to the last bit.</source>
+        <translation>Ringbufferten ger exakt samma tal som de flyttade vågorna, till sista biten.</translation>
+    </message>
+    <message>
+        <source>The table</source>
+        <translation>Tabellen</translation>
+    </message>
+    <message>
+        <source>Errors are absolute, forces in F0; those of lattice and closed form against the exact solution.
+estimate: what the method itself says about its error of e. order: observed, from the row above.
+force: largest difference of the force history, at ends and middles of all steps; mid-step: at the
+middles. A force that is constant in each step cannot come closer than half its change in a step.</source>
+        <translation>Felen är absoluta, krafter i F0; gittrets och den slutna formens är mot den exakta lösningen.
+uppskattning: vad metoden själv säger om sitt fel i e. ordning: observerad, från raden ovanför.
+kraft: största skillnad i kraftförloppet, i alla stegs ändar och mitt; mitt i steget: bara i mitten.
+En kraft som är konstant i varje steg kan inte komma närmare än halva sin ändring i ett steg.</translation>
+    </message>
+    <message>
+        <source>Times: processor time of a solve for e alone. speed: how many times faster than the paper&apos;s choice,
+the lattice of %1 segments with moved waves.</source>
+        <translation>Tider: processortid för att lösa enbart e. fart: hur många gånger snabbare än artikelns val,
+gittret med %1 segment och flyttade vågor.</translation>
+    </message>
+    <message>
+        <source>%1 Rows of over a second have fewer runs.</source>
+        <translation>%1 Rader på över en sekund har färre körningar.</translation>
+    </message>
+    <message>
+        <source>In long double it was not solved: %1.</source>
+        <translation>I long double löstes det inte: %1.</translation>
+    </message>
+    <message>
+        <source>Its errors are differences to a solution in long double (%1 bits, %2),
+whose own error is below %3 and counted in: they show
+rounding and truncation, but not a mistaken event: both march with the same code for events.</source>
+        <translation>Dess fel är skillnader mot en lösning i long double (%1 bitar, %2),
+vars eget fel är under %3 och medräknat: de visar
+avrundning och trunkering, men inte en felaktig händelse: båda räknar händelser med samma kod.</translation>
+    </message>
+    <message>
+        <source>The exact solution</source>
+        <translation>Den exakta lösningen</translation>
+    </message>
+    <message>
+        <source>So its histories were put back into the equations at %1 points, without that code.
+Largest residuals, in F0 (1 + beta/gamma):</source>
+        <translation>Därför har dess förlopp satts in i ekvationerna igen i %1 punkter, utan den koden.
+Största residualer, i F0 (1 + beta/gamma):</translation>
+    </message>
+    <message>
+        <source>F&apos; = a (2g - F), a = beta or beta/gamma</source>
+        <translation>F&apos; = a (2g - F), a = beta eller beta/gamma</translation>
+    </message>
+    <message>
+        <source>F&apos; = a (2g - F), a = s_j beta on line j, or beta/gamma</source>
+        <translation>F&apos; = a (2g - F), a = s_j beta på linje j, eller beta/gamma</translation>
+    </message>
+    <message>
+        <source>F = law of the penetration and of the largest one so far</source>
+        <translation>F = lag för inträngningen och den hittills största</translation>
+    </message>
+    <message>
+        <source>smallest force</source>
+        <translation>minsta kraft</translation>
+    </message>
+    <message>
+        <source>pulse %1</source>
+        <translation>slagform %1</translation>
+    </message>
+    <message>
+        <source>e = %1, peak force %2 F0</source>
+        <translation>e = %1, toppkraft %2 F0</translation>
+    </message>
+    <message>
+        <source>Over the whole ladder the error of e falls with the number of segments to the power of %1.</source>
+        <translation>Över hela serien avtar felet i e med antalet segment upphöjt till %1.</translation>
+    </message>
+    <message>
+        <source>error: of the efficiency, against %1 (cut cells half as large again, stated error %2)
+stated: what the method says of it; impulse: error of the impulse on the rock, of the hammer&apos;s
+cells: polynomial cells, cut at jumps (sweep, map); cells_cut: cut at every corner of a wave (run);
+plain: a lattice of constant cells, as others have it</source>
+        <translation>fel: i verkningsgraden, mot %1 (delade celler av halva storleken, angivet fel %2)
+angivet: vad metoden säger om felet; impuls: fel i impulsen på berget, som andel av hammarens
+cells: polynomceller delade vid språng (sweep, map); cells_cut: delade vid alla hörn i en våg (run);
+plain: ett gitter av konstanta celler, så som andra har det</translation>
+    </message>
+    <message>
+        <source>and what the hammer takes back</source>
+        <translation>och det hammaren tar tillbaka</translation>
+    </message>
+    <message>
+        <source>work on the rock</source>
+        <translation>arbete på berget</translation>
+    </message>
+    <message>
+        <source>impulse 1 + e</source>
+        <translation>impuls 1 + e</translation>
+    </message>
+    <message>
+        <source>impulse on the rock</source>
+        <translation>impuls på berget</translation>
+    </message>
+    <message>
+        <source>%1 of the hammer&apos;s</source>
+        <translation>%1 gånger hammarens</translation>
+    </message>
+    <message>
+        <source>restitution e of the string</source>
+        <translation>strängens studstal e</translation>
+    </message>
+    <message>
+        <source>peak force on the rock</source>
+        <translation>toppkraft på berget</translation>
+    </message>
+    <message>
+        <source>largest penetration</source>
+        <translation>största inträngning</translation>
+    </message>
+    <message>
+        <source>residual penetration</source>
+        <translation>kvarstående inträngning</translation>
+    </message>
+    <message>
+        <source>penetration that stays</source>
+        <translation>kvarstående inträngning</translation>
+    </message>
+    <message>
+        <source>largest compression</source>
+        <translation>största tryck</translation>
+    </message>
+    <message>
+        <source>largest tension</source>
+        <translation>största drag</translation>
+    </message>
+    <message>
+        <source>compression after</source>
+        <translation>tryck efteråt</translation>
+    </message>
+    <message>
+        <source>percussion power</source>
+        <translation>slageffekt</translation>
+    </message>
+    <message>
+        <source>penetration rate</source>
+        <translation>borrsjunkning</translation>
+    </message>
+    <message>
+        <source>at most %1</source>
+        <translation>högst %1</translation>
+    </message>
+    <message>
+        <source>first contact</source>
+        <translation>första kontakt</translation>
+    </message>
+    <message>
+        <source>last separation</source>
+        <translation>sista separation</translation>
+    </message>
+    <message>
+        <source>time in contact</source>
+        <translation>tid i kontakt</translation>
+    </message>
+    <message>
+        <source>hammer leaves</source>
+        <translation>hammaren lämnar</translation>
+    </message>
+    <message>
+        <source>hammer rebound</source>
+        <translation>hammarstuds</translation>
+    </message>
+    <message>
+        <source>away from the rock</source>
+        <translation>bort från berget</translation>
+    </message>
+    <message>
+        <source>hammer work W</source>
+        <translation>hammararbete W</translation>
+    </message>
+    <message>
+        <source>in the rebound</source>
+        <translation>i studsen</translation>
+    </message>
+    <message>
+        <source>in waves</source>
+        <translation>i vågor</translation>
+    </message>
+    <message>
+        <source>%1 of the force&apos;s</source>
+        <translation>%1 gånger kraftens</translation>
+    </message>
+    <message>
+        <source>%1, not met: short by %2 (%3)</source>
+        <translation>%1, inte uppfyllt: %2 (%3) saknas</translation>
+    </message>
+    <message>
+        <source>%1, met with %2 (%3) to spare</source>
+        <translation>%1, uppfyllt med %2 (%3) till godo</translation>
+    </message>
+    <message>
+        <source>%1, installed %2</source>
+        <translation>%1, installerad %2</translation>
+    </message>
+    <message>
+        <source>%1, installed %2, effective %3</source>
+        <translation>%1, installerad %2, verksam %3</translation>
+    </message>
+    <message>
+        <source>thrust needed</source>
+        <translation>matningskraft som krävs</translation>
+    </message>
+    <message>
+        <source>(error estimated as %1)</source>
+        <translation>(felet uppskattat till %1)</translation>
+    </message>
+    <message>
+        <source>(error below %1)</source>
+        <translation>(felet under %1)</translation>
+    </message>
+    <message>
+        <source>%1 of I0, %2 of W</source>
+        <translation>%1 av I0, %2 av W</translation>
+    </message>
+    <message>
+        <source>method %1, %2, %3, solved in %4</source>
+        <translation>metod %1, %2, %3, löst på %4</translation>
+    </message>
+    <message>
+        <source>%1 contact</source>
+        <translation>%1 kontakt</translation>
+    </message>
+    <message>
+        <source>%1 contacts</source>
+        <translation>%1 kontakter</translation>
+    </message>
+    <message>
+        <source>warning: %1</source>
+        <translation>varning: %1</translation>
+    </message>
+    <message>
+        <source>note: %1</source>
+        <translation>anmärkning: %1</translation>
+    </message>
+    <message>
+        <source>least</source>
+        <translation>minst</translation>
+    </message>
+    <message>
+        <source>minimum</source>
+        <translation>minimum</translation>
+    </message>
+    <message>
+        <source>maximum</source>
+        <translation>maximum</translation>
+    </message>
+    <message>
+        <source>kink</source>
+        <translation>knäck</translation>
+    </message>
+    <message>
+        <source>jump</source>
+        <translation>språng</translation>
+    </message>
+    <message>
+        <source>rises above %1</source>
+        <translation>stiger över %1</translation>
+    </message>
+    <message>
+        <source>falls below %1</source>
+        <translation>faller under %1</translation>
+    </message>
+    <message>
+        <source>to %1</source>
+        <translation>till %1</translation>
+    </message>
+    <message>
+        <source>slope %1 to %2</source>
+        <translation>lutning %1 till %2</translation>
+    </message>
+    <message>
+        <source>end of the range</source>
+        <translation>områdets ände</translation>
+    </message>
+    <message>
+        <source>between points</source>
+        <translation>mellan punkter</translation>
+    </message>
+    <message>
+        <source>everywhere</source>
+        <translation>överallt</translation>
+    </message>
+    <message>
+        <source>and %1 more such stretches</source>
+        <translation>och ytterligare %1 sådana avsnitt</translation>
+    </message>
+    <message>
+        <source>Along %1 from %2 to %3, by its logarithm.</source>
+        <translation>Längs %1 från %2 till %3, logaritmiskt.</translation>
+    </message>
+    <message>
+        <source>Along %1 from %2 to %3.</source>
+        <translation>Längs %1 från %2 till %3.</translation>
+    </message>
+    <message>
+        <source>and %1 more; --json has all</source>
+        <translation>och %1 till; --json ger alla</translation>
+    </message>
+    <message>
+        <source>known by points alone from %1 to %2: %3</source>
+        <translation>känt bara i enstaka punkter från %1 till %2: %3</translation>
+    </message>
+    <message>
+        <source>no answer from %1 to %2: %3</source>
+        <translation>inget svar från %1 till %2: %3</translation>
+    </message>
+    <message>
+        <source>From %1 blows in %2.</source>
+        <translation>Beräknat ur %1 slag på %2.</translation>
+    </message>
+    <message>
+        <source>%1 draws of %2</source>
+        <translation>%1 dragningar av %2</translation>
+    </message>
+    <message>
+        <source>Uncertain: %1.</source>
+        <translation>Osäkert: %1.</translation>
+    </message>
+    <message>
+        <source>%1 (%2 values)</source>
+        <translation>%1 (%2 värden)</translation>
+    </message>
+    <message>
+        <source>nothing, the design of FILE alone</source>
+        <translation>inget, bara konstruktionen i FILE</translation>
+    </message>
+    <message>
+        <source>Chosen: %1; every blow has the energy of FILE&apos;s.</source>
+        <translation>Val: %1; varje slag har samma energi som det i FILE.</translation>
+    </message>
+    <message>
+        <source>Chosen: %1.</source>
+        <translation>Val: %1.</translation>
+    </message>
+    <message>
+        <source>%1 design, %2 samples each, the same for all; errors are of 95 %.</source>
+        <translation>%1 konstruktion, %2 stickprov, samma för alla; felen är 95 %-fel.</translation>
+    </message>
+    <message>
+        <source>%1 designs, %2 samples each, the same for all; errors are of 95 %.</source>
+        <translation>%1 konstruktioner, %2 stickprov per konstruktion, samma för alla; felen är 95 %-fel.</translation>
+    </message>
+    <message>
+        <source>design</source>
+        <translation>konstruktion</translation>
+    </message>
+    <message>
+        <source>%1 nominal</source>
+        <translation>%1 nominellt</translation>
+    </message>
+    <message>
+        <source>marginal</source>
+        <translation>på gränsen</translation>
+    </message>
+    <message>
+        <source>robust best</source>
+        <translation>robust bästa</translation>
+    </message>
+    <message>
+        <source>nominal best</source>
+        <translation>nominellt bästa</translation>
+    </message>
+    <message>
+        <source>%1 in place of %2: %3 %4, where all is as in FILE %5.</source>
+        <translation>%1 i stället för %2: %3 %4; där allt är som i FILE %5.</translation>
+    </message>
+    <message>
+        <source>none is better in all aims</source>
+        <translation>ingen är bättre i alla mål</translation>
+    </message>
+    <message>
+        <source>and %1 more: -o DIR writes them all.</source>
+        <translation>och %1 till: -o DIR skriver alla.</translation>
+    </message>
+    <message>
+        <source>constant</source>
+        <translation>konstant</translation>
+    </message>
+    <message>
+        <source>draws</source>
+        <translation>dragningar</translation>
+    </message>
+    <message>
+        <source>acts in combination</source>
+        <translation>verkar i kombination</translation>
+    </message>
+    <message>
+        <source>What is worth measuring: share of the scatter, # alone, - with others</source>
+        <translation>Vad som är värt att mäta: andel av spridningen, # ensam, - med andra</translation>
+    </message>
+    <message>
+        <source>row %1 of the draws</source>
+        <translation>rad %1 i dragningarna</translation>
+    </message>
+    <message>
+        <source>Least %1 of the robust best found in the ranges: %2 at %3 (samples alone: %4; %5 searches, %6 of them ended here).</source>
+        <translation>Minsta funna värde (%1) för den robust bästa inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
+    </message>
+    <message>
+        <source>Largest %1 of the robust best found in the ranges: %2 at %3 (samples alone: %4; %5 searches, %6 of them ended here).</source>
+        <translation>Största funna värde (%1) för den robust bästa inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
+    </message>
+    <message>
+        <source>%1 sample could not be solved and are left out: %2.</source>
+        <translation>%1 stickprov kunde inte lösas och utelämnas: %2.</translation>
+    </message>
+    <message>
+        <source>%1 samples could not be solved and are left out: %2.</source>
+        <translation>%1 stickprov kunde inte lösas och utelämnas: %2.</translation>
+    </message>
+    <message>
+        <source>%1 design with more than 0.1 % of them have no statistics.</source>
+        <translation>%1 konstruktion med mer än 0,1 % sådana saknar statistik.</translation>
+    </message>
+    <message>
+        <source>%1 designs with more than 0.1 % of them have no statistics.</source>
+        <translation>%1 konstruktioner med mer än 0,1 % sådana saknar statistik.</translation>
+    </message>
+    <message>
+        <source>Up to %1 % of the samples of a design have an error of their own that is larger than that of the statistics: blows that chatter.</source>
+        <translation>För upp till %1 % av stickproven i en konstruktion är det egna felet större än statistikens: slag som skallrar.</translation>
+    </message>
+    <message>
+        <source>%1 or %2</source>
+        <translation>%1 eller %2</translation>
+    </message>
+    <message>
+        <source>%1 or %2 others</source>
+        <translation>%1 eller %2 andra</translation>
+    </message>
+    <message>
+        <source>The samples do not tell the best designs apart: take any of %1.</source>
+        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst duger: %1.</translation>
+    </message>
+    <message>
+        <source>The samples do not tell the best designs apart: take any of %1; of them %2 has the largest %3, %4.</source>
+        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst duger: %1; av dem har %2 störst %3, %4.</translation>
+    </message>
+    <message>
+        <source>The samples do not tell the best designs apart: take any of %1; of them %2 has the least %3, %4.</source>
+        <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst duger: %1; av dem har %2 minst %3, %4.</translation>
+    </message>
+    <message>
+        <source>The robust best is at the upper end of %1: widen the choice.</source>
+        <translation>Den robust bästa ligger vid övre änden av %1: vidga valet.</translation>
+    </message>
+    <message>
+        <source>The robust best is at the lower end of %1: widen the choice.</source>
+        <translation>Den robust bästa ligger vid nedre änden av %1: vidga valet.</translation>
+    </message>
+    <message>
+        <source>The choices change the energy of the blow by up to %1 %: machines of different power are compared; --keep-energy keeps it.</source>
+        <translation>Valen ändrar slagets energi med upp till %1 %: maskiner med olika effekt jämförs; --keep-energy behåller energin.</translation>
+    </message>
+    <message>
+        <source>The scatter of the efficiency is nearly all that of gamma; loading_work shows what wave and machine can do: --aim max:loading_work@q05.</source>
+        <translation>Spridningen i verkningsgraden kommer nästan helt från gamma; loading_work visar vad våg och maskin kan åstadkomma: --aim max:loading_work@q05.</translation>
+    </message>
+    <message>
+        <source>%1: no design has it</source>
+        <translation>%1: ingen konstruktion uppfyller det</translation>
+    </message>
+    <message>
+        <source>%1: the nearest is %2 of %3</source>
+        <translation>%1: närmast kommer %2 för %3</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>vila</translation>
+    </message>
+    <message>
+        <source>bouncing</source>
+        <translation>studsande</translation>
+    </message>
+    <message>
+        <source>done</source>
+        <translation>klart</translation>
+    </message>
+    <message>
+        <source>pushed_back</source>
+        <translation>trycks tillbaka</translation>
+    </message>
+    <message>
+        <source>not_solved</source>
+        <translation>inte löst</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>stoppad</translation>
+    </message>
+    <message>
+        <source>period %1</source>
+        <translation>period %1</translation>
+    </message>
+    <message>
+        <source>irregular</source>
+        <translation>oregelbunden</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>start</translation>
+    </message>
+    <message>
+        <source>gap</source>
+        <translation>spalt</translation>
+    </message>
+    <message>
+        <source>penetration</source>
+        <translation>inträngning</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>kontakt</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>rörelse</translation>
+    </message>
+    <message>
+        <source>%1 blows at each value</source>
+        <translation>%1 slag vid varje värde</translation>
+    </message>
+    <message>
+        <source>with %1, %2 blows at each value</source>
+        <translation>med %1, %2 slag vid varje värde</translation>
+    </message>
+    <message>
+        <source>Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- has the scatter of the blows at that value and the most that other cells change at five of the values.</source>
+        <translation>Full takt är 95 % av vad en matning på 2 (1 + 2e) f J ger med samma dämpare. +- omfattar slagens spridning vid värdet och den största ändring som andra celler ger vid fem av värdena.</translation>
+    </message>
+    <message>
+        <source>Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. There is no over-feed side: friction, rotation and buckling are not in the model.</source>
+        <translation>Inträngningar är övre gränser: allt berg under borrkronan ger efter och borrkaxet försvinner. Övermatning ingår inte: friktion, rotation och knäckning finns inte i modellen.</translation>
+    </message>
+    <message>
+        <source>contact share</source>
+        <translation>kontaktandel</translation>
+    </message>
+    <message>
+        <source>balances</source>
+        <translation>balanser</translation>
+    </message>
+    <message>
+        <source>%1 blows</source>
+        <translation>%1 slag</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>avvikelse</translation>
+    </message>
+    <message>
+        <source>rock impulse</source>
+        <translation>impuls på berget</translation>
+    </message>
+    <message>
+        <source>up to %1 m/min: an upper limit, all rock under the bit gives way and cuttings vanish</source>
+        <translation>upp till %1 m/min: en övre gräns, allt berg under borrkronan ger efter och borrkaxet försvinner</translation>
+    </message>
+    <message>
+        <source>%1 of the blows begin on the rock</source>
+        <translation>%1 av slagen börjar på berget</translation>
+    </message>
+    <message>
+        <source>rock %1, damper %2, waves %3, new faces %4 of what hammer and feed bring</source>
+        <translation>berg %1, dämpare %2, vågor %3, nya bergytor %4 av det som hammare och matning tillför</translation>
+    </message>
+    <message>
+        <source>momentum to %1, energy to %2</source>
+        <translation>rörelsemängd på %1 när, energi på %2 när</translation>
+    </message>
+    <message>
+        <source>phi = %1 (thrust over mean reaction), n_b = %2 round trips a blow</source>
+        <translation>phi = %1 (matningskraft genom medelreaktion), n_b = %2 varv fram och åter per slag</translation>
+    </message>
+    <message>
+        <source>installed thrust of %1</source>
+        <translation>installerad matningskraft %1</translation>
+    </message>
+    <message>
+        <source>effective force of %1 (thrust %2, less %3 of weight along the hole)</source>
+        <translation>verksam kraft %1 (matningskraft %2, minus vikt längs hålet %3)</translation>
+    </message>
+    <message>
+        <source>effective force of %1 (thrust %2, and %3 of weight along the hole)</source>
+        <translation>verksam kraft %1 (matningskraft %2, plus vikt längs hålet %3)</translation>
+    </message>
+    <message>
+        <source>The gap has a period of d0 = %1.</source>
+        <translation>Spalten har perioden d0 = %1.</translation>
+    </message>
+    <message>
+        <source>The gap has a period of d0.</source>
+        <translation>Spalten har perioden d0.</translation>
+    </message>
+    <message>
+        <source>%1 in %2.</source>
+        <translation>%1 på %2.</translation>
+    </message>
+    <message>
+        <source>rises through it</source>
+        <translation>stiger genom det</translation>
+    </message>
+    <message>
+        <source>falls through it</source>
+        <translation>faller genom det</translation>
+    </message>
+    <message>
+        <source>turns round at it</source>
+        <translation>vänder vid det</translation>
+    </message>
+    <message>
+        <source>is there at an end</source>
+        <translation>når det vid en ände</translation>
+    </message>
+    <message>
+        <source>is it everywhere</source>
+        <translation>är det överallt</translation>
+    </message>
+    <message>
+        <source>jumps over it</source>
+        <translation>hoppar över det</translation>
+    </message>
+    <message>
+        <source>between points, from %1 to %2</source>
+        <translation>mellan punkter, från %1 till %2</translation>
+    </message>
+    <message>
+        <source>where it is known by points alone</source>
+        <translation>där det är känt bara i enstaka punkter</translation>
+    </message>
+    <message>
+        <source>where it has no answer</source>
+        <translation>där det saknar svar</translation>
+    </message>
+    <message>
+        <source>where it is known by points alone or has no answer</source>
+        <translation>där det är känt bara i enstaka punkter eller saknar svar</translation>
+    </message>
+    <message>
+        <source>%1 from %2 to %3</source>
+        <translation>%1 från %2 till %3</translation>
+    </message>
+    <message>
+        <source>no %1 gives %2</source>
+        <translation>inget värde på %1 ger %2</translation>
+    </message>
+    <message>
+        <source>no %1 gives %2, which it jumps over at %3</source>
+        <translation>inget värde på %1 ger %2, som hoppas över vid %3</translation>
+    </message>
+    <message>
+        <source>%1: there is no answer anywhere</source>
+        <translation>%1: det finns inget svar någonstans</translation>
+    </message>
+    <message>
+        <source>%1: the nearest is %2, at %3</source>
+        <translation>%1: närmast kommer %2, vid %3</translation>
+    </message>
+    <message>
+        <source>%1: the nearest is %2, at %3; there may be one %4</source>
+        <translation>%1: närmast kommer %2, vid %3; det kan finnas ett sådant %4</translation>
+    </message>
+    <message>
+        <source>Goal: %1</source>
+        <translation>Mål: %1</translation>
+    </message>
+    <message>
+        <source>None: %1.</source>
+        <translation>Nås inte: %1.</translation>
+    </message>
+    <message>
+        <source>There may be others %1.</source>
+        <translation>Det kan finnas fler %1.</translation>
+    </message>
+    <message>
+        <source>There are no others from %1 to %2.</source>
+        <translation>Det finns inga fler från %1 till %2.</translation>
+    </message>
+    <message>
+        <source>%1 point</source>
+        <translation>%1 punkt</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 punkter</translation>
+    </message>
+    <message>
+        <source>nowhere between the points</source>
+        <translation>ingenstans mellan punkterna</translation>
+    </message>
+    <message>
+        <source>%1 on %2, within %3</source>
+        <translation>%1 på %2, inom %3</translation>
+    </message>
+    <message>
+        <source>%1 line</source>
+        <translation>%1 kurva</translation>
+    </message>
+    <message>
+        <source>%1 lines</source>
+        <translation>%1 kurvor</translation>
+    </message>
+    <message>
+        <source>%1, but for %2 where it jumps across</source>
+        <translation>%1, utom %2 där resultatet gör ett språng</translation>
+    </message>
+    <message>
+        <source>%1; %2 where the blows do not repeat: a mean scatters there, and the contour with it</source>
+        <translation>%1; %2 där slagen inte upprepas: ett medelvärde har spridning där, och nivåkurvan med det</translation>
+    </message>
+    <message>
+        <source>%1; %2 crossing not placed: %3</source>
+        <translation>%1; %2 korsning utan bestämt läge: %3</translation>
+    </message>
+    <message>
+        <source>%1; %2 crossings not placed: %3</source>
+        <translation>%1; %2 korsningar utan bestämt läge: %3</translation>
+    </message>
+    <message>
+        <source>%1 value</source>
+        <translation>%1 värde</translation>
+    </message>
+    <message>
+        <source>%1 values</source>
+        <translation>%1 värden</translation>
+    </message>
+    <message>
+        <source>%1 = %2 to %3, %4, log</source>
+        <translation>%1 = %2 till %3, %4, log</translation>
+    </message>
+    <message>
+        <source>%1 = %2 to %3, %4</source>
+        <translation>%1 = %2 till %3, %4</translation>
+    </message>
+    <message>
+        <source>%1 over %2; %3</source>
+        <translation>%1 över %2; %3</translation>
+    </message>
+    <message>
+        <source>%1 not solved: %2</source>
+        <translation>%1 utan lösning: %2</translation>
+    </message>
+    <message>
+        <source>%1 blow in %2.</source>
+        <translation>%1 slag på %2.</translation>
+    </message>
+    <message>
+        <source>%1 blows in %2.</source>
+        <translation>%1 slag på %2.</translation>
+    </message>
+    <message>
+        <source>slope %1 k from %2</source>
+        <translation>lutning %1 k från %2</translation>
+    </message>
+    <message>
+        <source>%1 k from %2</source>
+        <translation>%1 k från %2</translation>
+    </message>
+    <message>
+        <source>and %1 more</source>
+        <translation>och %1 till</translation>
+    </message>
+    <message>
+        <source>rock law %1</source>
+        <translation>bergets lag %1</translation>
+    </message>
+    <message>
+        <source>was solved by method %1 (%2)</source>
+        <translation>löstes med metod %1 (%2)</translation>
+    </message>
+    <message>
+        <source>was solved by a lattice of `%1` (%2)</source>
+        <translation>löstes med ett gitter på `%1` (%2)</translation>
+    </message>
+    <message>
+        <source>kind of case</source>
+        <translation>typ av fall</translation>
+    </message>
+    <message>
+        <source>cases</source>
+        <translation>fall</translation>
+    </message>
+    <message>
+        <source>passed</source>
+        <translation>godkända</translation>
+    </message>
+    <message>
+        <source>worst balance</source>
+        <translation>sämsta balans</translation>
+    </message>
+    <message>
+        <source>continuity</source>
+        <translation>kontinuitet</translation>
+    </message>
+    <message>
+        <source>pieces</source>
+        <translation>bitar</translation>
+    </message>
+    <message>
+        <source>momentum residual</source>
+        <translation>fel i rörelsemängdens balans</translation>
+    </message>
+    <message>
+        <source>energy residual</source>
+        <translation>fel i energibalansen</translation>
+    </message>
+    <message>
+        <source>pull of the rock</source>
+        <translation>drag från berget</translation>
+    </message>
+    <message>
+        <source>return after the end</source>
+        <translation>återkomst efter slutet</translation>
+    </message>
+    <message>
+        <source>change over 1e-10</source>
+        <translation>ändring vid 1e-10</translation>
+    </message>
+    <message>
+        <source>distance from limit</source>
+        <translation>avstånd från gränsfallet</translation>
+    </message>
+    <message>
+        <source>distance from lattice</source>
+        <translation>avstånd från gittret</translation>
+    </message>
+    <message>
+        <source>distance from long double</source>
+        <translation>avstånd från long double</translation>
+    </message>
+    <message>
+        <source>stated error</source>
+        <translation>angivet fel</translation>
+    </message>
+    <message>
+        <source>wave pieces</source>
+        <translation>vågbitar</translation>
+    </message>
+    <message>
+        <source>seconds</source>
+        <translation>sekunder</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>kolumn</translation>
+    </message>
+    <message>
+        <source>worst</source>
+        <translation>sämst</translation>
+    </message>
+    <message>
+        <source>mark</source>
+        <translation>gräns</translation>
+    </message>
+    <message>
+        <source>where</source>
+        <translation>var</translation>
+    </message>
+    <message>
+        <source>FAILED %1: %2</source>
+        <translation>UNDERKÄNT %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 cases: %2 passed, %3 failed, %4 not solved</source>
+        <translation>%1 fall: %2 godkända, %3 underkända, %4 inte lösta</translation>
+    </message>
+    <message>
+        <source>%1 of %2, n_b = %3</source>
+        <translation>%1 med %2, n_b = %3</translation>
+    </message>
+    <message>
+        <source>What a damper changes, and what waves from blow to blow, `drillwave drill` follows.</source>
+        <translation>Vad en dämpare ändrar, och vad vågor ändrar från slag till slag, följer `drillwave drill`.</translation>
+    </message>
+    <message>
+        <source>%1 takes a study of all gaps at every point; `drillwave thrust --along` has it</source>
+        <translation>%1 kräver en studie av alla spalter i varje punkt; `drillwave thrust --along` ger det</translation>
+    </message>
+    <message>
+        <source>a family has at most %1 lines, this one %2</source>
+        <translation>en skara har högst %1 kurvor, denna har %2</translation>
+    </message>
+    <message>
+        <source>the range of %1 must end above its beginning</source>
+        <translation>området för %1 måste sluta på ett högre värde än det börjar</translation>
+    </message>
+    <message>
+        <source>a scenario given by its groups has no energy to keep; leave it out</source>
+        <translation>ett scenario givet av sina dimensionslösa tal har ingen energi att behålla; utelämna det</translation>
+    </message>
+    <message>
+        <source>a blow of given points has neither impulse nor velocity to scale; leave it out</source>
+        <translation>ett slag av givna punkter har varken impuls eller hastighet att skala; utelämna det</translation>
+    </message>
+    <message>
+        <source>nothing is uncertain; give --uncertain KEY=LOW:HIGH or --draws FILE.csv</source>
+        <translation>inget är osäkert; ange --uncertain KEY=LOW:HIGH eller --draws FILE.csv</translation>
+    </message>
+    <message>
+        <source>at most %1 uncertain parameters, these are %2</source>
+        <translation>högst %1 osäkra parametrar, här är det %2</translation>
+    </message>
+    <message>
+        <source>at most %1 choices, these are %2</source>
+        <translation>högst %1 val, här är det %2</translation>
+    </message>
+    <message>
+        <source>at most %1 aims, these are %2</source>
+        <translation>högst %1 mål, här är det %2</translation>
+    </message>
+    <message>
+        <source>at most %1 designs, the choices make more than can be counted; give fewer values</source>
+        <translation>högst %1 konstruktioner, valen ger fler än som går att räkna; ange färre värden</translation>
+    </message>
+    <message>
+        <source>at most %1 designs, the choices make %2; give fewer values</source>
+        <translation>högst %1 konstruktioner, valen ger %2; ange färre värden</translation>
+    </message>
+    <message>
+        <source>at most %1 blows, %2 designs at %3 samples are more; take fewer</source>
+        <translation>högst %1 slag, %2 konstruktioner med %3 stickprov var är fler; ta färre</translation>
+    </message>
+    <message>
+        <source>%1 and %2 %3; leave out one of them</source>
+        <translation>%1 och %2 %3; utelämna en av dem</translation>
+    </message>
+    <message>
+        <source>%1 is given twice; give it once</source>
+        <translation>%1 är angivet två gånger; ange det en gång</translation>
+    </message>
+    <message>
+        <source>%1 is chosen and uncertain: only +-P% about the choice can be both</source>
+        <translation>%1 är både vald och osäker: bara +-P% kring valet kan vara båda</translation>
+    </message>
+    <message>
+        <source>--keep-energy sets %1, and so does --choose %2; leave out one of them</source>
+        <translation>--keep-energy sätter %1, och det gör även --choose %2; utelämna en av dem</translation>
+    </message>
+    <message>
+        <source>thrust_margin is a study of all gaps by itself; aim at thrust</source>
+        <translation>thrust_margin är i sig en studie av alla spalter; ta thrust som mål</translation>
+    </message>
+    <message>
+        <source>%1 is a march of many blows by itself; `drillwave drill` and sweeps have it</source>
+        <translation>%1 kräver en egen beräkning av många slag; `drillwave drill` och sweep har det</translation>
+    </message>
+    <message>
+        <source>at %1: %2</source>
+        <translation>vid %1: %2</translation>
+    </message>
+    <message>
+        <source>column %1 %2</source>
+        <translation>kolumn %1 %2</translation>
+    </message>
+    <message>
+        <source>column `%1` is no number that can be uncertain; leave it out of the draws</source>
+        <translation>kolumn `%1` är inget tal som kan vara osäkert; utelämna den ur dragningarna</translation>
+    </message>
+    <message>
+        <source>column `%1` is not a parameter; leave it out of the draws</source>
+        <translation>kolumn `%1` är ingen parameter; utelämna den ur dragningarna</translation>
+    </message>
+    <message>
+        <source>the cell of %1 is missing; every draw needs a value of every key</source>
+        <translation>cellen för %1 saknas; varje dragning behöver ett värde för varje nyckel</translation>
+    </message>
+    <message>
+        <source>has no header; write the keys into the first row</source>
+        <translation>saknar huvud; skriv nycklarna i första raden</translation>
+    </message>
+    <message>
+        <source>has more than %1 rows; leave some out</source>
+        <translation>har fler än %1 rader; utelämna några</translation>
+    </message>
+    <message>
+        <source>has no rows of draws</source>
+        <translation>har inga rader med dragningar</translation>
+    </message>
+    <message>
+        <source>has no width; give LOW below HIGH</source>
+        <translation>har ingen bredd; ange LOW mindre än HIGH</translation>
+    </message>
+    <message>
+        <source>is upside down; give LOW below HIGH</source>
+        <translation>är omvänt; ange LOW mindre än HIGH</translation>
+    </message>
+    <message>
+        <source>must begin above 0 where it is `log`</source>
+        <translation>måste börja över 0 med `log`</translation>
+    </message>
+    <message>
+        <source>must begin above 0 where it is `lognormal`</source>
+        <translation>måste börja över 0 med `lognormal`</translation>
+    </message>
+    <message>
+        <source>reaches %1, where there is no answer; use lognormal</source>
+        <translation>når %1, där det inte finns något svar; använd lognormal</translation>
+    </message>
+    <message>
+        <source>needs a number above 0 of per cent, as +-5%</source>
+        <translation>behöver ett procenttal över 0, t.ex. +-5%</translation>
+    </message>
+    <message>
+        <source>%1 needs LOW:HIGH, LOW:HIGH:log, :normal or :lognormal, or +-P%</source>
+        <translation>%1 behöver LOW:HIGH, LOW:HIGH:log, :normal eller :lognormal, eller +-P%</translation>
+    </message>
+    <message>
+        <source>`%1` behind the range of %2 is not known; choose from uniform, log, normal, lognormal</source>
+        <translation>`%1` efter området för %2 är inte känt; välj bland uniform, log, normal, lognormal</translation>
+    </message>
+    <message>
+        <source>`%1` is no range: write KEY=LOW:HIGH, KEY=LOW:HIGH:log or KEY=+-P%</source>
+        <translation>`%1` är inget område: skriv KEY=LOW:HIGH, KEY=LOW:HIGH:log eller KEY=+-P%</translation>
+    </message>
+    <message>
+        <source>%1 is no number and cannot be uncertain; choose among several by --choose</source>
+        <translation>%1 är inget tal och kan inte vara osäkert; välj bland flera med --choose</translation>
+    </message>
+    <message>
+        <source>%1 takes whole numbers alone and cannot be uncertain; choose among several by --choose</source>
+        <translation>%1 tar bara heltal och kan inte vara osäkert; välj bland flera med --choose</translation>
+    </message>
+    <message>
+        <source>%1 has no meaning here: %2</source>
+        <translation>%1 har ingen betydelse här: %2</translation>
+    </message>
+    <message>
+        <source>%1 = +-%2% (the scenario has 0 there; give LOW:HIGH)</source>
+        <translation>%1 = +-%2% (scenariot har 0 där; ange LOW:HIGH)</translation>
+    </message>
+    <message>
+        <source>%1 = +-%2% (the scenario has no value there; give LOW:HIGH)</source>
+        <translation>%1 = +-%2% (scenariot har inget värde där; ange LOW:HIGH)</translation>
+    </message>
+    <message>
+        <source>%1 = +-%2% of %3 (%4)</source>
+        <translation>%1 = +-%2% av %3 (%4)</translation>
+    </message>
+    <message>
+        <source>the machine is pushed back: no motion that is bounded</source>
+        <translation>maskinen trycks tillbaka: ingen begränsad rörelse</translation>
+    </message>
+    <message>
+        <source>it was stopped</source>
+        <translation>beräkningen stoppades</translation>
+    </message>
+    <message>
+        <source>the axis %1 of a map needs START:STOP:COUNT or START:STOP:COUNT:log</source>
+        <translation>axeln %1 i en karta behöver START:STOP:COUNT eller START:STOP:COUNT:log</translation>
+    </message>
+    <message>
+        <source>the map has more than %1 points; take fewer, or `drillwave sweep`, which keeps none</source>
+        <translation>kartan har fler än %1 punkter; ta färre, eller `drillwave sweep`, som inte håller några i minnet</translation>
+    </message>
+    <message>
+        <source>momentum residual %1</source>
+        <translation>fel i rörelsemängdens balans %1</translation>
+    </message>
+    <message>
+        <source>energy residual %1</source>
+        <translation>fel i energibalansen %1</translation>
+    </message>
+    <message>
+        <source>the rock pulls: F/Fmax %1</source>
+        <translation>berget drar: F/Fmax %1</translation>
+    </message>
+    <message>
+        <source>not at its end: the front end returns by %1</source>
+        <translation>inte vid sitt slut: framänden återvänder med %1</translation>
+    </message>
+    <message>
+        <source>not continuous: e changes by %1</source>
+        <translation>inte kontinuerligt: e ändras med %1</translation>
+    </message>
+    <message>
+        <source>far from its limit by a factor %1</source>
+        <translation>för långt från gränsvärdet: faktor %1</translation>
+    </message>
+    <message>
+        <source>the lattice differs by estimates: %1</source>
+        <translation>gittret avviker med %1 gånger de uppskattade felen</translation>
+    </message>
+    <message>
+        <source>the stated error is exceeded by a factor %1</source>
+        <translation>det angivna felet överskrids med en faktor %1</translation>
+    </message>
+    <message>
+        <source>%1 and %2 %3; vary one of them</source>
+        <translation>%1 och %2 %3; variera en av dem</translation>
+    </message>
+    <message>
+        <source>`all` are all outputs already; give it alone</source>
+        <translation>`all` är redan alla resultat; ange det ensamt</translation>
+    </message>
+    <message>
+        <source>`%1` is not an output; did you mean `%2`?</source>
+        <translation>`%1` är inget resultat; menade du `%2`?</translation>
+    </message>
+    <message>
+        <source>`%1` is not an output; choose from %2</source>
+        <translation>`%1` är inget resultat; välj bland %2</translation>
+    </message>
+    <message>
+        <source>`%1` is given twice; give it once</source>
+        <translation>`%1` är angivet två gånger; ange det en gång</translation>
+    </message>
+    <message>
+        <source>SI columns need a scenario in physical units; this one is given by its dimensionless groups</source>
+        <translation>SI-kolumner kräver ett scenario i fysikaliska enheter; detta är givet av sina dimensionslösa tal</translation>
+    </message>
+    <message>
+        <source>the count `%1` of %2 must be a whole number from 1 to %3</source>
+        <translation>antalet `%1` för %2 måste vara ett heltal från 1 till %3</translation>
+    </message>
+    <message>
+        <source>`%1` behind the end of %2 is not known; only `log` may follow</source>
+        <translation>`%1` efter slutet för %2 är inte känt; bara `log` får följa</translation>
+    </message>
+    <message>
+        <source>`%1` behind the count of %2 is not known; only `log` may follow</source>
+        <translation>`%1` efter antalet för %2 är inte känt; bara `log` får följa</translation>
+    </message>
+    <message>
+        <source>a logarithmic axis of %1 must begin and end above 0</source>
+        <translation>en logaritmisk axel för %1 måste börja och sluta över 0</translation>
+    </message>
+    <message>
+        <source>%1 takes whole numbers alone; give a COUNT that hits them, or a list A,B,C</source>
+        <translation>%1 tar bara heltal; ange ett COUNT som träffar dem, eller en lista A,B,C</translation>
+    </message>
+    <message>
+        <source>%1 needs START:STOP:COUNT, START:STOP:COUNT:log or a list A,B,C</source>
+        <translation>%1 behöver START:STOP:COUNT, START:STOP:COUNT:log eller en lista A,B,C</translation>
+    </message>
+    <message>
+        <source>%1 needs START:STOP or START:STOP:log</source>
+        <translation>%1 behöver START:STOP eller START:STOP:log</translation>
+    </message>
+    <message>
+        <source>%1 has no numbers to go along; make a family of shapes</source>
+        <translation>%1 har inga tal att följa; gör en skara av former</translation>
+    </message>
+    <message>
+        <source>%1 has no numbers to go along; make a family of words</source>
+        <translation>%1 har inga tal att följa; gör en skara av ord</translation>
+    </message>
+    <message>
+        <source>%1 has no numbers to go along; give it with --set</source>
+        <translation>%1 har inga tal att följa; ange värdet med --set</translation>
+    </message>
+    <message>
+        <source>`%1` is no axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C</source>
+        <translation>`%1` är ingen axel: skriv KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log eller KEY=A,B,C</translation>
+    </message>
+    <message>
+        <source>`%1` is no axis: write KEY=START:STOP or KEY=START:STOP:log</source>
+        <translation>`%1` är ingen axel: skriv KEY=START:STOP eller KEY=START:STOP:log</translation>
+    </message>
+    <message>
+        <source>%1 has whole numbers alone; make a family of them, or sweep it</source>
+        <translation>%1 har bara heltal; gör en skara av dem, eller använd sweep</translation>
+    </message>
+    <message>
+        <source>the range of %1 is too narrow: it must be at least 1e-4 of its end</source>
+        <translation>området för %1 är för smalt: det måste vara minst 1e-4 av sitt slutvärde</translation>
+    </message>
+    <message>
+        <source>the axis %1</source>
+        <translation>axeln %1</translation>
+    </message>
+    <message>
+        <source>a sweep has at most %1 axes, this one %2</source>
+        <translation>sweep har högst %1 axlar, här är det %2</translation>
+    </message>
+    <message>
+        <source>the axes %1 and %2 %3; vary one of them</source>
+        <translation>axlarna %1 och %2 %3; variera en av dem</translation>
+    </message>
+    <message>
+        <source>the grid has more than %1 points; take fewer values</source>
+        <translation>rutnätet har fler än %1 punkter; ta färre värden</translation>
+    </message>
+    <message>
+        <source>pictures show one axis or two, not %1; vary fewer, or leave out --plots</source>
+        <translation>bilder visar en axel eller två, inte %1; variera färre eller utelämna --plots</translation>
+    </message>
+    <message>
+        <source>no axis has two numbers or more to draw a curve along</source>
+        <translation>ingen axel har två tal eller fler att rita en kurva längs</translation>
+    </message>
+    <message>
+        <source>a part of the rows cannot be drawn; leave out --shard</source>
+        <translation>en enskild del av raderna kan inte ritas; utelämna --shard</translation>
+    </message>
+    <message>
+        <source>at most %1 rows can be drawn, not %2; take fewer</source>
+        <translation>högst %1 rader kan ritas, inte %2; ta färre</translation>
+    </message>
+    <message>
+        <source>at most %1 curves can be told apart, and %2 has %3 values; take fewer, or draw a map (drillwave map)</source>
+        <translation>högst %1 kurvor går att skilja åt, och %2 har %3 värden; ta färre, eller rita en karta (drillwave map)</translation>
+    </message>
+    <message>
+        <source>at most %1 outputs can be drawn, not %2; choose with --outputs</source>
+        <translation>högst %1 resultat kan ritas, inte %2; välj med --outputs</translation>
+    </message>
+    <message>
+        <source>is empty; its first row must name parameters</source>
+        <translation>är tom; första raden måste namnge parametrar</translation>
+    </message>
+    <message>
+        <source>cells are separated by tabs, not by `,`; save the table with `,` between them and `.` in numbers</source>
+        <translation>cellerna skiljs åt av tabbar, inte av `,`; spara tabellen med `,` mellan dem och `.` i talen</translation>
+    </message>
+    <message>
+        <source>cells are separated by `;`, not by `,`; save the table with `,` between them and `.` in numbers</source>
+        <translation>cellerna skiljs åt av `;`, inte av `,`; spara tabellen med `,` mellan dem och `.` i talen</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter; write a key that there is, or another name than `%2` for a column that is only to be passed through</source>
+        <translation>`%1` är ingen parameter; skriv en nyckel som finns, eller ett annat namn än `%2` för en kolumn som bara ska föras över</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter; did you mean `%2`, or another name than `%3` for a column that is only to be passed through?</source>
+        <translation>`%1` är ingen parameter; menade du `%2`, eller ett annat namn än `%3` för en kolumn som bara ska föras över?</translation>
+    </message>
+    <message>
+        <source>has %1; save the table as CSV in UTF-8</source>
+        <translation>innehåller %1; spara tabellen som CSV i UTF-8</translation>
+    </message>
+    <message>
+        <source>`%1` is no number; give it with --set for all rows</source>
+        <translation>`%1` är inget tal; ange värdet med --set för alla rader</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter; write `%2`, with its unit in square brackets, or another name for a column that is only to be passed through</source>
+        <translation>`%1` är ingen parameter; skriv `%2`, med enhet inom hakparentes, eller ett annat namn för en kolumn som bara ska föras över</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter; write `%2`, or another name for a column that is only to be passed through</source>
+        <translation>`%1` är ingen parameter; skriv `%2`, eller ett annat namn för en kolumn som bara ska föras över</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter and only passed through</source>
+        <translation>`%1` är ingen parameter och förs bara över</translation>
+    </message>
+    <message>
+        <source>`%1` is not a parameter and only passed through; did you mean `%2`?</source>
+        <translation>`%1` är ingen parameter och förs bara över; menade du `%2`?</translation>
+    </message>
+    <message>
+        <source>%1 has no unit; write it without `[%2]`</source>
+        <translation>%1 har ingen enhet; skriv utan `[%2]`</translation>
+    </message>
+    <message>
+        <source>%1: unit `%2` is not known here; units that would do: %3</source>
+        <translation>%1: enheten `%2` är inte känd här; enheter som går: %3</translation>
+    </message>
+    <message>
+        <source>sets %1 again, column %2 does already; keep one of them</source>
+        <translation>sätter %1 igen, kolumn %2 gör det redan; behåll en av dem</translation>
+    </message>
+    <message>
+        <source>`%1` is passed through as it is; the column that is computed follows with the same name</source>
+        <translation>`%1` förs över som den är; den beräknade kolumnen följer med samma namn</translation>
+    </message>
+    <message>
+        <source>no column names a parameter, so that every row would be the same blow; name some in the first row, as `beta` or `rod.length [m]`</source>
+        <translation>ingen kolumn namnger en parameter, så att varje rad vore samma slag; namnge några i första raden, t.ex. `beta` eller `rod.length [m]`</translation>
+    </message>
+    <message>
+        <source>has %1; save the table in UTF-8</source>
+        <translation>innehåller %1; spara tabellen i UTF-8</translation>
+    </message>
+    <message>
+        <source>is in %1, the column in %2: write it in that, or the header without a unit</source>
+        <translation>är i %1, kolumnen i %2: skriv värdet i kolumnens enhet, eller huvudet utan enhet</translation>
+    </message>
+    <message>
+        <source>has %1 cells, the header has %2</source>
+        <translation>har %1 celler, huvudet har %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 %3; leave one of the two cells empty</source>
+        <translation>%1 och %2 %3; lämna en av de två cellerna tom</translation>
+    </message>
+    <message>
+        <source>text follows a closing quote</source>
+        <translation>text följer efter ett avslutande citattecken</translation>
+    </message>
+    <message>
+        <source>a quote is not closed</source>
+        <translation>ett citattecken är inte stängt</translation>
+    </message>
+    <message>
+        <source>the record is too long</source>
+        <translation>posten är för lång</translation>
+    </message>
+    <message>
+        <source>the record has too many cells</source>
+        <translation>posten har för många celler</translation>
+    </message>
+    <message>
+        <source>must be a whole number from %1 to %2</source>
+        <translation>måste vara ett heltal från %1 till %2</translation>
+    </message>
+    <message>
+        <source>must be UTF-8</source>
+        <translation>måste vara UTF-8</translation>
+    </message>
+    <message>
+        <source>must be one line</source>
+        <translation>måste vara en enda rad</translation>
+    </message>
+    <message>
+        <source>must have no control characters</source>
+        <translation>får inte ha några styrtecken</translation>
+    </message>
+    <message>
+        <source>must have no characters that turn the direction of reading</source>
+        <translation>får inte ha tecken som vänder läsriktningen</translation>
+    </message>
+    <message>
+        <source>must have a letter</source>
+        <translation>måste ha en bokstav</translation>
+    </message>
+    <message>
+        <source>a loading curve of more than one line</source>
+        <translation>en belastningskurva med fler än en linje</translation>
+    </message>
+    <message>
+        <source>the closed form is for a rectangular pulse, gamma = 1, a whole number as delta and tau &gt;= 0.5, not %1; use the exact method or the lattice</source>
+        <translation>den slutna formen gäller rektangulärt slag, gamma = 1, heltal som delta och tau &gt;= 0,5, inte %1; använd den exakta metoden eller gittret</translation>
+    </message>
+    <message>
+        <source>the file of presets %1</source>
+        <translation>filen med förval %1</translation>
+    </message>
+    <message>
+        <source>--segments %1: needs at most %2 whole numbers from %3 to %4, as in 100,1000,10000</source>
+        <translation>--segments %1: behöver högst %2 heltal från %3 till %4, som i 100,1000,10000</translation>
+    </message>
+    <message>
+        <source>--segments %1: would move waves by %2 segments, more than --work-limit, now %3, permits (half a minute is some 1e9); take fewer or permit more</source>
+        <translation>--segments %1: skulle flytta vågor %2 segment, mer än vad --work-limit, nu %3, tillåter (en halv minut är omkring 1e9); ta färre eller tillåt fler</translation>
+    </message>
+    <message>
+        <source>unknown option `%1`; did you mean `%2`?</source>
+        <translation>okänd flagga `%1`; menade du `%2`?</translation>
+    </message>
+    <message>
+        <source>unknown option `%1`; --help lists the options</source>
+        <translation>okänd flagga `%1`; --help listar flaggorna</translation>
+    </message>
+    <message>
+        <source>`%1` needs a value: %2</source>
+        <translation>`%1` behöver ett värde: %2</translation>
+    </message>
+    <message>
+        <source>%1; `%2` behind it is an option, a file of that name is ./%2</source>
+        <translation>%1; `%2` efter den är en flagga, en fil med det namnet är ./%2</translation>
+    </message>
+    <message>
+        <source>%1; `%2` behind it is an option</source>
+        <translation>%1; `%2` efter den är en flagga</translation>
+    </message>
+    <message>
+        <source>`%1` takes no value</source>
+        <translation>`%1` tar inget värde</translation>
+    </message>
+    <message>
+        <source>--level: at most %1 levels</source>
+        <translation>--level: högst %1 nivåer</translation>
+    </message>
+    <message>
+        <source>-o needs a name, this one is empty; - is standard output</source>
+        <translation>-o behöver ett namn, detta är tomt; - är standard ut</translation>
+    </message>
+    <message>
+        <source>needs %1; see drillwave %2 --help</source>
+        <translation>behöver %1; se drillwave %2 --help</translation>
+    </message>
+    <message>
+        <source>`%1` is too much; takes none, see drillwave %2 --help</source>
+        <translation>`%1` är för mycket; tar inget, se drillwave %2 --help</translation>
+    </message>
+    <message>
+        <source>`%1` is too much; takes %2, see drillwave %3 --help</source>
+        <translation>`%1` är för mycket; tar %2, se drillwave %3 --help</translation>
+    </message>
+    <message>
+        <source>--goal is about one output; --outputs names %1</source>
+        <translation>--goal gäller ett enda resultat; --outputs anger %1</translation>
+    </message>
+    <message>
+        <source>--goal %1: without --si %2 is a number without a unit; add --si</source>
+        <translation>--goal %1: utan --si är %2 ett tal utan enhet; lägg till --si</translation>
+    </message>
+    <message>
+        <source>needs --along KEY=START:STOP or KEY=START:STOP:log</source>
+        <translation>behöver --along KEY=START:STOP eller KEY=START:STOP:log</translation>
+    </message>
+    <message>
+        <source>--goal has no place where -o - prints the curve; leave out -o, or give -o FILE.csv</source>
+        <translation>--goal har ingen plats när -o - skriver ut kurvan; utelämna -o, eller ange -o FILE.csv</translation>
+    </message>
+    <message>
+        <source>%1: could not be solved everywhere: from %2 = %3 to %4: %5</source>
+        <translation>%1: kunde inte lösas överallt: från %2 = %3 till %4: %5</translation>
+    </message>
+    <message>
+        <source>--force is about the file of -o; add -o FILE.csv</source>
+        <translation>--force gäller filen från -o; lägg till -o FILE.csv</translation>
+    </message>
+    <message>
+        <source>--json and -o - would both print to standard output; take one</source>
+        <translation>--json och -o - skulle båda skriva till standard ut; välj en av dem</translation>
+    </message>
+    <message>
+        <source>takes one FILE; `%1` is a second one</source>
+        <translation>tar bara en FILE; `%1` är en andra</translation>
+    </message>
+    <message>
+        <source>needs FILE</source>
+        <translation>behöver FILE</translation>
+    </message>
+    <message>
+        <source>blows</source>
+        <translation>slag</translation>
+    </message>
+    <message>
+        <source>%1: of too many samples there is no answer, so that designs have no statistics: %2 of %3; the first: %4</source>
+        <translation>%1: för många stickprov saknar svar, så att konstruktioner inte har någon statistik: %2 av %3; det första: %4</translation>
+    </message>
+    <message>
+        <source>no design meets all limits; loosen one or widen the choices</source>
+        <translation>ingen konstruktion uppfyller alla gränser; lätta på någon eller vidga valen</translation>
+    </message>
+    <message>
+        <source>the scenario as it is could not be solved</source>
+        <translation>scenariot som det är kunde inte lösas</translation>
+    </message>
+    <message>
+        <source>--force is about the files of -o; add -o DIR</source>
+        <translation>--force gäller filerna från -o; lägg till -o DIR</translation>
+    </message>
+    <message>
+        <source>files in %1</source>
+        <translation>filer i %1</translation>
+    </message>
+    <message>
+        <source>`%1` needs OUTPUT@STATISTIC, as efficiency@q05</source>
+        <translation>`%1` behöver OUTPUT@STATISTIC, t.ex. efficiency@q05</translation>
+    </message>
+    <message>
+        <source>`all` are several outputs; name one</source>
+        <translation>`all` är flera resultat; ange ett</translation>
+    </message>
+    <message>
+        <source>`%1` is not a statistic; choose from mean, q01 to q99, min, max, nominal</source>
+        <translation>`%1` är ingen statistik; välj bland mean, q01 till q99, min, max, nominal</translation>
+    </message>
+    <message>
+        <source>needs max:OUTPUT@STATISTIC or min:OUTPUT@STATISTIC</source>
+        <translation>behöver max:OUTPUT@STATISTIC eller min:OUTPUT@STATISTIC</translation>
+    </message>
+    <message>
+        <source>`%1`: write --aim before it</source>
+        <translation>`%1`: skriv --aim före</translation>
+    </message>
+    <message>
+        <source>needs OUTPUT@STATISTIC=VALUE</source>
+        <translation>behöver OUTPUT@STATISTIC=VALUE</translation>
+    </message>
+    <message>
+        <source>there is no drillwave-window beside this program, which was built without it (DRILLWAVE_GUI), or installed without it (the package drillwave)</source>
+        <translation>det finns inget drillwave-window bredvid detta program, som byggdes utan det (DRILLWAVE_GUI) eller installerades utan det (paketet drillwave)</translation>
+    </message>
+    <message>
+        <source>no window: %1; use `drillwave run FILE` (see --help)</source>
+        <translation>inget fönster: %1; använd `drillwave run FILE` (se --help)</translation>
+    </message>
+    <message>
+        <source>no pictures: %1; leave out what draws them, or run the whole program</source>
+        <translation>inga bilder: %1; utelämna det som ritar dem, eller kör hela programmet</translation>
+    </message>
+    <message>
+        <source>no display to open the window on; use `drillwave run FILE` (see --help), or `drillwave -platform offscreen`</source>
+        <translation>ingen bildskärm att öppna fönstret på; använd `drillwave run FILE` (se --help) eller `drillwave -platform offscreen`</translation>
+    </message>
+    <message>
+        <source>--force is about the files of -o; add -o FILE.csv or -o DIR</source>
+        <translation>--force gäller filerna från -o; lägg till -o FILE.csv eller -o DIR</translation>
+    </message>
+    <message>
+        <source>--gaps is about a scan; add --scan KEY=START:STOP:COUNT</source>
+        <translation>--gaps gäller ett svep; lägg till --scan KEY=START:STOP:COUNT</translation>
+    </message>
+    <message>
+        <source>--histories: these blows have more than %1 samples; take fewer blows or fewer --cells</source>
+        <translation>--histories: dessa slag har fler än %1 tidpunkter; ta färre slag eller färre --cells</translation>
+    </message>
+    <message>
+        <source>--work-limit %1 must be a number of at least 1</source>
+        <translation>--work-limit %1 måste vara ett tal som är minst 1</translation>
+    </message>
+    <message>
+        <source>--si and --dimensionless exclude each other</source>
+        <translation>--si och --dimensionless utesluter varandra</translation>
+    </message>
+    <message>
+        <source>--histories %1 needs a folder: add -o DIR</source>
+        <translation>--histories %1 behöver en mapp: lägg till -o DIR</translation>
+    </message>
+    <message>
+        <source>--histories %1 must be A:B, blows from 1 to %2</source>
+        <translation>--histories %1 måste vara A:B, slag från 1 till %2</translation>
+    </message>
+    <message>
+        <source>it takes %1 cells times nodes, more than the %2 permitted, about %3; fewer blows or --cells take less, --work-limit permits more</source>
+        <translation>det krävs %1 celler gånger noder, omkring %3, mer än de %2 som är tillåtna; färre slag eller färre --cells kräver mindre, --work-limit tillåter mer</translation>
+    </message>
+    <message>
+        <source>end_time counts for single blows, not here</source>
+        <translation>end_time gäller enstaka slag, inte här</translation>
+    </message>
+    <message>
+        <source>machine_mass without a damper: the machine presses with a constant force</source>
+        <translation>machine_mass utan dämpare: maskinen trycker med en konstant kraft</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 rows could not be solved: their cells are empty; the first: %4</source>
+        <translation>%1: %2 av %3 rader kunde inte lösas: deras celler är tomma; den första: %4</translation>
+    </message>
+    <message>
+        <source>--plots: a scan over %1 has words on its axis and no picture; scan a number</source>
+        <translation>--plots: ett svep över %1 har ord på sin axel och ingen bild; svep över ett tal</translation>
+    </message>
+    <message>
+        <source>-o and --gaps name one file; give two</source>
+        <translation>-o och --gaps anger samma fil; ange två</translation>
+    </message>
+    <message>
+        <source>values</source>
+        <translation>värden</translation>
+    </message>
+    <message>
+        <source>`%1` is not an example; `drillwave examples` lists them</source>
+        <translation>`%1` är inget exempel; `drillwave examples` listar dem</translation>
+    </message>
+    <message>
+        <source>`%1` is not an example; did you mean `%2`?</source>
+        <translation>`%1` är inget exempel; menade du `%2`?</translation>
+    </message>
+    <message>
+        <source>Fig. %1 could not be drawn</source>
+        <translation>Fig. %1 kunde inte ritas</translation>
+    </message>
+    <message>
+        <source>%1 is about files; add -o %2 to say where they go</source>
+        <translation>%1 gäller filer; lägg till -o %2 för att säga vart de skrivs</translation>
+    </message>
+    <message>
+        <source>needs -o DIR, the folder for the figures</source>
+        <translation>behöver -o DIR, mappen för figurerna</translation>
+    </message>
+    <message>
+        <source>%1 files in %2; %3 of %4 printed numbers agree, see index.html or discrepancies.csv</source>
+        <translation>%1 filer i %2; %3 av %4 tryckta tal stämmer, se index.html eller discrepancies.csv</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2, d0 being %3</source>
+        <translation>måste vara från %1 till %2, där d0 är %3</translation>
+    </message>
+    <message>
+        <source>must be from %1 to %2</source>
+        <translation>måste vara från %1 till %2</translation>
+    </message>
+    <message>
+        <source>--gap-mean needs --gap-deviation, how far gaps scatter about it</source>
+        <translation>--gap-mean behöver --gap-deviation, hur mycket spalter sprider kring det</translation>
+    </message>
+    <message>
+        <source>--si is about the file of -o; add -o FILE.csv</source>
+        <translation>--si gäller filen från -o; lägg till -o FILE.csv</translation>
+    </message>
+    <message>
+        <source>is a drill string, and this command solves uniform rods alone (`drillwave: 1`); `drillwave curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap</source>
+        <translation>är en borrsträng, och detta kommando löser bara likformiga stänger (`drillwave: 1`); `drillwave curve FILE --along bit_rock.gap=0mm:2mm` följer en sträng längs dess spalt</translation>
+    </message>
+    <message>
+        <source>--si: %1 is given by its dimensionless groups and has no SI units</source>
+        <translation>--si: %1 är givet av sina dimensionslösa tal och har inga SI-enheter</translation>
+    </message>
+    <message>
+        <source>%1: could not be solved at all gaps: %2</source>
+        <translation>%1: kunde inte lösas vid alla spalter: %2</translation>
+    </message>
+    <message>
+        <source>Usage: drillwave %1 [OPTION]…
+</source>
+        <translation>Användning: drillwave %1 [OPTION]…
+</translation>
+    </message>
+    <message>
+        <source>`%1` is not a section of %2</source>
+        <translation>`%1` är inget avsnitt i %2</translation>
+    </message>
+    <message>
+        <source>`%1` is not a section of %2, which has %3</source>
+        <translation>`%1` är inget avsnitt i %2, som har %3</translation>
+    </message>
+    <message>
+        <source>`%1` is neither a command nor a chapter, parameter or output; `drillwave help` says what there is</source>
+        <translation>`%1` är varken kommando eller kapitel, parameter eller resultat; `drillwave help` säger vad som finns</translation>
+    </message>
+    <message>
+        <source>`%1` is neither a command nor a chapter, parameter or output; near it %2; `drillwave help` says what there is</source>
+        <translation>`%1` är varken kommando eller kapitel, parameter eller resultat; nära ligger %2; `drillwave help` säger vad som finns</translation>
+    </message>
+    <message>
+        <source>reading standard input; end it with Ctrl-D</source>
+        <translation>läser standard in; avsluta med Ctrl-D</translation>
+    </message>
+    <message>
+        <source>%1: cannot be read: %2; copy it to another disk, or get it anew</source>
+        <translation>%1: kan inte läsas: %2; kopiera till en annan disk, eller hämta på nytt</translation>
+    </message>
+    <message>
+        <source>is not a regular file; write the rows to a file first</source>
+        <translation>är ingen vanlig fil; skriv först raderna till en fil</translation>
+    </message>
+    <message>
+        <source>cannot be opened for reading; check its permissions</source>
+        <translation>kan inte öppnas för läsning; kontrollera behörigheterna</translation>
+    </message>
+    <message>
+        <source>%1: cannot be kept in %2: %3; set TMPDIR to a folder with more room</source>
+        <translation>%1: kan inte mellanlagras i %2: %3; sätt TMPDIR till en mapp med mer utrymme</translation>
+    </message>
+    <message>
+        <source>%1: is longer than %2 MiB, the most that is kept of what is not a file; write its rows to a file first</source>
+        <translation>%1: är längre än %2 MiB, det mesta som mellanlagras av det som inte är en fil; skriv först raderna till en fil</translation>
+    </message>
+    <message>
+        <source>interrupted</source>
+        <translation>avbrutet</translation>
+    </message>
+    <message>
+        <source>no thread can be started: %1; raise the limit of processes or memory (ulimit)</source>
+        <translation>ingen tråd kan startas: %1; höj gränsen för processer eller minne (ulimit)</translation>
+    </message>
+    <message>
+        <source>interrupted; no output was left behind</source>
+        <translation>avbrutet; inga utdata lämnades kvar</translation>
+    </message>
+    <message>
+        <source>its command is none of this version: %1</source>
+        <translation>dess kommando finns inte i denna version: %1</translation>
+    </message>
+    <message>
+        <source>is no file of rows</source>
+        <translation>är ingen fil med rader</translation>
+    </message>
+    <message>
+        <source>the part is not there</source>
+        <translation>delen finns inte</translation>
+    </message>
+    <message>
+        <source>%1; a part needs the record that was written with it</source>
+        <translation>%1; en del behöver den .yaml-fil som skrevs med den</translation>
+    </message>
+    <message>
+        <source>number of parts</source>
+        <translation>antal delar</translation>
+    </message>
+    <message>
+        <source>command</source>
+        <translation>kommando</translation>
+    </message>
+    <message>
+        <source>%1: is a part of another run than %2: its %3 differs; leave it out or run it again</source>
+        <translation>%1: är en del av en annan körning än %2: skillnad i %3; utelämna den eller kör den igen</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>kan inte läsas</translation>
+    </message>
+    <message>
+        <source>%1: has %2 lines, but %3 by its record; it was changed or is of another run</source>
+        <translation>%1: har %2 rader, men %3 enligt sin .yaml-fil; den är ändrad eller hör till en annan körning</translation>
+    </message>
+    <message>
+        <source>needs -o FILE, where to write; - is standard output</source>
+        <translation>behöver -o FILE, vart resultatet skrivs; - är standard ut</translation>
+    </message>
+    <message>
+        <source>rows</source>
+        <translation>rader</translation>
+    </message>
+    <message>
+        <source>%1 needs one of %2</source>
+        <translation>%1 behöver något av %2</translation>
+    </message>
+    <message>
+        <source>%1: `%2` is not one of %3</source>
+        <translation>%1: `%2` är inte något av %3</translation>
+    </message>
+    <message>
+        <source>%1 is given twice</source>
+        <translation>%1 är angivet två gånger</translation>
+    </message>
+    <message>
+        <source>standard output: cannot be written: %1</source>
+        <translation>standard ut: kan inte skrivas: %1</translation>
+    </message>
+    <message>
+        <source>`%1` is too much; `drillwave help` says what there is</source>
+        <translation>`%1` är för mycket; `drillwave help` säger vad som finns</translation>
+    </message>
+    <message>
+        <source>out of memory: this needs more than is free, or than a limit (ulimit -v, -d) permits; raise it, use fewer threads (-j 1) or ask for less at once</source>
+        <translation>minnesbrist: detta kräver mer än vad som är ledigt, eller än vad en gräns (ulimit -v, -d) tillåter; höj den, använd färre trådar (-j 1) eller begär mindre på en gång</translation>
+    </message>
+    <message>
+        <source>internal error: %1; please report it with the command that led to it</source>
+        <translation>internt fel: %1; rapportera det, med kommandot som ledde till det</translation>
+    </message>
+    <message>
+        <source>needs --x KEY=START:STOP:COUNT[:log] and --y likewise; %1 is missing</source>
+        <translation>behöver --x KEY=START:STOP:COUNT[:log] och --y likaså; %1 saknas</translation>
+    </message>
+    <message>
+        <source>--output: a map has one output; for several take `drillwave sweep`</source>
+        <translation>--output: en karta har ett resultat; för flera finns `drillwave sweep`</translation>
+    </message>
+    <message>
+        <source>%1 has no place where -o - prints the map; give -o FILE.csv</source>
+        <translation>%1 har ingen plats när -o - skriver ut kartan; ange -o FILE.csv</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>punkter</translation>
+    </message>
+    <message>
+        <source>contour points</source>
+        <translation>nivåkurvpunkter</translation>
+    </message>
+    <message>
+        <source>%1 points of a contour could not be placed: %2</source>
+        <translation>%1 punkter på en nivåkurva kunde inte bestämmas: %2</translation>
+    </message>
+    <message>
+        <source>%1 of %2 points could not be solved and have no output; %3</source>
+        <translation>%1 av %2 punkter kunde inte lösas och saknar resultat; %3</translation>
+    </message>
+    <message>
+        <source>--shard: a part of a map has rows alone; add -o FILE.csv</source>
+        <translation>--shard: en del av en karta har bara rader; lägg till -o FILE.csv</translation>
+    </message>
+    <message>
+        <source>%1 needs the map in one piece; leave out --shard</source>
+        <translation>%1 kräver kartan i ett stycke; utelämna --shard</translation>
+    </message>
+    <message>
+        <source>--method %1: is not known; choose from %2</source>
+        <translation>--method %1: är inte känd; välj bland %2</translation>
+    </message>
+    <message>
+        <source>--segments is about the lattice; add --method lattice</source>
+        <translation>--segments gäller gittret; lägg till --method lattice</translation>
+    </message>
+    <message>
+        <source>%1: is for uniform rods; leave it out for a drill string</source>
+        <translation>%1: gäller bara likformiga stänger; utelämnas för en borrsträng</translation>
+    </message>
+    <message>
+        <source>nothing can be written: %1; raise the limit of open files (ulimit -n)</source>
+        <translation>inget kan skrivas: %1; höj gränsen för öppna filer (ulimit -n)</translation>
+    </message>
+    <message>
+        <source>standard output</source>
+        <translation>standard ut</translation>
+    </message>
+    <message>
+        <source>is closed; send it to a file or to /dev/null</source>
+        <translation>är stängd; skicka den till en fil eller till /dev/null</translation>
+    </message>
+    <message>
+        <source>the name has bytes that are not UTF-8; choose another one</source>
+        <translation>namnet har byte som inte är UTF-8; välj ett annat</translation>
+    </message>
+    <message>
+        <source>is a folder; give the name of a file</source>
+        <translation>är en mapp; ange namnet på en fil</translation>
+    </message>
+    <message>
+        <source>exists already; use --force to overwrite it or choose another name</source>
+        <translation>finns redan; skriv över med --force eller välj ett annat namn</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2; free some space or choose another place with -o</source>
+        <translation>%1: kan inte skrivas: %2; frigör utrymme eller välj en annan plats med -o</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2; choose another place with -o</source>
+        <translation>%1: kan inte skrivas: %2; välj en annan plats med -o</translation>
+    </message>
+    <message>
+        <source>may be %1; give the whole name</source>
+        <translation>kan vara %1; ange hela namnet</translation>
+    </message>
+    <message>
+        <source>is not known; did you mean `%1`?</source>
+        <translation>är inte känt; menade du `%1`?</translation>
+    </message>
+    <message>
+        <source>is not known; `%1` lists them</source>
+        <translation>är inte känt; `%1` listar dem som finns</translation>
+    </message>
+    <message>
+        <source>the file of presets has an empty name; without one the built-in ones are taken</source>
+        <translation>filen med förval har ett tomt namn; utan fil tas de inbyggda</translation>
+    </message>
+    <message>
+        <source>%1: the file of presets %2</source>
+        <translation>%1: filen med förval %2</translation>
+    </message>
+    <message>
+        <source>%1: the file of presets is larger than %2 KiB, too large to be meant</source>
+        <translation>%1: filen med förval är större än %2 KiB, för stor för att vara avsedd</translation>
+    </message>
+    <message>
+        <source>%1 is a drill string, whose sections are given one by one</source>
+        <translation>%1 är en borrsträng, vars sektioner anges en för en</translation>
+    </message>
+    <message>
+        <source>%1 is given by its dimensionless groups; presets need a scenario in physical units</source>
+        <translation>%1 är givet av sina dimensionslösa tal; förval kräver ett scenario i fysikaliska enheter</translation>
+    </message>
+    <message>
+        <source>--presets is about --rod, --hammer and --rock; add one of them</source>
+        <translation>--presets gäller --rod, --hammer och --rock; lägg till någon av dem</translation>
+    </message>
+    <message>
+        <source>rods, for %1</source>
+        <translation>stänger, för %1</translation>
+    </message>
+    <message>
+        <source>hammers, for %1</source>
+        <translation>hammare, för %1</translation>
+    </message>
+    <message>
+        <source>rocks, for %1</source>
+        <translation>berg, för %1</translation>
+    </message>
+    <message>
+        <source>pistons, for drill strings (length × diameter / bore)</source>
+        <translation>kolvar, för borrsträngar (längd × diameter / borrning)</translation>
+    </message>
+    <message>
+        <source>adapters, for drill strings (length × diameter / bore)</source>
+        <translation>nackadaptrar, för borrsträngar (längd × diameter / borrning)</translation>
+    </message>
+    <message>
+        <source>couplings, for drill strings (length × diameter / bore)</source>
+        <translation>skarvhylsor, för borrsträngar (längd × diameter / borrning)</translation>
+    </message>
+    <message>
+        <source>bits, for drill strings (length × diameter / bore)</source>
+        <translation>borrkronor, för borrsträngar (längd × diameter / borrning)</translation>
+    </message>
+    <message>
+        <source>no preset has all of &quot;%1&quot;</source>
+        <translation>inget förval har allt i &quot;%1&quot;</translation>
+    </message>
+    <message>
+        <source>%1 done</source>
+        <translation>%1 klart</translation>
+    </message>
+    <message>
+        <source>%1 left</source>
+        <translation>%1 kvar</translation>
+    </message>
+    <message>
+        <source>solving for %1; Ctrl-C ends it</source>
+        <translation>löser, hittills %1; Ctrl-C avbryter</translation>
+    </message>
+    <message>
+        <source>solving for %1</source>
+        <translation>löser, hittills %1</translation>
+    </message>
+    <message>
+        <source>needs -o DIR, -o FILE.html or -o FILE.pdf, where to write</source>
+        <translation>behöver -o DIR, -o FILE.html eller -o FILE.pdf, vart rapporten skrivs</translation>
+    </message>
+    <message>
+        <source>a report is FILE.html or FILE.pdf; for a folder of that name put / behind it</source>
+        <translation>en rapport är FILE.html eller FILE.pdf; för en mapp med det namnet sätts / efter</translation>
+    </message>
+    <message>
+        <source>report in %1</source>
+        <translation>rapport i %1</translation>
+    </message>
+    <message>
+        <source>--shard %1: needs I/N, 1 &lt;= I &lt;= N &lt;= %2</source>
+        <translation>--shard %1: behöver I/N, 1 &lt;= I &lt;= N &lt;= %2</translation>
+    </message>
+    <message>
+        <source>%1; --work-limit, now %2, permits more</source>
+        <translation>%1; --work-limit, nu %2, tillåter mer</translation>
+    </message>
+    <message>
+        <source>%1 row</source>
+        <translation>%1 rad</translation>
+    </message>
+    <message>
+        <source>%1 rows</source>
+        <translation>%1 rader</translation>
+    </message>
+    <message>
+        <source>%1; %2 for other reasons</source>
+        <translation>%1; %2 av andra skäl</translation>
+    </message>
+    <message>
+        <source>%1: could not be solved: %2</source>
+        <translation>%1: kunde inte lösas: %2</translation>
+    </message>
+    <message>
+        <source>Outputs:</source>
+        <translation>Resultat:</translation>
+    </message>
+    <message>
+        <source>all of these that FILE has: some need a blow frequency, thrust_margin a thrust too</source>
+        <translation>alla dessa som FILE har: några kräver en slagfrekvens, thrust_margin även en matningskraft</translation>
+    </message>
+    <message>
+        <source>Of many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency and drill.thrust:</source>
+        <translation>För många slag; bara om de anges vid namn, eftersom de kräver en egen beräkning; FILE behöver drill.blow_frequency och drill.thrust:</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows could not be solved: their output cells are empty; %3</source>
+        <translation>%1 av %2 rader kunde inte lösas: deras resultatceller är tomma; %3</translation>
+    </message>
+    <message>
+        <source>note: the waves of this blow are more than can be kept: no histories.csv and no plots</source>
+        <translation>anmärkning: detta slag har fler vågor än vad som kan behållas: ingen histories.csv och inga diagram</translation>
+    </message>
+    <message>
+        <source>%1 and %2 %3; give one of them</source>
+        <translation>%1 och %2 %3; ange en av dem</translation>
+    </message>
+    <message>
+        <source>needs KEY=VALUE</source>
+        <translation>behöver KEY=VALUE</translation>
+    </message>
+    <message>
+        <source>holds %1</source>
+        <translation>innehåller %1</translation>
+    </message>
+    <message>
+        <source>%1: note: written by Drillwave %2, newer than this %3: results may differ</source>
+        <translation>%1: anmärkning: skriven av Drillwave %2, som är nyare än denna %3: resultaten kan skilja sig</translation>
+    </message>
+    <message>
+        <source>%1: the scenario file %2</source>
+        <translation>%1: scenariofilen %2</translation>
+    </message>
+    <message>
+        <source>%1: the scenario file %2; did you mean the example %3?</source>
+        <translation>%1: scenariofilen %2; menade du exemplet %3?</translation>
+    </message>
+    <message>
+        <source>-o %1 is read as input (%2); choose another name for the output</source>
+        <translation>-o %1 läses som indata (%2); välj ett annat namn för utdata</translation>
+    </message>
+    <message>
+        <source>FILE - and --presets - would both read standard input; take one</source>
+        <translation>FILE - och --presets - skulle båda läsa standard in; välj en av dem</translation>
+    </message>
+    <message>
+        <source>%1 with --set: %2</source>
+        <translation>%1 med --set: %2</translation>
+    </message>
+    <message>
+        <source>%1: note: was solved by %2; this command solves exactly</source>
+        <translation>%1: anmärkning: löstes med %2; detta kommando löser exakt</translation>
+    </message>
+    <message>
+        <source>%1: warning: %2</source>
+        <translation>%1: varning: %2</translation>
+    </message>
+    <message>
+        <source>--plots %1: `%2` is not a plot format; choose from %3</source>
+        <translation>--plots %1: `%2` är inget diagramformat; välj bland %3</translation>
+    </message>
+    <message>
+        <source>--plots: there is no place for pictures beside %1; give -o FILE.csv</source>
+        <translation>--plots: det finns ingen plats för bilder bredvid %1; ange -o FILE.csv</translation>
+    </message>
+    <message>
+        <source>needs --vary KEY=START:STOP:COUNT[:log] or --vary KEY=A,B,C</source>
+        <translation>behöver --vary KEY=START:STOP:COUNT[:log] eller --vary KEY=A,B,C</translation>
+    </message>
+    <message>
+        <source>FILE and CASES are both standard input; give a name for one</source>
+        <translation>FILE och CASES är båda standard in; ange ett namn för en av dem</translation>
+    </message>
+    <message>
+        <source>--frequency VALUES is --along drill.blow_frequency=VALUES; give one of them</source>
+        <translation>--frequency VALUES är --along drill.blow_frequency=VALUES; ange en av dem</translation>
+    </message>
+    <message>
+        <source>pulse.shape is no number; sweep takes it</source>
+        <translation>pulse.shape är inget tal; sweep tar det</translation>
+    </message>
+    <message>
+        <source>%1: at most %2 values</source>
+        <translation>%1: högst %2 värden</translation>
+    </message>
+    <message>
+        <source>%1: %2 of %3 points could not be solved: their cells are empty; the first: %4</source>
+        <translation>%1: %2 av %3 punkter kunde inte lösas: deras celler är tomma; den första: %4</translation>
+    </message>
+    <message>
+        <source>-o writes the table of --along; add --along KEY=START:STOP</source>
+        <translation>-o skriver tabellen från --along; lägg till --along KEY=START:STOP</translation>
+    </message>
+    <message>
+        <source>unknown option `%1`; see drillwave --help</source>
+        <translation>okänd flagga `%1`; se drillwave --help</translation>
+    </message>
+    <message>
+        <source>`%1` is neither a command, nor a file or an example; did you mean `drillwave %2`?</source>
+        <translation>`%1` är varken kommando, fil eller exempel; menade du `drillwave %2`?</translation>
+    </message>
+    <message>
+        <source>No such file or command; see drillwave --help</source>
+        <translation>Ingen sådan fil och inget sådant kommando; se drillwave --help</translation>
+    </message>
+    <message>
+        <source>`%1` is too much; the window opens one file</source>
+        <translation>`%1` är för mycket; fönstret öppnar en fil</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -9660,6 +11958,770 @@ reflex</translation>
     <message>
         <source>&amp;Reset layout</source>
         <translation>Åte&amp;rställ layouten</translation>
+    </message>
+</context>
+<context>
+    <name>help</name>
+    <message>
+        <source>Usage: drillwave [FILE]             open the window (with a scenario, a result or an example)
+       drillwave COMMAND ARGUMENTS  work without a window
+
+Commands:
+</source>
+        <translation>Användning: drillwave [FILE]             öppna fönstret (med scenario, resultat eller exempel)
+            drillwave COMMAND ARGUMENTS  arbeta utan fönster
+
+Kommandon:
+</translation>
+    </message>
+    <message>
+        <source>
+  drillwave help TOPIC  says more: of a command, as COMMAND --help and -h do; of a parameter
+  (help bit_rock.gamma), an output (help cor), a symbol; it prints chapters of the manual and
+  sections of them (help theory 10). drillwave version prints the version.
+  Chapters: %1.
+  Without a display the window needs `-platform offscreen`.
+  drillwave --reset-ui  opens the window with its first layout, page, units and choices;
+  drillwave --language de  in German this once (sv: Swedish, en: English).
+  Commands have --language, too; for all of them set DRILLWAVE_LANGUAGE=de.
+
+Exit codes: %2.
+</source>
+        <translation>
+  drillwave help TOPIC  säger mer: om ett kommando, liksom COMMAND --help och -h; om en parameter
+  (help bit_rock.gamma), ett resultat (help cor) eller en symbol; det skriver även ut kapitel ur
+  handboken och avsnitt ur dem (help theory 10). drillwave version skriver ut versionen.
+  Kapitel: %1.
+  Utan bildskärm behöver fönstret `-platform offscreen`.
+  drillwave --reset-ui  öppnar fönstret med ursprunglig layout, sida, enheter och val;
+  drillwave --language de  på tyska just denna gång (sv: svenska, en: engelska).
+  Även kommandon har --language; för alla på en gång sätts DRILLWAVE_LANGUAGE=de.
+
+Slutkoder: %2.
+</translation>
+    </message>
+    <message>
+        <source>FILE is a scenario, a result that holds one (summary.json, histories.csv, map.csv.yaml …), the name of
+a built-in example, or - for standard input.</source>
+        <translation>FILE är ett scenario, ett resultat som innehåller ett (summary.json, histories.csv,
+map.csv.yaml …), namnet på ett inbyggt exempel, eller - för standard in.</translation>
+    </message>
+    <message>
+        <source>0 done, 1 internal error or out of memory, 2 usage, 3 input cannot be read,
+4 output cannot be written, 5 scenario invalid, 6 a case could not be solved, 130 interrupted</source>
+        <translation>0 klart, 1 internt fel eller minnesbrist, 2 felaktig användning, 3 indata kan inte läsas,
+4 utdata kan inte skrivas, 5 ogiltigt scenario, 6 ett fall kunde inte lösas, 130 avbrutet</translation>
+    </message>
+    <message>
+        <source>Options:</source>
+        <translation>Flaggor:</translation>
+    </message>
+    <message>
+        <source>this text</source>
+        <translation>denna text</translation>
+    </message>
+    <message>
+        <source>version of the program</source>
+        <translation>programmets version</translation>
+    </message>
+    <message>
+        <source>solve one blow; a summary, and histories, events and plots into a folder</source>
+        <translation>lös ett slag; en sammanfattning, och förlopp, händelser och diagram till en mapp</translation>
+    </message>
+    <message>
+        <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
+first four can be run again. Of a drill string the histories hold the waves in the middle of its longest
+section. The plots are blow.*, rock.*, wave_picture.* and rod.*.</source>
+        <translation>Med -o får DIR scenario.yaml, summary.json, histories.csv, events.csv och diagrammen: var och en av
+de fyra första filerna kan köras igen. För en borrsträng innehåller förloppen vågorna mitt i den
+längsta sektionen. Diagrammen är blow.*, rock.*, wave_picture.* och rod.*.</translation>
+    </message>
+    <message>
+        <source>change parameters, e.g. rod.length=4.27m beta=0.8</source>
+        <translation>ändra parametrar, t.ex. rod.length=4.27m beta=0.8</translation>
+    </message>
+    <message>
+        <source>take this rod; `drillwave presets` lists rods, hammers and rocks</source>
+        <translation>ta denna stång; `drillwave presets` listar stänger, hammare och berg</translation>
+    </message>
+    <message>
+        <source>take this hammer</source>
+        <translation>ta denna hammare</translation>
+    </message>
+    <message>
+        <source>take this rock</source>
+        <translation>ta detta berg</translation>
+    </message>
+    <message>
+        <source>a file of presets of your own, in place of the built-in ones</source>
+        <translation>en egen fil med förval, i stället för de inbyggda</translation>
+    </message>
+    <message>
+        <source>print one JSON object in place of the summary</source>
+        <translation>skriv ut ett JSON-objekt i stället för sammanfattningen</translation>
+    </message>
+    <message>
+        <source>exact, lattice or closed_form; if not given, that of the result FILE is, or exact</source>
+        <translation>exact, lattice eller closed_form; om inte angivet: som i resultatet FILE, annars exact</translation>
+    </message>
+    <message>
+        <source>of the lattice, 10000 as in the paper if not given</source>
+        <translation>gittrets segment, 10000 som i artikeln om inte angivet</translation>
+    </message>
+    <message>
+        <source>wave pieces a blow may take, 1000000 (at worst some seconds) if not given</source>
+        <translation>högsta antal vågbitar per slag, 1000000 (i värsta fall några sekunder) om inte angivet</translation>
+    </message>
+    <message>
+        <source>write the files of the run into DIR; - writes none</source>
+        <translation>skriv körningens filer till DIR; - skriver inga</translation>
+    </message>
+    <message>
+        <source>with -o, also plots in these formats</source>
+        <translation>med -o: även diagram i dessa format</translation>
+    </message>
+    <message>
+        <source>with -o, CSV columns in SI, as they are where the scenario has units</source>
+        <translation>med -o: CSV-kolumner i SI-enheter, som de ändå är när scenariot har enheter</translation>
+    </message>
+    <message>
+        <source>with -o, CSV columns dimensionless all the same</source>
+        <translation>med -o: CSV-kolumner dimensionslösa även när scenariot har enheter</translation>
+    </message>
+    <message>
+        <source>overwrite existing files</source>
+        <translation>skriv över befintliga filer</translation>
+    </message>
+    <message>
+        <source>speak German (de), Swedish (sv) or English (en)</source>
+        <translation>skriv på tyska (de), svenska (sv) eller engelska (en)</translation>
+    </message>
+    <message>
+        <source>solve a grid of parameters, one CSV row per point</source>
+        <translation>lös ett rutnät av parametrar, en CSV-rad per punkt</translation>
+    </message>
+    <message>
+        <source>Every combination of the values of the axes is one row, later axes fastest. Values carry units
+where the parameter has one: --vary rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine
+FILE.csv.yaml beside FILE.csv says what the rows are: version, command, axes and scenario.
+--plots draws one axis or two: curves along the one with more values, one for each of the other.</source>
+        <translation>Varje kombination av axlarnas värden är en rad; de senare axlarna varierar snabbast. Värden anges
+med enhet där parametern har en: --vary rod.length=3m:6m:4 --vary pulse.shape=rectangular,half_sine
+FILE.csv.yaml bredvid FILE.csv anger vad raderna är: version, kommando, axlar och scenario.
+--plots ritar en axel eller två: kurvor längs den med fler värden, en för varje värde på den andra.</translation>
+    </message>
+    <message>
+        <source>an axis: START:STOP:COUNT, START:STOP:COUNT:log or A,B,C</source>
+        <translation>en axel: START:STOP:COUNT, START:STOP:COUNT:log eller A,B,C</translation>
+    </message>
+    <message>
+        <source>output columns, cor if not given; see below</source>
+        <translation>resultatkolumner, cor om inte angivet; se nedan</translation>
+    </message>
+    <message>
+        <source>outputs in SI, with units in the header</source>
+        <translation>resultat i SI-enheter, angivna i huvudet</translation>
+    </message>
+    <message>
+        <source>wave pieces a row may take, 1000000 (at worst 2 s) if not given; else its cells are empty</source>
+        <translation>högsta antal vågbitar per rad, 1000000 (i värsta fall 2 s) om inte angivet; krävs fler blir cellerna tomma</translation>
+    </message>
+    <message>
+        <source>threads to use, all of them if not given</source>
+        <translation>antal trådar, alla om inte angivet</translation>
+    </message>
+    <message>
+        <source>only the I-th of N contiguous parts, for `drillwave join`; header only in part 1</source>
+        <translation>bara del I av N sammanhängande delar, för `drillwave join`; huvud bara i del 1</translation>
+    </message>
+    <message>
+        <source>where to write, with FILE.csv.yaml beside it; - is standard output, as without</source>
+        <translation>vart raderna skrivs, med FILE.csv.yaml bredvid; - är standard ut, liksom utan -o</translation>
+    </message>
+    <message>
+        <source>with -o, also pictures in these formats, as in the window</source>
+        <translation>med -o: även bilder i dessa format, som i fönstret</translation>
+    </message>
+    <message>
+        <source>solve every row of a table of cases; its columns and the outputs</source>
+        <translation>lös varje rad i en tabell med fall; tabellens kolumner och resultaten</translation>
+    </message>
+    <message>
+        <source>The header of CASES names parameters, with a unit in brackets or units in the cells: rod.length [m].
+An empty cell leaves the value of FILE. Columns that are no parameters are passed through.
+CASES may be - or a pipe. FILE.csv.yaml beside FILE.csv says what the rows are.</source>
+        <translation>Huvudet i CASES anger parametrar, med en enhet inom hakparentes eller enheter i cellerna:
+rod.length [m]. En tom cell behåller värdet i FILE. Kolumner som inte är parametrar förs över
+oförändrade. CASES får vara - eller ett rör (pipe). FILE.csv.yaml bredvid FILE.csv anger vad
+raderna är.</translation>
+    </message>
+    <message>
+        <source>outputs along a parameter: extremes, kinks and crossings with places and errors</source>
+        <translation>resultat längs en parameter: extremvärden, knäckar och korsningar med lägen och fel</translation>
+    </message>
+    <message>
+        <source>Follows outputs along a parameter by smooth pieces between kinks, which are found where the order
+of events changes; no grid to be chosen. Tells where each output is least and largest, its local
+extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is not
+smooth within the work permitted it is known by points alone, and the table says so.
+--goal asks the other way round: where along KEY the output is X. Each place is solved for, with its
+error, and it is told whether there may be others; where there is none, what comes nearest.
+Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
+        <translation>Följer resultat längs en parameter i släta stycken mellan knäckar, som hittas där händelsernas
+ordning ändras; inget rutnät behöver väljas. Anger var varje resultat är minst och störst, dess
+lokala extremvärden, knäckar, språng och korsningar av nivåerna, allt med sitt fel. Där ett resultat
+inte är slätt inom det tillåtna arbetet är det känt bara i enstaka punkter, och tabellen säger det.
+--goal frågar åt andra hållet: var längs KEY resultatet är X. Varje ställe beräknas, med sitt fel,
+och det anges om det kan finnas fler; där inget finns, vad som kommer närmast.
+Värden anges med enhet där parametern har en: --along bit_rock.stiffness=10MN/m:10GN/m:log</translation>
+    </message>
+    <message>
+        <source>the parameter to go along: START:STOP or START:STOP:log</source>
+        <translation>parametern att följa: START:STOP eller START:STOP:log</translation>
+    </message>
+    <message>
+        <source>a line for each value: A,B,C, or START:STOP:COUNT[:log]</source>
+        <translation>en kurva för varje värde: A,B,C eller START:STOP:COUNT[:log]</translation>
+    </message>
+    <message>
+        <source>what to follow, cor if not given; see below</source>
+        <translation>vad som ska följas, cor om inte angivet; se nedan</translation>
+    </message>
+    <message>
+        <source>also where the outputs cross this value, in the unit of their columns</source>
+        <translation>även var resultaten korsar detta värde, i kolumnernas enhet</translation>
+    </message>
+    <message>
+        <source>every value of KEY that gives the only output this value, in the unit of its column; exit code 6 where none does</source>
+        <translation>alla värden på KEY där det enda resultatet är X, i kolumnens enhet; slutkod 6 om inga finns</translation>
+    </message>
+    <message>
+        <source>print one JSON object in place of the tables</source>
+        <translation>skriv ut ett JSON-objekt i stället för tabellerna</translation>
+    </message>
+    <message>
+        <source>outputs in SI</source>
+        <translation>resultat i SI-enheter</translation>
+    </message>
+    <message>
+        <source>wave pieces a blow may take, 1000000 if not given; else there is no answer</source>
+        <translation>högsta antal vågbitar per slag, 1000000 om inte angivet; krävs fler finns inget svar</translation>
+    </message>
+    <message>
+        <source>also write points of the lines, with FILE.csv.yaml beside it, places of the goal into FILE_goal.csv; - prints the points instead</source>
+        <translation>skriv även kurvornas punkter, med FILE.csv.yaml bredvid, och målets ställen till FILE_goal.csv; - skriver ut punkterna i stället</translation>
+    </message>
+    <message>
+        <source>an output over two parameters, and its contours</source>
+        <translation>ett resultat över två parametrar, med nivåkurvor</translation>
+    </message>
+    <message>
+        <source>FILE.csv has the rows of `drillwave sweep` over the same two axes, --y fastest. A contour has one
+point between two neighbouring points on either side of the level, placed there by the solver, not
+by interpolation: FILE_contours.csv says how near the level it is, or that the output jumps there.</source>
+        <translation>FILE.csv har samma rader som `drillwave sweep` över samma två axlar; --y varierar snabbast. En
+nivåkurva har en punkt mellan två grannpunkter på var sin sida om nivån; dess läge beräknas av
+lösaren, inte genom interpolation: FILE_contours.csv anger hur nära nivån den ligger, eller att
+resultatet gör ett språng där.</translation>
+    </message>
+    <message>
+        <source>the first parameter and its values; :log behind for even ratios</source>
+        <translation>den första parametern och dess värden; :log efter ger lika förhållanden</translation>
+    </message>
+    <message>
+        <source>the second one likewise</source>
+        <translation>den andra likaså</translation>
+    </message>
+    <message>
+        <source>what to map, cor if not given; see below</source>
+        <translation>vad kartan visar, cor om inte angivet; se nedan</translation>
+    </message>
+    <message>
+        <source>place the contour of this value; may be given again</source>
+        <translation>bestäm nivåkurvan för detta värde; kan anges flera gånger</translation>
+    </message>
+    <message>
+        <source>the output in SI, and levels too, which may then carry units</source>
+        <translation>resultatet i SI-enheter, och även nivåer, som då får ha enhet</translation>
+    </message>
+    <message>
+        <source>print one JSON object, with the contours, in place of the summary</source>
+        <translation>skriv ut ett JSON-objekt, med nivåkurvorna, i stället för sammanfattningen</translation>
+    </message>
+    <message>
+        <source>wave pieces a point may take, 1000000 (at worst 2 s) if not given; else it has no output</source>
+        <translation>högsta antal vågbitar per punkt, 1000000 (i värsta fall 2 s) om inte angivet; krävs fler saknar punkten resultat</translation>
+    </message>
+    <message>
+        <source>also write the points, with FILE.csv.yaml beside, contours into FILE_contours.csv; - prints the points instead</source>
+        <translation>skriv även punkterna, med FILE.csv.yaml bredvid, och nivåkurvor till FILE_contours.csv; - skriver ut punkterna i stället</translation>
+    </message>
+    <message>
+        <source>put the parts of a sweep, table or map of --shard together</source>
+        <translation>sätt ihop de delar som sweep, table eller map har skrivit med --shard</translation>
+    </message>
+    <message>
+        <source>FILE and FILE.yaml come out byte for byte as from the run in one piece. The parts may be named in
+any order; each needs its record beside it. All must be of one run (scenario, axes, version, number
+of parts), and each be there once: what is missing, doubled or foreign is named, with exit code 5.</source>
+        <translation>FILE och FILE.yaml blir byte för byte som från en körning i ett stycke. Delarna får anges i vilken
+ordning som helst; var och en behöver sin .yaml-fil bredvid sig. Alla måste höra till samma körning
+(scenario, axlar, version, antal delar), och var och en måste finnas exakt en gång: delar som
+saknas, är dubbla eller hör till något annat räknas upp, med slutkod 5.</translation>
+    </message>
+    <message>
+        <source>where to write, with FILE.yaml beside it; - is standard output</source>
+        <translation>vart resultatet skrivs, med FILE.yaml bredvid; - är standard ut</translation>
+    </message>
+    <message>
+        <source>restitution, forces and efficiency over all gaps between bit and rock</source>
+        <translation>studstal, krafter och verkningsgrad över alla spalter mellan borrkrona och berg</translation>
+    </message>
+    <message>
+        <source>Results have a period in the gap, d0 = 2 I0/Z, which nobody controls at the rig: extremes and
+where they lie, mean, 5, 50 and 95 % quantiles, and the share of gaps with e &gt; 1, for all gaps of
+a period alike and, with --gap-deviation, for a gap scattered normally (cut off at no gap).</source>
+        <translation>Resultaten har en period i spalten, d0 = 2 I0/Z, och ingen styr spalten på riggen: extremvärden
+och var de ligger, medelvärde, 5-, 50- och 95 %-kvantiler och andelen spalter med e &gt; 1, när alla
+spalter i en period är lika sannolika och, med --gap-deviation, för en normalfördelad spalt
+(avskuren vid noll).</translation>
+    </message>
+    <message>
+        <source>mean of the scattered gap, as 0.5mm or, in d0, 0.2; that of FILE if not given</source>
+        <translation>den spridda spaltens medelvärde, t.ex. 0.5mm eller, i d0, 0.2; spalten i FILE om inte angivet</translation>
+    </message>
+    <message>
+        <source>standard deviation of the scattered gap</source>
+        <translation>den spridda spaltens standardavvikelse</translation>
+    </message>
+    <message>
+        <source>print one JSON object in place of the table</source>
+        <translation>skriv ut ett JSON-objekt i stället för tabellen</translation>
+    </message>
+    <message>
+        <source>also write the results along the gap; - prints them instead of the table</source>
+        <translation>skriv även resultaten längs spalten; - skriver ut dem i stället för tabellen</translation>
+    </message>
+    <message>
+        <source>with -o, columns in SI, with units in the header</source>
+        <translation>med -o: kolumner i SI-enheter, angivna i huvudet</translation>
+    </message>
+    <message>
+        <source>overwrite an existing file</source>
+        <translation>skriv över en befintlig fil</translation>
+    </message>
+    <message>
+        <source>many blows under a feed: gaps, penetration, whether the bit stays on the rock</source>
+        <translation>många slag under en matning: spalter, inträngning, om borrkronan stannar på berget</translation>
+    </message>
+    <message>
+        <source>Follows blow after blow: waves, motions and the machine on its damper live on between them,
+the rock is new for every blow. Told are the means with their errors, how many blows begin on
+the rock, whether the motion repeats, where the energy goes, and in a sentence what the
+thrust is good for with this damper. FILE needs drill.blow_frequency and drill.thrust.
+Penetrations are upper limits. With --scan the same over a parameter, each value from rest
+and from bouncing. DIR gets scenario.yaml, summary.json, blows.csv, with --histories
+histories.csv, and with --plots drilling.png.</source>
+        <translation>Följer slag efter slag: vågor, rörelser och maskinen på sin dämpare lever vidare mellan slagen,
+berget är nytt för varje slag. Resultatet är medelvärdena med sina fel, hur många slag som börjar på
+berget, om rörelsen upprepar sig, vart energin tar vägen och, i en mening, vad matningskraften
+räcker till med denna dämpare. FILE behöver drill.blow_frequency och drill.thrust. Inträngningar är
+övre gränser. Med --scan detsamma över en parameter, varje värde från vila och från studsande. DIR
+får scenario.yaml, summary.json, blows.csv, med --histories histories.csv och med --plots
+drilling.png.</translation>
+    </message>
+    <message>
+        <source>short for --set drill.blows=N; 1000, of a scan 300, if not given</source>
+        <translation>kortform för --set drill.blows=N; 1000, i ett svep 300, om inte angivet</translation>
+    </message>
+    <message>
+        <source>short for --set drill.settle=N: the first blows, which no statistic counts</source>
+        <translation>kortform för --set drill.settle=N: de första slagen, som ingen statistik räknar</translation>
+    </message>
+    <message>
+        <source>short for --set drill.seed=N, of the scatter of the intervals</source>
+        <translation>kortform för --set drill.seed=N, startvärdet för intervallens spridning</translation>
+    </message>
+    <message>
+        <source>cells of time per t0, 10 to 400; 40, of a scan 20, if not given</source>
+        <translation>tidsceller per t0, 10 till 400; 40, i ett svep 20, om inte angivet</translation>
+    </message>
+    <message>
+        <source>over these values; :log behind it, or KEY=A,B,C</source>
+        <translation>svep över dessa värden; :log kan läggas till; eller KEY=A,B,C</translation>
+    </message>
+    <message>
+        <source>with --scan, also write the gap of every blow that counts</source>
+        <translation>med --scan: skriv även spalten för varje slag som räknas</translation>
+    </message>
+    <message>
+        <source>with -o DIR, also write what happens from blow A to blow B</source>
+        <translation>med -o DIR: skriv även vad som händer från slag A till slag B</translation>
+    </message>
+    <message>
+        <source>numbers in SI, as if not given</source>
+        <translation>tal i SI-enheter, som också gäller om inget anges</translation>
+    </message>
+    <message>
+        <source>numbers as multiples of d0, v0, I0, F0 and t0</source>
+        <translation>tal som multiplar av d0, v0, I0, F0 och t0</translation>
+    </message>
+    <message>
+        <source>cells times nodes that are permitted, 4e9 if not given</source>
+        <translation>högsta antal celler gånger noder, 4e9 om inte angivet</translation>
+    </message>
+    <message>
+        <source>also write a row for every blow, with FILE.csv.yaml beside, or all files into DIR; - prints the rows</source>
+        <translation>skriv även en rad för varje slag, med FILE.csv.yaml bredvid, eller alla filer till DIR; - skriver ut raderna</translation>
+    </message>
+    <message>
+        <source>thrust that blows need, and what the installed one does between them</source>
+        <translation>matningskraft som slagen kräver, och vad den installerade gör mellan dem</translation>
+    </message>
+    <message>
+        <source>First whether the installed thrust is enough, or what would be. By blow frequency f,
+impulse I0 of a blow and restitution e it is judged so (theory §10):
+  below f I0                machine pushed back
+  below f I0 (1+e)          penetration lost
+  below f I0 (1+2e)         enough, bounces: it leaves the rock between blows unless the
+                            machine damps
+  below f I0 (1+e)/(1-e)    enough, may bounce: one that was at rest is back before the
+                            next blow
+  from there on             enough, rests; over-feeding (friction, buckling, stalling) is
+                            outside the model
+The words are by the e of this blow. Beside it, each with its own e: 95 % of all gaps between bit
+and rock, rigid rock (e = 1), and the worst gap on elastic rock (gamma = 1). A margin is the
+installed thrust over f I0 (1+e), less 1; thrust_margin is that of the largest need. Where
+drill.inclination is given, the weight of rod and drill.machine_mass along the hole adds to the
+thrust in all of this. Gap at the blow: how far the bit is off the rock when the hammer strikes if
+nothing damps the rebound; - where that never becomes steady. n_b: round trips of the waves between
+two blows; what a damper changes `drillwave drill` follows. Needs a scenario in physical units with drill.blow_frequency; verdict and margins need
+drill.thrust. Of a drill string I0 is the impulse of the hammer&apos;s face; its gaps have no period, so that
+only this blow and rigid rock are told.</source>
+        <translation>Först om den installerade matningskraften räcker, eller vilken som skulle räcka. Med slagfrekvensen
+f, slagets impuls I0 och studstalet e bedöms den så (theory §10):
+  under f I0                maskinen trycks tillbaka
+  under f I0 (1+e)          förlorad inträngning
+  under f I0 (1+2e)         nog, studsar: borrkronan lämnar berget mellan slagen om inte
+                            maskinen dämpar
+  under f I0 (1+e)/(1-e)    nog, studsar kanske: en borrkrona som var i vila är tillbaka
+                            före nästa slag
+  därifrån och uppåt        nog, vilar; övermatning (friktion, knäckning, rotation som
+                            stannar) ligger utanför modellen
+Omdömet följer av e för detta slag. Dessutom, vart och ett med sitt eget e: 95 % av alla spalter
+mellan borrkrona och berg, stelt berg (e = 1) och den sämsta spalten på elastiskt berg (gamma = 1).
+En marginal är den installerade matningskraften genom f I0 (1+e), minus 1; thrust_margin är den för
+det största behovet. Där drill.inclination är angiven läggs vikten av stång och drill.machine_mass
+längs hålet till matningskraften i allt detta. Spalt vid slaget: hur långt borrkronan är från berget
+när hammaren slår, om inget dämpar studsen; - där den aldrig blir stabil. n_b: vågornas varv fram
+och åter mellan två slag; vad en dämpare ändrar visar `drillwave drill`. Kräver ett scenario i
+fysikaliska enheter med drill.blow_frequency; omdöme och marginaler kräver drill.thrust. För en
+borrsträng är I0 impulsen på hammarens slagyta; dess spalter har ingen period, så att bara detta
+slag och stelt berg anges.</translation>
+    </message>
+    <message>
+        <source>also a table along a parameter: START:STOP[:COUNT][:log], 101 points, or each whole number, if not given, or A,B,C</source>
+        <translation>även en tabell längs en parameter: START:STOP[:COUNT][:log] (utan COUNT 101 punkter, eller varje heltal) eller A,B,C</translation>
+    </message>
+    <message>
+        <source>short for --along drill.blow_frequency=VALUES</source>
+        <translation>kortform för --along drill.blow_frequency=VALUES</translation>
+    </message>
+    <message>
+        <source>threads for --along, all of them if not given</source>
+        <translation>antal trådar för --along, alla om inte angivet</translation>
+    </message>
+    <message>
+        <source>also write the table of --along; - prints it instead</source>
+        <translation>skriv även tabellen från --along; - skriver ut den i stället</translation>
+    </message>
+    <message>
+        <source>which choice is best over what is not known, what it costs, what to measure</source>
+        <translation>vilket val som är bäst över det som inte är känt, vad det kostar, vad man bör mäta</translation>
+    </message>
+    <message>
+        <source>Every design of the choices is solved at the same samples of what is uncertain. Told are the best
+one by the first aim (robust best), the one that would be best where all is as in FILE (nominal
+best), which others are as good as far as the samples tell, what is worth measuring, and the worst
+that was found in the ranges.
+  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
+                                       :lognormal with LOW and HIGH as the limits of 95 %
+  --uncertain KEY=+-P%                 about the value of FILE or of the design
+Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
+max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. DIR gets designs.csv,
+pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
+        <translation>Varje konstruktion bland valen löses för samma stickprov av det som är osäkert. Resultatet är den
+bästa efter det första målet (robust bästa), den som vore bäst om allt är som i FILE (nominellt
+bästa), vilka andra som är lika bra så långt stickproven kan skilja dem åt, vad som är värt att
+mäta, och det sämsta som hittades inom områdena.
+  --uncertain KEY=LOW:HIGH             alla värden lika sannolika; :log jämnt i logaritmen;
+                                       :normal och :lognormal med LOW och HIGH som gränser för 95 %
+  --uncertain KEY=+-P%                 kring värdet i FILE eller i konstruktionen
+Möjlig statistik är mean, q01 till q99, min, max och nominal (som i FILE). Utan --aim:
+max:efficiency@q05, och min:thrust@q95 där FILE har en slagfrekvens. DIR får designs.csv,
+pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json och, med --plots, design.png.</translation>
+    </message>
+    <message>
+        <source>what is not known; see below</source>
+        <translation>vad som inte är känt; se nedan</translation>
+    </message>
+    <message>
+        <source>rows of values that belong together, headed as for table</source>
+        <translation>rader med värden som hör ihop, med huvud som för table</translation>
+    </message>
+    <message>
+        <source>what can be chosen; :log behind it, or KEY=A,B,C</source>
+        <translation>vad som kan väljas; :log kan läggas till; eller KEY=A,B,C</translation>
+    </message>
+    <message>
+        <source>or min:…; one to three, the first decides</source>
+        <translation>eller min:…; ett till tre mål, det första avgör</translation>
+    </message>
+    <message>
+        <source>a limit to every design</source>
+        <translation>en gräns för varje konstruktion</translation>
+    </message>
+    <message>
+        <source>likewise</source>
+        <translation>likaså</translation>
+    </message>
+    <message>
+        <source>every design&apos;s blow has the energy of FILE&apos;s</source>
+        <translation>varje konstruktions slag har samma energi som det i FILE</translation>
+    </message>
+    <message>
+        <source>samples of a design, 4096, of a string 1024, if not given; a power of two</source>
+        <translation>stickprov per konstruktion, 4096, för en sträng 1024, om inte angivet; en tvåpotens</translation>
+    </message>
+    <message>
+        <source>which samples, 1 if not given</source>
+        <translation>vilka stickprov, 1 om inte angivet</translation>
+    </message>
+    <message>
+        <source>also write tables, the best design and the JSON object into DIR</source>
+        <translation>skriv även tabeller, den bästa konstruktionen och JSON-objektet till DIR</translation>
+    </message>
+    <message>
+        <source>a page to hand over: inputs with sources, results, verdict, plots, the scenario</source>
+        <translation>en sida att lämna över: indata med källor, resultat, omdöme, diagram, scenariot</translation>
+    </message>
+    <message>
+        <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
+again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on two to four pages of
+A4. DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has
+units, and those of `run --json`; the source of a value is the comment behind it in the file. Of a
+drill string also its sections, drawn to scale, with their largest stresses.</source>
+        <translation>FILE.html innehåller allt i en enda fil, även bilder och scenario, och kan köras igen:
+`drillwave run FILE.html`. FILE.pdf är detsamma för utskrift, på två till fyra A4-sidor. DIR får
+båda, som report.html och report.pdf. Talen är i SI-enheter där scenariot har enheter, och är de som
+`run --json` ger; källan till ett värde är kommentaren efter det i filen. För en borrsträng även
+dess sektioner, skalenligt ritade, med sina största spänningar.</translation>
+    </message>
+    <message>
+        <source>below the title: what the report is for</source>
+        <translation>under titeln: vad rapporten är till för</translation>
+    </message>
+    <message>
+        <source>who wrote it</source>
+        <translation>vem som har skrivit den</translation>
+    </message>
+    <message>
+        <source>whom it is for</source>
+        <translation>vem den är avsedd för</translation>
+    </message>
+    <message>
+        <source>of when it is, as it is to be read; none unless given</source>
+        <translation>dess datum, så som det ska stå; inget om inte angivet</translation>
+    </message>
+    <message>
+        <source>where to write; - prints the HTML</source>
+        <translation>vart rapporten skrivs; - skriver ut HTML-texten</translation>
+    </message>
+    <message>
+        <source>the figures of the paper, and each number it prints beside the exact one</source>
+        <translation>artikelns figurer, och varje tal som den trycker bredvid det exakta</translation>
+    </message>
+    <message>
+        <source>DIR gets the data of Figs 3 to 8 as CSV, the figures as pictures, discrepancies.csv, and
+index.html with all of it. Reference curves come with k0 = Z/(2T), as the paper draws them,
+and with k0 = Z/t0, as it defines it.</source>
+        <translation>DIR får data till fig. 3 till 8 som CSV, figurerna som bilder, discrepancies.csv och index.html med
+alltsammans. Referenskurvorna finns med både k0 = Z/(2T), som artikeln ritar dem med, och
+k0 = Z/t0, som artikeln definierar det.</translation>
+    </message>
+    <message>
+        <source>where to write; - prints discrepancies.csv alone</source>
+        <translation>vart figurerna skrivs; - skriver bara ut discrepancies.csv</translation>
+    </message>
+    <message>
+        <source>formats of the figures, png,svg if not given</source>
+        <translation>figurernas format, png,svg om inte angivet</translation>
+    </message>
+    <message>
+        <source>error against run time, every method and resolution</source>
+        <translation>fel mot beräkningstid, alla metoder och upplösningar</translation>
+    </message>
+    <message>
+        <source>Solves the blow exactly, in closed form where that applies, and with the paper&apos;s lattice of
+100 to 20000 segments, and compares errors and run times. Takes some ten seconds. Of a drill
+string: polynomial cells of several sizes beside a plain lattice.</source>
+        <translation>Löser slaget exakt, i sluten form där den gäller och med artikelns gitter på 100 till 20000
+segment, och jämför fel och beräkningstider. Tar omkring tio sekunder. För en borrsträng:
+polynomceller av flera storlekar bredvid ett enkelt gitter.</translation>
+    </message>
+    <message>
+        <source>of the lattice, in place of 100 to 20000</source>
+        <translation>gittrets segment, i stället för 100 till 20000</translation>
+    </message>
+    <message>
+        <source>moves of waves by a segment that the lattices may take, 1000000000 (half a minute) if not given</source>
+        <translation>högsta antal vågflyttningar om ett segment i gittren, 1000000000 (en halv minut) om inte angivet</translation>
+    </message>
+    <message>
+        <source>also write accuracy.csv into DIR; - prints it instead of the table</source>
+        <translation>skriv även accuracy.csv till DIR; - skriver ut den i stället för tabellen</translation>
+    </message>
+    <message>
+        <source>check the solver on stiff and extreme cases</source>
+        <translation>kontrollera lösaren på styva och extrema fall</translation>
+    </message>
+    <message>
+        <source>Solves some thousand cases: the published ones, the known traps of such solvers, each parameter
+through its whole range, and products of extremes for every shape. Each is checked for the balance
+of momentum and of energy, for pulling rock, for contacts missed after the end, for continuity
+(e over changes of 1e-10 in each parameter), against its limits on soft and rigid rock and, where
+its steps resolve the contact, against the lattice solver; its stated error against a solution in
+long double. Exit code 6 if any check fails.
+Not covered, as it needs more than 30 million wave pieces: beta below 1e-6 with gamma below 1, and
+tau below 0.1 with exponential and piston blows.</source>
+        <translation>Löser några tusen fall: de publicerade, de kända fallgroparna för sådana lösare, varje parameter
+genom hela sitt område, och kombinationer av extremvärden för varje form. För vart och ett
+kontrolleras att rörelsemängd och energi balanserar, att berget inte drar, att ingen kontakt missas
+efter slutet och att e är kontinuerligt (vid ändringar på 1e-10 i varje parameter). Det jämförs med
+gränsfallen mjukt och stelt berg och, där stegen är små nog för kontakten, med gitterlösaren,
+och dess angivna fel med en lösning i long double. Slutkod 6 om någon kontroll underkänns.
+Inte med, eftersom det kräver mer än 30 miljoner vågbitar: beta under 1e-6 med gamma under 1, och
+tau under 0,1 med exponentiella slag och kolvslag.</translation>
+    </message>
+    <message>
+        <source>print one JSON object with all cases</source>
+        <translation>skriv ut ett JSON-objekt med alla fall</translation>
+    </message>
+    <message>
+        <source>write stability.csv into this folder; - prints it instead of the summary</source>
+        <translation>skriv stability.csv till denna mapp; - skriver ut den i stället för sammanfattningen</translation>
+    </message>
+    <message>
+        <source>list the problems of scenarios, one a line</source>
+        <translation>lista felen i scenarier, ett per rad</translation>
+    </message>
+    <message>
+        <source>Says nothing about a file without problems. Takes files of presets, too.</source>
+        <translation>Säger inget om en fil utan fel. Tar även filer med förval.</translation>
+    </message>
+    <message>
+        <source>list the built-in scenarios, or write them</source>
+        <translation>lista de inbyggda scenarierna, eller skriv dem</translation>
+    </message>
+    <message>
+        <source>`drillwave examples t38_medium_rock -o -` prints one.</source>
+        <translation>`drillwave examples t38_medium_rock -o -` skriver ut ett.</translation>
+    </message>
+    <message>
+        <source>write them as scenario files into DIR; - prints them</source>
+        <translation>skriv dem som scenariofiler till DIR; - skriver ut dem</translation>
+    </message>
+    <message>
+        <source>list rods, hammers, rocks and pieces of drill strings, with their sources</source>
+        <translation>lista stänger, hammare, berg och delar till borrsträngar, med sina källor</translation>
+    </message>
+    <message>
+        <source>Those that are built in, or those of a file in the same format. A command takes them with --rod
+NAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has it. Pistons,
+adapters, couplings and bits are pieces of drill strings, to be put in on the page String of the window.</source>
+        <translation>De inbyggda, eller de i en fil med samma format. Ett kommando tar dem med --rod NAME, --hammer NAME
+och --rock NAME; början av ett namn räcker där bara ett börjar så. Kolvar, nackadaptrar, skarvhylsor
+och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida Sträng.</translation>
+    </message>
+    <message>
+        <source>only those with all of these words in kind, name, numbers or source: &quot;T38 bit&quot;</source>
+        <translation>bara de som har alla dessa ord i typ, namn, tal eller källa: &quot;T38 bit&quot;</translation>
+    </message>
+    <message>
+        <source>mean gap at the blow, of many blows under a feed (drill)</source>
+        <translation>medelspalt vid slaget, över många slag under en matning (drill)</translation>
+    </message>
+    <message>
+        <source>standard deviation of that gap</source>
+        <translation>standardavvikelse för spalten vid slaget</translation>
+    </message>
+    <message>
+        <source>gap that 5 % of the blows are below</source>
+        <translation>spalt som 5 % av slagen ligger under</translation>
+    </message>
+    <message>
+        <source>gap that half of the blows are below</source>
+        <translation>spalt som hälften av slagen ligger under</translation>
+    </message>
+    <message>
+        <source>gap that 95 % of the blows are below</source>
+        <translation>spalt som 95 % av slagen ligger under</translation>
+    </message>
+    <message>
+        <source>mean penetration of a blow: an upper limit</source>
+        <translation>medelinträngning per slag: en övre gräns</translation>
+    </message>
+    <message>
+        <source>its 95 % error; takes a second march with other cells</source>
+        <translation>dess 95 %-fel; kräver ännu en beräkning med andra celler</translation>
+    </message>
+    <message>
+        <source>mean penetration times blow frequency, m/s: an upper limit</source>
+        <translation>medelinträngning gånger slagfrekvens, m/s: en övre gräns</translation>
+    </message>
+    <message>
+        <source>mean impulse on the rock: feed force over frequency</source>
+        <translation>medelimpuls på berget: matningskraft genom frekvens</translation>
+    </message>
+    <message>
+        <source>mean of the largest forces on the rock</source>
+        <translation>medelvärde av de största krafterna på berget</translation>
+    </message>
+    <message>
+        <source>largest force of the damper</source>
+        <translation>dämparens största kraft</translation>
+    </message>
+    <message>
+        <source>share of blows that begin within 0.01 d0 of the rock</source>
+        <translation>andel slag som börjar inom 0,01 d0 från berget</translation>
+    </message>
+    <message>
+        <source>contacts of a blow, mean</source>
+        <translation>kontakter per slag, medelvärde</translation>
+    </message>
+    <message>
+        <source>blows after which the motion repeats, 1 to 16; 0 where it does not</source>
+        <translation>antal slag efter vilka rörelsen upprepas, 1 till 16; 0 där den inte gör det</translation>
+    </message>
+    <message>
+        <source>how fast motions part, per blow; above 0 single blows are no result; takes a second march</source>
+        <translation>hur fort rörelser går isär, per slag; över 0 är enstaka slag inget resultat; kräver ännu en beräkning</translation>
+    </message>
+    <message>
+        <source>phi, feed force over mean reaction of the blows</source>
+        <translation>phi, matningskraft genom slagens medelreaktion</translation>
+    </message>
+    <message>
+        <source>n_b, round trips of a wave from blow to blow</source>
+        <translation>n_b, en vågs varv fram och åter från slag till slag</translation>
+    </message>
+    <message>
+        <source>error of the balance of momentum of all blows, over what the feed gave</source>
+        <translation>fel i rörelsemängdens balans för alla slag, genom vad matningen gav</translation>
+    </message>
+    <message>
+        <source>error of the balance of energy of all blows, over the hammer work</source>
+        <translation>fel i energibalansen för alla slag, genom hammarens arbete</translation>
     </message>
 </context>
 </TS>
