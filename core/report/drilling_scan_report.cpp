@@ -222,8 +222,8 @@ Message scanSentence(const DrillingScan& scan, const ReadingStyle& style) {
 
 std::string drillingScanText(const DrillingScanReport& report, OutputUnits units, const ReadingStyle& style) {
     const DrillingScan& scan = report.scan;
-    std::string text = headingOf(scan.base, style) + "\n  " + style.said(blowsAtEachValue(scan, style)) + "\n\n" +
-                       scanTable(scan, units, style);
+    std::string text = headingOf(scan.base, style) + "\n  " + style.said(blowsAtEachValue(scan, style)) +
+                       "\n\n" + scanTable(scan, units, style);
     if (const Message sentence = scanSentence(scan, style); !sentence.isEmpty())
         text += "\n" + paragraph(style.said(sentence));
     return text + "\n" +

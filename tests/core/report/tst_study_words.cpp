@@ -198,7 +198,7 @@ constexpr auto studyTexts = std::to_array<StudyText>({
     {"no thrust", [](const Scenario& s) { return noThrust(s); }},
     {"drilling", drilling},
     {"drilling on a damper", [](const Scenario& s) { return drillingOnADamper(s); }, false},
-    {"drilling pushed back", [](const Scenario& s) { return drillingPushedBack(s); }},
+    {"drilling pushed back", [](const Scenario& s) { return drillingPushedBack(s); }, false},
     {"scan", scan, false},
     {"scan of the damper", scanOfDamper, false},
     {"design", design, false},
