@@ -48,7 +48,7 @@ class TestInputText : public QObject {
             QFAIL("taken");
         } catch (const CommandError& error) {
             QCOMPARE(error.code(), ExitCode::unreadableInput);
-            const std::string& line = error.lines().front();
+            const std::string line = error.lines().front();
             QVERIFY2(line.starts_with("/dev/zero: is longer than 1 MiB"), line.c_str());
         }
     }

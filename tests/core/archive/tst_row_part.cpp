@@ -34,7 +34,7 @@ std::vector<RowPart> whole() {
 
 QString linesOf(const std::vector<RowPart>& parts) {
     QString lines;
-    for (const std::string& line : wholeProblems(parts)) lines += QString::fromStdString(line) + "\n";
+    for (const Message& line : wholeProblems(parts)) lines += QString::fromStdString(line.text()) + "\n";
     return lines;
 }
 

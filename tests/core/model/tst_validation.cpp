@@ -272,7 +272,7 @@ void TestValidation::aHammerThatNobodyGaveIsRemarkedOn() {
     QVERIFY(hasAlert(dimensionless(PulseShape::piston), AlertCode::defaultHammer));
     Scenario scenario;
     QVERIFY(!hasAlert(scenario, AlertCode::defaultHammer));
-    QCOMPARE(assignText(scenario, "pulse.shape", "piston"), std::string());
+    QCOMPARE(assignText(scenario, "pulse.shape", "piston"), Message());
     QVERIFY(hasAlert(scenario, AlertCode::defaultHammer));
     scenario.pulse.piston.velocity = 9;
     QVERIFY(!hasAlert(scenario, AlertCode::defaultHammer));

@@ -112,7 +112,7 @@ void TestRowSink::theCsvReadsBackAsTheNumbers() {
         base, {"pulse.shape=half_sine,triangular", "rod.length=10ft:20ft:7", "bit_rock.gap=0mm,1.3mm"}, "cor",
         OutputUnits::si);
     sweep.columns = allOutputsOf(base, OutputUnits::si);
-    QCOMPARE(problemsOf(sweep), std::vector<std::string>());
+    QVERIFY(problemsOf(sweep).empty());
     std::string csv;
     RowCsv sink([&](std::string_view text) {
         csv += text;

@@ -597,9 +597,9 @@ void TestCurvePage::rangesAroundSectionsAreOnesThatTheyCanTake() {
                 parseAxis(range.text() + ":" + std::to_string(range.pointsWithin(101)) + range.tail()).axis;
             question.columns = {{findOutput("efficiency")}};
             const auto problems = sampledProblemsOf(question);
-            QVERIFY2(
-                problems.empty(),
-                (std::string(parameter->key) + ": " + (problems.empty() ? "" : problems.front())).c_str());
+            QVERIFY2(problems.empty(),
+                     (std::string(parameter->key) + ": " + (problems.empty() ? "" : problems.front().text()))
+                         .c_str());
         }
     }
 }

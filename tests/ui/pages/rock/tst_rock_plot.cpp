@@ -142,7 +142,7 @@ void TestRockPlot::theMarksAreTheNumbersOfTheBlow() {
 // Filling between hundreds of thousands of lines on top of each other held the window up for minutes.
 void TestRockPlot::manyReflectionsAreDrawnWithBoundedWork() {
     Scenario scenario = parseScenario(findExample("t51_soft_rock")->text, "").scenario;
-    QCOMPARE(assignText(scenario, "rod.area", "10 mm^2"), std::string());
+    QCOMPARE(assignText(scenario, "rod.area", "10 mm^2"), Message());
     const RockCurve curve = curveOf(scenario);
     QVERIFY2(curve.path->size() > 20000, qPrintable(QString::number(curve.path->size())));
     QVERIFY2(curve.outline->size() <= 20000, qPrintable(QString::number(curve.outline->size())));

@@ -69,13 +69,13 @@ void TestStudyControls::aRangeReadsBackAsTheSameDoubles() {
     const KeptParameter stiffness = findParameter("bit_rock.stiffness");
     const StudyRange range{stiffness, 1.2345678901e7, 1e9 / 3, true};
     const ParsedAxis parsed = parseAxis(range.text() + ":7" + range.tail());
-    QVERIFY2(parsed.problem.empty(), parsed.problem.c_str());
+    QVERIFY2(parsed.problem.isEmpty(), parsed.problem.text().c_str());
     QCOMPARE(parsed.axis.start, range.start);
     QCOMPARE(parsed.axis.stop, range.stop);
     QCOMPARE(parsed.axis.kind, SweepAxis::Kind::logarithmic);
     const StudyFamily family{findParameter("rod.length"), {3.66, 1.0 / 3}};
     const ParsedAxis list = parseAxis(family.text());
-    QVERIFY2(list.problem.empty(), list.problem.c_str());
+    QVERIFY2(list.problem.isEmpty(), list.problem.text().c_str());
     QVERIFY(list.axis.list == family.values);
 }
 
