@@ -76,8 +76,8 @@ PresetFile presetsOf(const std::optional<std::string>& path, const ReadingStyle&
     if (!file.problem.isEmpty())
         throw CommandError(
             ExitCode::unreadableInput,
-            std::vector{Message(translatable("drillwave::Message", "%1: the file of presets %2"),
-                                {inputName(*path), file.problem})});
+            std::vector{about(inputName(*path), {translatable("drillwave::Message", "the file of presets %1"),
+                                                 {file.problem}})});
     return parsedPresets(file.bytes, *path);
 }
 

@@ -143,14 +143,10 @@ std::string inputBytes(const std::string& path, const ReadingStyle& style) {
     if (const Example* example = exampleNamed(path)) return std::string(example->text);
     FileBytes file = readInput(path, maximumInputBytes, style);
     if (file.problem.isEmpty()) return std::move(file.bytes);
-    const Message near = nearExample(path);
-    throw CommandError(
-        ExitCode::unreadableInput,
-        std::vector{Message(near.isEmpty()
-                                ? translatable("drillwave::Message", "%1: the scenario file %2")
-                                : translatable("drillwave::Message",
-                                               "%1: the scenario file %2; did you mean the example %3?"),
-                            {inputName(path), file.problem, near})});
+    Message problem{translatable("drillwave::Message", "the scenario file %1"), {file.problem}};
+    if (const Message near = nearExample(path); !near.isEmpty())
+        problem = {translatable("drillwave::Message", "%1; did you mean the example %2?"), {problem, near}};
+    throw CommandError(ExitCode::unreadableInput, std::vector{about(inputName(path), problem)});
 }
 
 ScenarioInput parsedInput(std::string_view bytes, const std::string& path) {
