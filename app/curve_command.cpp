@@ -130,15 +130,14 @@ void checkGoalFile(const Arguments& arguments, const RowOptions& options, const 
 }
 
 /// Throws where a line takes the goal nowhere, with the value that comes nearest.
-void checkReached(const CurveStudy& study, const std::string& path) {
-    const std::vector<std::string> problems = goalProblems(study);
-    if (problems.empty()) return;
-    throw CommandError(ExitCode::unsolvedOrFailed,
-                       eachAbout(path, std::vector<Message>(problems.begin(), problems.end())));
+void checkReached(const CurveStudy& study, const std::string& path, const ReadingStyle& style) {
+    const std::vector<Message> problems = goalProblems(study, style);
+    if (!problems.empty()) throw CommandError(ExitCode::unsolvedOrFailed, eachAbout(path, problems));
 }
 
 /// Throws where a line has no answer, with the first reason.
-void checkSolved(const CurveStudy& study, const std::string& path, long workLimit) {
+void checkSolved(const CurveStudy& study, const std::string& path, long workLimit,
+                 const ReadingStyle& style) {
     for (const CurveLine& line : study.lines)
         for (const CurveOutput& output : line.outputs)
             for (const CurveStretch& stretch : output.unsolved)
@@ -147,8 +146,8 @@ void checkSolved(const CurveStudy& study, const std::string& path, long workLimi
                     Message(translatable("drillwave::Message",
                                          "%1: could not be solved everywhere: from %2 = %3 to %4: %5"),
                             {path, std::string(study.question.along.key()),
-                             valueText(study.question.along, stretch.start),
-                             valueText(study.question.along, stretch.end),
+                             valueText(study.question.along, stretch.start, valueDigits, style),
+                             valueText(study.question.along, stretch.end, valueDigits, style),
                              reasonWithHint(stretch.reason, workLimit)}));
 }
 
@@ -183,8 +182,8 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
         writeCsv(report, arguments, options, base, plots.draw(&report, drawing, interruption), interruption);
     if (!writesFile || options.path != "-")
         printText(arguments.has("json") ? curveJson(report) : curveText(report, arguments.style()));
-    checkReached(report.study, path);
-    checkSolved(report.study, path, options.workLimit);
+    checkReached(report.study, path, arguments.style());
+    checkSolved(report.study, path, options.workLimit, arguments.style());
     return ExitCode::done;
 }
 

@@ -55,7 +55,8 @@ DesignFindings solve(const DesignStudy& study, int jobs, const ReadingStyle& sty
 }
 
 /// Throws where no design can be taken: none has statistics, or none meets the limits.
-void checkFeasible(const DesignStudy& study, const DesignFindings& findings, const std::string& path) {
+void checkFeasible(const DesignStudy& study, const DesignFindings& findings, const std::string& path,
+                   const ReadingStyle& style) {
     if (findings.best.robust) return;
     std::vector<Message> lines;
     for (const DesignSamples& design : findings.designs) {
@@ -71,7 +72,7 @@ void checkFeasible(const DesignStudy& study, const DesignFindings& findings, con
         lines.push_back(
             about(path, translatable("drillwave::Message",
                                      "no design meets all limits; loosen one or widen the choices")));
-        for (const std::string& line : nearestToLimits(study, findings)) lines.emplace_back(line);
+        for (Message& line : nearestToLimits(study, findings, style)) lines.push_back(std::move(line));
     }
     if (lines.empty())
         lines.push_back(
@@ -122,7 +123,7 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     const Interruption interruption;
     remarkOnValues(document.scenario, path, arguments.style());
     report.findings = solve(report.study, jobs, arguments.style(), interruption);
-    checkFeasible(report.study, report.findings, path);
+    checkFeasible(report.study, report.findings, path, arguments.style());
     if (folder)
         writeFolder(*folder, filesOf(report, document, plots.draw(&report, drawing, interruption)), overwrite,
                     &interruption);

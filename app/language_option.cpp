@@ -31,7 +31,12 @@ const Language& languageOf(const std::string& code) {
     return languageNamed(code, languageOption.text());
 }
 
-const Language& takeLanguage(std::vector<std::string>& words) {
+const Language& languageOfEnvironment() {
+    const char* variable = std::getenv(languageVariable);
+    return variable && *variable ? languageNamed(variable, languageVariable) : languages[0];
+}
+
+const Language& takeLanguage(std::vector<std::string>& words, const Language& otherwise) {
     const std::string name = languageOption.text();
     std::optional<std::string> code;
     const auto end = [&] { return std::ranges::find(words, "--"); };
@@ -39,8 +44,9 @@ const Language& takeLanguage(std::vector<std::string>& words) {
     for (auto word = std::find_if(words.begin(), end(), isIt); word != end();
          word = std::find_if(words.begin(), end(), isIt)) {
         if (code)
-            throw CommandError(ExitCode::usage,
-                               Message(translatable("drillwave::Message", "%1 is given twice"), {name}));
+            throw CommandError(
+                ExitCode::usage,
+                Message(translatable("drillwave::Message", "`%1` is given twice; give it once"), {name}));
         if (*word != name) {
             code = word->substr(name.size() + 1);
             words.erase(word);
@@ -50,9 +56,7 @@ const Language& takeLanguage(std::vector<std::string>& words) {
         code = hasCode ? *std::next(word) : std::string();
         words.erase(word, std::next(word, hasCode ? 2 : 1));
     }
-    if (code) return languageOf(*code);
-    const char* variable = std::getenv(languageVariable);
-    return variable && *variable ? languageNamed(variable, languageVariable) : languages[0];
+    return code ? languageOf(*code) : otherwise;
 }
 
 }  // namespace drillwave

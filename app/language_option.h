@@ -20,8 +20,11 @@ inline constexpr const char* languageVariable = "DRILLWAVE_LANGUAGE";
 /// The one of that code; an empty one is a missing word. Throws CommandError (usage) where there is none.
 const Language& languageOf(const std::string& code);
 
-/// That of the option, which goes from the words; else that of the variable, else English. Throws
-/// CommandError (usage) where either names none, and where the option is there twice.
-const Language& takeLanguage(std::vector<std::string>& words);
+/// That of the variable; English without. Throws CommandError (usage) where it names none.
+const Language& languageOfEnvironment();
+
+/// That of the option, which goes from the words, or `otherwise`. Throws CommandError (usage) where it names
+/// none, and where it is there twice.
+const Language& takeLanguage(std::vector<std::string>& words, const Language& otherwise);
 
 }  // namespace drillwave

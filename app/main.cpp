@@ -160,7 +160,8 @@ int main(int argc, char** argv) {
     std::string who = "drillwave: ";
     const Language* language = &languages[0];
     try {
-        language = &takeLanguage(words);
+        language = &languageOfEnvironment();
+        language = &takeLanguage(words, *language);
         const ReadingStyle& style = styleOf(*language);
         const std::string first = words.empty() ? std::string() : words.front();
         const std::span behind = std::span<const std::string>(words).subspan(words.empty() ? 0 : 1);

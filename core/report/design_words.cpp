@@ -192,9 +192,9 @@ std::string outputText(const DesignStudy& study, const Output& output, double va
     return style.quantity(value, inUnit ? output.quantity() : Quantity::ratio, digits);
 }
 
-std::vector<std::string> nearestToLimits(const DesignStudy& study, const DesignFindings& findings,
-                                         const ReadingStyle& style) {
-    std::vector<std::string> lines;
+std::vector<Message> nearestToLimits(const DesignStudy& study, const DesignFindings& findings,
+                                     const ReadingStyle& style) {
+    std::vector<Message> lines;
     for (const DesignLimit& limit : study.limits) {
         const StatisticPlace place = study.placeOf(*limit.output, limit.statistic);
         std::size_t nearest = 0;
@@ -206,14 +206,13 @@ std::vector<std::string> nearestToLimits(const DesignStudy& study, const DesignF
             nearest = d;
         }
         const std::string option = std::string(limit.atMost ? "--at-most " : "--at-least ") + limit.name() +
-                                   "=" + outputText(study, *limit.output, limit.bound, style);
+                                   "=" + outputText(study, *limit.output, limit.bound);  // as it is typed
         if (std::isnan(best))
-            lines.push_back(
-                style.said({translatable("drillwave::Message", "%1: no design has it"), {option}}));
+            lines.push_back(about(option, translatable("drillwave::Message", "no design has it")));
         else
-            lines.push_back(style.said({translatable("drillwave::Message", "%1: the nearest is %2 of %3"),
-                                        {option, outputText(study, *limit.output, best, style),
-                                         designName(study, nearest, style)}}));
+            lines.push_back(about(option, {translatable("drillwave::Message", "the nearest is %1 of %2"),
+                                           {outputText(study, *limit.output, best, style),
+                                            designName(study, nearest, style)}}));
     }
     return lines;
 }

@@ -34,7 +34,7 @@ std::string outputText(const DesignStudy& study, const Output& output, double va
                        const ReadingStyle& style = plainStyle(), int digits = 5);
 
 /// How near the best design comes to each limit, a line each, where none meets all.
-std::vector<std::string> nearestToLimits(const DesignStudy& study, const DesignFindings& findings,
-                                         const ReadingStyle& style = plainStyle());
+std::vector<Message> nearestToLimits(const DesignStudy& study, const DesignFindings& findings,
+                                     const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

@@ -134,13 +134,13 @@ std::string goalText(const CurveQuestion& question, const CurveLine& line, const
                            valueText(question.along, line.range.stop, valueDigits, style)}});
 }
 
-std::vector<std::string> goalProblems(const CurveStudy& study, const ReadingStyle& style) {
-    std::vector<std::string> problems;
+std::vector<Message> goalProblems(const CurveStudy& study, const ReadingStyle& style) {
+    std::vector<Message> problems;
     for (const CurveLine& line : study.lines) {
         if (!line.goal || line.goal->isReached()) continue;
-        const std::string family =
-            line.family ? familyText(*study.question.family, *line.family, style) + ": " : std::string();
-        problems.push_back(family + style.said(missMessage(study.question, line, style)));
+        const Message miss = missMessage(study.question, line, style);
+        problems.push_back(line.family ? about(familyText(*study.question.family, *line.family, style), miss)
+                                       : miss);
     }
     return problems;
 }

@@ -23,7 +23,7 @@ std::string goalText(const CurveQuestion& question, const CurveLine& line,
                      const ReadingStyle& style = plainStyle());
 
 /// A sentence for each line that takes the goal nowhere; empty when all do.
-std::vector<std::string> goalProblems(const CurveStudy& study, const ReadingStyle& style = plainStyle());
+std::vector<Message> goalProblems(const CurveStudy& study, const ReadingStyle& style = plainStyle());
 
 /// `places` with `kind`, `complete`, and `nearest` where there is none.
 JsonObject goalJson(const GoalAnswer& answer);

@@ -4987,7 +4987,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>%1: is there and no file; choose another folder</source>
-        <translation>%1: ist da und keine Datei; einen anderen Ordner wählen</translation>
+        <translation>%1: gibt es schon, und es ist keine Datei; einen anderen Ordner wählen</translation>
     </message>
     <message>
         <source>%1: exists already; choose another folder or ask for it to be overwritten</source>
@@ -5015,31 +5015,31 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The hammer is the one assumed where none is given (%1, the material of the rod): give the data of the rock drill&apos;s piston.</source>
-        <translation>Der Hammer ist der, der angenommen wird, wo keiner angegeben ist (%1, Werkstoff der Stange): die Daten des Kolbens der Bohrmaschine angeben.</translation>
+        <translation>Der Hammer ist der, der angenommen wird, wo keiner angegeben ist (%1, Werkstoff der Stange): die Daten des Kolbens des Bohrhammers angeben.</translation>
     </message>
     <message>
         <source>The hammer&apos;s impedance is below the rod&apos;s: it bounces back after one step, so that the rod takes over more than its momentum.</source>
-        <translation>Die Impedanz des Hammers liegt unter der der Stange: er prallt nach einer Stufe zurück, so dass die Stange mehr als seinen Impuls übernimmt.</translation>
+        <translation>Die Impedanz des Hammers ist kleiner als die der Stange: er prallt nach einer Stufe zurück, so dass die Stange mehr als seinen Impuls übernimmt.</translation>
     </message>
     <message>
         <source>The hammer&apos;s impedance is above the rod&apos;s: it pushes in a staircase of ever smaller steps, assumed to run on as if the rod were long.</source>
-        <translation>Die Impedanz des Hammers liegt über der der Stange: er schiebt in einer Treppe immer kleinerer Stufen, von der angenommen wird, dass sie weiterläuft, als wäre die Stange lang.</translation>
+        <translation>Die Impedanz des Hammers ist größer als die der Stange: er schiebt in einer Treppe immer kleinerer Stufen, von der angenommen wird, dass sie weiterläuft, als wäre die Stange lang.</translation>
     </message>
     <message>
         <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; `drill` follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft: die Eindringung kann mit Frequenz mal Länge um 10&#xa0;% nach oben oder unten schwanken; `drill` folgt dem.</translation>
+        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft: die Eindringung kann mit Frequenz mal Länge um 10 % nach oben oder unten schwanken; `drill` verfolgt das.</translation>
     </message>
     <message>
         <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped and nearly in step (n_b close to %2): penetration may swing by 10 % up or down; `drill` follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft und fast im Takt (n_b nahe %2): die Eindringung kann um 10&#xa0;% nach oben oder unten schwanken; `drill` folgt dem.</translation>
+        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft und fast im Takt (n_b nahe %2): die Eindringung kann um 10 % nach oben oder unten schwanken; `drill` verfolgt das.</translation>
     </message>
     <message>
         <source>share but a cell of time of %1, which would take more work than is permitted</source>
-        <translation>teilen nur eine Zeitzelle von %1, die mehr Aufwand kosten würde, als erlaubt ist</translation>
+        <translation>haben nur eine Zeitzelle von %1 gemeinsam, die mehr Aufwand kosten würde, als erlaubt ist</translation>
     </message>
     <message>
         <source>share no cell of time</source>
-        <translation>teilen keine Zeitzelle</translation>
+        <translation>haben keine Zeitzelle gemeinsam</translation>
     </message>
     <message>
         <source>the force on the rock and the rebound are off: e by up to %1</source>
@@ -5055,11 +5055,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Lengths with a larger common divisor share a longer one.</source>
-        <translation>Längen mit einem größeren gemeinsamen Teiler teilen eine längere.</translation>
+        <translation>Längen mit einem größeren gemeinsamen Teiler haben eine längere gemeinsam.</translation>
     </message>
     <message>
         <source>Lengths in whole millimetres of one steel share one and are exact.</source>
-        <translation>Längen in ganzen Millimetern aus einem Stahl teilen eine und sind genau.</translation>
+        <translation>Längen in ganzen Millimetern aus einem Stahl haben eine gemeinsam und sind genau.</translation>
     </message>
     <message>
         <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
@@ -5099,7 +5099,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The rod leaves with more momentum than it came with (e = %1): rigid rock, e = 1, would underestimate the thrust.</source>
-        <translation>Die Stange geht mit mehr Impuls, als sie gekommen ist (e = %1): starres Gestein, e = 1, würde den Andruck unterschätzen.</translation>
+        <translation>Die Stange prallt mit mehr Impuls zurück, als sie ankam (e = %1): mit starrem Gestein, e = 1, würde der Andruck unterschätzt.</translation>
     </message>
     <message>
         <source>The bit hits the rock %1 times in this blow: the waves on their way bring it back.</source>
@@ -5123,7 +5123,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The largest stresses of the sections take more work than is permitted: they were left out and no strength was checked. A shorter end_time may leave room for them.</source>
-        <translation>Die größten Spannungen der Abschnitte kosten mehr Aufwand, als erlaubt ist: sie wurden weggelassen, und keine Festigkeit wurde geprüft. Eine kürzere Endzeit kann Platz für sie lassen.</translation>
+        <translation>Die größten Spannungen der Abschnitte kosten mehr Aufwand, als erlaubt ist: sie wurden weggelassen, und keine Festigkeit wurde geprüft. Eine frühere end_time kann Platz für sie lassen.</translation>
     </message>
     <message>
         <source>The force stays below the first corner of the loading curve (%1 of %2): the law acts as the bilinear one.</source>
@@ -5135,23 +5135,23 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Nothing takes from the waves: jumps never fade. A wave_loss of 1 to 30 % in a round trip is usual.</source>
-        <translation>Nichts nimmt den Wellen etwas: Sprünge klingen nie ab. Ein Wellenverlust von 1 bis 30&#xa0;% in einem Hin- und Rücklauf ist üblich.</translation>
+        <translation>Die Wellen verlieren nichts: Sprünge klingen nie ab. Ein Wellenverlust von 1 bis 30 % in einem Hin- und Rücklauf ist üblich.</translation>
     </message>
     <message>
         <source>After it has separated, the piston still passes up to %1 % of its momentum: it is in the way of the rebounding string, where a machine would have drawn it back; restrike: false says so.</source>
-        <translation>Nachdem er sich getrennt hat, gibt der Kolben noch bis zu %1&#xa0;% seines Impulses weiter: er ist dem zurückprallenden Strang im Weg, wo eine Maschine ihn zurückgezogen hätte; restrike: false sagt das.</translation>
+        <translation>Nachdem sich der Kolben getrennt hat, gibt er noch bis zu %1 % seines Impulses weiter: er ist dem zurückprallenden Strang im Weg, wo eine Maschine ihn zurückgezogen hätte; das sagt restrike: false.</translation>
     </message>
     <message>
         <source>At a blow the shank is up to %1 off its mean place in the machine: the stroke, and so the blow, would be another one. A dashpot lets it creep; a spring (damper_stiffness) brings it back.</source>
-        <translation>Bei einem Schlag ist das Einsteckende bis zu %1 von seinem mittleren Ort in der Maschine entfernt: der Hub, und damit der Schlag, wäre ein anderer. Ein Dämpfer lässt es kriechen; eine Feder (damper_stiffness) bringt es zurück.</translation>
+        <translation>Bei einem Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt: der Hub, und damit der Schlag, wäre ein anderer. Ein Dämpfer lässt es kriechen; eine Feder (damper_stiffness) bringt es zurück.</translation>
     </message>
     <message>
         <source>The blow frequency is marched as %1, so that blows come at the end of a cell.</source>
-        <translation>Die Schlagfrequenz wird als %1 gerechnet, damit Schläge am Ende einer Zelle kommen.</translation>
+        <translation>Die Schlagfrequenz wird mit %1 gerechnet, damit Schläge am Ende einer Zelle kommen.</translation>
     </message>
     <message>
         <source>The means of the first and the second half of the blows differ by more than three of their errors: more blows, or more that settle, are needed.</source>
-        <translation>Die Mittel der ersten und der zweiten Hälfte der Schläge unterscheiden sich um mehr als drei ihrer Fehler: es braucht mehr Schläge, oder mehr, die sich einschwingen.</translation>
+        <translation>Die Mittel der ersten und der zweiten Hälfte der Schläge unterscheiden sich um mehr als das Dreifache ihrer Fehler: es braucht mehr Schläge, oder mehr davon zum Einschwingen.</translation>
     </message>
     <message>
         <source>From rest and from bouncing it comes to different motions: which one a machine takes is not known.</source>
@@ -5163,7 +5163,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The energy of all blows closes to %1 % only: the cells are long for these contacts; shorter ones take it down with their length.</source>
-        <translation>Die Energie aller Schläge schließt nur auf %1&#xa0;%: die Zellen sind lang für diese Kontakte; kürzere verringern das mit ihrer Länge.</translation>
+        <translation>Die Energiebilanz aller Schläge geht nur auf %1 % genau auf: die Zellen sind lang für diese Kontakte; kürzere verringern den Fehler mit ihrer Länge.</translation>
     </message>
     <message>
         <source>No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the rod.</source>
@@ -5203,11 +5203,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>With %1 the bit rests on the rock before every blow; %2 % of full rate.</source>
-        <translation>Mit %1 ruht die Bohrkrone vor jedem Schlag auf dem Gestein; %2&#xa0;% der vollen Rate.</translation>
+        <translation>Mit %1 ruht die Bohrkrone vor jedem Schlag auf dem Gestein; %2 % des vollen Bohrfortschritts.</translation>
     </message>
     <message>
         <source>With %1 it drills at full rate (%2 % of full rate); the bit leaves the rock between blows, gaps of %3 to %4 when the next one comes.</source>
-        <translation>Mit %1 bohrt es mit voller Rate (%2&#xa0;% davon); die Bohrkrone verlässt das Gestein zwischen den Schlägen, Spalte von %3 bis %4, wenn der nächste kommt.</translation>
+        <translation>Mit %1 wird der volle Bohrfortschritt erreicht (%2 % davon); die Bohrkrone verlässt das Gestein zwischen den Schlägen, Spalte von %3 bis %4, wenn der nächste kommt.</translation>
     </message>
     <message>
         <source>With %1 penetration is lost; gaps of %2 to %3 when the next blow comes.</source>
@@ -5215,15 +5215,15 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>With %1 penetration is lost: %2 % of full rate; gaps of %3 to %4 when the next blow comes.</source>
-        <translation>Mit %1 geht Eindringung verloren: %2&#xa0;% der vollen Rate; Spalte von %3 bis %4, wenn der nächste Schlag kommt.</translation>
+        <translation>Mit %1 geht Eindringung verloren: %2 % des vollen Bohrfortschritts; Spalte von %3 bis %4, wenn der nächste Schlag kommt.</translation>
     </message>
     <message>
         <source>Bounded motion needs more than f I0 = %1.</source>
-        <translation>Eine begrenzte Bewegung braucht mehr als f I0 = %1.</translation>
+        <translation>Eine beschränkte Bewegung braucht mehr als f I0 = %1.</translation>
     </message>
     <message>
         <source>Waves alone ask for f I0 (1 + e) = %1 for the full rate; with another damper it is another thrust.</source>
-        <translation>Wellen allein verlangen f I0 (1 + e) = %1 für die volle Rate; mit einem anderen Dämpfer ist es ein anderer Andruck.</translation>
+        <translation>Wellen allein verlangen f I0 (1 + e) = %1 für den vollen Bohrfortschritt; mit einem anderen Dämpfer ist es ein anderer Andruck.</translation>
     </message>
     <message>
         <source>at rest before every blow</source>
@@ -5279,7 +5279,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>It drills at full rate %1; every blow begins on the rock %2.</source>
-        <translation>Mit voller Rate bohrt es %1; jeder Schlag beginnt auf dem Gestein %2.</translation>
+        <translation>Den vollen Bohrfortschritt gibt es %1; dass jeder Schlag auf dem Gestein beginnt, gibt es %2.</translation>
     </message>
     <message>
         <source>at every gap</source>
@@ -5367,7 +5367,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source> If nothing damps the rebound, the bit bounces without ever becoming steady, because e is not below 1.</source>
-        <translation> Dämpft nichts den Rückprall, springt die Bohrkrone, ohne je gleichmäßig zu werden, weil e nicht unter 1 liegt.</translation>
+        <translation> Dämpft nichts den Rückprall, springt die Bohrkrone, ohne je in eine gleichmäßige Bewegung zu kommen, weil e nicht unter 1 liegt.</translation>
     </message>
     <message>
         <source> It is then %1 off the rock when the hammer strikes.</source>
@@ -5387,23 +5387,23 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Penetration is lost: the bit bounces off the bottom between blows, many meet a bit that is not on the rock, and the string runs loose. Joints rattle, run hot and wear. Raise the feed, or lower the percussion.</source>
-        <translation>Eindringung geht verloren: die Bohrkrone springt zwischen den Schlägen vom Grund, viele treffen eine Krone, die nicht auf dem Gestein ist, und der Strang läuft lose. Verbindungen rattern, werden heiß und verschleißen. Den Vorschub erhöhen oder das Schlagwerk schwächer stellen.</translation>
+        <translation>Eindringung geht verloren: die Bohrkrone springt zwischen den Schlägen von der Bohrlochsohle, viele treffen eine Bohrkrone, die nicht auf dem Gestein ist, und der Strang läuft lose. Verbindungen rattern, werden heiß und verschleißen. Den Vorschub erhöhen oder das Schlagwerk schwächer stellen.</translation>
     </message>
     <message>
         <source>It drills at full rate, but the bit leaves the rock between blows and the joints are hammered, unless the machine damps the rebound well.</source>
-        <translation>Es bohrt mit voller Rate, aber die Bohrkrone verlässt zwischen den Schlägen das Gestein und die Verbindungen werden gehämmert, wenn die Maschine den Rückprall nicht gut dämpft.</translation>
+        <translation>Der volle Bohrfortschritt wird erreicht, aber die Bohrkrone verlässt zwischen den Schlägen das Gestein und die Verbindungen werden gehämmert, wenn die Maschine den Rückprall nicht gut dämpft.</translation>
     </message>
     <message>
         <source>It drills at full rate, and a bit that rests on the rock when the hammer strikes is back before the next blow; a bit that bounces goes on bouncing if nothing damps the rebound.</source>
-        <translation>Es bohrt mit voller Rate, und eine Bohrkrone, die auf dem Gestein ruht, wenn der Hammer schlägt, ist vor dem nächsten Schlag zurück; eine, die springt, springt weiter, wenn nichts den Rückprall dämpft.</translation>
+        <translation>Der volle Bohrfortschritt wird erreicht, und eine Bohrkrone, die auf dem Gestein ruht, wenn der Hammer schlägt, ist vor dem nächsten Schlag zurück; eine, die springt, springt weiter, wenn nichts den Rückprall dämpft.</translation>
     </message>
     <message>
         <source>It drills at full rate, and the bit rests on the rock before every blow even if nothing damps the rebound.</source>
-        <translation>Es bohrt mit voller Rate, und die Bohrkrone ruht vor jedem Schlag auf dem Gestein, auch wenn nichts den Rückprall dämpft.</translation>
+        <translation>Der volle Bohrfortschritt wird erreicht, und die Bohrkrone ruht vor jedem Schlag auf dem Gestein, auch wenn nichts den Rückprall dämpft.</translation>
     </message>
     <message>
         <source> Waves that the blow before has left are not in this; `drill` follows them. Whether it is too much (friction, buckling, stalling of the rotation) is outside the model.</source>
-        <translation> Wellen, die der Schlag davor hinterlassen hat, sind darin nicht enthalten; `drill` folgt ihnen. Ob es zu viel ist (Reibung, Knicken, Stehenbleiben der Drehung), liegt außerhalb des Modells.</translation>
+        <translation> Wellen, die der Schlag davor hinterlassen hat, sind darin nicht enthalten; `drill` verfolgt sie. Ob es zu viel ist (Reibung, Knicken, Stehenbleiben der Drehung), liegt außerhalb des Modells.</translation>
     </message>
     <message>
         <source>this blow</source>
@@ -5423,19 +5423,19 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Margin over the largest of the four needs (%1): %2.</source>
-        <translation>Reserve über den größten der vier Bedarfe (%1): %2.</translation>
+        <translation>Reserve gegenüber dem größten der vier Bedarfe (%1): %2.</translation>
     </message>
     <message>
         <source>Margin over the larger of the two needs (%1): %2.</source>
-        <translation>Reserve über den größeren der beiden Bedarfe (%1): %2.</translation>
+        <translation>Reserve gegenüber dem größeren der beiden Bedarfe (%1): %2.</translation>
     </message>
     <message>
         <source>It is enough at %1 of all gaps in this rock.</source>
-        <translation>Er genügt bei %1 aller Spalte in diesem Gestein.</translation>
+        <translation>Der Andruck genügt bei %1 aller Spalte in diesem Gestein.</translation>
     </message>
     <message>
         <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period over which a share of them or the worst one could be told.</source>
-        <translation>Der Kraftstoß eines Schlags ist der an der Hammerfläche. Die Spalte eines Bohrstrangs haben keine Periode, über der ein Anteil von ihnen oder der schlechteste zu nennen wäre.</translation>
+        <translation>Der Kraftstoß eines Schlags ist der an der Schlagfläche des Hammers. Die Spalte eines Bohrstrangs haben keine Periode, über der ein Anteil von ihnen oder der schlechteste zu nennen wäre.</translation>
     </message>
     <message>
         <source>hammer section %1</source>
@@ -5631,7 +5631,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>%1 (slope %2 to %3 per d0)</source>
-        <translation>%1 (Steigung %2 bis %3 je d0)</translation>
+        <translation>%1 (Steigung von %2 auf %3 je d0)</translation>
     </message>
     <message>
         <source>Kinks of e at a gap of %1</source>
@@ -5675,7 +5675,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>One uniform rod; joints and the mass of the bit are not modelled.</source>
-        <translation>Eine gleichförmige Stange; Verbindungen und die Masse der Krone sind nicht modelliert.</translation>
+        <translation>Eine gleichförmige Stange; Verbindungen und die Masse der Bohrkrone sind nicht modelliert.</translation>
     </message>
     <message>
         <source>Verdict on the feed</source>
@@ -6219,7 +6219,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>the hammer&apos;s impedance is %1 times the rod&apos;s, too many steps to follow; use the shape exponential, a rigid hammer</source>
-        <translation>die Impedanz des Hammers ist das %1-Fache von der der Stange, zu viele Stufen zum Verfolgen; die Form exponential nehmen, einen starren Hammer</translation>
+        <translation>die Impedanz des Hammers ist das %1-Fache derjenigen der Stange, zu viele Stufen zum Verfolgen; die Form exponential nehmen, einen starren Hammer</translation>
     </message>
     <message>
         <source>with tau = %1 the bit meets the rock after %2 t0, too late for double precision to tell what happens within one t0 (at most %3)%4</source>
@@ -6411,7 +6411,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>the scenario is larger than 1 MiB, which no file may be; keep the points of a table in a CSV file</source>
-        <translation>das Szenario ist größer als 1 MiB, was keine Datei sein darf; die Punkte einer Tabelle in einer CSV-Datei halten</translation>
+        <translation>das Szenario ist größer als 1 MiB, mehr, als eine Datei haben darf; die Punkte einer Tabelle in einer CSV-Datei ablegen</translation>
     </message>
     <message>
         <source>is missing: the first line must be `drillwave: %1`</source>
@@ -6423,7 +6423,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>this file says drillwave: %1; this program reads up to %2, use a newer one</source>
-        <translation>diese Datei sagt drillwave: %1; dieses Programm liest bis %2, ein neueres nehmen</translation>
+        <translation>in dieser Datei steht drillwave: %1; dieses Programm liest bis %2, ein neueres nehmen</translation>
     </message>
     <message>
         <source>the format number must be %1 for a uniform rod or %2 for a drill string</source>
@@ -6683,11 +6683,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>%1 of %2 sections are of another impedance (couplings, adapter, bit): they have become rod, which reflects nothing.</source>
-        <translation>%1 von %2 Abschnitten haben eine andere Impedanz (Muffen, Einsteckende, Krone): sie sind zu Stange geworden, die nichts zurückwirft.</translation>
+        <translation>%1 von %2 Abschnitten haben eine andere Impedanz (Kupplungsmuffen, Einsteckende, Bohrkrone): sie sind zu Stange geworden, die nichts zurückwirft.</translation>
     </message>
     <message>
         <source>The lumped masses, that of the bit among them.</source>
-        <translation>Die Punktmassen, darunter die der Krone.</translation>
+        <translation>Die Punktmassen, darunter die der Bohrkrone.</translation>
     </message>
     <message>
         <source>The losses in joints and along the rods.</source>
@@ -6767,11 +6767,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>its energies do not balance, so that its numbers are wrong</source>
-        <translation>seine Energien gehen nicht auf, so dass seine Zahlen falsch sind</translation>
+        <translation>die Energien gehen nicht auf, so dass die Zahlen falsch sind</translation>
     </message>
     <message>
         <source>its error would be larger than permitted</source>
-        <translation>sein Fehler wäre größer als erlaubt</translation>
+        <translation>der Fehler wäre größer als erlaubt</translation>
     </message>
     <message>
         <source>the order of two events hangs on rounding</source>
@@ -6779,19 +6779,19 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>its histories need more than 4 million wave pieces: each of very many reflections leaves its mark; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>seine Verläufe brauchen mehr als 4 Millionen Wellenstücke: jede von sehr vielen Reflexionen hinterlässt ihre Spur; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
+        <translation>die Verläufe brauchen mehr als 4 Millionen Wellenstücke: jede von sehr vielen Reflexionen hinterlässt ihre Spur; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
     </message>
     <message>
         <source>it needs more wave pieces than permitted: each of very many reflections leaves its mark; a stiffer rock, a larger gamma or a shorter blow needs fewer</source>
-        <translation>er braucht mehr Wellenstücke als erlaubt: jede von sehr vielen Reflexionen hinterlässt ihre Spur; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
+        <translation>der Schlag braucht mehr Wellenstücke als erlaubt: jede von sehr vielen Reflexionen hinterlässt ihre Spur; ein steiferes Gestein, ein größeres gamma oder ein kürzerer Schlag braucht weniger</translation>
     </message>
     <message>
         <source>its numbers are beyond the range of double precision</source>
-        <translation>seine Zahlen liegen jenseits der doppelten Genauigkeit</translation>
+        <translation>die Zahlen liegen jenseits der doppelten Genauigkeit</translation>
     </message>
     <message>
         <source>its histories need more than 4 million wave pieces: the rock is so soft that the waves pass the rod millions of times in one contact; a stiffer rock needs fewer</source>
-        <translation>seine Verläufe brauchen mehr als 4 Millionen Wellenstücke: das Gestein ist so weich, dass die Wellen die Stange in einem Kontakt millionenfach durchlaufen; ein steiferes braucht weniger</translation>
+        <translation>die Verläufe brauchen mehr als 4 Millionen Wellenstücke: das Gestein ist so weich, dass die Wellen die Stange in einem Kontakt millionenfach durchlaufen; ein steiferes braucht weniger</translation>
     </message>
     <message>
         <source>an event at the rock cannot be placed</source>
@@ -6799,7 +6799,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>bit and rock meet and part, or a small bit mass swings, faster than can be followed</source>
-        <translation>Krone und Gestein treffen und trennen sich, oder eine kleine Kronenmasse schwingt, schneller, als verfolgt werden kann</translation>
+        <translation>Bohrkrone und Gestein treffen und trennen sich schneller, als verfolgt werden kann, oder eine kleine Masse der Bohrkrone schwingt zu schnell</translation>
     </message>
     <message>
         <source>the faces of hammer and string meet and part without end</source>
@@ -6811,11 +6811,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>bit and rock, or hammer and string, meet and part too often, or a bit mass swings too fast, to be followed: a softer rock, a larger gamma, no bit mass or an earlier end_time needs less</source>
-        <translation>Krone und Gestein, oder Hammer und Strang, treffen und trennen sich zu oft, oder eine Kronenmasse schwingt zu schnell, um verfolgt zu werden: ein weicheres Gestein, ein größeres gamma, keine Kronenmasse oder ein früheres end_time braucht weniger</translation>
+        <translation>Bohrkrone und Gestein, oder Hammer und Strang, treffen und trennen sich zu oft, oder eine Masse der Bohrkrone schwingt zu schnell, um verfolgt zu werden: ein weicheres Gestein, ein größeres gamma, keine Masse der Bohrkrone oder eine frühere end_time braucht weniger</translation>
     </message>
     <message>
         <source>it takes more wave cells than permitted: fewer sections, lengths that share a unit or an earlier end_time need fewer</source>
-        <translation>er braucht mehr Wellenzellen als erlaubt: weniger Abschnitte, Längen mit gemeinsamem Teiler oder ein früheres end_time brauchen weniger</translation>
+        <translation>der Schlag braucht mehr Wellenzellen als erlaubt: weniger Abschnitte, Längen mit gemeinsamem Teiler oder eine frühere end_time brauchen weniger</translation>
     </message>
     <message>
         <source>a rod that moves towards the rock as a whole is not for polynomial cells, which follow a force or a hammer</source>
@@ -6827,7 +6827,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>the bit mass swings too fast on this rock to be followed: leave it out, it is too small to matter, or give a softer rock</source>
-        <translation>die Kronenmasse schwingt auf diesem Gestein zu schnell, um verfolgt zu werden: sie weglassen, sie ist zu klein, um zu zählen, oder ein weicheres Gestein angeben</translation>
+        <translation>die Masse der Bohrkrone schwingt auf diesem Gestein zu schnell, um verfolgt zu werden: sie weglassen, sie ist zu klein, um etwas auszumachen, oder ein weicheres Gestein angeben</translation>
     </message>
     <message>
         <source>a hammer that strikes, several sections, masses and losses are not for this method, which follows a force on a uniform rod</source>
@@ -6847,7 +6847,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>is larger than 4 MiB, too large to be meant</source>
-        <translation>ist größer als 4 MiB, zu groß, um gemeint zu sein</translation>
+        <translation>ist größer als 4 MiB, das ist kaum beabsichtigt</translation>
     </message>
     <message>
         <source>is taken for a result, as its name ends in .json, and holds no `scenario`; give the scenario file</source>
@@ -6855,7 +6855,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>the scenario file is larger than 1024 KiB, too large to be meant</source>
-        <translation>die Szenariodatei ist größer als 1024 KiB, zu groß, um gemeint zu sein</translation>
+        <translation>die Szenariodatei ist größer als 1024 KiB, das ist kaum beabsichtigt</translation>
     </message>
     <message>
         <source>holds no scenario of a result</source>
@@ -7023,7 +7023,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>is larger than %1 KiB, too large to be meant</source>
-        <translation>ist größer als %1 KiB, zu groß, um gemeint zu sein</translation>
+        <translation>ist größer als %1 KiB, das ist kaum beabsichtigt</translation>
     </message>
     <message>
         <source>set the same thing</source>
@@ -7127,7 +7127,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The ring buffer gives every number of the moved waves, to the last bit.</source>
-        <translation>Der Ringpuffer gibt jede Zahl der verschobenen Wellen wieder, bis auf das letzte Bit genau.</translation>
+        <translation>Der Ringpuffer gibt jede Zahl der verschobenen Wellen bis zum letzten Bit genau wieder.</translation>
     </message>
     <message>
         <source>The table</source>
@@ -7146,8 +7146,8 @@ den Mitten. Eine je Schritt konstante Kraft weicht mindestens um ihre halbe Änd
     <message>
         <source>Times: processor time of a solve for e alone. speed: how many times faster than the paper&apos;s choice,
 the lattice of %1 segments with moved waves.</source>
-        <translation>Zeiten: Rechenzeit einer Lösung nur für e. Tempo: wievielmal so schnell wie in der Veröffentlichung,
-Gitter mit %1 Segmenten und verschobenen Wellen.</translation>
+        <translation>Zeiten: Rechenzeit einer Lösung nur für e. Tempo: wievielmal so schnell wie das Gitter der
+Veröffentlichung, %1 Segmente mit verschobenen Wellen.</translation>
     </message>
     <message>
         <source>%1 Rows of over a second have fewer runs.</source>
@@ -7231,7 +7231,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1 of the hammer&apos;s</source>
-        <translation>das %1-Fache dessen des Hammers</translation>
+        <translation>das %1-Fache von dem des Hammers</translation>
     </message>
     <message>
         <source>restitution e of the string</source>
@@ -7315,7 +7315,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1 of the force&apos;s</source>
-        <translation>das %1-Fache dessen der Kraft</translation>
+        <translation>das %1-Fache von dem der Kraft</translation>
     </message>
     <message>
         <source>%1, not met: short by %2 (%3)</source>
@@ -7403,7 +7403,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>slope %1 to %2</source>
-        <translation>Steigung %1 auf %2</translation>
+        <translation>Steigung von %1 auf %2</translation>
     </message>
     <message>
         <source>end of the range</source>
@@ -7471,7 +7471,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1 design, %2 samples each, the same for all; errors are of 95 %.</source>
-        <translation>%1 Auslegung, je %2 Stichproben, für alle dieselben; Fehler zu 95 %.</translation>
+        <translation>%1 Auslegung, %2 Stichproben; Fehler zu 95 %.</translation>
     </message>
     <message>
         <source>%1 designs, %2 samples each, the same for all; errors are of 95 %.</source>
@@ -7663,7 +7663,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- has the scatter of the blows at that value and the most that other cells change at five of the values.</source>
-        <translation>Volle Rate sind 95 % dessen, was ein Vorschub von 2 (1 + 2e) f J mit demselben Dämpfer ergibt. +- enthält die Streuung der Schläge bei diesem Wert und die größte Änderung durch andere Zellen bei fünf der Werte.</translation>
+        <translation>Als voller Bohrfortschritt gelten 95 % dessen, was ein Vorschub von 2 (1 + 2e) f J mit demselben Dämpfer ergibt. +- enthält die Streuung der Schläge bei diesem Wert und die größte Änderung durch andere Zellen bei fünf der Werte.</translation>
     </message>
     <message>
         <source>Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. There is no over-feed side: friction, rotation and buckling are not in the model.</source>
@@ -7703,7 +7703,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>momentum to %1, energy to %2</source>
-        <translation>Impuls auf %1, Energie auf %2</translation>
+        <translation>Impuls auf %1 genau, Energie auf %2 genau</translation>
     </message>
     <message>
         <source>phi = %1 (thrust over mean reaction), n_b = %2 round trips a blow</source>
@@ -7735,11 +7735,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>rises through it</source>
-        <translation>steigt hindurch</translation>
+        <translation>steigt darüber</translation>
     </message>
     <message>
         <source>falls through it</source>
-        <translation>fällt hindurch</translation>
+        <translation>fällt darunter</translation>
     </message>
     <message>
         <source>turns round at it</source>
@@ -8075,7 +8075,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>thrust_margin is a study of all gaps by itself; aim at thrust</source>
-        <translation>thrust_margin ist für sich schon eine Untersuchung aller Spalte; thrust als Ziel nehmen</translation>
+        <translation>thrust_margin ist für sich schon eine Studie aller Spalte; thrust als Ziel nehmen</translation>
     </message>
     <message>
         <source>%1 is a march of many blows by itself; `drillwave drill` and sweeps have it</source>
@@ -8219,7 +8219,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>the stated error is exceeded by a factor %1</source>
-        <translation>der angegebene Fehler ist um den Faktor %1 überschritten</translation>
+        <translation>der angegebene Fehler wird um den Faktor %1 überschritten</translation>
     </message>
     <message>
         <source>%1 and %2 %3; vary one of them</source>
@@ -8539,7 +8539,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>--goal has no place where -o - prints the curve; leave out -o, or give -o FILE.csv</source>
-        <translation>--goal hat keinen Platz, wo -o - die Kurve ausgibt; -o weglassen oder -o FILE.csv angeben</translation>
+        <translation>für --goal ist kein Platz, wo -o - die Kurve ausgibt; -o weglassen oder -o FILE.csv angeben</translation>
     </message>
     <message>
         <source>%1: could not be solved everywhere: from %2 = %3 to %4: %5</source>
@@ -8611,7 +8611,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>there is no drillwave-window beside this program, which was built without it (DRILLWAVE_GUI), or installed without it (the package drillwave)</source>
-        <translation>neben diesem Programm fehlt drillwave-window, da es ohne gebaut (DRILLWAVE_GUI) oder ohne installiert wurde (das Paket drillwave)</translation>
+        <translation>neben diesem Programm fehlt drillwave-window, da es ohne Fenster gebaut (DRILLWAVE_GUI) oder ohne Fenster installiert wurde (nur das Paket drillwave)</translation>
     </message>
     <message>
         <source>no window: %1; use `drillwave run FILE` (see --help)</source>
@@ -8619,7 +8619,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>no pictures: %1; leave out what draws them, or run the whole program</source>
-        <translation>keine Bilder: %1; weglassen, was sie zeichnet, oder das ganze Programm nehmen</translation>
+        <translation>keine Bilder: %1; alles weglassen, was sie zeichnet, oder das vollständige Programm nehmen</translation>
     </message>
     <message>
         <source>no display to open the window on; use `drillwave run FILE` (see --help), or `drillwave -platform offscreen`</source>
@@ -8655,7 +8655,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>it takes %1 cells times nodes, more than the %2 permitted, about %3; fewer blows or --cells take less, --work-limit permits more</source>
-        <translation>es kostet %1 Zellen mal Knoten, mehr als die erlaubten %2, und dauert etwa %3; weniger Schläge oder --cells kosten weniger, --work-limit erlaubt mehr</translation>
+        <translation>es kostet %1 Zellen mal Knoten, mehr als die erlaubten %2, und dauert etwa %3; weniger Schläge oder ein kleineres --cells kosten weniger, ein höheres --work-limit erlaubt mehr</translation>
     </message>
     <message>
         <source>end_time counts for single blows, not here</source>
@@ -8715,7 +8715,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>--gap-mean needs --gap-deviation, how far gaps scatter about it</source>
-        <translation>--gap-mean braucht --gap-deviation, wie weit Spalte darum streuen</translation>
+        <translation>--gap-mean braucht --gap-deviation, das angibt, wie weit Spalte darum streuen</translation>
     </message>
     <message>
         <source>--si is about the file of -o; add -o FILE.csv</source>
@@ -8789,7 +8789,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>interrupted; no output was left behind</source>
-        <translation>abgebrochen; keine Ausgabe wurde zurückgelassen</translation>
+        <translation>abgebrochen; es wurde keine Ausgabe hinterlassen</translation>
     </message>
     <message>
         <source>its command is none of this version: %1</source>
@@ -8873,7 +8873,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1 has no place where -o - prints the map; give -o FILE.csv</source>
-        <translation>%1 hat keinen Platz, wo -o - das Kennfeld ausgibt; -o FILE.csv angeben</translation>
+        <translation>für %1 ist kein Platz, wo -o - das Kennfeld ausgibt; -o FILE.csv angeben</translation>
     </message>
     <message>
         <source>points</source>
@@ -8945,7 +8945,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>may be %1; give the whole name</source>
-        <translation>kann %1 sein; den ganzen Namen angeben</translation>
+        <translation>passt auf %1; den ganzen Namen angeben</translation>
     </message>
     <message>
         <source>is not known; did you mean `%1`?</source>
@@ -8965,7 +8965,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1: the file of presets is larger than %2 KiB, too large to be meant</source>
-        <translation>%1: die Datei mit Vorgaben ist größer als %2 KiB, zu groß, um gemeint zu sein</translation>
+        <translation>%1: die Datei mit Vorgaben ist größer als %2 KiB, das ist kaum beabsichtigt</translation>
     </message>
     <message>
         <source>%1 is a drill string, whose sections are given one by one</source>
@@ -9045,7 +9045,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1; --work-limit, now %2, permits more</source>
-        <translation>%1; --work-limit, jetzt %2, erlaubt mehr</translation>
+        <translation>%1; ein höheres --work-limit, jetzt %2, erlaubt mehr</translation>
     </message>
     <message>
         <source>%1 row</source>
@@ -9069,11 +9069,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>all of these that FILE has: some need a blow frequency, thrust_margin a thrust too</source>
-        <translation>alle davon, die FILE hat: manche brauchen eine Schlagfrequenz, thrust_margin auch einen Andruck</translation>
+        <translation>alle davon, die FILE hat; manche brauchen eine Frequenz, thrust_margin auch Andruck</translation>
     </message>
     <message>
         <source>Of many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency and drill.thrust:</source>
-        <translation>Aus vielen Schlägen, nur namentlich, da jeder Fall eine eigene Rechnung braucht; FILE braucht drill.blow_frequency und drill.thrust:</translation>
+        <translation>Aus vielen Schlägen, nur namentlich (je Fall eine Rechnung); mit drill.blow_frequency und drill.thrust:</translation>
     </message>
     <message>
         <source>%1 of %2 rows could not be solved: their output cells are empty; %3</source>
@@ -9145,7 +9145,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>--frequency VALUES is --along drill.blow_frequency=VALUES; give one of them</source>
-        <translation>--frequency VALUES ist --along drill.blow_frequency=VALUES; eines davon angeben</translation>
+        <translation>--frequency VALUES ist dasselbe wie --along drill.blow_frequency=VALUES; eines davon angeben</translation>
     </message>
     <message>
         <source>pulse.shape is no number; sweep takes it</source>
@@ -9173,7 +9173,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>No such file or command; see drillwave --help</source>
-        <translation>Keine solche Datei und kein solcher Befehl; siehe drillwave --help</translation>
+        <translation>keine solche Datei und kein solcher Befehl; siehe drillwave --help</translation>
     </message>
     <message>
         <source>`%1` is too much; the window opens one file</source>
@@ -12045,7 +12045,7 @@ wave_picture.* und rod.*.</translation>
     </message>
     <message>
         <source>take this rod; `drillwave presets` lists rods, hammers and rocks</source>
-        <translation>diese Stange nehmen; `drillwave presets` listet Stangen, Hämmer und Gesteine auf</translation>
+        <translation>diese Stange nehmen; `drillwave presets` zeigt Stangen, Hämmer, Gesteine</translation>
     </message>
     <message>
         <source>take this hammer</source>
@@ -12065,7 +12065,7 @@ wave_picture.* und rod.*.</translation>
     </message>
     <message>
         <source>exact, lattice or closed_form; if not given, that of the result FILE is, or exact</source>
-        <translation>exact, lattice oder closed_form; ohne Angabe das Verfahren des Ergebnisses FILE, sonst exact</translation>
+        <translation>exact, lattice oder closed_form; ohne Angabe wie im Ergebnis FILE, sonst exact</translation>
     </message>
     <message>
         <source>of the lattice, 10000 as in the paper if not given</source>
@@ -12073,7 +12073,7 @@ wave_picture.* und rod.*.</translation>
     </message>
     <message>
         <source>wave pieces a blow may take, 1000000 (at worst some seconds) if not given</source>
-        <translation>Wellenstücke, die ein Schlag brauchen darf, ohne Angabe 1000000 (höchstens einige Sekunden)</translation>
+        <translation>erlaubte Wellenstücke je Schlag, ohne Angabe 1000000 (einige Sekunden)</translation>
     </message>
     <message>
         <source>write the files of the run into DIR; - writes none</source>
@@ -12128,7 +12128,7 @@ FILE.csv.yaml neben FILE.csv sagt, was die Zeilen sind: Version, Befehl, Achsen 
     </message>
     <message>
         <source>wave pieces a row may take, 1000000 (at worst 2 s) if not given; else its cells are empty</source>
-        <translation>Wellenstücke, die eine Zeile brauchen darf, ohne Angabe 1000000 (höchstens 2 s); darüber bleiben ihre Zellen leer</translation>
+        <translation>erlaubte Wellenstücke je Zeile, ohne Angabe 1000000 (bis 2 s); darüber leere Zellen</translation>
     </message>
     <message>
         <source>threads to use, all of them if not given</source>
@@ -12136,11 +12136,11 @@ FILE.csv.yaml neben FILE.csv sagt, was die Zeilen sind: Version, Befehl, Achsen 
     </message>
     <message>
         <source>only the I-th of N contiguous parts, for `drillwave join`; header only in part 1</source>
-        <translation>nur den I-ten von N zusammenhängenden Teilen, für `drillwave join`; Kopf nur in Teil 1</translation>
+        <translation>nur Teil I von N zusammenhängenden, für `drillwave join`; Kopf nur in Teil 1</translation>
     </message>
     <message>
         <source>where to write, with FILE.csv.yaml beside it; - is standard output, as without</source>
-        <translation>wohin geschrieben wird, mit FILE.csv.yaml daneben; - ist die Standardausgabe, wie ohne Angabe</translation>
+        <translation>wohin geschrieben wird, dazu FILE.csv.yaml; - ist die Standardausgabe, wie ohne -o</translation>
     </message>
     <message>
         <source>with -o, also pictures in these formats, as in the window</source>
@@ -12199,7 +12199,7 @@ Werte haben Einheiten, wo der Parameter eine hat: --along bit_rock.stiffness=10M
     </message>
     <message>
         <source>every value of KEY that gives the only output this value, in the unit of its column; exit code 6 where none does</source>
-        <translation>alle Werte von KEY, bei denen das (einzige) Ergebnis diesen Wert hat, in der Einheit seiner Spalte; Exit-Code 6, wo es keinen gibt</translation>
+        <translation>alle Werte von KEY mit diesem Ergebnis, in der Einheit seiner Spalte; sonst Exit-Code 6</translation>
     </message>
     <message>
         <source>print one JSON object in place of the tables</source>
@@ -12211,11 +12211,11 @@ Werte haben Einheiten, wo der Parameter eine hat: --along bit_rock.stiffness=10M
     </message>
     <message>
         <source>wave pieces a blow may take, 1000000 if not given; else there is no answer</source>
-        <translation>Wellenstücke, die ein Schlag brauchen darf, ohne Angabe 1000000; darüber gibt es keine Antwort</translation>
+        <translation>erlaubte Wellenstücke je Schlag, ohne Angabe 1000000; darüber keine Antwort</translation>
     </message>
     <message>
         <source>also write points of the lines, with FILE.csv.yaml beside it, places of the goal into FILE_goal.csv; - prints the points instead</source>
-        <translation>auch Punkte der Kurven schreiben, mit FILE.csv.yaml daneben, Stellen des Ziels in FILE_goal.csv; - gibt stattdessen die Punkte aus</translation>
+        <translation>Punkte auch schreiben, dazu FILE.csv.yaml, Ziele in FILE_goal.csv; - gibt Punkte aus</translation>
     </message>
     <message>
         <source>an output over two parameters, and its contours</source>
@@ -12248,7 +12248,7 @@ Ergebnis dort springt.</translation>
     </message>
     <message>
         <source>the output in SI, and levels too, which may then carry units</source>
-        <translation>Ergebnis und Höhenlinien in SI-Einheiten; Werte von Höhenlinien dürfen dann Einheiten haben</translation>
+        <translation>Ergebnis und Höhenlinien in SI-Einheiten; X darf dann eine Einheit haben</translation>
     </message>
     <message>
         <source>print one JSON object, with the contours, in place of the summary</source>
@@ -12256,11 +12256,11 @@ Ergebnis dort springt.</translation>
     </message>
     <message>
         <source>wave pieces a point may take, 1000000 (at worst 2 s) if not given; else it has no output</source>
-        <translation>Wellenstücke, die ein Punkt brauchen darf, ohne Angabe 1000000 (höchstens 2 s); darüber hat er kein Ergebnis</translation>
+        <translation>erlaubte Wellenstücke je Punkt, ohne Angabe 1000000 (2 s); darüber kein Ergebnis</translation>
     </message>
     <message>
         <source>also write the points, with FILE.csv.yaml beside, contours into FILE_contours.csv; - prints the points instead</source>
-        <translation>auch die Punkte schreiben, mit FILE.csv.yaml daneben, Höhenlinien in FILE_contours.csv; - gibt stattdessen die Punkte aus</translation>
+        <translation>Punkte auch schreiben, Höhenlinien in FILE_contours.csv; - gibt nur die Punkte aus</translation>
     </message>
     <message>
         <source>put the parts of a sweep, table or map of --shard together</source>
@@ -12294,7 +12294,7 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
     </message>
     <message>
         <source>mean of the scattered gap, as 0.5mm or, in d0, 0.2; that of FILE if not given</source>
-        <translation>Mittel des gestreuten Spalts, wie 0.5mm oder, in d0, 0.2; ohne Angabe der Spalt von FILE</translation>
+        <translation>Mittel des gestreuten Spalts, wie 0.5mm oder, in d0, 0.2; ohne Angabe der von FILE</translation>
     </message>
     <message>
         <source>standard deviation of the scattered gap</source>
@@ -12342,7 +12342,7 @@ summary.json, blows.csv, mit --histories histories.csv und mit --plots drilling.
     </message>
     <message>
         <source>short for --set drill.settle=N: the first blows, which no statistic counts</source>
-        <translation>kurz für --set drill.settle=N: die ersten Schläge, die in keiner Statistik zählen</translation>
+        <translation>kurz für --set drill.settle=N: erste Schläge, die in keiner Statistik zählen</translation>
     </message>
     <message>
         <source>short for --set drill.seed=N, of the scatter of the intervals</source>
@@ -12378,7 +12378,7 @@ summary.json, blows.csv, mit --histories histories.csv und mit --plots drilling.
     </message>
     <message>
         <source>also write a row for every blow, with FILE.csv.yaml beside, or all files into DIR; - prints the rows</source>
-        <translation>auch eine Zeile für jeden Schlag schreiben, mit FILE.csv.yaml daneben, oder alle Dateien nach DIR; - gibt die Zeilen aus</translation>
+        <translation>Zeile je Schlag, dazu FILE.csv.yaml, oder alles nach DIR; - gibt Zeilen aus</translation>
     </message>
     <message>
         <source>thrust that blows need, and what the installed one does between them</source>
@@ -12423,12 +12423,12 @@ wie weit die Bohrkrone vom Gestein entfernt ist, wenn der Hammer schlägt und ni
 dämpft; - steht da, wo das nie gleichmäßig wird. n_b: Hin- und Rückläufe der Wellen zwischen zwei
 Schlägen; was ein Dämpfer ändert, verfolgt `drillwave drill`. Braucht ein Szenario in physikalischen
 Einheiten mit drill.blow_frequency; Urteil und Reserven brauchen drill.thrust. Bei einem Bohrstrang
-ist I0 der Kraftstoß an der Hammerfläche; seine Spalte haben keine Periode, so dass nur dieser
+ist I0 der Kraftstoß an der Schlagfläche des Hammers; seine Spalte haben keine Periode, so dass nur dieser
 Schlag und starres Gestein angegeben werden.</translation>
     </message>
     <message>
         <source>also a table along a parameter: START:STOP[:COUNT][:log], 101 points, or each whole number, if not given, or A,B,C</source>
-        <translation>auch eine Tabelle über einem Parameter: START:STOP[:COUNT][:log], ohne COUNT 101 Punkte oder jede ganze Zahl, oder A,B,C</translation>
+        <translation>Tabelle: A,B,C oder START:STOP[:COUNT][:log], ohne COUNT 101 oder jede ganze Zahl</translation>
     </message>
     <message>
         <source>short for --along drill.blow_frequency=VALUES</source>
@@ -12498,7 +12498,7 @@ pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json und, mit --plots,
     </message>
     <message>
         <source>samples of a design, 4096, of a string 1024, if not given; a power of two</source>
-        <translation>Stichproben je Auslegung, ohne Angabe 4096, bei einem Strang 1024; eine Zweierpotenz</translation>
+        <translation>Stichproben je Auslegung, Zweierpotenz; sonst 4096, bei einem Strang 1024</translation>
     </message>
     <message>
         <source>which samples, 1 if not given</source>
@@ -12583,7 +12583,7 @@ einem Bohrstrang: polynomiale Zellen mehrerer Größen neben einem einfachen Git
     </message>
     <message>
         <source>moves of waves by a segment that the lattices may take, 1000000000 (half a minute) if not given</source>
-        <translation>wie oft die Gitter Wellen um ein Segment verschieben dürfen, ohne Angabe 1000000000 (eine halbe Minute)</translation>
+        <translation>erlaubte Wellenverschiebungen um ein Segment, ohne Angabe 1000000000 (halbe Minute)</translation>
     </message>
     <message>
         <source>also write accuracy.csv into DIR; - prints it instead of the table</source>
@@ -12715,7 +12715,7 @@ des Fensters eingesetzt werden.</translation>
     </message>
     <message>
         <source>how fast motions part, per blow; above 0 single blows are no result; takes a second march</source>
-        <translation>wie schnell Bewegungen auseinanderlaufen, je Schlag; über 0 sind einzelne Schläge kein Ergebnis; braucht eine zweite Rechnung</translation>
+        <translation>wie schnell Bewegungen auseinanderlaufen; über 0 unregelmäßig; zweite Rechnung</translation>
     </message>
     <message>
         <source>phi, feed force over mean reaction of the blows</source>

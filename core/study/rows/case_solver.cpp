@@ -91,7 +91,8 @@ std::string CaseSolver::march(const Scenario& scenario, const std::stop_token& s
                               .fullRate = false,
                               .cor = false};
     if (drillingWork(scenario, settings, wants) > static_cast<double>(m_solver.mostCells()))
-        return "its blows under a feed need more wave cells than permitted";
+        return translatable("drillwave::Message",
+                            "its blows under a feed need more wave cells than permitted");
     const DrillingResult result = studyDrilling(scenario, settings, wants, stop);
     m_drill = drillNumbersOf(result);
     m_lack = whyNoStatistics(result);

@@ -214,9 +214,9 @@ void TestCurveGoal::beyondWhatThereIsTheNearestIsTold() {
     // theory §7
     QVERIFY(std::abs(answer.nearest->value.value - 1.4140683) < 5e-8);
     QVERIFY(std::abs(answer.nearest->x.value - 0.29983) < 5e-6);
-    const std::vector<std::string> problems = goalProblems(study);
+    const std::vector<Message> problems = goalProblems(study);
     QCOMPARE(problems.size(), 1u);
-    QCOMPARE(problems[0], std::string("no beta from 0.1 to 10 gives cor = 2: the nearest is 1.4140683, at "
+    QCOMPARE(problems[0].text(), std::string("no beta from 0.1 to 10 gives cor = 2: the nearest is 1.4140683, at "
                                       "0.29982658"));
 }
 
