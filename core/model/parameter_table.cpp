@@ -241,7 +241,7 @@ constexpr std::array parameterTable{
               [](const S& s) { return s.drill.damperStiffness; }, [](S& s, double v) { s.drill.damperStiffness = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.drill.damperStiffness.reset(); }}},
     Parameter{"drill.wave_loss", "wave loss", "η", "Share that the waves lose of their deviation from what is steady in a round trip, over many blows",
-              Quantity::share, "%", {0, 1, false, "what loses all of it carries no wave", true}, {0.01, 0.3}, linear, Scope::manyBlows,
+              Quantity::share, "%", {0, 1, false, translatable("drillwave::Message", "what loses all of it carries no wave"), true}, {0.01, 0.3}, linear, Scope::manyBlows,
               [](const S& s) { return s.drill.waveLoss; }, [](S& s, double v) { s.drill.waveLoss = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.drill.waveLoss.reset(); }}},
     Parameter{"drill.blows", "blows", "N", "Blows that are followed, one after the other; 1000 where nothing is given",

@@ -5027,11 +5027,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; `drill` follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft: die Eindringung kann mit Frequenz mal Länge um 10 % nach oben oder unten schwanken; `drill` verfolgt das.</translation>
+        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft: die Eindringung kann mit Frequenz mal Länge um 10&#xa0;% nach oben oder unten schwanken; `drill` verfolgt das.</translation>
     </message>
     <message>
         <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped and nearly in step (n_b close to %2): penetration may swing by 10 % up or down; `drill` follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft und fast im Takt (n_b nahe %2): die Eindringung kann um 10 % nach oben oder unten schwanken; `drill` verfolgt das.</translation>
+        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft und fast im Takt (n_b nahe %2): die Eindringung kann um 10&#xa0;% nach oben oder unten schwanken; `drill` verfolgt das.</translation>
     </message>
     <message>
         <source>share but a cell of time of %1, which would take more work than is permitted</source>
@@ -5135,11 +5135,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Nothing takes from the waves: jumps never fade. A wave_loss of 1 to 30 % in a round trip is usual.</source>
-        <translation>Die Wellen verlieren nichts: Sprünge klingen nie ab. Ein Wellenverlust von 1 bis 30 % in einem Hin- und Rücklauf ist üblich.</translation>
+        <translation>Die Wellen verlieren nichts: Sprünge klingen nie ab. Ein Wellenverlust von 1 bis 30&#xa0;% in einem Hin- und Rücklauf ist üblich.</translation>
     </message>
     <message>
         <source>After it has separated, the piston still passes up to %1 % of its momentum: it is in the way of the rebounding string, where a machine would have drawn it back; restrike: false says so.</source>
-        <translation>Nachdem sich der Kolben getrennt hat, gibt er noch bis zu %1 % seines Impulses weiter: er ist dem zurückprallenden Strang im Weg, wo eine Maschine ihn zurückgezogen hätte; das sagt restrike: false.</translation>
+        <translation>Nachdem sich der Kolben getrennt hat, gibt er noch bis zu %1&#xa0;% seines Impulses weiter: er ist dem zurückprallenden Strang im Weg, wo eine Maschine ihn zurückgezogen hätte; das sagt restrike: false.</translation>
     </message>
     <message>
         <source>At a blow the shank is up to %1 off its mean place in the machine: the stroke, and so the blow, would be another one. A dashpot lets it creep; a spring (damper_stiffness) brings it back.</source>
@@ -5163,7 +5163,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The energy of all blows closes to %1 % only: the cells are long for these contacts; shorter ones take it down with their length.</source>
-        <translation>Die Energiebilanz aller Schläge geht nur auf %1 % genau auf: die Zellen sind lang für diese Kontakte; kürzere verringern den Fehler mit ihrer Länge.</translation>
+        <translation>Die Energiebilanz aller Schläge geht nur auf %1&#xa0;% genau auf: die Zellen sind lang für diese Kontakte; kürzere verringern den Fehler mit ihrer Länge.</translation>
     </message>
     <message>
         <source>No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the rod.</source>
@@ -5203,11 +5203,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>With %1 the bit rests on the rock before every blow; %2 % of full rate.</source>
-        <translation>Mit %1 ruht die Bohrkrone vor jedem Schlag auf dem Gestein; %2 % des vollen Bohrfortschritts.</translation>
+        <translation>Mit %1 ruht die Bohrkrone vor jedem Schlag auf dem Gestein; %2&#xa0;% des vollen Bohrfortschritts.</translation>
     </message>
     <message>
         <source>With %1 it drills at full rate (%2 % of full rate); the bit leaves the rock between blows, gaps of %3 to %4 when the next one comes.</source>
-        <translation>Mit %1 wird der volle Bohrfortschritt erreicht (%2 % davon); die Bohrkrone verlässt das Gestein zwischen den Schlägen, Spalte von %3 bis %4, wenn der nächste kommt.</translation>
+        <translation>Mit %1 wird der volle Bohrfortschritt erreicht (%2&#xa0;% davon); die Bohrkrone verlässt das Gestein zwischen den Schlägen, Spalte von %3 bis %4, wenn der nächste kommt.</translation>
     </message>
     <message>
         <source>With %1 penetration is lost; gaps of %2 to %3 when the next blow comes.</source>
@@ -5215,7 +5215,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>With %1 penetration is lost: %2 % of full rate; gaps of %3 to %4 when the next blow comes.</source>
-        <translation>Mit %1 geht Eindringung verloren: %2 % des vollen Bohrfortschritts; Spalte von %3 bis %4, wenn der nächste Schlag kommt.</translation>
+        <translation>Mit %1 geht Eindringung verloren: %2&#xa0;% des vollen Bohrfortschritts; Spalte von %3 bis %4, wenn der nächste Schlag kommt.</translation>
     </message>
     <message>
         <source>Bounded motion needs more than f I0 = %1.</source>
@@ -7471,11 +7471,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1 design, %2 samples each, the same for all; errors are of 95 %.</source>
-        <translation>%1 Auslegung, %2 Stichproben; Fehler zu 95 %.</translation>
+        <translation>%1 Auslegung, %2 Stichproben; Fehler zu 95&#xa0;%.</translation>
     </message>
     <message>
         <source>%1 designs, %2 samples each, the same for all; errors are of 95 %.</source>
-        <translation>%1 Auslegungen, je %2 Stichproben, für alle dieselben; Fehler zu 95 %.</translation>
+        <translation>%1 Auslegungen, je %2 Stichproben, für alle dieselben; Fehler zu 95&#xa0;%.</translation>
     </message>
     <message>
         <source>design</source>
@@ -7547,15 +7547,15 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1 design with more than 0.1 % of them have no statistics.</source>
-        <translation>%1 Auslegung mit mehr als 0,1 % davon hat keine Statistik.</translation>
+        <translation>%1 Auslegung mit mehr als 0,1&#xa0;% davon hat keine Statistik.</translation>
     </message>
     <message>
         <source>%1 designs with more than 0.1 % of them have no statistics.</source>
-        <translation>%1 Auslegungen mit mehr als 0,1 % davon haben keine Statistik.</translation>
+        <translation>%1 Auslegungen mit mehr als 0,1&#xa0;% davon haben keine Statistik.</translation>
     </message>
     <message>
         <source>Up to %1 % of the samples of a design have an error of their own that is larger than that of the statistics: blows that chatter.</source>
-        <translation>Bis zu %1 % der Stichproben einer Auslegung haben einen eigenen Fehler, der größer ist als der der Statistik: Schläge, bei denen die Bohrkrone rattert.</translation>
+        <translation>Bis zu %1&#xa0;% der Stichproben einer Auslegung haben einen eigenen Fehler, der größer ist als der der Statistik: Schläge, bei denen die Bohrkrone rattert.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -7587,19 +7587,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>The choices change the energy of the blow by up to %1 %: machines of different power are compared; --keep-energy keeps it.</source>
-        <translation>Die Wahl ändert die Energie des Schlags um bis zu %1 %: verglichen werden Maschinen verschiedener Leistung; --keep-energy hält die Energie.</translation>
+        <translation>Die Wahl ändert die Energie des Schlags um bis zu %1&#xa0;%: verglichen werden Maschinen verschiedener Leistung; --keep-energy hält die Energie.</translation>
     </message>
     <message>
         <source>The scatter of the efficiency is nearly all that of gamma; loading_work shows what wave and machine can do: --aim max:loading_work@q05.</source>
         <translation>Der Wirkungsgrad streut fast nur mit gamma; loading_work zeigt, was Welle und Maschine können: --aim max:loading_work@q05.</translation>
-    </message>
-    <message>
-        <source>%1: no design has it</source>
-        <translation>%1: keine Auslegung erfüllt das</translation>
-    </message>
-    <message>
-        <source>%1: the nearest is %2 of %3</source>
-        <translation>%1: am nächsten kommt %3 mit %2</translation>
     </message>
     <message>
         <source>rest</source>
@@ -7663,7 +7655,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- has the scatter of the blows at that value and the most that other cells change at five of the values.</source>
-        <translation>Als voller Bohrfortschritt gelten 95 % dessen, was ein Vorschub von 2 (1 + 2e) f J mit demselben Dämpfer ergibt. +- enthält die Streuung der Schläge bei diesem Wert und die größte Änderung durch andere Zellen bei fünf der Werte.</translation>
+        <translation>Als voller Bohrfortschritt gelten 95&#xa0;% dessen, was ein Vorschub von 2 (1 + 2e) f J mit demselben Dämpfer ergibt. +- enthält die Streuung der Schläge bei diesem Wert und die größte Änderung durch andere Zellen bei fünf der Werte.</translation>
     </message>
     <message>
         <source>Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. There is no over-feed side: friction, rotation and buckling are not in the model.</source>
@@ -8844,10 +8836,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1: `%2` ist keines von %3</translation>
     </message>
     <message>
-        <source>%1 is given twice</source>
-        <translation>%1 ist zweimal angegeben</translation>
-    </message>
-    <message>
         <source>standard output: cannot be written: %1</source>
         <translation>Standardausgabe: kann nicht geschrieben werden: %1</translation>
     </message>
@@ -8958,10 +8946,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>the file of presets has an empty name; without one the built-in ones are taken</source>
         <translation>die Datei mit Vorgaben hat einen leeren Namen; ohne die Option gelten die eingebauten</translation>
-    </message>
-    <message>
-        <source>%1: the file of presets %2</source>
-        <translation>%1: die Datei mit Vorgaben %2</translation>
     </message>
     <message>
         <source>%1: the file of presets is larger than %2 KiB, too large to be meant</source>
@@ -9100,14 +9084,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1: Hinweis: von Drillwave %2 geschrieben, das neuer ist als dieses %3: Ergebnisse können abweichen</translation>
     </message>
     <message>
-        <source>%1: the scenario file %2</source>
-        <translation>%1: die Szenariodatei %2</translation>
-    </message>
-    <message>
-        <source>%1: the scenario file %2; did you mean the example %3?</source>
-        <translation>%1: die Szenariodatei %2; war das Beispiel %3 gemeint?</translation>
-    </message>
-    <message>
         <source>-o %1 is read as input (%2); choose another name for the output</source>
         <translation>-o %1 wird als Eingabe gelesen (%2); für die Ausgabe einen anderen Namen wählen</translation>
     </message>
@@ -9178,6 +9154,26 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>`%1` is too much; the window opens one file</source>
         <translation>`%1` ist zu viel; das Fenster öffnet nur eine Datei</translation>
+    </message>
+    <message>
+        <source>what loses all of it carries no wave</source>
+        <translation>was alles verliert, trägt keine Welle</translation>
+    </message>
+    <message>
+        <source>no design has it</source>
+        <translation>keine Auslegung erfüllt das</translation>
+    </message>
+    <message>
+        <source>the nearest is %1 of %2</source>
+        <translation>am nächsten kommt %2 mit %1</translation>
+    </message>
+    <message>
+        <source>its blows under a feed need more wave cells than permitted</source>
+        <translation>seine Schläge unter einem Vorschub brauchen mehr Wellenzellen als erlaubt</translation>
+    </message>
+    <message>
+        <source>%1; did you mean the example %2?</source>
+        <translation>%1; war das Beispiel %2 gemeint?</translation>
     </message>
 </context>
 <context>
@@ -12288,7 +12284,7 @@ fehlt, doppelt oder fremd ist, wird genannt, mit Exit-Code 5.</translation>
 where they lie, mean, 5, 50 and 95 % quantiles, and the share of gaps with e &gt; 1, for all gaps of
 a period alike and, with --gap-deviation, for a gap scattered normally (cut off at no gap).</source>
         <translation>Die Ergebnisse haben im Spalt die Periode d0 = 2 I0/Z, und den Spalt regelt am Bohrgerät niemand.
-Genannt werden Extreme und wo sie liegen, Mittel, 5 %-, 50 %- und 95 %-Quantil und der Anteil der
+Genannt werden Extreme und wo sie liegen, Mittel, 5&#xa0;%-, 50&#xa0;%- und 95&#xa0;%-Quantil und der Anteil der
 Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind und, mit
 --gap-deviation, auch für einen normalverteilten Spalt (bei null abgeschnitten).</translation>
     </message>
@@ -12414,7 +12410,7 @@ Schlagfrequenz f, Kraftstoß I0 eines Schlags und Stoßzahl e (theory §10):
                             nächsten Schlag zurück
   ab diesem Wert            genug, ruht; zu hoher Vorschub (Reibung, Knicken, Stehenbleiben der
                             Drehung) liegt außerhalb des Modells
-Das Urteil richtet sich nach dem e dieses Schlags. Daneben, jeweils mit eigenem e: 95 % aller Spalte
+Das Urteil richtet sich nach dem e dieses Schlags. Daneben, jeweils mit eigenem e: 95&#xa0;% aller Spalte
 zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und der schlechteste Spalt auf elastischem
 Gestein (gamma = 1). Eine Reserve ist der installierte Andruck durch f I0 (1+e), weniger 1;
 thrust_margin ist die beim größten Bedarf. Wo drill.inclination gegeben ist, kommt bei alledem das
@@ -12462,7 +12458,7 @@ Genannt werden die nach dem ersten Ziel beste (robust beste), die, die am besten
 wie in FILE ist (nominal beste), welche anderen nach den Stichproben gleichauf liegen, was sich zu
 messen lohnt, und das Schlechteste, das in den Bereichen gefunden wurde.
   --uncertain KEY=LOW:HIGH             alle Werte gleich wahrscheinlich, mit :log im Logarithmus;
-                                       :normal und :lognormal mit LOW und HIGH als Grenzen von 95 %
+                                       :normal und :lognormal mit LOW und HIGH als Grenzen von 95&#xa0;%
   --uncertain KEY=+-P%                 um den Wert von FILE oder der Auslegung
 Statistiken sind mean, q01 bis q99, min, max und nominal (wie in FILE). Ohne --aim:
 max:efficiency@q05, und min:thrust@q95, wo FILE eine Schlagfrequenz hat. DIR bekommt designs.csv,
@@ -12667,7 +12663,7 @@ des Fensters eingesetzt werden.</translation>
     </message>
     <message>
         <source>gap that 5 % of the blows are below</source>
-        <translation>Spalt, unter dem 5 % der Schläge liegen</translation>
+        <translation>Spalt, unter dem 5&#xa0;% der Schläge liegen</translation>
     </message>
     <message>
         <source>gap that half of the blows are below</source>
@@ -12675,7 +12671,7 @@ des Fensters eingesetzt werden.</translation>
     </message>
     <message>
         <source>gap that 95 % of the blows are below</source>
-        <translation>Spalt, unter dem 95 % der Schläge liegen</translation>
+        <translation>Spalt, unter dem 95&#xa0;% der Schläge liegen</translation>
     </message>
     <message>
         <source>mean penetration of a blow: an upper limit</source>
@@ -12683,7 +12679,7 @@ des Fensters eingesetzt werden.</translation>
     </message>
     <message>
         <source>its 95 % error; takes a second march with other cells</source>
-        <translation>ihr Fehler zu 95 %; braucht eine zweite Rechnung mit anderen Zellen</translation>
+        <translation>ihr Fehler zu 95&#xa0;%; braucht eine zweite Rechnung mit anderen Zellen</translation>
     </message>
     <message>
         <source>mean penetration times blow frequency, m/s: an upper limit</source>

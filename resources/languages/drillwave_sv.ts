@@ -848,7 +848,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>Share of the energy of the hammer in the stiffness of the faces, where they still touch</source>
-        <translation>Andel av hammarens energi i ytornas styvhet, där de ännu rör vid varandra</translation>
+        <translation>Andel av hammarens energi i slagytornas styvhet, där de ännu rör vid varandra</translation>
     </message>
     <message>
         <source>Share of the energy of the hammer that joints take</source>
@@ -1004,7 +1004,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>between the faces</source>
-        <translation>mellan ytorna</translation>
+        <translation>mellan slagytorna</translation>
     </message>
     <message>
         <source>blow frequency</source>
@@ -1108,7 +1108,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>energy in the stiffness of the faces, fraction of that of the hammer</source>
-        <translation>energi i ytornas styvhet, andel av hammarens</translation>
+        <translation>energi i slagytornas styvhet, andel av hammarens</translation>
     </message>
     <message>
         <source>energy left in the rock, fraction of the hammer work</source>
@@ -1188,7 +1188,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>face stiffness</source>
-        <translation>ytans styvhet</translation>
+        <translation>slagytans styvhet</translation>
     </message>
     <message>
         <source>fall</source>
@@ -5027,19 +5027,19 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; `drill` follows it.</source>
-        <translation>Ett slags vågor hinner bara n_b = %1 varv fram och åter till nästa slag och möter det odämpade: inträngningen kan svänga 10&#xa0;% upp eller ned med frekvens gånger längd; `drill` följer det.</translation>
+        <translation>Slagets vågor hinner bara n_b = %1 varv fram och åter till nästa slag och möter det odämpade: inträngningen kan svänga 10&#xa0;% upp eller ned med frekvens gånger längd; `drill` följer det.</translation>
     </message>
     <message>
         <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped and nearly in step (n_b close to %2): penetration may swing by 10 % up or down; `drill` follows it.</source>
-        <translation>Ett slags vågor hinner bara n_b = %1 varv fram och åter till nästa slag och möter det odämpade och nästan i takt (n_b nära %2): inträngningen kan svänga 10&#xa0;% upp eller ned; `drill` följer det.</translation>
+        <translation>Slagets vågor hinner bara n_b = %1 varv fram och åter till nästa slag och möter det odämpade och nästan i takt (n_b nära %2): inträngningen kan svänga 10&#xa0;% upp eller ned; `drill` följer det.</translation>
     </message>
     <message>
         <source>share but a cell of time of %1, which would take more work than is permitted</source>
-        <translation>delar bara en tidscell på %1, som skulle kräva mer arbete än vad som är tillåtet</translation>
+        <translation>har bara en gemensam tidscell på %1, som skulle kräva mer arbete än vad som är tillåtet</translation>
     </message>
     <message>
         <source>share no cell of time</source>
-        <translation>delar ingen tidscell</translation>
+        <translation>har ingen gemensam tidscell</translation>
     </message>
     <message>
         <source>the force on the rock and the rebound are off: e by up to %1</source>
@@ -5055,11 +5055,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>Lengths with a larger common divisor share a longer one.</source>
-        <translation>Längder med en större gemensam delare delar en längre.</translation>
+        <translation>Längder med en större gemensam delare får en längre gemensam cell.</translation>
     </message>
     <message>
         <source>Lengths in whole millimetres of one steel share one and are exact.</source>
-        <translation>Längder i hela millimeter av ett och samma stål delar en och är exakta.</translation>
+        <translation>Längder i hela millimeter av ett och samma stål får en gemensam cell och är exakta.</translation>
     </message>
     <message>
         <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
@@ -5099,7 +5099,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>The rod leaves with more momentum than it came with (e = %1): rigid rock, e = 1, would underestimate the thrust.</source>
-        <translation>Stången går med mer rörelsemängd än den kom med (e = %1): stelt berg, e = 1, skulle underskatta matningskraften.</translation>
+        <translation>Stången lämnar berget med mer rörelsemängd än den kom med (e = %1): stelt berg, e = 1, skulle underskatta matningskraften.</translation>
     </message>
     <message>
         <source>The bit hits the rock %1 times in this blow: the waves on their way bring it back.</source>
@@ -5119,7 +5119,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>After %1 bit or hammer may still meet again: these are the numbers at the next blow, not final ones.</source>
-        <translation>Efter %1 kan borrkrona eller hammare ännu mötas igen: detta är talen vid nästa slag, inte slutliga.</translation>
+        <translation>Efter %1 kan borrkronan eller hammaren ännu få kontakt igen: detta är talen vid nästa slag, inte slutliga.</translation>
     </message>
     <message>
         <source>The largest stresses of the sections take more work than is permitted: they were left out and no strength was checked. A shorter end_time may leave room for them.</source>
@@ -5135,15 +5135,15 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>Nothing takes from the waves: jumps never fade. A wave_loss of 1 to 30 % in a round trip is usual.</source>
-        <translation>Inget tar av vågorna: språng klingar aldrig av. En vågförlust på 1 till 30&#xa0;% under ett varv fram och åter är vanlig.</translation>
+        <translation>Inget dämpar vågorna: språng klingar aldrig av. En vågförlust på 1 till 30&#xa0;% under ett varv fram och åter är vanlig.</translation>
     </message>
     <message>
         <source>After it has separated, the piston still passes up to %1 % of its momentum: it is in the way of the rebounding string, where a machine would have drawn it back; restrike: false says so.</source>
-        <translation>Sedan den har skilts lämnar kolven ännu upp till %1&#xa0;% av sin rörelsemängd: den är i vägen för den studsande strängen, där en maskin skulle ha dragit den tillbaka; restrike: false säger det.</translation>
+        <translation>Sedan kolven har skilts från strängen avger den ännu upp till %1&#xa0;% av sin rörelsemängd: den är i vägen för den studsande strängen, där en maskin skulle ha dragit den tillbaka; restrike: false anger det.</translation>
     </message>
     <message>
         <source>At a blow the shank is up to %1 off its mean place in the machine: the stroke, and so the blow, would be another one. A dashpot lets it creep; a spring (damper_stiffness) brings it back.</source>
-        <translation>Vid ett slag är nacken upp till %1 från sin medelplats i maskinen: slaglängden, och därmed slaget, skulle bli en annan. En dämpare låter den krypa; en fjäder (damper_stiffness) för den tillbaka.</translation>
+        <translation>Vid slaget är nacken upp till %1 från sitt medelläge i maskinen: slaglängden, och därmed slaget, skulle bli en annan. En dämpare låter den krypa; en fjäder (damper_stiffness) för den tillbaka.</translation>
     </message>
     <message>
         <source>The blow frequency is marched as %1, so that blows come at the end of a cell.</source>
@@ -5151,11 +5151,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>The means of the first and the second half of the blows differ by more than three of their errors: more blows, or more that settle, are needed.</source>
-        <translation>Medelvärdena för första och andra hälften av slagen skiljer sig med mer än tre av sina fel: det behövs fler slag, eller fler som svänger in.</translation>
+        <translation>Medelvärdena för första och andra hälften av slagen skiljer sig med mer än tre gånger felet: det behövs fler slag eller längre insvängning.</translation>
     </message>
     <message>
         <source>From rest and from bouncing it comes to different motions: which one a machine takes is not known.</source>
-        <translation>Från vila och från studsande blir det olika rörelser: vilken en maskin tar är inte känt.</translation>
+        <translation>Från vila och från studsande blir det olika rörelser: vilken av dem en maskin väljer är inte känt.</translation>
     </message>
     <message>
         <source>The motion does not repeat: means are results, single blows are none.</source>
@@ -5279,7 +5279,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>It drills at full rate %1; every blow begins on the rock %2.</source>
-        <translation>Det borrar i full takt %1; varje slag börjar på berget %2.</translation>
+        <translation>Det borrar i full takt: %1; varje slag börjar på berget: %2.</translation>
     </message>
     <message>
         <source>at every gap</source>
@@ -5367,7 +5367,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source> If nothing damps the rebound, the bit bounces without ever becoming steady, because e is not below 1.</source>
-        <translation> Om inget dämpar studsen studsar borrkronan utan att någonsin bli stadig, eftersom e inte är under 1.</translation>
+        <translation> Om inget dämpar studsen studsar borrkronan utan att rörelsen någonsin blir stationär, eftersom e inte är under 1.</translation>
     </message>
     <message>
         <source> It is then %1 off the rock when the hammer strikes.</source>
@@ -5383,11 +5383,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>The blows push the machine back from the rock. Raise the feed, or lower the percussion.</source>
-        <translation>Slagen trycker maskinen tillbaka från berget. Öka matningen eller minska slagverket.</translation>
+        <translation>Slagen trycker maskinen tillbaka från berget. Öka matningen eller minska slageffekten.</translation>
     </message>
     <message>
         <source>Penetration is lost: the bit bounces off the bottom between blows, many meet a bit that is not on the rock, and the string runs loose. Joints rattle, run hot and wear. Raise the feed, or lower the percussion.</source>
-        <translation>Inträngning förloras: borrkronan studsar från botten mellan slagen, många möter en krona som inte är på berget, och strängen går lös. Skarvar skallrar, blir varma och slits. Öka matningen eller minska slagverket.</translation>
+        <translation>Inträngning förloras: borrkronan studsar från botten mellan slagen, många slag träffar en krona som inte ligger an mot berget, och strängen går löst. Skarvar skallrar, blir varma och slits. Öka matningen eller minska slageffekten.</translation>
     </message>
     <message>
         <source>It drills at full rate, but the bit leaves the rock between blows and the joints are hammered, unless the machine damps the rebound well.</source>
@@ -5403,7 +5403,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source> Waves that the blow before has left are not in this; `drill` follows them. Whether it is too much (friction, buckling, stalling of the rotation) is outside the model.</source>
-        <translation> Vågor som slaget innan har lämnat är inte med i detta; `drill` följer dem. Om det är för mycket (friktion, knäckning, rotation som stannar) ligger utanför modellen.</translation>
+        <translation> Vågor som slaget innan har lämnat är inte med i detta; `drill` följer dem. Frågan om matningen är för stor (friktion, knäckning, rotation som stannar) ligger utanför modellen.</translation>
     </message>
     <message>
         <source>this blow</source>
@@ -5431,11 +5431,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>It is enough at %1 of all gaps in this rock.</source>
-        <translation>Den räcker vid %1 av alla spalter i detta berg.</translation>
+        <translation>Matningskraften räcker vid %1 av alla spalter i detta berg.</translation>
     </message>
     <message>
         <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period over which a share of them or the worst one could be told.</source>
-        <translation>Ett slags impuls är den på hammarens yta. Spalterna för en borrsträng har ingen period över vilken en andel av dem eller den sämsta kunde anges.</translation>
+        <translation>Slagets impuls är den på hammarens slagyta. Spalterna för en borrsträng har ingen period över vilken en andel av dem eller den sämsta kunde anges.</translation>
     </message>
     <message>
         <source>hammer section %1</source>
@@ -5539,11 +5539,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>%1 needs a scenario in physical units; this one is given by its dimensionless groups</source>
-        <translation>%1 kräver ett scenario i fysikaliska enheter; detta är givet av sina dimensionslösa tal</translation>
+        <translation>%1 förutsätter ett scenario i fysikaliska enheter; detta är givet av sina dimensionslösa tal</translation>
     </message>
     <message>
         <source>%1 needs drill.blow_frequency; give it in the scenario or with --set</source>
-        <translation>%1 kräver drill.blow_frequency; ange den i scenariot eller med --set</translation>
+        <translation>%1 förutsätter drill.blow_frequency; ange den i scenariot eller med --set</translation>
     </message>
     <message>
         <source>This blow has %1 pieces, too many to be followed over all gaps in a report: `drillwave %2` does that, and takes its time.</source>
@@ -5599,7 +5599,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>all gaps alike</source>
-        <translation>alla spalter lika</translation>
+        <translation>alla spalter lika sannolika</translation>
     </message>
     <message>
         <source>smallest</source>
@@ -5611,7 +5611,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>gap %1 +- %2</source>
-        <translation>spalt %1 ± %2</translation>
+        <translation>spalt %1 +- %2</translation>
     </message>
     <message>
         <source>e &gt; 1 at %1 of all gaps</source>
@@ -5679,7 +5679,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>Verdict on the feed</source>
-        <translation>Utlåtande om matningen</translation>
+        <translation>Omdöme om matningen</translation>
     </message>
     <message>
         <source>Alerts and remarks</source>
@@ -6023,7 +6023,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>between the faces</source>
-        <translation>mellan ytorna</translation>
+        <translation>mellan slagytorna</translation>
     </message>
     <message>
         <source>work of the force</source>
@@ -6235,7 +6235,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>needs at least two points of time and force</source>
-        <translation>behöver minst två punkter av tid och kraft</translation>
+        <translation>behöver minst två punkter med tid och kraft</translation>
     </message>
     <message>
         <source>has more than %1 points</source>
@@ -6247,7 +6247,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>point %1 has a negative force, a hammer only pushes</source>
-        <translation>punkt %1 har en negativ kraft, en hammare bara trycker</translation>
+        <translation>punkt %1 har en negativ kraft, en hammare kan bara trycka</translation>
     </message>
     <message>
         <source>point %1 must be later than the one before it</source>
@@ -6263,11 +6263,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>has no unit: write for example `%1 %2`; units that would do: %3</source>
-        <translation>har ingen enhet: skriv till exempel `%1 %2`; enheter som går: %3</translation>
+        <translation>har ingen enhet: skriv till exempel `%1 %2`; möjliga enheter: %3</translation>
     </message>
     <message>
         <source>a decimal comma is not read here: write a decimal point</source>
-        <translation>ett decimalkomma läses inte här: skriv en decimalpunkt</translation>
+        <translation>decimalkomma godtas inte här: skriv decimalpunkt</translation>
     </message>
     <message>
         <source>must be a plain number, %1 is too much</source>
@@ -6275,7 +6275,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>unit %1 is not known here; units that would do: %2</source>
-        <translation>enheten %1 är inte känd här; enheter som går: %2</translation>
+        <translation>enheten %1 är okänd här; möjliga enheter: %2</translation>
     </message>
     <message>
         <source>is empty</source>
@@ -6319,7 +6319,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>is the name of another preset too</source>
-        <translation>är namnet på ett annat förval också</translation>
+        <translation>är även namnet på ett annat förval</translation>
     </message>
     <message>
         <source>is missing</source>
@@ -6343,7 +6343,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>must be [value, source], the source being `assumed` where there is none</source>
-        <translation>måste vara [värde, källa], källan `assumed` där det inte finns någon</translation>
+        <translation>måste vara [värde, källa], med källan `assumed` där det inte finns någon</translation>
     </message>
     <message>
         <source>must be a shape of a hammer blow that needs no table</source>
@@ -6719,7 +6719,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>What comes back to the hammer: the force is that of the hammer on a rod without end.</source>
-        <translation>Det som kommer tillbaka till hammaren: kraften är hammarens på en stång utan slut.</translation>
+        <translation>Det som kommer tillbaka till hammaren: kraften är hammarens på en oändligt lång stång.</translation>
     </message>
     <message>
         <source>The time until which the blow is followed.</source>
@@ -6839,11 +6839,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>is taken for a result, as its name ends in .csv, and holds no scenario; only the CSV files of run, gap, thrust and accuracy begin with one (a sweep or table has it in the .yaml beside it)</source>
-        <translation>tas för ett resultat, eftersom namnet slutar på .csv, och innehåller inget scenario; bara CSV-filerna från run, gap, thrust och accuracy börjar med ett (sweep och table har det i .yaml bredvid)</translation>
+        <translation>antas vara ett resultat, eftersom namnet slutar på .csv, men innehåller inget scenario; bara CSV-filerna från run, gap, thrust och accuracy börjar med ett (sweep och table har det i .yaml-filen bredvid)</translation>
     </message>
     <message>
         <source>is a web page and holds no scenario; only the HTML files of `drillwave report` begin with one</source>
-        <translation>är en webbsida och innehåller inget scenario; bara HTML-filerna från `drillwave report` börjar med ett</translation>
+        <translation>är en webbsida men innehåller inget scenario; bara HTML-filerna från `drillwave report` börjar med ett</translation>
     </message>
     <message>
         <source>is larger than 4 MiB, too large to be meant</source>
@@ -6851,7 +6851,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>is taken for a result, as its name ends in .json, and holds no `scenario`; give the scenario file</source>
-        <translation>tas för ett resultat, eftersom namnet slutar på .json, och innehåller inget `scenario`; ange scenariofilen</translation>
+        <translation>antas vara ett resultat, eftersom namnet slutar på .json, men innehåller inget `scenario`; ange scenariofilen</translation>
     </message>
     <message>
         <source>the scenario file is larger than 1024 KiB, too large to be meant</source>
@@ -6923,11 +6923,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>part %1 of %2 is missing; run what is missing, or name it</source>
-        <translation>del %1 av %2 saknas; kör det som saknas, eller ange det</translation>
+        <translation>del %1 av %2 saknas; kör den, eller ange dess fil</translation>
     </message>
     <message>
         <source>parts %1 of %2 are missing; run what is missing, or name it</source>
-        <translation>delarna %1 av %2 saknas; kör det som saknas, eller ange det</translation>
+        <translation>delarna %1 av %2 saknas; kör dem, eller ange deras filer</translation>
     </message>
     <message>
         <source>%1: has %2 rows, but %3 of all %4 has %5; it is of another run</source>
@@ -7003,7 +7003,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>the margin of the thrust needs drill.thrust; give it in the scenario or with --set</source>
-        <translation>matningskraftens marginal kräver drill.thrust; ange den i scenariot eller med --set</translation>
+        <translation>matningskraftens marginal förutsätter drill.thrust; ange den i scenariot eller med --set</translation>
     </message>
     <message>
         <source>cannot be opened: %1</source>
@@ -7035,7 +7035,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>has no meaning here: %1</source>
-        <translation>saknar mening här: %1</translation>
+        <translation>har ingen betydelse här: %1</translation>
     </message>
     <message>
         <source>`%1` is not a parameter</source>
@@ -7163,7 +7163,7 @@ whose own error is below %3 and counted in: they show
 rounding and truncation, but not a mistaken event: both march with the same code for events.</source>
         <translation>Dess fel är skillnader mot en lösning i long double (%1 bitar, %2),
 vars eget fel är under %3 och medräknat: de visar
-avrundning och trunkering, men inte en felaktig händelse: båda räknar händelser med samma kod.</translation>
+avrundning och trunkering, men inte en felaktig händelse: båda behandlar händelser med samma kod.</translation>
     </message>
     <message>
         <source>The exact solution</source>
@@ -7471,11 +7471,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>%1 design, %2 samples each, the same for all; errors are of 95 %.</source>
-        <translation>%1 konstruktion, %2 stickprov, samma för alla; felen är 95 %-fel.</translation>
+        <translation>%1 konstruktion, %2 stickprov, samma för alla; felen är 95&#xa0;%-fel.</translation>
     </message>
     <message>
         <source>%1 designs, %2 samples each, the same for all; errors are of 95 %.</source>
-        <translation>%1 konstruktioner, %2 stickprov per konstruktion, samma för alla; felen är 95 %-fel.</translation>
+        <translation>%1 konstruktioner, %2 stickprov per konstruktion, samma för alla; felen är 95&#xa0;%-fel.</translation>
     </message>
     <message>
         <source>design</source>
@@ -7547,15 +7547,15 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>%1 design with more than 0.1 % of them have no statistics.</source>
-        <translation>%1 konstruktion med mer än 0,1 % sådana saknar statistik.</translation>
+        <translation>%1 konstruktion med mer än 0,1&#xa0;% sådana saknar statistik.</translation>
     </message>
     <message>
         <source>%1 designs with more than 0.1 % of them have no statistics.</source>
-        <translation>%1 konstruktioner med mer än 0,1 % sådana saknar statistik.</translation>
+        <translation>%1 konstruktioner med mer än 0,1&#xa0;% sådana saknar statistik.</translation>
     </message>
     <message>
         <source>Up to %1 % of the samples of a design have an error of their own that is larger than that of the statistics: blows that chatter.</source>
-        <translation>För upp till %1 % av stickproven i en konstruktion är det egna felet större än statistikens: slag som skallrar.</translation>
+        <translation>För upp till %1&#xa0;% av stickproven i en konstruktion är det egna felet större än statistikens: slag som skallrar.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -7587,19 +7587,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>The choices change the energy of the blow by up to %1 %: machines of different power are compared; --keep-energy keeps it.</source>
-        <translation>Valen ändrar slagets energi med upp till %1 %: maskiner med olika effekt jämförs; --keep-energy behåller energin.</translation>
+        <translation>Valen ändrar slagets energi med upp till %1&#xa0;%: maskiner med olika effekt jämförs; --keep-energy behåller energin.</translation>
     </message>
     <message>
         <source>The scatter of the efficiency is nearly all that of gamma; loading_work shows what wave and machine can do: --aim max:loading_work@q05.</source>
         <translation>Spridningen i verkningsgraden kommer nästan helt från gamma; loading_work visar vad våg och maskin kan åstadkomma: --aim max:loading_work@q05.</translation>
-    </message>
-    <message>
-        <source>%1: no design has it</source>
-        <translation>%1: ingen konstruktion uppfyller det</translation>
-    </message>
-    <message>
-        <source>%1: the nearest is %2 of %3</source>
-        <translation>%1: närmast kommer %2 för %3</translation>
     </message>
     <message>
         <source>rest</source>
@@ -7663,7 +7655,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- has the scatter of the blows at that value and the most that other cells change at five of the values.</source>
-        <translation>Full takt är 95 % av vad en matning på 2 (1 + 2e) f J ger med samma dämpare. +- omfattar slagens spridning vid värdet och den största ändring som andra celler ger vid fem av värdena.</translation>
+        <translation>Full takt är 95&#xa0;% av vad en matning på 2 (1 + 2e) f J ger med samma dämpare. +- omfattar slagens spridning vid värdet och den största ändring som andra celler ger vid fem av värdena.</translation>
     </message>
     <message>
         <source>Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. There is no over-feed side: friction, rotation and buckling are not in the model.</source>
@@ -8067,7 +8059,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>%1 is chosen and uncertain: only +-P% about the choice can be both</source>
-        <translation>%1 är både vald och osäker: bara +-P% kring valet kan vara båda</translation>
+        <translation>%1 är både vald och osäker: bara +-P% kring valet är möjligt</translation>
     </message>
     <message>
         <source>--keep-energy sets %1, and so does --choose %2; leave out one of them</source>
@@ -8243,7 +8235,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>SI columns need a scenario in physical units; this one is given by its dimensionless groups</source>
-        <translation>SI-kolumner kräver ett scenario i fysikaliska enheter; detta är givet av sina dimensionslösa tal</translation>
+        <translation>SI-kolumner förutsätter ett scenario i fysikaliska enheter; detta är givet av sina dimensionslösa tal</translation>
     </message>
     <message>
         <source>the count `%1` of %2 must be a whole number from 1 to %3</source>
@@ -8391,7 +8383,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>%1: unit `%2` is not known here; units that would do: %3</source>
-        <translation>%1: enheten `%2` är inte känd här; enheter som går: %3</translation>
+        <translation>%1: enheten `%2` är okänd här; möjliga enheter: %3</translation>
     </message>
     <message>
         <source>sets %1 again, column %2 does already; keep one of them</source>
@@ -8415,7 +8407,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>has %1 cells, the header has %2</source>
-        <translation>har %1 celler, huvudet har %2</translation>
+        <translation>antalet celler är %1, i huvudet %2</translation>
     </message>
     <message>
         <source>%1 and %2 %3; leave one of the two cells empty</source>
@@ -8467,7 +8459,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>the closed form is for a rectangular pulse, gamma = 1, a whole number as delta and tau &gt;= 0.5, not %1; use the exact method or the lattice</source>
-        <translation>den slutna formen gäller rektangulärt slag, gamma = 1, heltal som delta och tau &gt;= 0,5, inte %1; använd den exakta metoden eller gittret</translation>
+        <translation>den slutna formen gäller för rektangulärt slag, gamma = 1, heltal som delta och tau &gt;= 0,5, inte för %1; använd den exakta metoden eller gittret</translation>
     </message>
     <message>
         <source>the file of presets %1</source>
@@ -8495,7 +8487,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>%1; `%2` behind it is an option, a file of that name is ./%2</source>
-        <translation>%1; `%2` efter den är en flagga, en fil med det namnet är ./%2</translation>
+        <translation>%1; `%2` efter den är en flagga, en fil med det namnet skrivs ./%2</translation>
     </message>
     <message>
         <source>%1; `%2` behind it is an option</source>
@@ -8519,11 +8511,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>`%1` is too much; takes none, see drillwave %2 --help</source>
-        <translation>`%1` är för mycket; tar inget, se drillwave %2 --help</translation>
+        <translation>`%1` är för mycket; kommandot tar inget argument, se drillwave %2 --help</translation>
     </message>
     <message>
         <source>`%1` is too much; takes %2, see drillwave %3 --help</source>
-        <translation>`%1` är för mycket; tar %2, se drillwave %3 --help</translation>
+        <translation>`%1` är för mycket; kommandot tar bara %2, se drillwave %3 --help</translation>
     </message>
     <message>
         <source>--goal is about one output; --outputs names %1</source>
@@ -8715,7 +8707,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>--gap-mean needs --gap-deviation, how far gaps scatter about it</source>
-        <translation>--gap-mean behöver --gap-deviation, hur mycket spalter sprider kring det</translation>
+        <translation>--gap-mean behöver --gap-deviation, hur mycket spalterna sprider sig kring medelvärdet</translation>
     </message>
     <message>
         <source>--si is about the file of -o; add -o FILE.csv</source>
@@ -8723,7 +8715,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>is a drill string, and this command solves uniform rods alone (`drillwave: 1`); `drillwave curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap</source>
-        <translation>är en borrsträng, och detta kommando löser bara likformiga stänger (`drillwave: 1`); `drillwave curve FILE --along bit_rock.gap=0mm:2mm` följer en sträng längs dess spalt</translation>
+        <translation>är en borrsträng, och detta kommando löser bara likformiga stänger (`drillwave: 1`); `drillwave curve FILE --along bit_rock.gap=0mm:2mm` följer en sträng längs spalten</translation>
     </message>
     <message>
         <source>--si: %1 is given by its dimensionless groups and has no SI units</source>
@@ -8829,7 +8821,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>needs -o FILE, where to write; - is standard output</source>
-        <translation>behöver -o FILE, vart resultatet skrivs; - är standard ut</translation>
+        <translation>behöver -o FILE, som anger vart resultatet skrivs; - är standard ut</translation>
     </message>
     <message>
         <source>rows</source>
@@ -8842,10 +8834,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>%1: `%2` is not one of %3</source>
         <translation>%1: `%2` är inte något av %3</translation>
-    </message>
-    <message>
-        <source>%1 is given twice</source>
-        <translation>%1 är angivet två gånger</translation>
     </message>
     <message>
         <source>standard output: cannot be written: %1</source>
@@ -8960,10 +8948,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>filen med förval har ett tomt namn; utan fil tas de inbyggda</translation>
     </message>
     <message>
-        <source>%1: the file of presets %2</source>
-        <translation>%1: filen med förval %2</translation>
-    </message>
-    <message>
         <source>%1: the file of presets is larger than %2 KiB, too large to be meant</source>
         <translation>%1: filen med förval är större än %2 KiB, för stor för att vara avsedd</translation>
     </message>
@@ -9009,7 +8993,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>no preset has all of &quot;%1&quot;</source>
-        <translation>inget förval har allt i &quot;%1&quot;</translation>
+        <translation>inget förval innehåller allt i &quot;%1&quot;</translation>
     </message>
     <message>
         <source>%1 done</source>
@@ -9029,7 +9013,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>needs -o DIR, -o FILE.html or -o FILE.pdf, where to write</source>
-        <translation>behöver -o DIR, -o FILE.html eller -o FILE.pdf, vart rapporten skrivs</translation>
+        <translation>behöver -o DIR, -o FILE.html eller -o FILE.pdf, som anger vart rapporten skrivs</translation>
     </message>
     <message>
         <source>a report is FILE.html or FILE.pdf; for a folder of that name put / behind it</source>
@@ -9069,11 +9053,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>all of these that FILE has: some need a blow frequency, thrust_margin a thrust too</source>
-        <translation>alla dessa som FILE har: några kräver en slagfrekvens, thrust_margin även en matningskraft</translation>
+        <translation>alla som FILE har: några kräver slagfrekvens, thrust_margin även matningskraft</translation>
     </message>
     <message>
         <source>Of many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency and drill.thrust:</source>
-        <translation>För många slag; bara om de anges vid namn, eftersom de kräver en egen beräkning; FILE behöver drill.blow_frequency och drill.thrust:</translation>
+        <translation>Över många slag, bara vid namn (en egen beräkning var); FILE behöver drill.blow_frequency, drill.thrust:</translation>
     </message>
     <message>
         <source>%1 of %2 rows could not be solved: their output cells are empty; %3</source>
@@ -9098,14 +9082,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>%1: note: written by Drillwave %2, newer than this %3: results may differ</source>
         <translation>%1: anmärkning: skriven av Drillwave %2, som är nyare än denna %3: resultaten kan skilja sig</translation>
-    </message>
-    <message>
-        <source>%1: the scenario file %2</source>
-        <translation>%1: scenariofilen %2</translation>
-    </message>
-    <message>
-        <source>%1: the scenario file %2; did you mean the example %3?</source>
-        <translation>%1: scenariofilen %2; menade du exemplet %3?</translation>
     </message>
     <message>
         <source>-o %1 is read as input (%2); choose another name for the output</source>
@@ -9149,7 +9125,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>pulse.shape is no number; sweep takes it</source>
-        <translation>pulse.shape är inget tal; sweep tar det</translation>
+        <translation>pulse.shape är inget tal; använd sweep</translation>
     </message>
     <message>
         <source>%1: at most %2 values</source>
@@ -9173,11 +9149,31 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>No such file or command; see drillwave --help</source>
-        <translation>Ingen sådan fil och inget sådant kommando; se drillwave --help</translation>
+        <translation>finns varken som fil eller kommando; se drillwave --help</translation>
     </message>
     <message>
         <source>`%1` is too much; the window opens one file</source>
         <translation>`%1` är för mycket; fönstret öppnar en fil</translation>
+    </message>
+    <message>
+        <source>what loses all of it carries no wave</source>
+        <translation>det som förlorar allt bär ingen våg</translation>
+    </message>
+    <message>
+        <source>no design has it</source>
+        <translation>ingen konstruktion uppfyller det</translation>
+    </message>
+    <message>
+        <source>the nearest is %1 of %2</source>
+        <translation>närmast kommer %1 för %2</translation>
+    </message>
+    <message>
+        <source>its blows under a feed need more wave cells than permitted</source>
+        <translation>dess slag under en matning kräver fler vågceller än vad som är tillåtet</translation>
+    </message>
+    <message>
+        <source>%1; did you mean the example %2?</source>
+        <translation>%1; menade du exemplet %2?</translation>
     </message>
 </context>
 <context>
@@ -11991,7 +11987,8 @@ Exit codes: %2.
   drillwave help TOPIC  säger mer: om ett kommando, liksom COMMAND --help och -h; om en parameter
   (help bit_rock.gamma), ett resultat (help cor) eller en symbol; det skriver även ut kapitel ur
   handboken och avsnitt ur dem (help theory 10). drillwave version skriver ut versionen.
-  Kapitel: %1.
+  Kapitel i handboken:
+  %1.
   Utan bildskärm behöver fönstret `-platform offscreen`.
   drillwave --reset-ui  öppnar fönstret med ursprunglig layout, sida, enheter och val;
   drillwave --language de  på tyska just denna gång (sv: svenska, en: engelska).
@@ -12062,7 +12059,7 @@ längsta sektionen. Diagrammen är blow.*, rock.*, wave_picture.* och rod.*.</tr
     </message>
     <message>
         <source>exact, lattice or closed_form; if not given, that of the result FILE is, or exact</source>
-        <translation>exact, lattice eller closed_form; om inte angivet: som i resultatet FILE, annars exact</translation>
+        <translation>exact, lattice eller closed_form; annars den i resultatet FILE, eller exact</translation>
     </message>
     <message>
         <source>of the lattice, 10000 as in the paper if not given</source>
@@ -12070,7 +12067,7 @@ längsta sektionen. Diagrammen är blow.*, rock.*, wave_picture.* och rod.*.</tr
     </message>
     <message>
         <source>wave pieces a blow may take, 1000000 (at worst some seconds) if not given</source>
-        <translation>högsta antal vågbitar per slag, 1000000 (i värsta fall några sekunder) om inte angivet</translation>
+        <translation>högsta antal vågbitar per slag, 1000000 (några sekunder) om inte angivet</translation>
     </message>
     <message>
         <source>write the files of the run into DIR; - writes none</source>
@@ -12124,7 +12121,7 @@ FILE.csv.yaml bredvid FILE.csv anger vad raderna är: version, kommando, axlar o
     </message>
     <message>
         <source>wave pieces a row may take, 1000000 (at worst 2 s) if not given; else its cells are empty</source>
-        <translation>högsta antal vågbitar per rad, 1000000 (i värsta fall 2 s) om inte angivet; krävs fler blir cellerna tomma</translation>
+        <translation>högsta antal vågbitar per rad, 1000000 (2 s) om inte angivet; annars tomma celler</translation>
     </message>
     <message>
         <source>threads to use, all of them if not given</source>
@@ -12193,7 +12190,7 @@ Värden anges med enhet där parametern har en: --along bit_rock.stiffness=10MN/
     </message>
     <message>
         <source>every value of KEY that gives the only output this value, in the unit of its column; exit code 6 where none does</source>
-        <translation>alla värden på KEY där det enda resultatet är X, i kolumnens enhet; slutkod 6 om inga finns</translation>
+        <translation>alla KEY-värden där det enda resultatet är X, i kolumnens enhet; annars slutkod 6</translation>
     </message>
     <message>
         <source>print one JSON object in place of the tables</source>
@@ -12209,7 +12206,7 @@ Värden anges med enhet där parametern har en: --along bit_rock.stiffness=10MN/
     </message>
     <message>
         <source>also write points of the lines, with FILE.csv.yaml beside it, places of the goal into FILE_goal.csv; - prints the points instead</source>
-        <translation>skriv även kurvornas punkter, med FILE.csv.yaml bredvid, och målets ställen till FILE_goal.csv; - skriver ut punkterna i stället</translation>
+        <translation>skriv även punkter, FILE.csv.yaml och FILE_goal.csv (målet); - skriver bara ut punkter</translation>
     </message>
     <message>
         <source>an output over two parameters, and its contours</source>
@@ -12250,11 +12247,11 @@ resultatet gör ett språng där.</translation>
     </message>
     <message>
         <source>wave pieces a point may take, 1000000 (at worst 2 s) if not given; else it has no output</source>
-        <translation>högsta antal vågbitar per punkt, 1000000 (i värsta fall 2 s) om inte angivet; krävs fler saknar punkten resultat</translation>
+        <translation>högsta antal vågbitar per punkt, 1000000 (2 s) om inte angivet; annars utan svar</translation>
     </message>
     <message>
         <source>also write the points, with FILE.csv.yaml beside, contours into FILE_contours.csv; - prints the points instead</source>
-        <translation>skriv även punkterna, med FILE.csv.yaml bredvid, och nivåkurvor till FILE_contours.csv; - skriver ut punkterna i stället</translation>
+        <translation>skriv även punkter, FILE.csv.yaml och FILE_contours.csv; - skriver bara ut punkter</translation>
     </message>
     <message>
         <source>put the parts of a sweep, table or map of --shard together</source>
@@ -12282,13 +12279,13 @@ saknas, är dubbla eller hör till något annat räknas upp, med slutkod 5.</tra
 where they lie, mean, 5, 50 and 95 % quantiles, and the share of gaps with e &gt; 1, for all gaps of
 a period alike and, with --gap-deviation, for a gap scattered normally (cut off at no gap).</source>
         <translation>Resultaten har en period i spalten, d0 = 2 I0/Z, och ingen styr spalten på riggen: extremvärden
-och var de ligger, medelvärde, 5-, 50- och 95 %-kvantiler och andelen spalter med e &gt; 1, när alla
+och var de ligger, medelvärde, 5-, 50- och 95&#xa0;%-kvantiler och andelen spalter med e &gt; 1, när alla
 spalter i en period är lika sannolika och, med --gap-deviation, för en normalfördelad spalt
 (avskuren vid noll).</translation>
     </message>
     <message>
         <source>mean of the scattered gap, as 0.5mm or, in d0, 0.2; that of FILE if not given</source>
-        <translation>den spridda spaltens medelvärde, t.ex. 0.5mm eller, i d0, 0.2; spalten i FILE om inte angivet</translation>
+        <translation>den spridda spaltens medelvärde, t.ex. 0.5mm eller, i d0, 0.2; annars spalten i FILE</translation>
     </message>
     <message>
         <source>standard deviation of the scattered gap</source>
@@ -12372,7 +12369,7 @@ drilling.png.</translation>
     </message>
     <message>
         <source>also write a row for every blow, with FILE.csv.yaml beside, or all files into DIR; - prints the rows</source>
-        <translation>skriv även en rad för varje slag, med FILE.csv.yaml bredvid, eller alla filer till DIR; - skriver ut raderna</translation>
+        <translation>även en rad per slag, med FILE.csv.yaml, eller allt i DIR; - skriver ut rader</translation>
     </message>
     <message>
         <source>thrust that blows need, and what the installed one does between them</source>
@@ -12408,12 +12405,12 @@ f, slagets impuls I0 och studstalet e bedöms den så (theory §10):
                             före nästa slag
   därifrån och uppåt        nog, vilar; övermatning (friktion, knäckning, rotation som
                             stannar) ligger utanför modellen
-Omdömet följer av e för detta slag. Dessutom, vart och ett med sitt eget e: 95 % av alla spalter
+Omdömet följer av e för detta slag. Dessutom, vart och ett med sitt eget e: 95&#xa0;% av alla spalter
 mellan borrkrona och berg, stelt berg (e = 1) och den sämsta spalten på elastiskt berg (gamma = 1).
 En marginal är den installerade matningskraften genom f I0 (1+e), minus 1; thrust_margin är den för
 det största behovet. Där drill.inclination är angiven läggs vikten av stång och drill.machine_mass
 längs hålet till matningskraften i allt detta. Spalt vid slaget: hur långt borrkronan är från berget
-när hammaren slår, om inget dämpar studsen; - där den aldrig blir stabil. n_b: vågornas varv fram
+när hammaren slår, om inget dämpar studsen; - där rörelsen aldrig blir stationär. n_b: vågornas varv fram
 och åter mellan två slag; vad en dämpare ändrar visar `drillwave drill`. Kräver ett scenario i
 fysikaliska enheter med drill.blow_frequency; omdöme och marginaler kräver drill.thrust. För en
 borrsträng är I0 impulsen på hammarens slagyta; dess spalter har ingen period, så att bara detta
@@ -12421,7 +12418,7 @@ slag och stelt berg anges.</translation>
     </message>
     <message>
         <source>also a table along a parameter: START:STOP[:COUNT][:log], 101 points, or each whole number, if not given, or A,B,C</source>
-        <translation>även en tabell längs en parameter: START:STOP[:COUNT][:log] (utan COUNT 101 punkter, eller varje heltal) eller A,B,C</translation>
+        <translation>även en tabell: START:STOP[:COUNT][:log] (annars 101 punkter/alla heltal) eller A,B,C</translation>
     </message>
     <message>
         <source>short for --along drill.blow_frequency=VALUES</source>
@@ -12455,7 +12452,7 @@ bästa efter det första målet (robust bästa), den som vore bäst om allt är 
 bästa), vilka andra som är lika bra så långt stickproven kan skilja dem åt, vad som är värt att
 mäta, och det sämsta som hittades inom områdena.
   --uncertain KEY=LOW:HIGH             alla värden lika sannolika; :log jämnt i logaritmen;
-                                       :normal och :lognormal med LOW och HIGH som gränser för 95 %
+                                       :normal och :lognormal med LOW och HIGH som gränser för 95&#xa0;%
   --uncertain KEY=+-P%                 kring värdet i FILE eller i konstruktionen
 Möjlig statistik är mean, q01 till q99, min, max och nominal (som i FILE). Utan --aim:
 max:efficiency@q05, och min:thrust@q95 där FILE har en slagfrekvens. DIR får designs.csv,
@@ -12491,7 +12488,7 @@ pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json och, med --plots,
     </message>
     <message>
         <source>samples of a design, 4096, of a string 1024, if not given; a power of two</source>
-        <translation>stickprov per konstruktion, 4096, för en sträng 1024, om inte angivet; en tvåpotens</translation>
+        <translation>stickprov per konstruktion, annars 4096 (sträng 1024); en tvåpotens</translation>
     </message>
     <message>
         <source>which samples, 1 if not given</source>
@@ -12575,7 +12572,7 @@ polynomceller av flera storlekar bredvid ett enkelt gitter.</translation>
     </message>
     <message>
         <source>moves of waves by a segment that the lattices may take, 1000000000 (half a minute) if not given</source>
-        <translation>högsta antal vågflyttningar om ett segment i gittren, 1000000000 (en halv minut) om inte angivet</translation>
+        <translation>högsta antal vågflyttningar om ett segment, 1000000000 (en halv minut) om inte angivet</translation>
     </message>
     <message>
         <source>also write accuracy.csv into DIR; - prints it instead of the table</source>
@@ -12657,7 +12654,7 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
     </message>
     <message>
         <source>gap that 5 % of the blows are below</source>
-        <translation>spalt som 5 % av slagen ligger under</translation>
+        <translation>spalt som 5&#xa0;% av slagen ligger under</translation>
     </message>
     <message>
         <source>gap that half of the blows are below</source>
@@ -12665,7 +12662,7 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
     </message>
     <message>
         <source>gap that 95 % of the blows are below</source>
-        <translation>spalt som 95 % av slagen ligger under</translation>
+        <translation>spalt som 95&#xa0;% av slagen ligger under</translation>
     </message>
     <message>
         <source>mean penetration of a blow: an upper limit</source>
@@ -12673,7 +12670,7 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
     </message>
     <message>
         <source>its 95 % error; takes a second march with other cells</source>
-        <translation>dess 95 %-fel; kräver ännu en beräkning med andra celler</translation>
+        <translation>dess 95&#xa0;%-fel; kräver ännu en beräkning med andra celler</translation>
     </message>
     <message>
         <source>mean penetration times blow frequency, m/s: an upper limit</source>
@@ -12705,7 +12702,7 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
     </message>
     <message>
         <source>how fast motions part, per blow; above 0 single blows are no result; takes a second march</source>
-        <translation>hur fort rörelser går isär, per slag; över 0 är enstaka slag inget resultat; kräver ännu en beräkning</translation>
+        <translation>rörelsers divergens per slag; över 0 är enstaka slag inget resultat; 2 beräkningar</translation>
     </message>
     <message>
         <source>phi, feed force over mean reaction of the blows</source>

@@ -239,7 +239,7 @@ void TestCurveGoal::aJumpOverTheGoalGivesItNowhere() {
     QVERIFY(!answer.isReached() && answer.nearest && answer.isComplete);
     const double off = std::abs(answer.nearest->value.value - *asked.goal);
     QVERIFY(std::abs(off - std::abs(jump.valueAfter - jump.value.value) / 2) < 1e-6);
-    QVERIFY(goalProblems(studyCurve(asked, 1))[0].find("jumps over") != std::string::npos);
+    QVERIFY(goalProblems(studyCurve(asked, 1))[0].text().find("jumps over") != std::string::npos);
 }
 
 void TestCurveGoal::everyLineOfAFamilyHasItsOwn() {
@@ -249,9 +249,9 @@ void TestCurveGoal::everyLineOfAFamilyHasItsOwn() {
     QVERIFY(!study.lines[0].goal->isReached());  // rock that gives nothing back
     QVERIFY(study.lines[1].goal->isReached());
     QVERIFY(!study.isReached());
-    const std::vector<std::string> problems = goalProblems(study);
+    const std::vector<Message> problems = goalProblems(study);
     QCOMPARE(problems.size(), 1u);
-    QVERIFY(problems[0].starts_with("gamma = 0.01: no beta from 0.1 to 10 gives cor = 1.1"));
+    QVERIFY(problems[0].text().starts_with("gamma = 0.01: no beta from 0.1 to 10 gives cor = 1.1"));
     QVERIFY(goalCsv(study).starts_with("goal,kind,direction,gamma,beta,place_error,cor,value_error,"));
 }
 
