@@ -17,6 +17,7 @@
 #include "core/archive/result_scenario.h"
 #include "core/archive/study_files.h"
 #include "core/report/drilling_report.h"
+#include "core/report/drilling_text.h"
 
 namespace drillwave {
 

@@ -61,8 +61,6 @@ Message adviceSentence(const DrillingResult& result, const ReadingStyle& style =
 Message regimeWords(const DrillingResult& result, const ReadingStyle& style = plainStyle());
 
 std::string drillingJson(const DrillingReport& report, OutputUnits units);
-std::string drillingText(const DrillingReport& report, OutputUnits units,
-                         const ReadingStyle& style = plainStyle());
 /// "gap [m]" and so on: what heads the columns of drillingCsv() behind the number of the blow.
 std::vector<std::string> drillingHeaders(const DrillingResult& result, OutputUnits units);
 /// A row for every blow, behind the scenario.

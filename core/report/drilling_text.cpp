@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many blows for people.
+#include "core/report/drilling_text.h"
+
 #include <algorithm>
 #include <cmath>
 
 #include "core/report/alert_words.h"
-#include "core/report/drilling_report.h"
 #include "core/report/report_text.h"
 #include "core/study/drilling/drilling_statistics.h"
 #include "core/text/text_layout.h"

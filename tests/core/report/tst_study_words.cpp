@@ -4,7 +4,7 @@
 #include <QtTest>
 
 #include "core/report/design_text.h"
-#include "core/report/drilling_report.h"
+#include "core/report/drilling_text.h"
 #include "core/report/drilling_scan_report.h"
 #include "core/report/map_report.h"
 #include "core/report/thrust_report.h"

@@ -28,7 +28,7 @@ class TestLanguageStyle : public QObject {
     void numbersHaveTheDecimalSign() {
         QCOMPARE(styleOf(german).number(0.125), std::string("0,125"));
         QCOMPARE(styleOf(german).quantity(4380, Quantity::force), std::string("4,38 kN"));
-        QCOMPARE(styleOf(german).bound(1e-12), std::string("1,1e-12"));
+        QCOMPARE(styleOf(german).bound(2e-12), std::string("2,1e-12"));
         QCOMPARE(styleOf(german).signedPercent(0.125), std::string("+12,5 %"));
     }
 

@@ -216,8 +216,9 @@ void TestCurveGoal::beyondWhatThereIsTheNearestIsTold() {
     QVERIFY(std::abs(answer.nearest->x.value - 0.29983) < 5e-6);
     const std::vector<Message> problems = goalProblems(study);
     QCOMPARE(problems.size(), 1u);
-    QCOMPARE(problems[0].text(), std::string("no beta from 0.1 to 10 gives cor = 2: the nearest is 1.4140683, at "
-                                      "0.29982658"));
+    QCOMPARE(problems[0].text(),
+             std::string("no beta from 0.1 to 10 gives cor = 2: the nearest is 1.4140683, at "
+                         "0.29982658"));
 }
 
 // As in aSeparationTimeJumps() of the curve: another contact, a round trip later.
