@@ -61,7 +61,7 @@ std::string lawLine(const Scenario& scenario, const ReadingStyle& style) {
     std::string numbers;
     for (const Parameter& row : parameters())
         if (row.rules.law == rock.law)
-            numbers += (numbers.empty() ? "" : ", ") + style.said(Message::ofTable(row.label)) + " " +
+            numbers += (numbers.empty() ? " " : ", ") + style.said(Message::ofTable(row.label)) + " " +
                        lawQuantity(scenario, *inFormOf(scenario, row)->value(scenario), row.quantity, style);
     if (!rock.corners.empty()) numbers += " " + cornersText(scenario, style);
     if (numbers.empty()) return numbers;
@@ -107,12 +107,13 @@ void TextGrid::addTitles(const std::vector<const char*>& titles, const ReadingSt
 }
 
 std::string TextGrid::text() const {
+    const std::vector<std::size_t> widths = this->widths();
     std::string text;
     for (const auto& row : m_rows) {
         std::string line = " ";
         for (std::size_t c = 0; c < row.size(); ++c) {
             const bool left = c == 0 || m_alignment == CellAlignment::left;
-            line += " " + (left ? leftAligned(row[c], width(c)) : rightAligned(row[c], width(c))) + " ";
+            line += " " + (left ? leftAligned(row[c], widths[c]) : rightAligned(row[c], widths[c])) + " ";
         }
         line.erase(line.find_last_not_of(' ') + 1);
         text += line + "\n";
@@ -120,12 +121,15 @@ std::string TextGrid::text() const {
     return text;
 }
 
-std::size_t TextGrid::width(std::size_t column) const {
-    std::size_t widest = 0;
-    for (const auto& row : m_rows)
-        if (column < row.size() && (row.size() > 2 || column + 1 < row.size()))
-            widest = std::max(widest, columnsOf(row[column]));
-    return widest;
+std::vector<std::size_t> TextGrid::widths() const {
+    std::vector<std::size_t> widths;
+    for (const auto& row : m_rows) {
+        widths.resize(std::max(widths.size(), row.size()));
+        const std::size_t aligned =
+            row.size() > 2 ? row.size() : row.size() - std::min<std::size_t>(row.size(), 1);
+        for (std::size_t c = 0; c < aligned; ++c) widths[c] = std::max(widths[c], columnsOf(row[c]));
+    }
+    return widths;
 }
 
 }  // namespace drillwave

@@ -38,7 +38,8 @@ class TextGrid {
     std::string text() const;
 
   private:
-    std::size_t width(std::size_t column) const;
+    /// Of the columns; the last of a line of two is as wide as it is.
+    std::vector<std::size_t> widths() const;
 
     CellAlignment m_alignment;
     std::vector<std::vector<std::string>> m_rows;
