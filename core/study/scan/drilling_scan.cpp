@@ -8,6 +8,7 @@
 #include <cstddef>
 #include <span>
 
+#include "core/model/validation.h"
 #include "core/numeric/ordered_work.h"
 
 namespace drillwave {
@@ -94,6 +95,8 @@ std::vector<Message> scanRefusals(const Scenario& base, const SweepAxis& axis,
     for (const std::uint64_t index : axis.extremes()) {
         Scenario scenario = base;
         if (Message problem = axis.assign(scenario, axis.value(index)); !problem.isEmpty()) return {problem};
+        if (const std::vector<InputProblem> invalid = validate(scenario); !invalid.empty())
+            return {invalid.front().text};
         if (std::vector<Message> problems = drillingRefusals(scenario, settings); !problems.empty())
             return problems;
     }

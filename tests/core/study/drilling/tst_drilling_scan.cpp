@@ -37,6 +37,7 @@ class TestDrillingScan : public QObject {
     void whatIsTheSameIsNotMarchedTwice();
     void theFullRateOfAThrustIsThatOfEach();
     void theSentenceNamesTheWindows();
+    void aValueThatNoScenarioHasIsRefused();
 };
 
 /// From 5 kN on the bit rests or repeats, from wherever it begins; at 3.2 kN it does neither.
@@ -83,6 +84,14 @@ void TestDrillingScan::theSentenceNamesTheWindows() {
     QCOMPARE(sentenceOf({4}), begin + "at 4 kN");
     QCOMPARE(sentenceOf({3, 5, 6}), begin + "up to 3 kN and from 5 kN to 6 kN");
     QCOMPARE(sentenceOf({3, 5, 7}), begin + "up to 3 kN, at 5 kN and from 7 kN on");
+}
+
+/// Before anything is marched, and with the number that does not fit.
+void TestDrillingScan::aValueThatNoScenarioHasIsRefused() {
+    const std::vector<Message> refusals =
+        scanRefusals(exampleWithDashpot(), parseAxis("rod.bore=5mm,50mm").axis, {});
+    QCOMPARE(refusals.size(), std::size_t{1});
+    QVERIFY2(refusals.front().text().starts_with("rod.bore = "), refusals.front().text().c_str());
 }
 
 QTEST_GUILESS_MAIN(TestDrillingScan)
