@@ -12,8 +12,13 @@ namespace drillwave {
 
 namespace {
 
-const Language& languageNamed(const std::string& code, const std::string& by) {
-    if (const Language* found = findLanguage(code)) return *found;
+std::string variableWord() {
+    const char* variable = std::getenv(languageVariable);
+    return variable ? variable : "";
+}
+
+const Language* languageNamed(const std::string& code, const std::string& by) {
+    if (const Language* found = findLanguage(code)) return found;
     std::string known;
     for (const Language& language : languages)
         known += (known.empty() ? "" : ", ") + std::string(language.code);
@@ -27,16 +32,16 @@ const Language& languageNamed(const std::string& code, const std::string& by) {
 
 }  // namespace
 
-const Language& languageOf(const std::string& code) {
-    return languageNamed(code, languageOption.text());
-}
-
 const Language& languageOfEnvironment() {
-    const char* variable = std::getenv(languageVariable);
-    return variable && *variable ? languageNamed(variable, languageVariable) : languages[0];
+    const Language* found = findLanguage(variableWord());
+    return found ? *found : languages[0];
 }
 
-const Language& takeLanguage(std::vector<std::string>& words, const Language& otherwise) {
+void checkLanguageVariable() {
+    if (const std::string word = variableWord(); !word.empty()) languageNamed(word, languageVariable);
+}
+
+const Language* takeLanguage(std::vector<std::string>& words) {
     const std::string name = languageOption.text();
     std::optional<std::string> code;
     const auto end = [&] { return std::ranges::find(words, "--"); };
@@ -56,7 +61,7 @@ const Language& takeLanguage(std::vector<std::string>& words, const Language& ot
         code = hasCode ? *std::next(word) : std::string();
         words.erase(word, std::next(word, hasCode ? 2 : 1));
     }
-    return code ? languageOf(*code) : otherwise;
+    return code ? languageNamed(*code, name) : nullptr;
 }
 
 }  // namespace drillwave

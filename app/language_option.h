@@ -17,14 +17,14 @@ inline constexpr OptionSpec languageOption{"language", "CODE",
 /// The variable of the environment that says it for all commands.
 inline constexpr const char* languageVariable = "DRILLWAVE_LANGUAGE";
 
-/// The one of that code; an empty one is a missing word. Throws CommandError (usage) where there is none.
-const Language& languageOf(const std::string& code);
-
-/// That of the variable; English without. Throws CommandError (usage) where it names none.
+/// That of the variable; English where it names none.
 const Language& languageOfEnvironment();
 
-/// That of the option, which goes from the words, or `otherwise`. Throws CommandError (usage) where it names
+/// Throws CommandError (usage) where the variable is there and names no language.
+void checkLanguageVariable();
+
+/// That of the option, which goes from the words; nullptr without. Throws CommandError (usage) where it names
 /// none, and where it is there twice.
-const Language& takeLanguage(std::vector<std::string>& words, const Language& otherwise);
+const Language* takeLanguage(std::vector<std::string>& words);
 
 }  // namespace drillwave

@@ -158,15 +158,16 @@ int main(int argc, char** argv) {
     std::signal(SIGXFSZ, SIG_IGN);
     std::vector<std::string> words(argv + 1, argv + argc);
     std::string who = "drillwave: ";
-    const Language* language = &languages[0];
+    const Language* language = &languageOfEnvironment();
     try {
-        language = &languageOfEnvironment();
-        language = &takeLanguage(words, *language);
+        const Language* asked = takeLanguage(words);
+        if (asked) language = asked;
         const ReadingStyle& style = styleOf(*language);
         const std::string first = words.empty() ? std::string() : words.front();
         const std::span behind = std::span<const std::string>(words).subspan(words.empty() ? 0 : 1);
         if (const Command* command = findCommand(first)) {
             who = "drillwave " + first + ": ";
+            if (!asked) checkLanguageVariable();
             return runCommand(*command, behind, *language, argc, argv);
         }
         if (first == "help") return printHelp(behind, style);

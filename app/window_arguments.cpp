@@ -38,15 +38,11 @@ namespace {
 
 WindowArguments windowArguments(std::span<const std::string> words) {
     WindowArguments arguments;
-    for (std::size_t i = 0; i < words.size(); ++i) {
-        const std::string& word = words[i];
+    std::vector<std::string> rest(words.begin(), words.end());
+    arguments.language = takeLanguage(rest);
+    for (const std::string& word : rest) {
         if (word == "--reset-ui") {
             arguments.resetsUi = true;
-            continue;
-        }
-        if (word == languageOption.text()) {
-            arguments.language = &languageOf(i + 1 < words.size() ? words[i + 1] : std::string());
-            ++i;
             continue;
         }
         std::error_code ignored;

@@ -10,12 +10,10 @@ namespace {
 
 using Words = std::vector<std::string>;
 
-constexpr std::string_view german = "de";
-
 /// The line of the refusal, empty where there is none.
 QString refusal(Words words) {
     try {
-        takeLanguage(words, languageOfEnvironment());
+        if (!takeLanguage(words)) checkLanguageVariable();
     } catch (const CommandError& error) {
         return error.code() == ExitCode::usage ? QString::fromStdString(error.lines().front())
                                                : QStringLiteral("another exit code");
@@ -37,26 +35,26 @@ class TestLanguageOption : public QObject {
              {Words{"--language", "de", "run", "x"}, Words{"run", "--language", "de", "x"},
               Words{"run", "x", "--language=de"}, Words{"run", "x", "--language", "de"}}) {
             Words rest = words;
-            QCOMPARE(takeLanguage(rest, languages[0]).code, german);
+            QCOMPARE(takeLanguage(rest), findLanguage("de"));
             QCOMPARE(rest, (Words{"run", "x"}));
         }
     }
 
     void behindTheEndOfOptionsItIsAName() {
         Words words{"run", "--", "--language", "de"};
-        QVERIFY(isEnglish(takeLanguage(words, languages[0])));
+        QVERIFY(!takeLanguage(words));
         QCOMPARE(words.size(), std::size_t(4));
     }
 
-    void withoutItTheVariableCounts() {
+    void theVariableNamesOneForAllCommands() {
         QVERIFY(isEnglish(languageOfEnvironment()));
-        qputenv(languageVariable, "");
-        QVERIFY(isEnglish(languageOfEnvironment()));
+        for (const char* none : {"", "Deutsch"}) {
+            qputenv(languageVariable, none);
+            QVERIFY(isEnglish(languageOfEnvironment()));
+        }
         qputenv(languageVariable, "sv");
-        Words words{"run", "x"};
-        QCOMPARE(takeLanguage(words, languageOfEnvironment()).code, std::string_view("sv"));
-        words.insert(words.end(), {"--language", "de"});
-        QCOMPARE(takeLanguage(words, languageOfEnvironment()).code, german);
+        QCOMPARE(&languageOfEnvironment(), findLanguage("sv"));
+        QCOMPARE(refusal({"run"}), QString());
     }
 
     void othersAreRefused() {
@@ -67,6 +65,7 @@ class TestLanguageOption : public QObject {
                  QString("`--language` is given twice; give it once"));
         qputenv(languageVariable, "Deutsch");
         QCOMPARE(refusal({"run"}), QString("DRILLWAVE_LANGUAGE: `Deutsch` is not one of en, de, sv"));
+        QCOMPARE(refusal({"run", "--language", "en"}), QString());  // which overrules it
     }
 };
 
