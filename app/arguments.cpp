@@ -203,8 +203,7 @@ long Arguments::number(std::string_view option, long fallback, long low, long hi
     if (!text) return fallback;
     const std::optional<long> number = wholeNumberIn<long>(*text);
     if (!number || *number < low || *number > high)
-        refuse(
-            refusedValue(OptionSpec{option, {}, {}}.text(), shortened(*text), wholeNumberProblem(low, high)));
+        refuse(refusedValue(OptionSpec{option, {}, {}}.text(), *text, wholeNumberProblem(low, high)));
     return *number;
 }
 

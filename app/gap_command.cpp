@@ -27,8 +27,7 @@ double gapOf(const Arguments& arguments, const char* option, const Scenario& sce
     const Quantity quantity = dimensional ? Quantity::length : Quantity::ratio;
     const TypedQuantity typed = parseQuantity(text, quantity, BareNumber::refused, findUnit(quantity, "mm"));
     const auto refuse = [&](const Message& reason) {
-        throw CommandError(ExitCode::invalidScenario,
-                           refusedValue(std::string("--") + option, shortened(text), reason));
+        throw CommandError(ExitCode::invalidScenario, refusedValue(std::string("--") + option, text, reason));
     };
     if (!typed.valid()) refuse(typed.problem);
     const double scale = dimensional ? scalesOf(scenario).penetration : 1;

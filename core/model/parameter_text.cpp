@@ -17,7 +17,7 @@ constexpr const char* notOfUniformRod =
     translatable("drillwave::Message", "only a drill string has it (`drillwave: 2`), this is a uniform rod");
 
 Message refusal(std::string_view key, std::string_view text, const Message& reason) {
-    return refusedValue(std::string(key), shortened(trimmed(text)), reason);
+    return refusedValue(key, trimmed(text), reason);
 }
 
 constexpr const char* notOfString =

@@ -19,6 +19,11 @@ std::string_view trimmed(std::string_view text);
 /// At most about 40 bytes of it, control characters replaced, the rest printable(), for quoting in a message.
 std::string shortened(std::string_view text);
 
+/// Why something cannot have a value: "beta = -1 (must be above 0)", the value shortened.
+inline Message refusedValue(std::string_view name, std::string_view value, Message reason) {
+    return {"%1 = %2 (%3)", {std::string(name), shortened(value), std::move(reason)}};
+}
+
 /// Length of the finite decimal number at the beginning ("+1.5e3"), 0 if there is none (also for nan and
 /// inf).
 std::size_t numberLength(std::string_view text);

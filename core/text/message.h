@@ -49,9 +49,4 @@ inline Message about(Message name, Message sentence) {
 /// The same of several sentences about one.
 std::vector<Message> eachAbout(const Message& name, std::vector<Message> sentences);
 
-/// Why something cannot have a value: "beta = -1 (must be above 0)".
-inline Message refusedValue(std::string name, std::string value, Message reason) {
-    return {"%1 = %2 (%3)", {std::move(name), std::move(value), std::move(reason)}};
-}
-
 }  // namespace drillwave

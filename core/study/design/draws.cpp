@@ -57,9 +57,7 @@ void readCell(const CaseColumn& column, const std::string& cell, const std::stri
                       column.unit ? column.unit : &parameter.displayUnit());
     value = typed.si;
     const Message problem = typed.valid() ? rangeProblem(parameter, typed.si) : typed.problem;
-    if (!problem.isEmpty())
-        read.invalid.push_back(
-            about(place, refusedValue(std::string(parameter.key), shortened(cell), problem)));
+    if (!problem.isEmpty()) read.invalid.push_back(about(place, refusedValue(parameter.key, cell, problem)));
 }
 
 }  // namespace

@@ -14,14 +14,10 @@ namespace drillwave {
 
 namespace {
 
-Message refusal(std::string_view key, std::string_view value, const Message& reason) {
-    return refusedValue(std::string(key), shortened(value), reason);
-}
-
 /// Whether the whole range is one that the parameter can have and the kind can be made of.
 Message rangeRefusal(const UncertainInput& input, std::string_view text) {
     const Parameter& parameter = *input.parameter;
-    const auto refuse = [&](const Message& reason) { return refusal(parameter.key, text, reason); };
+    const auto refuse = [&](const Message& reason) { return refusedValue(parameter.key, text, reason); };
     if (input.low == input.high)
         return refuse(translatable("drillwave::Message", "has no width; give LOW below HIGH"));
     if (!(input.low < input.high))
@@ -46,7 +42,7 @@ Message readEnd(UncertainInput& input, std::string_view text, double& end) {
     const Parameter& parameter = *input.parameter;
     const TypedQuantity typed =
         parseQuantity(text, parameter.quantity, BareNumber::refused, &parameter.displayUnit());
-    if (!typed.valid()) return refusal(parameter.key, text, typed.problem);
+    if (!typed.valid()) return refusedValue(parameter.key, text, typed.problem);
     const bool sameUnit = !input.unit || input.unit == typed.unit;
     input.unit = sameUnit ? typed.unit : &unitsOf(parameter.quantity).front();
     end = typed.si;
@@ -62,8 +58,8 @@ Message readPercent(UncertainInput& input, std::string_view text) {
         input.percent = *percent;
         return {};
     }
-    return refusal(input.parameter->key, text,
-                   translatable("drillwave::Message", "needs a number above 0 of per cent, as +-5%"));
+    return refusedValue(input.parameter->key, text,
+                        translatable("drillwave::Message", "needs a number above 0 of per cent, as +-5%"));
 }
 
 Message readValues(ParsedUncertain& parsed, std::string_view text) {

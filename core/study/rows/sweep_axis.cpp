@@ -23,10 +23,6 @@ std::vector<std::string_view> split(std::string_view text, char separator) {
     }
 }
 
-Message refusal(std::string_view key, std::string_view value, const Message& reason) {
-    return refusedValue(std::string(key), shortened(value), reason);
-}
-
 /// What is measured in scales of the blow in a dimensionless scenario has no unit there: the first value
 /// tells.
 void takeForm(SweepAxis& axis, std::string_view text) {
@@ -44,12 +40,12 @@ Message readValue(ParsedAxis& parsed, std::string_view text, double& value) {
     const TypedQuantity typed =
         parseQuantity(text, parameter.quantity, BareNumber::refused, &parameter.displayUnit());
     parsed.kind = ParsedAxis::Kind::badValue;
-    if (!typed.valid()) return refusal(parameter.key, text, typed.problem);
+    if (!typed.valid()) return refusedValue(parameter.key, text, typed.problem);
     const bool sameUnit = !axis.unit || axis.unit == typed.unit;
     axis.unit = sameUnit ? typed.unit : &unitsOf(parameter.quantity).front();
     value = typed.si;
     const Message problem = rangeProblem(parameter, value);
-    if (!problem.isEmpty()) return refusal(parameter.key, text, problem);
+    if (!problem.isEmpty()) return refusedValue(parameter.key, text, problem);
     parsed.kind = ParsedAxis::Kind::badText;
     return {};
 }
@@ -165,8 +161,9 @@ Message readWords(ParsedAxis& parsed, const std::vector<std::string_view>& items
         const auto found = std::ranges::find(words, item);
         if (found == words.end()) {
             parsed.kind = ParsedAxis::Kind::badValue;
-            return refusal(axis.key(), item,
-                           {translatable("drillwave::Message", "must be one of %1"), {axis.words->list()}});
+            return refusedValue(
+                axis.key(), item,
+                {translatable("drillwave::Message", "must be one of %1"), {axis.words->list()}});
         }
         axis.list.push_back(static_cast<double>(found - words.begin()));
     }

@@ -31,7 +31,7 @@ Message unitProblem(const CaseColumn& column, std::string_view cell) {
         parseQuantity(cell, column.parameter->quantity, BareNumber::inDefaultUnit, column.unit);
     if (!typed.valid() || typed.unit == column.unit) return {};
     return refusedValue(
-        std::string(column.key()), shortened(cell),
+        column.key(), cell,
         {translatable("drillwave::Message",
                       "is in %1, the column in %2: write it in that, or the header without a unit"),
          {std::string(typed.unit->name), std::string(column.unit->name)}});
