@@ -88,12 +88,6 @@ JsonArray alertList(const std::vector<Alert>& alerts) {
     return array;
 }
 
-std::size_t placeOf(std::string_view name) {
-    const auto found = std::ranges::find(
-        blowQuantities, name, [](const BlowQuantity& quantity) { return std::string_view(quantity.name); });
-    return static_cast<std::size_t>(found - blowQuantities.begin());
-}
-
 Json statisticsJson(const DrillingResult& result, OutputUnits units) {
     if (!result.statistics) return Json();
     JsonObject object;
@@ -266,7 +260,7 @@ std::string drillingJson(const DrillingReport& report, OutputUnits units) {
     object["lyapunov"] = result.lyapunov ? Json(result.lyapunov->value) : Json();
     object["lyapunov_error"] = result.lyapunov ? Json(result.lyapunov->error) : Json();
     object["penetration_rate"] = ofStatistics([&] {
-        return Json(result.spread(placeOf("penetration")).mean * result.units.length() *
+        return Json(result.spread(quantityPlace(&DrillingBlow::penetration)).mean * result.units.length() *
                     result.frequencyUsed);
     });
     object["full_rate_share"] = result.fullRateShare;

@@ -92,21 +92,6 @@ const char* nameOf(DrillingStart start) {
                                         : translatable("drillwave::Message", "bouncing");
 }
 
-/// Of a point without statistics.
-const char* outcomeWord(DrillingOutcome outcome) {
-    switch (outcome) {
-        case DrillingOutcome::done:
-            return translatable("drillwave::Message", "done");
-        case DrillingOutcome::pushedBack:
-            return translatable("drillwave::Message", "pushed_back");
-        case DrillingOutcome::notSolved:
-            return translatable("drillwave::Message", "not_solved");
-        case DrillingOutcome::stopped:
-            return translatable("drillwave::Message", "stopped");
-    }
-    return "";
-}
-
 Message motionWord(const DrillingStatistics& statistics) {
     if (statistics.period > 0)
         return {translatable("drillwave::Message", "period %1"), {std::to_string(statistics.period)}};
@@ -127,7 +112,7 @@ std::string scanTable(const DrillingScan& scan, OutputUnits units, const Reading
                                        style.said(nameOf(point.start)), style.number(result.groups.phi, 4)};
         if (!result.statistics) {
             cells.insert(cells.end(), 6, "");
-            cells.push_back(style.said(outcomeWord(result.outcome)));
+            cells.push_back(style.said(Message::ofTable(name(result.outcome))));
             grid.add(cells);
             continue;
         }

@@ -74,8 +74,4 @@ std::string inHandyUnit(double si, Quantity quantity, int digits) {
     return plainStyle().quantity(si, quantity, digits);
 }
 
-std::string boundText(double bound) {
-    return plainStyle().bound(bound);
-}
-
 }  // namespace drillwave

@@ -59,7 +59,4 @@ const ReadingStyle& plainStyle();
 /// An SI value in that style.
 std::string inHandyUnit(double si, Quantity quantity, int digits = 6);
 
-/// A bound in that style.
-std::string boundText(double bound);
-
 }  // namespace drillwave

@@ -7,8 +7,8 @@
 
 namespace drillwave {
 
-/// Sentences from the catalogue of the language, numbers with its decimal comma, units in SI: plainStyle() of
-/// English. Not for several threads at once.
+/// Sentences from the catalogue of the language, numbers with its decimal comma, units in SI; in English it
+/// is plainStyle(). Not for several threads.
 const ReadingStyle& styleOf(const Language& language);
 
 }  // namespace drillwave

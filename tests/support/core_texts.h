@@ -12,6 +12,7 @@
 #include "core/model/section_field.h"
 #include "core/report/accuracy_columns.h"
 #include "core/report/feed_words.h"
+#include "core/study/drilling/drilling_record.h"
 
 namespace drillwave::test {
 
@@ -48,6 +49,7 @@ inline std::set<std::string> coreTexts() {
         if (output.label().empty()) addName(output.name);
     }
     for (const Feed feed : allValues<Feed>) add(feedWord(feed));
+    for (const DrillingOutcome outcome : allValues<DrillingOutcome>) add(name(outcome));
     for (const PulseShape shape : allValues<PulseShape>) addName(name(shape));
     for (const RockLaw law : allValues<RockLaw>) add(phrase(law));
     for (const auto& column : accuracyColumns) add(column.title);
