@@ -82,11 +82,11 @@ AccuracyFiles measure(const Arguments& arguments, const ScenarioDocument& docume
                       const std::vector<int>& ladder, const StudyPlots& plots, const Drawing* drawing,
                       const Interruption& interruption) {
     const Scenario& scenario = document.scenario;
-    const auto told = [&](const auto& accuracy, bool isSolved, const std::string& reason) -> AccuracyFiles {
+    const auto told = [&](const auto& accuracy, bool isSolved, const Message& reason) -> AccuracyFiles {
         interruption.check();
         if (!isSolved)
             throw CommandError(ExitCode::unsolvedOrFailed,
-                               couldNotBeSolved(arguments.operands().front(), Message::ofTable(reason)));
+                               couldNotBeSolved(arguments.operands().front(), reason));
         return {accuracyCsv(accuracy),
                 arguments.has("json") ? accuracyJson(scenario, completeScenarioText(document), accuracy)
                                       : accuracyText(scenario, accuracy, arguments.style()),
@@ -97,7 +97,7 @@ AccuracyFiles measure(const Arguments& arguments, const ScenarioDocument& docume
         const StringAccuracy accuracy =
             measureStringAccuracy(scenario, interruption.token(),
                                   [&](const StringAccuracy&, double done) { bar.progress()(done); });
-        return told(accuracy, accuracy.reason.empty(), accuracy.reason);
+        return told(accuracy, accuracy.reason.isEmpty(), accuracy.reason);
     }
     const Accuracy accuracy = measureAccuracy(scenario, ladder, interruption.token(), bar.progress());
     return told(accuracy, accuracy.exact.outcome == Outcome::rebounded, accuracy.exact.reason);

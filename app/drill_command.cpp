@@ -119,8 +119,7 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
         .scenarioText = completeScenarioText(document)};
     interruption.check();
     if (report.result.outcome == DrillingOutcome::notSolved)
-        throw CommandError(ExitCode::unsolvedOrFailed,
-                           couldNotBeSolved(path, Message::ofTable(report.result.reason)));
+        throw CommandError(ExitCode::unsolvedOrFailed, couldNotBeSolved(path, report.result.reason));
     std::vector<NamedFile> pictures = plots.draw(&report, drawing, interruption);
     if (out && isFolder(*out))
         writeFolder(*out, folderOf(report, units, std::move(pictures)), overwrite, &interruption);

@@ -44,7 +44,7 @@ void writeScan(const DrillingScanReport& report, const Arguments& arguments, Out
 /// Throws where values have no answer.
 void checkAnswers(const DrillingScan& scan, const std::string& path) {
     std::size_t failed = 0;
-    std::string reason;
+    Message reason;
     for (const DrillingScanPoint& point : scan.points) {
         if (point.result.outcome != DrillingOutcome::notSolved) continue;
         if (failed++ == 0) reason = point.result.reason;
@@ -52,10 +52,9 @@ void checkAnswers(const DrillingScan& scan, const std::string& path) {
     if (failed == 0) return;
     throw CommandError(
         ExitCode::unsolvedOrFailed,
-        Message(
-            translatable("drillwave::Message",
-                         "%1: %2 of %3 rows could not be solved: their cells are empty; the first: %4"),
-            {path, std::to_string(failed), std::to_string(scan.points.size()), Message::ofTable(reason)}));
+        Message(translatable("drillwave::Message",
+                             "%1: %2 of %3 rows could not be solved: their cells are empty; the first: %4"),
+                {path, std::to_string(failed), std::to_string(scan.points.size()), reason}));
 }
 
 }  // namespace

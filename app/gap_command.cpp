@@ -116,7 +116,7 @@ ExitCode runGap(const Arguments& arguments, const Drawing* drawing) {
         throw CommandError(
             ExitCode::unsolvedOrFailed,
             Message(translatable("drillwave::Message", "%1: could not be solved at all gaps: %2"),
-                    {path, Message::ofTable(report.curve.reason)}));
+                    {path, report.curve.reason}));
     if (csvPath)
         writeStudy(*csvPath, scenarioHeader(report.scenarioText) + gapCsv(report, units),
                    plots.draw(&report, drawing, interruption), overwrite, interruption);

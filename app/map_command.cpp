@@ -124,7 +124,7 @@ ExitCode judge(const MapReport& report, long workLimit) {
             throw CommandError(
                 ExitCode::unsolvedOrFailed,
                 Message(translatable("drillwave::Message", "%1 points of a contour could not be placed: %2"),
-                        {std::to_string(contour.unplaced), Message::ofTable(contour.reason)}));
+                        {std::to_string(contour.unplaced), contour.reason}));
     if (counts.failed == 0) return ExitCode::done;
     throw CommandError(ExitCode::unsolvedOrFailed,
                        Message(translatable("drillwave::Message",

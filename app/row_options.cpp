@@ -75,7 +75,7 @@ Message reasonsOf(const RowCounts& counts, RowNoun noun, long workLimit) {
     std::uint64_t told = 0;
     bool atLimit = false;
     for (const RowFailure& failure : counts.failures) {
-        const Message one = about(counted(failure.rows, noun), Message::ofTable(failure.reason));
+        const Message one = about(counted(failure.rows, noun), failure.reason);
         text = text.isEmpty() ? one : Message("%1; %2", {text, one});
         told += failure.rows;
         atLimit |= isAtLimit(failure.reason);
@@ -96,23 +96,22 @@ WorkLimits workLimitsOf(const Arguments& arguments) {
     return {.pieces = pieces, .cells = cellsOfPiece * pieces};
 }
 
-bool isAtLimit(const std::string& reason) {
-    return reason.find("wave pieces") != std::string::npos || reason.find("wave cells") != std::string::npos;
+bool isAtLimit(const Message& reason) {
+    const std::string text = reason.text();
+    return text.find("wave pieces") != std::string::npos || text.find("wave cells") != std::string::npos;
 }
 
-Message reasonWithHint(const std::string& reason, long workLimit) {
-    const Message told = Message::ofTable(reason);
-    return isAtLimit(reason) ? withLimitHint(told, workLimit) : told;
+Message reasonWithHint(const Message& reason, long workLimit) {
+    return isAtLimit(reason) ? withLimitHint(reason, workLimit) : reason;
 }
 
-Message reasonWithHint(const std::string& reason, const Arguments& arguments, const Scenario& scenario) {
+Message reasonWithHint(const Message& reason, const Arguments& arguments, const Scenario& scenario) {
     return reasonWithHint(reason, limitOf(arguments, scenario));
 }
 
-Message reasonWithHint(const std::string& reason, const Arguments& arguments, const Scenario& scenario,
+Message reasonWithHint(const Message& reason, const Arguments& arguments, const Scenario& scenario,
                        Hindrance hindrance) {
-    const Message told = Message::ofTable(reason);
-    return hindrance == Hindrance::workLimit ? withLimitHint(told, limitOf(arguments, scenario)) : told;
+    return hindrance == Hindrance::workLimit ? withLimitHint(reason, limitOf(arguments, scenario)) : reason;
 }
 
 Message couldNotBeSolved(const std::string& path, const Message& reason) {

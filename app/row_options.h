@@ -22,6 +22,7 @@
 #include "core/study/rows/output_column.h"
 #include "core/study/rows/row_counts.h"
 #include "core/study/rows/shard.h"
+#include "core/text/message.h"
 #include "core/yaml/scenario_file.h"
 
 namespace drillwave {
@@ -73,13 +74,13 @@ OptionSpec workLimitSpec();
 /// "FILE: could not be solved: …".
 Message couldNotBeSolved(const std::string& path, const Message& reason);
 /// Whether a reason is that limit.
-bool isAtLimit(const std::string& reason);
+bool isAtLimit(const Message& reason);
 /// A reason, with "; --work-limit, now 1000000, permits more" behind it where that has stopped a blow.
-Message reasonWithHint(const std::string& reason, long workLimit);
+Message reasonWithHint(const Message& reason, long workLimit);
 /// The same of a blow within workLimitsOf().
-Message reasonWithHint(const std::string& reason, const Arguments& arguments, const Scenario& scenario);
+Message reasonWithHint(const Message& reason, const Arguments& arguments, const Scenario& scenario);
 /// The same where it is known what has stopped it.
-Message reasonWithHint(const std::string& reason, const Arguments& arguments, const Scenario& scenario,
+Message reasonWithHint(const Message& reason, const Arguments& arguments, const Scenario& scenario,
                        Hindrance hindrance);
 
 /// The command that gives the same rows, wherever they go.

@@ -63,9 +63,9 @@ ThrustCurve curveAlong(const Scenario& scenario, const SweepAxis& axis, int jobs
 void checkSolved(const ThrustCurve& curve, const std::string& path, const Arguments& arguments,
                  const Scenario& scenario) {
     std::size_t failed = 0;
-    std::string reason;
+    Message reason;
     for (const ThrustPoint& point : curve.points) {
-        if (point.reason.empty()) continue;
+        if (point.reason.isEmpty()) continue;
         if (failed++ == 0) reason = point.reason;
     }
     if (failed == 0) return;
@@ -145,7 +145,7 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
         writeStudy(*csvPath, scenarioHeader(report.scenarioText) + thrustCsv(*report.along),
                    plots.draw(&report, drawing, interruption), overwrite, interruption);
     if (csvPath != "-") {
-        if (!report.study.reason.empty())
+        if (!report.study.reason.isEmpty())
             throw CommandError(
                 ExitCode::unsolvedOrFailed,
                 couldNotBeSolved(path, reasonWithHint(report.study.reason, arguments, report.scenario,

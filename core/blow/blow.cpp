@@ -27,8 +27,8 @@ void solveTimed(Blow& blow, Detail detail, const std::stop_token& stop, MethodSo
 
 /// Whether the numbers are any: says why not in place of the result.
 bool holdsNumbers(Blow& blow, Detail detail) {
-    std::string problem = overflowProblem({blow.summary, blow.scenario}, blow.scales, detail);
-    if (problem.empty()) return true;
+    Message problem = overflowProblem({blow.summary, blow.scenario}, blow.scales, detail);
+    if (problem.isEmpty()) return true;
     blow.impact.outcome = Outcome::notSolved;
     blow.impact.reason = std::move(problem);
     blow.impact.hindrance = Hindrance::other;

@@ -381,19 +381,20 @@ DrillWishes drillWishesOf(const Output& output) {
             .penetrationError = output.name == errorName};
 }
 
-std::string overflowProblem(const Output& output, double value) {
+Message overflowProblem(const Output& output, double value) {
     const bool isNever = output.measure == Measure::time && std::isnan(value);
     if (std::isfinite(value) || isNever) return {};
-    return std::string(output.name) +
-           " is beyond the range of double precision: the values are too large or too small";
+    return {translatable("drillwave::Message",
+                         "%1 is beyond the range of double precision: the values are too large or too small"),
+            {std::string(output.name)}};
 }
 
-std::string overflowProblem(const OutputSource& source, const Scales& scales, Detail detail) {
+Message overflowProblem(const OutputSource& source, const Scales& scales, Detail detail) {
     for (const Output& output : outputTable) {
         const Number value = output.detail <= detail ? output.value(source) : std::nullopt;
         if (!value) continue;
         for (const double number : {*value, *value * output.scale(scales)})
-            if (std::string problem = overflowProblem(output, number); !problem.empty()) return problem;
+            if (Message problem = overflowProblem(output, number); !problem.isEmpty()) return problem;
     }
     return {};
 }

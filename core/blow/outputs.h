@@ -5,7 +5,6 @@
 
 #include <optional>
 #include <span>
-#include <string>
 #include <string_view>
 
 #include "core/blow/drill_numbers.h"
@@ -111,9 +110,9 @@ DrillWishes drillWishesOf(const Output& output);
 /// Why a blow that was solved with `detail` is no result: "max_penetration is beyond the range of …" where an
 /// output, or its number in SI, is infinite or not a number. Empty when there is none: a time may be not a
 /// number, of what never happens.
-std::string overflowProblem(const OutputSource& source, const Scales& scales, Detail detail);
+Message overflowProblem(const OutputSource& source, const Scales& scales, Detail detail);
 /// The same of a single number of an output.
-std::string overflowProblem(const Output& output, double value);
+Message overflowProblem(const Output& output, double value);
 
 /// What a blow is judged by first, and its error: the efficiency where cells state that of it, else e.
 struct MainOutput {

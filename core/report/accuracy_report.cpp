@@ -29,8 +29,8 @@ std::string table(const Accuracy& accuracy, const ReadingStyle& style) {
         grid.add(row.outcome == Outcome::rebounded
                      ? withCells(label(row), accuracyColumns, row, style)
                      : std::vector<std::string>{
-                           label(row), style.said({translatable("drillwave::Message", "not solved: %1"),
-                                                   {Message::ofTable(row.reason)}})});
+                           label(row),
+                           style.said({translatable("drillwave::Message", "not solved: %1"), {row.reason}})});
     return grid.text();
 }
 
@@ -83,9 +83,9 @@ std::string legend(const Accuracy& accuracy, const ReadingStyle& style) {
 std::string extendedText(const Accuracy& accuracy, const ReadingStyle& style) {
     const Impact& extended = accuracy.extended;
     if (extended.outcome != Outcome::rebounded)
-        return linesOf({translatable("drillwave::Message", "In long double it was not solved: %1."),
-                        {Message::ofTable(extended.reason)}},
-                       style);
+        return linesOf(
+            {translatable("drillwave::Message", "In long double it was not solved: %1."), {extended.reason}},
+            style);
     return linesOf(
         {translatable("drillwave::Message",
                       "Its errors are differences to a solution in long double (%1 bits, %2),\n"
@@ -150,7 +150,7 @@ JsonObject rowJson(const AccuracyRow& row) {
         object["waves"] = wavesName(row);
         object["same_as_moved"] = row.sameAsMoved;
     }
-    if (!solved) object["reason"] = row.reason;
+    if (!solved) object["reason"] = row.reason.text();
     addMembers(object, accuracyColumns, row, solved);
     return object;
 }
@@ -205,7 +205,7 @@ std::string accuracyCsv(const Accuracy& accuracy) {
         const bool solved = row.outcome == Outcome::rebounded;
         csv += std::string(name(row.choice.method)) + "," + std::string(wavesName(row)) + ",";
         if (row.choice.method == Method::lattice) csv += std::to_string(row.choice.lattice.segments);
-        csv += std::string(solved ? ",rebounded," : ",not_solved,") + csvCell(row.reason) + ",";
+        csv += std::string(solved ? ",rebounded," : ",not_solved,") + csvCell(row.reason.text()) + ",";
         if (solved) appendNumber(csv, row.cor);
         appendCells(csv, accuracyColumns, row, solved);
         csv += "\n";

@@ -144,7 +144,7 @@ std::string blowJson(const Blow& blow, const std::string& scenarioText) {
         {"alerts", alertsJson(blow.alerts)},
     };
     if (blow.method.method == Method::lattice) object["segments"] = blow.method.lattice.segments;
-    if (!blow.isSolved()) object["reason"] = impact.reason;
+    if (!blow.isSolved()) object["reason"] = impact.reason.text();
     if (blow.isSolved() && hasSections(blow.scenario)) object["sections"] = sectionsJson(blow);
     object["scenario"] = scenarioText;
     if (hasUnits(blow.scenario)) addSi(object, blow);

@@ -14,8 +14,8 @@ constexpr std::string_view frequencyKey = "drill.blow_frequency";
 constexpr double shareOfThrust = 0.5;
 
 /// A reason of a study, in a sentence; where the study was given up, how to have it all the same.
-Message sentenceOf(const std::string& reason, const Blow& blow, std::string_view command) {
-    if (reason != tooManyPieces) return Message::ofTable(reason);
+Message sentenceOf(const Message& reason, const Blow& blow, std::string_view command) {
+    if (reason != tooManyPieces) return reason;
     return {translatable("drillwave::Message",
                          "This blow has %1 pieces, too many to be followed over all gaps in a report: "
                          "`drillwave %2` does that, and takes its time."),
@@ -72,7 +72,7 @@ void addGap(BlowReport& report, const std::stop_token& stop, const GapProgress& 
     else
         report.gapProblem = {
             translatable("drillwave::Message", "The blow could not be solved at all gaps: %1"),
-            {Message::ofTable(gap.curve.reason)}};
+            {gap.curve.reason}};
 }
 
 }  // namespace

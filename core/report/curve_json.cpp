@@ -32,7 +32,7 @@ JsonArray json(const std::vector<CurveStretch>& stretches) {
     JsonArray array;
     for (const CurveStretch& stretch : stretches)
         array.emplace_back(
-            JsonObject{{"start", stretch.start}, {"stop", stretch.end}, {"reason", stretch.reason}});
+            JsonObject{{"start", stretch.start}, {"stop", stretch.end}, {"reason", stretch.reason.text()}});
     return array;
 }
 

@@ -80,8 +80,7 @@ std::string stretchesText(const CurveQuestion& question, const std::vector<Curve
         text += "  " +
                 style.said({what,
                             {valueText(question.along, stretch.start, valueDigits, style),
-                             valueText(question.along, stretch.end, valueDigits, style),
-                             Message::ofTable(stretch.reason)}}) +
+                             valueText(question.along, stretch.end, valueDigits, style), stretch.reason}}) +
                 "\n";
     if (stretches.size() > mostStretches)
         text += "  " +

@@ -14,18 +14,18 @@ namespace {
 void addUnsolved(const DesignReport& report, std::vector<DesignRemark>& remarks) {
     std::uint64_t unsolved = report.findings.sensitivity.unsolved;
     std::size_t without = 0;
-    std::string reason = report.findings.sensitivity.reason;
+    Message reason = report.findings.sensitivity.reason;
     for (const DesignSamples& design : report.findings.designs) {
         unsolved += design.unsolved;
         without += !design.hasStatistics(report.study.samples);
-        if (reason.empty()) reason = design.reason;
+        if (reason.isEmpty()) reason = design.reason;
     }
     if (unsolved == 0) return;
     Message text{
         unsolved == 1
             ? translatable("drillwave::Message", "%1 sample could not be solved and are left out: %2.")
             : translatable("drillwave::Message", "%1 samples could not be solved and are left out: %2."),
-        {std::to_string(unsolved), Message::ofTable(reason)}};
+        {std::to_string(unsolved), reason}};
     if (without > 0) {
         const Message more{without == 1
                                ? translatable("drillwave::Message",

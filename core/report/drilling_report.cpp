@@ -149,7 +149,7 @@ Message damperWords(const Scenario& scenario, const ReadingStyle& style) {
 
 Message verdictSentence(const DrillingResult& result, const ReadingStyle& style) {
     if (result.outcome == DrillingOutcome::notSolved)
-        return {translatable("drillwave::Message", "Not solved: %1."), {Message::ofTable(result.reason)}};
+        return {translatable("drillwave::Message", "Not solved: %1."), {result.reason}};
     if (result.outcome == DrillingOutcome::stopped)
         return translatable("drillwave::Message", "Stopped before all blows were done.");
     const Message damper = damperWords(result.scenario, style);
@@ -231,7 +231,7 @@ std::string drillingJson(const DrillingReport& report, OutputUnits units) {
                       {"title", result.scenario.title},
                       {"method", "cells"},
                       {"outcome", name(result.outcome)},
-                      {"reason", result.reason.empty() ? Json() : Json(result.reason)},
+                      {"reason", result.reason.isEmpty() ? Json() : Json(result.reason.text())},
                       {"run_time", result.runTime},
                       {"blows", result.settings.blows},
                       {"settle", result.settings.settle},

@@ -79,7 +79,7 @@ std::string contourText(const MapReport& report, const Contour& contour, const R
         message = {contour.unplaced == 1
                        ? translatable("drillwave::Message", "%1; %2 crossing not placed: %3")
                        : translatable("drillwave::Message", "%1; %2 crossings not placed: %3"),
-                   {message, std::to_string(contour.unplaced), Message::ofTable(contour.reason)}};
+                   {message, std::to_string(contour.unplaced), contour.reason}};
     return "  " + style.said(message) + "\n";
 }
 
@@ -103,7 +103,7 @@ Json rangeJson(const MapReport& report) {
 JsonArray unsolvedJson(const MapGrid& grid) {
     JsonArray array;
     for (const RowFailure& failure : grid.failures())
-        array.emplace_back(JsonObject{{"points", failure.rows}, {"reason", failure.reason}});
+        array.emplace_back(JsonObject{{"points", failure.rows}, {"reason", failure.reason.text()}});
     return array;
 }
 
@@ -123,7 +123,7 @@ JsonObject contourJson(const Contour& contour, bool isOfManyBlows) {
     for (const ContourLine& line : contour.lines) lines.emplace_back(lineJson(line));
     JsonObject object{{"level", contour.level},       {"points", contour.pointCount()},
                       {"jumps", contour.jumpCount()}, {"worst_residual", contour.worstResidual()},
-                      {"unplaced", contour.unplaced}, {"reason", contour.reason},
+                      {"unplaced", contour.unplaced}, {"reason", contour.reason.text()},
                       {"solves", contour.solves},     {"lines", lines}};
     if (isOfManyBlows) object["irregular"] = contour.irregularCount();
     return object;
@@ -156,7 +156,7 @@ std::string mapText(const MapReport& report, const ReadingStyle& style) {
     for (const RowFailure& failure : report.grid.failures())
         text += "  " +
                 style.said({translatable("drillwave::Message", "%1 not solved: %2"),
-                            {points(failure.rows), Message::ofTable(failure.reason)}}) +
+                            {points(failure.rows), failure.reason}}) +
                 "\n";
     for (const Contour& contour : report.contours) text += contourText(report, contour, style);
     return text + "  " +

@@ -50,8 +50,7 @@ std::string describe(const StabilityRow& row, const ReadingStyle& style) {
 
 std::string failuresOf(const StabilityRow& row, const ReadingStyle& style = plainStyle()) {
     if (row.outcome != Outcome::rebounded)
-        return style.said(
-            {translatable("drillwave::Message", "not solved: %1"), {Message::ofTable(row.reason)}});
+        return style.said({translatable("drillwave::Message", "not solved: %1"), {row.reason}});
     std::string text;
     for (const Message& failure : row.failures) text += (text.empty() ? "" : "; ") + style.said(failure);
     return text;

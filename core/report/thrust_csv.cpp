@@ -51,7 +51,7 @@ std::string thrustCsv(const ThrustAlong& along) {
     std::string csv = headerOf(along);
     for (const ThrustPoint& point : along.curve.points) {
         column.appendText(csv, point.value);
-        if (point.reason.empty())
+        if (point.reason.isEmpty())
             appendCells(csv, point);
         else
             csv.append(columnsBehind, ',');

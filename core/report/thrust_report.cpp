@@ -75,7 +75,7 @@ Message marginSentence(const ThrustNeeds& needs, const ReadingStyle& style) {
 std::vector<ThrustCase> knownCases(const ThrustAlong& along) {
     std::vector<ThrustCase> cases(thrustCases.begin(), thrustCases.end());
     for (const ThrustPoint& point : along.curve.points) {
-        if (!point.reason.empty()) continue;
+        if (!point.reason.isEmpty()) continue;
         std::erase_if(cases, [&](ThrustCase which) { return !point.need(which).known; });
         break;
     }
@@ -106,7 +106,7 @@ std::string bracketTable(const ThrustAlong& along, const ReadingStyle& style) {
         column.appendText(value, point.value);
         std::vector<std::string> cells{style.withDecimalSign(std::move(value))};
         for (const ThrustCase which : cases)
-            cells.push_back(point.reason.empty() ? bracket(point.need(which), style) : "-");
+            cells.push_back(point.reason.isEmpty() ? bracket(point.need(which), style) : "-");
         cells.push_back(style.said(Message::ofTable(feedWord(point.verdict.feed))));
         grid.add(cells);
     }
@@ -148,12 +148,12 @@ JsonObject alongJson(const ThrustAlong& along) {
     JsonArray points;
     for (const ThrustPoint& point : along.curve.points) {
         JsonObject object{{"value", point.value}};
-        if (point.reason.empty()) {
+        if (point.reason.isEmpty()) {
             object["needs"] = needsJson(point.needs);
             object["effective_force"] = point.verdict.effective();
             object["feed"] = name(point.verdict.feed);
         } else {
-            object["reason"] = point.reason;
+            object["reason"] = point.reason.text();
         }
         points.emplace_back(object);
     }

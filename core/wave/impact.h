@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
-#include <string>
-#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/numeric/piecewise.h"
+#include "core/text/message.h"
 #include "core/wave/section_forces.h"
 
 namespace drillwave {
@@ -71,7 +71,7 @@ struct Impact {
     static constexpr double never = std::numeric_limits<double>::quiet_NaN();
 
     Outcome outcome = Outcome::notSolved;
-    std::string reason;  ///< one sentence when not solved
+    Message reason;  ///< one sentence when not solved
     Hindrance hindrance = Hindrance::other;
 
     bool isSolved() const { return outcome != Outcome::notSolved; }
@@ -156,9 +156,9 @@ struct Impact {
         return energyResidual() >= -mostMade && energyResidual() <= mostLost;
     }
     /// The blow is not solved.
-    static Impact unsolved(std::string_view reason, Hindrance hindrance = Hindrance::other) {
+    static Impact unsolved(Message reason, Hindrance hindrance = Hindrance::other) {
         Impact impact;
-        impact.reason = reason;
+        impact.reason = std::move(reason);
         impact.hindrance = hindrance;
         return impact;
     }

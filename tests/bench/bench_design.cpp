@@ -159,7 +159,7 @@ std::vector<double> monteCarlo(const DesignStudy& study, unsigned seed) {
     for (std::uint64_t n = 0; n < study.samples; ++n) {
         std::ranges::transform(distributions, values.begin(),
                                [&](const Distribution& of) { return of.quantile(share(random)); });
-        if (!solver->solve(0, values, outputs, {}).empty()) continue;
+        if (!solver->solve(0, values, outputs, {}).isEmpty()) continue;
         efficiency.push_back(outputs[0]);
         thrust.push_back(outputs[1]);
     }

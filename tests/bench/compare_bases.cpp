@@ -112,8 +112,8 @@ void print(unsigned number, const BasisFinding& found) {
         if (result.isSolved())
             std::printf("  %-8s e %.17g +- %.2g, %d contacts, %ld pieces, growth %.3g\n", name, i.cor,
                         i.corError, i.contacts, i.pieces, i.growth);
-        else if (!i.reason.empty())
-            std::printf("  %-8s not solved: %s\n", name, i.reason.c_str());
+        else if (!i.reason.isEmpty())
+            std::printf("  %-8s not solved: %s\n", name, i.reason.text().c_str());
     };
     line("closed", found.closed);
     line("series", found.series);

@@ -129,7 +129,7 @@ class RandomScenes {
             const Scene scene = nextQuick();
             const Impact impact = solver(scene);
             if (impact.outcome != Outcome::rebounded) {
-                refused = describe(scene) + ": " + impact.reason;
+                refused = describe(scene) + ": " + impact.reason.text();
                 continue;
             }
             ++solved;

@@ -10,7 +10,7 @@ namespace {
 QString obstacle(const Impact& impact) {
     if (!impact.isSolved())
         return QStringLiteral("no plots written: the blow could not be solved: %1")
-            .arg(QString::fromStdString(impact.reason));
+            .arg(QString::fromStdString(impact.reason.text()));
     if (!impact.hasHistories())
         return QStringLiteral("no plots written: the blow was solved without its histories");
     return {};

@@ -135,7 +135,7 @@ void ReportWriter::follow() {
             if (m_measured) addMeasured(report);
             use(report);
         } else {
-            fail(tr("The blow could not be solved: %1").arg(translatedReason(report.blow.impact.reason)));
+            fail(tr("The blow could not be solved: %1").arg(translated(report.blow.impact.reason)));
         }
     }
     emit ended();

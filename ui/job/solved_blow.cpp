@@ -14,8 +14,8 @@ namespace {
 
 QString whyUnsolved(const Blow& blow) {
     if (blow.isSolved()) return {};
-    if (blow.impact.reason.empty()) return QStringLiteral("The blow could not be solved.");
-    return translatedReason(blow.impact.reason);
+    if (blow.impact.reason.isEmpty()) return QStringLiteral("The blow could not be solved.");
+    return translated(blow.impact.reason);
 }
 
 void preparePages(SolvedBlow& blow) {

@@ -54,7 +54,7 @@ void WorstNeed::run() {
 
 std::optional<WidestNeed> WorstNeed::widest() const {
     const auto& study = m_job.value();
-    if (!m_scenario || !study || !study->reason.empty() || study->stopped) return std::nullopt;
+    if (!m_scenario || !study || !study->reason.isEmpty() || study->stopped) return std::nullopt;
     return widestOf(study->needs);
 }
 
@@ -65,7 +65,7 @@ std::optional<double> WorstNeed::thrust() const {
 
 QString WorstNeed::problem() const {
     const auto& study = m_job.value();
-    return study ? translatedReason(study->reason) : m_job.problem();
+    return study ? translated(study->reason) : m_job.problem();
 }
 
 bool WorstNeed::isAwaited() const {

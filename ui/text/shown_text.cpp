@@ -22,10 +22,6 @@ QString translated(const Message& message) {
     return QString::fromStdString(message.said(translatedPattern));
 }
 
-QString translatedReason(std::string_view reason) {
-    return translated(Message::ofTable(reason));
-}
-
 QString translated(const ScenarioError& error) {
     QStringList lines;
     for (const Message& line : error.messages()) lines << translated(line);

@@ -21,9 +21,6 @@ std::string translatedPattern(const std::string& pattern);
 /// A sentence of the core in the language of the window.
 QString translated(const Message& message);
 
-/// Why the core has no answer, in a sentence of the core without numbers; others stay as they are.
-QString translatedReason(std::string_view reason);
-
 /// What is wrong with a file or with values, a line each, likewise.
 QString translated(const ScenarioError& error);
 

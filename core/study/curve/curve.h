@@ -7,7 +7,6 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 #include "core/blow/method.h"
@@ -19,6 +18,7 @@
 #include "core/study/rows/output_column.h"
 #include "core/study/rows/row_counts.h"
 #include "core/study/rows/sweep_axis.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -53,7 +53,7 @@ std::vector<Message> problemsOf(const CurveQuestion& question);
 struct CurveStretch {
     double start = 0;
     double end = 0;
-    std::string reason;
+    Message reason;
     bool operator==(const CurveStretch&) const = default;
 };
 

@@ -31,9 +31,10 @@ constexpr long blowsOfStringCell = 40;
 constexpr long leastStringBlows = 150;
 /// A kink is bracketed by half of so many.
 constexpr std::uint64_t blowsOfKink = 80;
-constexpr std::string_view notSmooth = "not smooth within the work permitted";
-constexpr std::string_view isRounding = "an error, which has no smooth course";
-constexpr std::string_view isOfManyBlows = "of many blows, which need not be smooth: straight between points";
+constexpr const char* notSmooth = translatable("drillwave::Message", "not smooth within the work permitted");
+constexpr const char* isRounding = translatable("drillwave::Message", "an error, which has no smooth course");
+constexpr const char* isOfManyBlows =
+    translatable("drillwave::Message", "of many blows, which need not be smooth: straight between points");
 
 bool isRatio(Measure measure) {
     return measure == Measure::number || measure == Measure::share || measure == Measure::energy ||
@@ -64,9 +65,9 @@ double unitIn(CurveSampler& sampler, const std::array<double, 2>& cuts, std::siz
 
 }  // namespace
 
-std::string_view whyRough(const Output& output) {
+Message whyRough(const Output& output) {
     if (output.needsDrilling()) return isOfManyBlows;
-    return output.measure == Measure::error ? isRounding : std::string_view();
+    return output.measure == Measure::error ? isRounding : Message();
 }
 
 std::size_t cellCount(const CurveQuestion& question) {
@@ -105,7 +106,7 @@ CellOutput CellFitter::fit(CurveSampler& sampler, const CellTask& task, std::siz
                            const std::stop_token& stop) const {
     const std::array cuts{task.start, task.end};
     const Measure measure = m_question.columns[output].output->measure;
-    if (!whyRough(*m_question.columns[output].output).empty()) return {{openPiece(cuts[0], cuts[1])}, {}};
+    if (!whyRough(*m_question.columns[output].output).isEmpty()) return {{openPiece(cuts[0], cuts[1])}, {}};
     const double unit = unitIn(sampler, cuts, output);
     const bool grows = !isRatio(measure) || measure == Measure::work;
     FitSettings settings{.scale = {isRatio(measure) ? unit : unit * smallOfUnit, 0, 0},
@@ -127,20 +128,21 @@ CellOutput CellFitter::fit(CurveSampler& sampler, const CellTask& task, std::siz
 }
 
 void addStretch(std::vector<CurveStretch>& stretches, const CurveRange& range, const FitPiece& piece,
-                std::string_view reason) {
+                const Message& reason) {
     const double start = range.at(piece.start), end = range.at(piece.end);
     if (!stretches.empty() && stretches.back().end == start)
         stretches.back().end = end;
     else
-        stretches.push_back({start, end, std::string(reason)});
+        stretches.push_back({start, end, reason});
 }
 
 void addCell(CurveLine& line, const CurveQuestion& question, CellTask& task) {
     for (std::size_t i = 0; i < task.outputs.size(); ++i) {
         CurveOutput& output = line.outputs[i];
-        const std::string_view rough = whyRough(*question.columns[i].output);
+        const Message rough = whyRough(*question.columns[i].output);
         for (FitPiece& piece : task.outputs[i].pieces) {
-            if (isOpen(piece)) addStretch(output.grid, line.range, piece, rough.empty() ? notSmooth : rough);
+            if (isOpen(piece))
+                addStretch(output.grid, line.range, piece, rough.isEmpty() ? notSmooth : rough);
             if (!piece.solved) addStretch(output.unsolved, line.range, piece, task.outputs[i].reason);
             output.pieces.push_back(std::move(piece));
         }

@@ -4,11 +4,10 @@
 
 #include <cstdint>
 #include <stop_token>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/study/curve/curve_sampler.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -17,12 +16,12 @@ namespace drillwave {
 std::size_t cellCount(const CurveQuestion& question);
 
 /// Why an output is known by points alone wherever it is; empty where it is fitted.
-std::string_view whyRough(const Output& output);
+Message whyRough(const Output& output);
 
 /// One output in one cell.
 struct CellOutput {
     std::vector<FitPiece> pieces;  ///< open where it is not smooth
-    std::string reason;            ///< of those without an answer
+    Message reason;                ///< of those without an answer
 };
 
 struct CellTask {
@@ -62,6 +61,6 @@ void addCell(CurveLine& line, const CurveQuestion& question, CellTask& task);
 
 /// Appends where a piece is, or makes the last stretch longer where it goes on.
 void addStretch(std::vector<CurveStretch>& stretches, const CurveRange& range, const FitPiece& piece,
-                std::string_view reason);
+                const Message& reason);
 
 }  // namespace drillwave

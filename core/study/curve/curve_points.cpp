@@ -93,7 +93,7 @@ void PointSolver::operator()(PointTask& task, const std::stop_token& stop) const
         point.share = share;
         for (std::size_t i = 0; i < m_question.columns.size() && !stop.stop_requested(); ++i) {
             point.outputs.push_back(sampler(share, i));
-            point.reasons.push_back(point.outputs.back().solved ? std::string() : sampler.reason());
+            point.reasons.push_back(point.outputs.back().solved ? Message() : sampler.reason());
         }
     }
     task.solves = sampler.solves();
@@ -116,7 +116,7 @@ void fillPieces(CurveLine& line, std::size_t i, std::span<const double> points,
             filled.push_back(straightPiece(a.outputs[i], b.outputs[i]));
             if (!filled.back().solved)
                 addStretch(output.unsolved, line.range, filled.back(),
-                           a.reasons[i].empty() ? b.reasons[i] : a.reasons[i]);
+                           a.reasons[i].isEmpty() ? b.reasons[i] : a.reasons[i]);
         }
     }
     output.pieces = std::move(filled);

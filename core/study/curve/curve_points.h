@@ -5,10 +5,10 @@
 #include <cstdint>
 #include <span>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 #include "core/study/curve/curve_sampler.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -23,7 +23,7 @@ std::vector<double> openPointsOf(const CurveLine& line, std::span<const double> 
 struct LinePoint {
     double share = 0;
     std::vector<FitSample> outputs;
-    std::vector<std::string> reasons;  ///< why there is none
+    std::vector<Message> reasons;  ///< why there is none
 };
 
 /// Some points of one line.

@@ -65,7 +65,7 @@ const CurveSampler::Blow& CurveSampler::blowAt(double share) {
     if (!isNew) return blow;
     const Scenario& scenario = scenarioAt(share);
     if (m_scenario.obstacle()) {
-        blow.reason = m_scenario.obstacle()->reason.text();
+        blow.reason = m_scenario.obstacle()->reason;
         return blow;
     }
     if (!m_hasPulse || m_pulseMoves) m_solver.setPulse(scenario);
@@ -76,7 +76,7 @@ const CurveSampler::Blow& CurveSampler::blowAt(double share) {
     const Impact& impact = m_solver.impact();
     blow.pieces = impact.pieces;
     m_effort += impact.pieces;
-    if (!blow.reason.empty()) {
+    if (!blow.reason.isEmpty()) {
         blow.values.clear();
         return blow;
     }
@@ -91,10 +91,10 @@ FitSample CurveSampler::operator()(double share, std::size_t output) {
     FitSample sample{.x = share, .label = blow.contacts, .effort = blow.pieces};
     sample.solved = !blow.values.empty() && std::isfinite(blow.values[output]);
     if (!sample.solved) {
-        m_reason = !blow.reason.empty() ? blow.reason
-                   : !blow.lack.empty() ? blow.lack
-                                        : translatable("drillwave::Message",
-                                                       "the waves of such a blow are too many to be kept");
+        m_reason = !blow.reason.isEmpty() ? blow.reason
+                   : !blow.lack.isEmpty() ? blow.lack
+                                          : translatable("drillwave::Message",
+                                                         "the waves of such a blow are too many to be kept");
         return sample;
     }
     sample.values[0] = blow.values[output];

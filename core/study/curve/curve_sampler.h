@@ -5,13 +5,13 @@
 #include <cstdint>
 #include <span>
 #include <stop_token>
-#include <string>
 #include <unordered_map>
 #include <vector>
 
 #include "core/study/curve/curve.h"
 #include "core/study/rows/axis_scenario.h"
 #include "core/study/rows/case_solver.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -26,7 +26,7 @@ class CurveSampler {
     /// An output at a share of the way, its error as that of e.
     FitSample operator()(double share, std::size_t output);
     /// Why there was no answer for the last sample that had none.
-    const std::string& reason() const { return m_reason; }
+    const Message& reason() const { return m_reason; }
     /// The size that numbers of an output have in its unit, at a share of the way: d0 of a penetration and
     /// so on; 1 of what is a ratio; 0 where there is no scenario.
     double unitAt(double share, std::size_t output);
@@ -39,8 +39,8 @@ class CurveSampler {
   private:
     struct Blow {
         std::vector<double> values;  // of all outputs; none where it was not solved
-        std::string reason;
-        std::string lack;  // why an output of it has none, where that is known
+        Message reason;
+        Message lack;  // why an output of it has none, where that is known
         double scatter = 0;
         std::uint64_t order = 0;
         int contacts = 0;
@@ -59,7 +59,7 @@ class CurveSampler {
     bool m_hasPulse = false;
     std::unordered_map<double, Blow> m_blows;  // by share
     long m_effort = 0;
-    std::string m_reason;
+    Message m_reason;
 };
 
 }  // namespace drillwave

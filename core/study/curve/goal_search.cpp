@@ -109,7 +109,7 @@ class PlaceFinder {
         : m_goal(*question.goal),
           m_size(size),
           m_range(range),
-          m_isRough(!whyRough(*question.columns.front().output).empty()),
+          m_isRough(!whyRough(*question.columns.front().output).isEmpty()),
           m_isWhole(question.along.parameter->rules.wholeNumber) {}
 
     /// In SI.

@@ -25,13 +25,13 @@ constexpr double sameShare = 1e-9;
 struct SampleTask {
     std::size_t line = 0, point = 0, stride = 0;
     std::vector<double> values = {};  // of the columns
-    std::string reason = {};
+    Message reason = {};
 };
 
 /// What is known of one line.
 struct Samples {
     std::vector<std::vector<double>> values;  // of each point, empty before it is solved
-    std::vector<std::string> reasons;         // likewise; empty where it has an answer
+    std::vector<Message> reasons;             // likewise; empty where it has an answer
 };
 
 /// Solves points; one for each thread.
@@ -49,8 +49,8 @@ class PointSampler {
         at.push_back(m_question.along.value(task.point));
         const Scenario& scenario = m_scenario.set(at);
         task.values.assign(m_question.columns.size(), std::numeric_limits<double>::quiet_NaN());
-        task.reason = m_scenario.obstacle() ? m_scenario.obstacle()->reason.text() : std::string();
-        if (!task.reason.empty()) return;
+        task.reason = m_scenario.obstacle() ? m_scenario.obstacle()->reason : Message();
+        if (!task.reason.isEmpty()) return;
         m_solver.setPulse(scenario);
         task.reason = m_solver.solve(scenario, task.values, stop);
     }
@@ -122,11 +122,11 @@ CurveLine lineThrough(const CurveQuestion& question, std::size_t number, const S
     line.range = question.range();
     line.outputs.resize(question.columns.size());
     line.values.resize(question.columns.size());
-    std::vector<std::string_view> reasons;
+    std::vector<const Message*> reasons;
     for (std::size_t i = 0; i < samples.values.size(); ++i) {
         if (samples.values[i].empty()) continue;
         line.points.push_back(question.along.value(i));
-        reasons.push_back(samples.reasons[i]);
+        reasons.push_back(&samples.reasons[i]);
         for (std::size_t c = 0; c < line.values.size(); ++c) line.values[c].push_back(samples.values[i][c]);
     }
     for (std::size_t c = 0; c < line.outputs.size(); ++c) {
@@ -137,9 +137,10 @@ CurveLine lineThrough(const CurveQuestion& question, std::size_t number, const S
                                                   line.values[c][i + 1]));
             if (!output.pieces.back().solved)
                 output.unsolved.push_back({line.points[i], line.points[i + 1],
-                                           std::string(reasons[i].empty() ? reasons[i + 1] : reasons[i])});
+                                           *(reasons[i]->isEmpty() ? reasons[i + 1] : reasons[i])});
         }
-        output.grid = {{question.along.start, question.along.stop, "solved point by point"}};
+        output.grid = {{question.along.start, question.along.stop,
+                        translatable("drillwave::Message", "solved point by point")}};
         addExtremes(output, line.points, line.values[c]);
     }
     return line;

@@ -7,11 +7,11 @@
 #include <memory>
 #include <span>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 #include "core/numeric/ordered_work.h"
 #include "core/study/design/distribution.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -25,11 +25,11 @@ class DesignSolver {
 
     /// Puts the outputs of a design (from 0) at uncertain values, one of each distribution, into `outputs`.
     /// Returns why there are none; empty when there are.
-    virtual std::string solve(std::uint64_t design, std::span<const double> values, std::span<double> outputs,
-                              const std::stop_token& stop) = 0;
+    virtual Message solve(std::uint64_t design, std::span<const double> values, std::span<double> outputs,
+                          const std::stop_token& stop) = 0;
     /// The same with the uncertain numbers as the scenario has them.
-    virtual std::string solveNominal(std::uint64_t design, std::span<double> outputs,
-                                     const std::stop_token& stop) = 0;
+    virtual Message solveNominal(std::uint64_t design, std::span<double> outputs,
+                                 const std::stop_token& stop) = 0;
 };
 
 /// Safe for several threads.

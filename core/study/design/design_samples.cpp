@@ -19,7 +19,7 @@ struct SampleBlock {
     std::vector<double> nominal;       // of the first block of a design
     std::vector<double> outputs;
     std::uint64_t unsolved = 0;
-    std::string reason;
+    Message reason;
 };
 
 /// Solves blocks. One for each thread.
@@ -37,9 +37,9 @@ class SampleMaker {
         const std::vector<Distribution> distributions = m_problem.distributions(block.design);
         block.outputs.assign((block.end - block.begin) * width, none);
         block.unsolved = 0;
-        block.reason.clear();
+        block.reason = {};
         block.nominal.assign(block.begin == 0 ? width : 0, none);
-        if (block.begin == 0 && !m_solver->solveNominal(block.design, block.nominal, stop).empty())
+        if (block.begin == 0 && !m_solver->solveNominal(block.design, block.nominal, stop).isEmpty())
             std::ranges::fill(block.nominal, none);
         for (std::uint64_t n = block.begin; n < block.end; ++n) {
             if (stop.stop_requested()) return;
@@ -47,8 +47,8 @@ class SampleMaker {
             m_points.point(n / m_each, n % m_each, m_values);
             for (std::size_t i = 0; i < m_values.size(); ++i)
                 m_values[i] = distributions[i].quantile(m_values[i]);
-            std::string reason = m_solver->solve(block.design, m_values, row, stop);
-            if (reason.empty()) continue;
+            Message reason = m_solver->solve(block.design, m_values, row, stop);
+            if (reason.isEmpty()) continue;
             std::ranges::fill(row, none);
             if (block.unsolved++ == 0) block.reason = std::move(reason);
         }
@@ -74,7 +74,7 @@ class GatheredDesign {
             for (std::size_t c = 0; c < width; ++c)
                 m_columns[c][n] = block.outputs[(n - block.begin) * width + c];
         if (block.begin == 0) m_design.nominal = block.nominal;
-        if (m_design.reason.empty()) m_design.reason = block.reason;
+        if (m_design.reason.isEmpty()) m_design.reason = block.reason;
         m_design.unsolved += block.unsolved;
     }
 

@@ -4,11 +4,11 @@
 
 #include <cstdint>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "core/study/design/design_problem.h"
 #include "core/study/design/statistic.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -24,7 +24,7 @@ struct DesignSamples {
     /// Output by output, in the order of the statistics asked for; NaN where there are none.
     std::vector<std::vector<SampledValue>> statistics = {};
     std::uint64_t unsolved = 0;  ///< points left out
-    std::string reason = {};     ///< of the first one
+    Message reason = {};         ///< of the first one
     double uncertainShare = 0;   ///< of points, see UncertainPoints
 
     bool hasStatistics(std::uint64_t samples) const {

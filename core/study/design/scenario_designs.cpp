@@ -30,8 +30,8 @@ class ScenarioSolver : public DesignSolver {
     ScenarioSolver(const DesignStudy& study, std::span<const OutputColumn> columns)
         : m_study(study), m_solver(columns, {}, study.workLimit) {}
 
-    std::string solve(std::uint64_t design, std::span<const double> values, std::span<double> outputs,
-                      const std::stop_token& stop) override {
+    Message solve(std::uint64_t design, std::span<const double> values, std::span<double> outputs,
+                  const std::stop_token& stop) override {
         moveTo(design);
         const std::size_t inputs = m_study.uncertain.size();
         std::ranges::copy(values.first(inputs), m_values.begin());
@@ -41,14 +41,14 @@ class ScenarioSolver : public DesignSolver {
                 m_values[inputs + i] = m_study.draws->columns[i][row];
         }
         m_scene->set(m_values);
-        if (m_scene->obstacle()) return m_scene->obstacle()->reason.text();
+        if (m_scene->obstacle()) return m_scene->obstacle()->reason;
         if (!m_hasPulse || m_scene->movesPulse(0)) m_solver.setPulse(m_scene->scenario());
         m_hasPulse = !m_scene->movesPulse(0);
         return told(m_solver.solve(m_scene->scenario(), outputs, stop), outputs);
     }
 
-    std::string solveNominal(std::uint64_t design, std::span<double> outputs,
-                             const std::stop_token& stop) override {
+    Message solveNominal(std::uint64_t design, std::span<double> outputs,
+                         const std::stop_token& stop) override {
         moveTo(design);
         m_solver.setPulse(*m_scenario);
         m_hasPulse = false;
@@ -68,11 +68,11 @@ class ScenarioSolver : public DesignSolver {
     }
 
     /// A blow without a number that is asked for counts as not solved.
-    static std::string told(std::string reason, std::span<const double> outputs) {
-        if (!reason.empty()) return reason;
+    static Message told(Message reason, std::span<const double> outputs) {
+        if (!reason.isEmpty()) return reason;
         return std::ranges::any_of(outputs, [](double value) { return std::isnan(value); })
-                   ? translatable("drillwave::Message", "it has no number of some output")
-                   : std::string();
+                   ? Message(translatable("drillwave::Message", "it has no number of some output"))
+                   : Message();
     }
 
     const DesignStudy& m_study;

@@ -18,7 +18,7 @@ struct IndexBlock {
     std::uint64_t begin = 0, end = 0;
     std::vector<double> values;
     std::vector<bool> solved;  // of each point
-    std::string reason;
+    Message reason;
 };
 
 /// Solves blocks. One for each thread.
@@ -38,7 +38,7 @@ class IndexMaker {
         const std::size_t width = (d + 2) * m_outputs.size();
         block.values.assign((block.end - block.begin) * width, 0);
         block.solved.assign(block.end - block.begin, true);
-        block.reason.clear();
+        block.reason = {};
         std::vector<double> u(2 * d), x(d);
         for (std::uint64_t n = block.begin; n < block.end; ++n) {
             m_points.point(block.replicate, n, u);
@@ -49,11 +49,11 @@ class IndexMaker {
                     const bool ofB = which == 1 || which == i + 2;
                     x[i] = m_distributions[i].quantile(u[ofB ? d + i : i]);
                 }
-                std::string reason = m_solver->solve(m_design, x, m_row, stop);
+                Message reason = m_solver->solve(m_design, x, m_row, stop);
                 for (const std::size_t output : m_outputs) *values++ = m_row[output];
-                if (reason.empty()) continue;
+                if (reason.isEmpty()) continue;
                 block.solved[n - block.begin] = false;
-                if (block.reason.empty()) block.reason = std::move(reason);
+                if (block.reason.isEmpty()) block.reason = std::move(reason);
             }
         }
     }
@@ -176,7 +176,7 @@ Sensitivity sensitivityOf(const DesignProblem& problem, std::uint64_t design,
             for (std::size_t o = 0; o < outputs.size() && block.solved[n]; ++o)
                 sums[o].add(block.replicate, block.values.data() + n * width + o, stride);
         }
-        if (found.reason.empty()) found.reason = block.reason;
+        if (found.reason.isEmpty()) found.reason = block.reason;
         work.tell((block.end - block.begin) * (d + 2));
         return true;
     };

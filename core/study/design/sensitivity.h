@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <string>
 #include <vector>
 
 #include "core/numeric/estimate.h"
 #include "core/study/design/design_problem.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -26,7 +26,7 @@ struct OutputSensitivity {
 struct Sensitivity {
     std::vector<OutputSensitivity> outputs;  ///< in the order asked for; none after a stop
     std::uint64_t unsolved = 0;              ///< points left out, with all that are compared with them
-    std::string reason;
+    Message reason;
 };
 
 /// How many solves sensitivityOf() takes of d uncertain numbers.

@@ -45,7 +45,7 @@ class BoxSolver {
     /// All outputs, not a number where it could not be solved.
     std::span<const double> solve(const Place& place, const std::stop_token& stop) {
         for (std::size_t i = 0; i < place.size(); ++i) m_values[i] = m_distributions[i].inBox(place[i]);
-        if (!m_solver->solve(m_design, m_values, m_outputs, stop).empty())
+        if (!m_solver->solve(m_design, m_values, m_outputs, stop).isEmpty())
             std::ranges::fill(m_outputs, unfound);
         return m_outputs;
     }

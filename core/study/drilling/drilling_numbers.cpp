@@ -47,7 +47,7 @@ DrillNumbers drillNumbersOf(const DrillingResult& result) {
     return numbers;
 }
 
-std::string whyNoStatistics(const DrillingResult& result) {
+Message whyNoStatistics(const DrillingResult& result) {
     switch (result.outcome) {
         case DrillingOutcome::done:
             return {};

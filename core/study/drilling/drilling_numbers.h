@@ -2,10 +2,9 @@
 // The outputs of many blows from their march.
 #pragma once
 
-#include <string>
-
 #include "core/blow/drill_numbers.h"
 #include "core/study/drilling/drilling_study.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -13,6 +12,6 @@ namespace drillwave {
 DrillNumbers drillNumbersOf(const DrillingResult& result);
 
 /// Why there are no statistics: pushed back, stopped, or not solved; empty where there are.
-std::string whyNoStatistics(const DrillingResult& result);
+Message whyNoStatistics(const DrillingResult& result);
 
 }  // namespace drillwave

@@ -141,7 +141,7 @@ DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid
             const std::string_view trouble =
                 main.trouble().empty() && beside ? beside->trouble() : main.trouble();
             result.outcome = trouble.empty() ? DrillingOutcome::stopped : DrillingOutcome::notSolved;
-            result.reason = trouble;
+            result.reason = Message::ofTable(trouble);
             break;
         }
         if (beside) {

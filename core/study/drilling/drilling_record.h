@@ -5,10 +5,10 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
-#include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/text/message.h"
 #include "core/wave/drilling/drilling_grid.h"
 #include "core/wave/drilling/drilling_problem.h"
 
@@ -42,7 +42,7 @@ using DrillingProgress = std::function<void(long)>;
 struct DrillingRecord {
     std::vector<DrillingBlow> blows;
     DrillingOutcome outcome = DrillingOutcome::done;
-    std::string reason;
+    Message reason;
     DrillingLedger ledger;
     double momentumResidual = 0;
     double lateShare = 0;  ///< largest

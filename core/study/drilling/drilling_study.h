@@ -5,7 +5,6 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 #include "core/model/alerts.h"
@@ -14,6 +13,7 @@
 #include "core/study/drilling/drilling_case.h"
 #include "core/study/drilling/drilling_record.h"
 #include "core/study/drilling/drilling_statistics.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -64,7 +64,7 @@ struct DrillingResult {
     Scenario scenario;
     DrillingSettings settings;
     DrillingOutcome outcome = DrillingOutcome::done;
-    std::string reason;  ///< where it is not solved
+    Message reason;  ///< where it is not solved
     std::vector<DrillingBlow> blows;
     std::vector<DrillingInstant> instants;  ///< of the blows that are told in full
     /// Nothing where nothing bounded comes of it.

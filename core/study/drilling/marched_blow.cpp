@@ -111,7 +111,8 @@ Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, lon
     while (march.blows() + 2 < number && march.takeBlow(stop)) continue;
     const MarchedWaves kept = march.blows() + 2 >= number ? march.takeBlowWithWaves(stop) : MarchedWaves{};
     if (!march.trouble().empty() || stop.stop_requested()) {
-        blow.impact = Impact::unsolved(march.trouble().empty() ? "stopped" : march.trouble());
+        blow.impact =
+            Impact::unsolved(Message::ofTable(march.trouble().empty() ? "stopped" : march.trouble()));
     } else if (!kept.waves) {
         blow.impact = Impact::unsolved(
             translatable("drillwave::Message", "its waves are more than can be kept"), Hindrance::histories);

@@ -68,7 +68,7 @@ class GapSampler {
     }
 
     /// Why there was no answer, the last time that there was none.
-    const std::string& reason() const { return m_reason; }
+    const Message& reason() const { return m_reason; }
 
   private:
     Problem m_problem;  // with the gap that is being solved
@@ -77,7 +77,7 @@ class GapSampler {
     long m_piecesLeft;
     long m_mostOfABlow;
     ExactSolver m_solver;
-    std::string m_reason;
+    Message m_reason;
 };
 
 /// Where to look first: evenly, and where the course of the hammer force changes just as the gap closes.

@@ -6,8 +6,6 @@
 #include <functional>
 #include <limits>
 #include <stop_token>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/numeric/piecewise_fit.h"
@@ -33,7 +31,7 @@ inline constexpr long mostPiecesInPassing = 16'000'000;
 inline constexpr long anyNumberOfPieces = std::numeric_limits<long>::max();
 
 /// GapCurve::reason of a curve that was given up because of such a limit.
-inline constexpr std::string_view tooManyPieces = translatable(
+inline constexpr const char* tooManyPieces = translatable(
     "drillwave::Message", "its blows over all gaps have more wave pieces than are followed in passing");
 
 /// The gap δ = d/d0 from which on results have period 1 in it: 0 where the hammer has ended before the first
@@ -57,7 +55,7 @@ struct GapCurve {
     std::uint64_t solves = 0;      ///< blows solved
     double solverError = 0;        ///< largest bound of the solver on e
     double unsolved = 0;           ///< length of gap without an answer
-    std::string reason;            ///< why there is none somewhere
+    Message reason;                ///< why there is none somewhere
     bool stopped = false;          ///< on the stop token: nothing here is complete
     bool usable() const { return !stopped && !pieces.empty(); }
     /// Whether there is an answer all along the gap, but for what is too little to matter.

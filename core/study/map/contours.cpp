@@ -25,7 +25,7 @@ constexpr double coarsestAccuracy = 1e-9;
 struct Finding {
     std::optional<ContourPoint> point;
     bool isMiddleAbove = false;
-    std::string reason;  ///< why there is no point
+    Message reason;  ///< why there is no point
     std::uint64_t solves = 0;
 };
 
@@ -50,18 +50,18 @@ class Surveyor {
             const double x = edge.isAlongX ? place : m_nodes.x(edge.i);
             const double y = edge.isAlongX ? m_nodes.y(edge.j) : place;
             finding.reason = m_point.solve(x, y, sample.value, stop);
-            if (finding.reason.empty() && std::isnan(sample.value))
-                finding.reason = m_point.lack().empty()
+            if (finding.reason.isEmpty() && std::isnan(sample.value))
+                finding.reason = m_point.lack().isEmpty()
                                      ? translatable("drillwave::Message", "it has no such output")
                                      : m_point.lack();
             isIrregular |= m_point.isIrregular();
-            if (!finding.reason.empty()) return 0.0;  // ends the search
+            if (!finding.reason.isEmpty()) return 0.0;  // ends the search
             (sample.value < m_level ? m_below : m_above) = sample;
             return std::abs(sample.value - m_level) <= contourAccuracy * step ? 0.0 : sample.value - m_level;
         };
         if (best().residual(m_level) > contourAccuracy * step)
             brentRoot(miss, start.place, start.value - m_level, end.place, end.value - m_level);
-        if (!finding.reason.empty()) return finding;
+        if (!finding.reason.isEmpty()) return finding;
         const Sample found = best();
         ContourPoint point{.x = edge.isAlongX ? found.place : m_nodes.x(edge.i),
                            .y = edge.isAlongX ? m_nodes.y(edge.j) : found.place,
@@ -80,7 +80,7 @@ class Surveyor {
         double value = 0;
         finding.reason = m_point.solve((m_nodes.x(square.i) + m_nodes.x(square.i + 1)) / 2,
                                        (m_nodes.y(square.j) + m_nodes.y(square.j + 1)) / 2, value, stop);
-        finding.isMiddleAbove = finding.reason.empty() && value >= m_level;
+        finding.isMiddleAbove = finding.reason.isEmpty() && value >= m_level;
         return finding;
     }
 

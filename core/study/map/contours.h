@@ -6,10 +6,10 @@
 #include <functional>
 #include <span>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 #include "core/study/map/map.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -42,7 +42,7 @@ struct Contour {
     double level = 0;
     std::vector<ContourLine> lines;
     std::uint64_t unplaced = 0;  ///< crossings that could not be placed: a blow on the way was not solved
-    std::string reason;          ///< the first reason why
+    Message reason;              ///< the first reason why
     std::uint64_t solves = 0;    ///< blows solved to place it
     bool stopped = false;        ///< on the stop token: there are no lines
 

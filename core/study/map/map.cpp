@@ -64,7 +64,7 @@ class PlaceCounter {
 struct Chunk {
     std::vector<Place> places;
     std::vector<double> values;
-    std::vector<std::string> reasons;  // empty where there are none at all
+    std::vector<Message> reasons;  // empty where there are none at all
     Clock::duration time{};
 };
 
@@ -75,8 +75,8 @@ void solveChunk(MapPoint& point, const MapGrid& grid, Chunk& chunk, const std::s
     for (std::size_t i = 0; i < chunk.places.size(); ++i) {
         if (stop.stop_requested()) return;
         const auto [column, row] = chunk.places[i];
-        std::string reason = point.solve(grid.xs()[column], grid.ys()[row], chunk.values[i], stop);
-        if (reason.empty()) continue;
+        Message reason = point.solve(grid.xs()[column], grid.ys()[row], chunk.values[i], stop);
+        if (reason.isEmpty()) continue;
         chunk.reasons.resize(chunk.places.size());
         chunk.reasons[i] = std::move(reason);
     }
@@ -86,7 +86,7 @@ void solveChunk(MapPoint& point, const MapGrid& grid, Chunk& chunk, const std::s
 void deliverChunk(const Chunk& chunk, MapGrid& grid) {
     for (std::size_t i = 0; i < chunk.places.size(); ++i) {
         const auto [column, row] = chunk.places[i];
-        if (chunk.reasons.empty() || chunk.reasons[i].empty())
+        if (chunk.reasons.empty() || chunk.reasons[i].isEmpty())
             grid.set(column, row, chunk.values[i]);
         else
             grid.fail(column, row, chunk.reasons[i]);

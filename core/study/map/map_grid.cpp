@@ -43,9 +43,10 @@ int MapGrid::level(std::size_t column, std::size_t row) const {
     return std::min({std::countr_zero(column), std::countr_zero(row), m_coarsest});
 }
 
-std::string_view MapGrid::reason(std::size_t column, std::size_t row) const {
+const Message& MapGrid::reason(std::size_t column, std::size_t row) const {
     const Cell found = cell(column, row);
-    return found < firstReason ? std::string_view() : m_failures[std::size_t{found} - firstReason].reason;
+    static const Message none;
+    return found < firstReason ? none : m_failures[std::size_t{found} - firstReason].reason;
 }
 
 MapGrid::Place MapGrid::standIn(std::size_t column, std::size_t row) const {
@@ -83,10 +84,12 @@ void MapGrid::set(std::size_t column, std::size_t row, double value) {
     }
 }
 
-void MapGrid::fail(std::size_t column, std::size_t row, const std::string& reason) {
+void MapGrid::fail(std::size_t column, std::size_t row, const Message& reason) {
     const bool isKnown = std::ranges::find(m_failures, reason, &RowFailure::reason) != m_failures.end();
     const bool isFull = m_failures.size() + 1 >= maximumMapReasons;
-    const std::size_t place = addFailure(m_failures, {isKnown || !isFull ? reason : "other reasons", 1});
+    const std::size_t place = addFailure(
+        m_failures,
+        {isKnown || !isFull ? reason : Message(translatable("drillwave::Message", "other reasons")), 1});
     put(column, row, static_cast<Cell>(firstReason + place));
 }
 

@@ -6,12 +6,11 @@
 #include <cstdint>
 #include <optional>
 #include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/numeric/ordered_work.h"
 #include "core/study/rows/row_block.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -47,7 +46,7 @@ class MapGrid {
     /// The output, NaN where the point is not there or has none.
     double value(std::size_t column, std::size_t row) const { return m_values[index(column, row)]; }
     /// Why a point that is there could not be solved; empty where it was.
-    std::string_view reason(std::size_t column, std::size_t row) const;
+    const Message& reason(std::size_t column, std::size_t row) const;
     /// The point, of those that are there, whose value stands for this one as long as it is not there itself:
     /// the nearest one before it of the finest grid that is there.
     struct Place {
@@ -63,7 +62,7 @@ class MapGrid {
 
     /// A point that was solved, or not and why. Each is set once.
     void set(std::size_t column, std::size_t row, double value);
-    void fail(std::size_t column, std::size_t row, const std::string& reason);
+    void fail(std::size_t column, std::size_t row, const Message& reason);
 
     /// The smallest and the largest value so far, where they were first; nullopt where there is none.
     struct Extent {

@@ -10,9 +10,9 @@ MapPoint::MapPoint(const MapStudy& study)
       m_scenario(study.base, m_axes),
       m_solver({&study.output, 1}, study.method, study.workLimit) {}
 
-std::string MapPoint::solve(double x, double y, double& value, const std::stop_token& stop) {
+Message MapPoint::solve(double x, double y, double& value, const std::stop_token& stop) {
     const Scenario& scenario = m_scenario.set(std::array{x, y});
-    if (m_scenario.obstacle()) return m_scenario.obstacle()->reason.text();
+    if (m_scenario.obstacle()) return m_scenario.obstacle()->reason;
     const bool xStays = x == m_x || !m_scenario.movesPulse(0), yStays = y == m_y || !m_scenario.movesPulse(1);
     if (!m_hasPulse || !xStays || !yStays) m_solver.setPulse(scenario);
     m_hasPulse = true;

@@ -3,12 +3,12 @@
 #pragma once
 
 #include <stop_token>
-#include <string>
 #include <vector>
 
 #include "core/study/map/map.h"
 #include "core/study/rows/axis_scenario.h"
 #include "core/study/rows/case_solver.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -19,11 +19,11 @@ class MapPoint {
     explicit MapPoint(const MapStudy& study);
 
     /// Puts the output at these values (SI, within the axes) into `value`, NaN where there is none. Returns
-    /// why the blow could not be solved (`value` is left alone then), or an empty string.
-    std::string solve(double x, double y, double& value, const std::stop_token& stop);
+    /// why the blow could not be solved (`value` is left alone then), or nothing.
+    Message solve(double x, double y, double& value, const std::stop_token& stop);
 
     /// Why the point last solved has no output, and whether its blows do not repeat (CaseSolver).
-    const std::string& lack() const { return m_solver.lack(); }
+    const Message& lack() const { return m_solver.lack(); }
     bool isIrregular() const { return m_solver.isIrregular(); }
 
   private:

@@ -18,8 +18,8 @@ void addRow(const MapGrid& grid, std::size_t column, std::size_t row, RowBlock& 
     numbers[2] = grid.value(column, row);
     if (!grid.isThere(column, row))
         block.fail("stopped before its turn");
-    else if (const std::string_view reason = grid.reason(column, row); !reason.empty())
-        block.fail(std::string(reason));
+    else if (const Message& reason = grid.reason(column, row); !reason.isEmpty())
+        block.fail(reason);
 }
 
 }  // namespace

@@ -4,13 +4,13 @@
 
 #include <functional>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 #include "core/blow/method.h"
 #include "core/model/scenario.h"
 #include "core/numeric/run_time.h"
 #include "core/study/proof/equation_residuals.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -18,7 +18,7 @@ namespace drillwave {
 struct AccuracyRow {
     MethodChoice choice;
     Outcome outcome = Outcome::notSolved;
-    std::string reason;  ///< when not solved
+    Message reason;  ///< when not solved
 
     double cor = 0;
     double corError = 0;        ///< |e − e of the reference|, plus the error of that for the exact method

@@ -6,7 +6,6 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -35,7 +34,7 @@ inline constexpr StabilityMarks stabilityMarks{};
 struct StabilityRow {
     StabilityCase stabilityCase;
     Outcome outcome = Outcome::notSolved;
-    std::string reason;  ///< why it was not solved
+    Message reason;  ///< why it was not solved
     double cor = 0;
     double corError = 0;
     long pieces = 0;

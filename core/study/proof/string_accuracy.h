@@ -4,12 +4,12 @@
 
 #include <functional>
 #include <stop_token>
-#include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/model/scenario.h"
 #include "core/numeric/run_time.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -34,7 +34,7 @@ struct StringAccuracyRow {
 };
 
 struct StringAccuracy {
-    std::string reason;     ///< why there is nothing
+    Message reason;         ///< why there is nothing
     double efficiency = 0;  ///< of the reference: cut at every corner, cells half as large as usual
     double reference = 0;   ///< stated error of that
     std::vector<StringAccuracyRow> rows;

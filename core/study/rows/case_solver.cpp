@@ -35,8 +35,7 @@ CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice
     if (least < Detail::ledger && std::ranges::none_of(columns, takesLedger)) m_solver.leaveOutLedger();
 }
 
-std::string CaseSolver::solve(const Scenario& scenario, std::span<double> outputs,
-                              const std::stop_token& stop) {
+Message CaseSolver::solve(const Scenario& scenario, std::span<double> outputs, const std::stop_token& stop) {
     assert(outputs.size() == m_columns.size());
     if (!m_needsBlow) return fill({ImpactSummary(), scenario}, outputs, stop);
     if (!isFollowedByEvents(scenario)) return solveDrillString(scenario, outputs, stop);
@@ -58,8 +57,8 @@ std::string CaseSolver::solve(const Scenario& scenario, std::span<double> output
     return fillFrom(summarizeWithWaves(m_impact, m_problem, m_waveNumbers), scenario, outputs, stop);
 }
 
-std::string CaseSolver::fillFrom(const ImpactSummary& summary, const Scenario& scenario,
-                                 std::span<double> outputs, const std::stop_token& stop) {
+Message CaseSolver::fillFrom(const ImpactSummary& summary, const Scenario& scenario,
+                             std::span<double> outputs, const std::stop_token& stop) {
     OutputSource source{summary, scenario};
     if (m_needsMargin)
         source.thrustMargin = m_margins.of(scenario, m_problem, {m_impact.cor, m_impact.corError}, stop);
@@ -67,8 +66,8 @@ std::string CaseSolver::fillFrom(const ImpactSummary& summary, const Scenario& s
 }
 
 /// By one run: `efficiency_error` says how good it is.
-std::string CaseSolver::solveDrillString(const Scenario& scenario, std::span<double> outputs,
-                                         const std::stop_token& stop) {
+Message CaseSolver::solveDrillString(const Scenario& scenario, std::span<double> outputs,
+                                     const std::stop_token& stop) {
     NetworkSettings settings{.accuracy = NetworkAccuracy::quick, .wants = {}};
     settings.wants.forces = m_detail == Detail::histories;
     ChainSolution solution = m_solver.solveString(scenario, settings, stop);
@@ -81,9 +80,9 @@ std::string CaseSolver::solveDrillString(const Scenario& scenario, std::span<dou
     return fill({summary, scenario}, outputs, stop);
 }
 
-std::string CaseSolver::march(const Scenario& scenario, const std::stop_token& stop) {
+Message CaseSolver::march(const Scenario& scenario, const std::stop_token& stop) {
     m_drill.reset();
-    m_lack.clear();
+    m_lack = {};
     if (!m_drillWishes.any || !drillProblem(scenario).isEmpty()) return {};
     const DrillingSettings settings = scanSettingsOf(scenario);
     const DrillingWants wants{.cellError = m_drillWishes.penetrationError,
@@ -96,11 +95,11 @@ std::string CaseSolver::march(const Scenario& scenario, const std::stop_token& s
     const DrillingResult result = studyDrilling(scenario, settings, wants, stop);
     m_drill = drillNumbersOf(result);
     m_lack = whyNoStatistics(result);
-    return result.outcome == DrillingOutcome::pushedBack ? std::string() : m_lack;
+    return result.outcome == DrillingOutcome::pushedBack ? Message() : m_lack;
 }
 
-std::string CaseSolver::fill(OutputSource source, std::span<double> outputs, const std::stop_token& stop) {
-    if (std::string problem = march(source.scenario, stop); !problem.empty()) return problem;
+Message CaseSolver::fill(OutputSource source, std::span<double> outputs, const std::stop_token& stop) {
+    if (Message problem = march(source.scenario, stop); !problem.isEmpty()) return problem;
     if (m_drill) source.drill = &*m_drill;
     const Scales scales = m_inSi ? scalesOf(source.scenario) : Scales{};
     constexpr double none = std::numeric_limits<double>::quiet_NaN();
@@ -108,8 +107,8 @@ std::string CaseSolver::fill(OutputSource source, std::span<double> outputs, con
         const std::optional<double> value = m_columns[c].value(source, scales);
         outputs[c] = value.value_or(none);
         if (!value || std::isfinite(*value)) continue;
-        std::string problem = overflowProblem(*m_columns[c].output, *value);
-        if (problem.empty()) continue;
+        Message problem = overflowProblem(*m_columns[c].output, *value);
+        if (problem.isEmpty()) continue;
         std::ranges::fill(outputs, none);
         return problem;
     }

@@ -5,12 +5,12 @@
 #include <optional>
 #include <span>
 #include <stop_token>
-#include <string>
 
 #include "core/blow/method.h"
 #include "core/model/blow_traits.h"
 #include "core/study/rows/output_column.h"
 #include "core/study/thrust/thrust_margins.h"
+#include "core/text/message.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {
@@ -29,12 +29,12 @@ class CaseSolver {
     }
 
     /// Puts a number for each column into `outputs`, NaN where there is none. Returns why the case could not
-    /// be solved (there are none then), or an empty string.
-    std::string solve(const Scenario& scenario, std::span<double> outputs, const std::stop_token& stop);
+    /// be solved (there are none then), or nothing.
+    Message solve(const Scenario& scenario, std::span<double> outputs, const std::stop_token& stop);
 
     /// Why the case last solved has no number in a column that such scenarios have; empty where that is not
     /// known.
-    const std::string& lack() const { return m_lack; }
+    const Message& lack() const { return m_lack; }
 
     /// Whether many blows of the case last solved do not repeat: their means scatter.
     bool isIrregular() const { return m_drill && m_drill->period == 0.0; }
@@ -47,15 +47,15 @@ class CaseSolver {
     const Problem& problem() const { return m_problem; }
 
   private:
-    std::string solveDrillString(const Scenario& scenario, std::span<double> outputs,
-                                 const std::stop_token& stop);
+    Message solveDrillString(const Scenario& scenario, std::span<double> outputs,
+                             const std::stop_token& stop);
     /// Of the uniform rod last solved.
-    std::string fillFrom(const ImpactSummary& summary, const Scenario& scenario, std::span<double> outputs,
-                         const std::stop_token& stop);
+    Message fillFrom(const ImpactSummary& summary, const Scenario& scenario, std::span<double> outputs,
+                     const std::stop_token& stop);
     /// Marches where a column is of many blows. Returns why that has no answer.
-    std::string march(const Scenario& scenario, const std::stop_token& stop);
+    Message march(const Scenario& scenario, const std::stop_token& stop);
     /// Returns why the numbers are no result, and puts none then.
-    std::string fill(OutputSource source, std::span<double> outputs, const std::stop_token& stop);
+    Message fill(OutputSource source, std::span<double> outputs, const std::stop_token& stop);
 
     std::span<const OutputColumn> m_columns;
     Detail m_detail;
@@ -71,7 +71,7 @@ class CaseSolver {
     Problem m_problem;
     Impact m_impact;
     std::optional<DrillNumbers> m_drill;
-    std::string m_lack;
+    Message m_lack;
     double m_scatter = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <limits>
+#include <utility>
 
 namespace drillwave {
 
@@ -32,9 +33,9 @@ std::span<double> RowBlock::add() {
     return std::span(m_numbers).last(m_width);
 }
 
-void RowBlock::fail(const std::string& reason) {
-    assert(!m_failureOf.empty() && !reason.empty());
-    m_failureOf.back() = addFailure(m_failures, {reason, 1});
+void RowBlock::fail(Message reason) {
+    assert(!m_failureOf.empty() && !reason.isEmpty());
+    m_failureOf.back() = addFailure(m_failures, {std::move(reason), 1});
 }
 
 }  // namespace drillwave

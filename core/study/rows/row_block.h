@@ -6,16 +6,16 @@
 #include <cstdint>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/text/csv.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
 /// Rows that were not solved for one reason.
 struct RowFailure {
-    std::string reason;
+    Message reason;
     std::uint64_t rows = 0;
     bool operator==(const RowFailure&) const = default;
 };
@@ -31,7 +31,7 @@ class RowBlock {
     /// A further row without numbers (NaN), to be filled in before the next is added.
     std::span<double> add();
     /// Says that the row added last was not solved, and why.
-    void fail(const std::string& reason);
+    void fail(Message reason);
     /// The cells that stand as text before the numbers, a record for each row. They must outlive the block.
     void copy(std::span<const CsvRecord> records) { m_copied = records; }
 
@@ -44,8 +44,8 @@ class RowBlock {
         return std::span(m_numbers).subspan(i * m_width, m_width);
     }
     /// Why row i was not solved, so that it has no outputs; empty when it was.
-    std::string_view reason(std::size_t i) const {
-        return m_failureOf[i] == solved ? std::string_view() : m_failures[m_failureOf[i]].reason;
+    const Message& reason(std::size_t i) const {
+        return m_failureOf[i] == solved ? m_noReason : m_failures[m_failureOf[i]].reason;
     }
     /// The cells of row i that are copied as they are; none in a sweep.
     std::span<const std::string> copied(std::size_t i) const {
@@ -62,6 +62,7 @@ class RowBlock {
     std::vector<double> m_numbers;
     std::vector<std::size_t> m_failureOf;  // a place in m_failures, or `solved`
     std::vector<RowFailure> m_failures;
+    Message m_noReason;
     std::span<const CsvRecord> m_copied;
 };
 

@@ -2,6 +2,7 @@
 #include "core/study/rows/sweep.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/study/rows/axis_scenario.h"
 #include "core/study/rows/case_solver.h"
@@ -58,11 +59,10 @@ class GridRowMaker {
             const std::span<double> row = chunk.rows.add();
             moveTo(point, changed);
             std::ranges::copy(m_values, row.begin());
-            const std::string reason =
-                m_scenario.obstacle()
-                    ? m_scenario.obstacle()->reason.text()
-                    : m_solver.solve(m_scenario.scenario(), row.subspan(m_values.size()), stop);
-            if (!reason.empty()) chunk.rows.fail(reason);
+            Message reason = m_scenario.obstacle()
+                                 ? m_scenario.obstacle()->reason
+                                 : m_solver.solve(m_scenario.scenario(), row.subspan(m_values.size()), stop);
+            if (!reason.isEmpty()) chunk.rows.fail(std::move(reason));
             changed = point.advance();
         }
     }

@@ -77,17 +77,17 @@ class TableRowMaker {
         for (std::size_t i = 0; i < chunk.used; ++i) {
             if (stop.stop_requested()) return;
             const std::span<double> outputs = chunk.rows.add();
-            const std::string reason = solve(chunk.records[i], chunk.lines[i], outputs, stop);
-            if (!reason.empty()) chunk.rows.fail(reason);
+            Message reason = solve(chunk.records[i], chunk.lines[i], outputs, stop);
+            if (!reason.isEmpty()) chunk.rows.fail(std::move(reason));
         }
     }
 
   private:
     /// Returns why the row could not be solved.
-    std::string solve(const CsvRecord& record, int line, std::span<double> outputs,
-                      const std::stop_token& stop) {
+    Message solve(const CsvRecord& record, int line, std::span<double> outputs, const std::stop_token& stop) {
         if (const auto problems = m_assigner.assign(record, line); !problems.empty())
-            return "the table has changed since it was checked: " + problems.front().text();
+            return {translatable("drillwave::Message", "the table has changed since it was checked: %1"),
+                    {problems.front()}};
         if (m_movesPulse) m_solver.setPulse(m_assigner.scenario());
         return m_solver.solve(m_assigner.scenario(), outputs, stop);
     }

@@ -5,19 +5,19 @@
 #include <array>
 #include <map>
 #include <stop_token>
-#include <string>
 
 #include "core/study/gap/gap_curve.h"
 #include "core/study/gap/gap_statistics.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
 /// One e that follows from a curve over the gap, or why not.
 struct GapRebound {
     Estimate cor;
-    std::string reason;    ///< why there is none; empty when there is
+    Message reason;        ///< why there is none; empty when there is
     bool stopped = false;  ///< on the stop token: nothing is known
-    bool known() const { return !stopped && reason.empty(); }
+    bool known() const { return !stopped && reason.isEmpty(); }
 };
 
 /// The two e of theory §10 that no single blow has. They depend on the hammer force, β, γ and τ alone.

@@ -18,18 +18,18 @@ namespace {
 /// The base with that value, or why the point cannot even be tried.
 struct ScenarioAt {
     Scenario scenario;
-    std::string obstacle;
+    Message obstacle;
 };
 
 ScenarioAt scenarioAt(const Scenario& base, const Parameter& parameter, double value) {
     ScenarioAt at{base, {}};
     if (const Message problem = assignNumber(at.scenario, parameter, value); !problem.isEmpty())
-        at.obstacle = std::string(parameter.key) + " " + problem.text();
-    if (const auto problems = at.obstacle.empty() ? validate(at.scenario) : std::vector<InputProblem>();
+        at.obstacle = {"%1 %2", {std::string(parameter.key), problem}};
+    if (const auto problems = at.obstacle.isEmpty() ? validate(at.scenario) : std::vector<InputProblem>();
         !problems.empty())
-        at.obstacle = problems.front().text.text();
-    if (at.obstacle.empty()) at.obstacle = readBackProblem(parameter, at.scenario, value).text();
-    if (at.obstacle.empty()) at.obstacle = thrustProblem(at.scenario).text();
+        at.obstacle = problems.front().text;
+    if (at.obstacle.isEmpty()) at.obstacle = readBackProblem(parameter, at.scenario, value);
+    if (at.obstacle.isEmpty()) at.obstacle = thrustProblem(at.scenario);
     return at;
 }
 
@@ -39,7 +39,7 @@ bool isOneBlow(const Scenario& base, const Parameter& parameter, std::span<const
     if (!gapHasPeriod(base)) return false;
     const auto blowAt = [&](double value) -> std::optional<Problem> {
         const ScenarioAt at = scenarioAt(base, parameter, value);
-        if (!at.obstacle.empty()) return std::nullopt;
+        if (!at.obstacle.isEmpty()) return std::nullopt;
         Problem problem = problemOf(at.scenario);
         problem.gap = 0;
         return problem;
@@ -58,7 +58,7 @@ ThrustPoint stringPoint(const Scenario& scenario, ThrustPoint point, const Point
                         const std::stop_token& stop) {
     const ThrustStudy study = studyStringThrust(scenario, NetworkAccuracy::quick, solvers.solver, stop);
     point.reason = study.stopped ? "stopped" : study.reason;
-    if (!point.reason.empty()) return point;
+    if (!point.reason.isEmpty()) return point;
     point.needs = study.needs;
     point.verdict = study.verdict;
     point.roundTrips = *roundTripsBetweenBlows(scenario);
@@ -79,7 +79,7 @@ ThrustPoint solvedPoint(const Scenario& scenario, double value, const PointSolve
     const GapRebounds rebounds = solvers.finder.of(problem, stop);
     for (const GapRebound* rebound : {&rebounds.quantile, &rebounds.worst})
         if (!rebound->known()) point.reason = rebound->stopped ? "stopped" : rebound->reason;
-    if (!point.reason.empty()) return point;
+    if (!point.reason.isEmpty()) return point;
     point.needs = thrustNeeds(scenario, {impact.cor, impact.corError}, rebounds);
     point.verdict = *judgeFeed(scenario, impact.cor);
     point.roundTrips = *roundTripsBetweenBlows(scenario);
@@ -89,7 +89,7 @@ ThrustPoint solvedPoint(const Scenario& scenario, double value, const PointSolve
 ThrustPoint pointAt(const Scenario& base, const Parameter& parameter, double value,
                     const PointSolvers& solvers, const std::stop_token& stop) {
     ScenarioAt at = scenarioAt(base, parameter, value);
-    if (!at.obstacle.empty())
+    if (!at.obstacle.isEmpty())
         return {.value = value, .needs = {}, .verdict = {}, .reason = std::move(at.obstacle)};
     return solvedPoint(at.scenario, value, solvers, stop);
 }

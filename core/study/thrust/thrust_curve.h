@@ -6,12 +6,12 @@
 #include <optional>
 #include <span>
 #include <stop_token>
-#include <string>
 #include <vector>
 
 #include "core/blow/method.h"
 #include "core/model/parameter.h"
 #include "core/study/thrust/thrust_needs.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -21,7 +21,7 @@ struct ThrustPoint {
     ThrustNeeds needs;
     FeedVerdict verdict;    ///< by the e of the blow of this point
     double roundTrips = 0;  ///< n_b = 1/(2 T f)
-    std::string reason;     ///< why there are no numbers; empty when there are
+    Message reason;         ///< why there are no numbers; empty when there are
 
     const ThrustNeed& need(ThrustCase which) const { return needs[static_cast<std::size_t>(which)]; }
 };

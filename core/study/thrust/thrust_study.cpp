@@ -75,7 +75,7 @@ ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy
     study.stopped = stop.stop_requested();
     study.reason = impact.reason;
     study.hindrance = impact.hindrance;
-    if (study.stopped || !study.reason.empty()) return study;
+    if (study.stopped || !study.reason.isEmpty()) return study;
     const ImpactSummary summary = summarize(impact, problem);
     study.transferred = summary.transferred;
     study.needs = stringThrustNeeds(scenario, {summary.cor, summary.corError}, study.transferred);

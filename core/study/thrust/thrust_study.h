@@ -4,10 +4,10 @@
 
 #include <optional>
 #include <stop_token>
-#include <string>
 
 #include "core/blow/method.h"
 #include "core/study/thrust/thrust_needs.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -17,7 +17,7 @@ struct ThrustStudy {
     double transferred = 1;           ///< what the hammer hands on, in I0 (ImpactSummary::transferred())
     std::optional<double> shareFull;  ///< share of all gaps at which the effective force is ≥ f I0 (1+e)
     FeedVerdict verdict;              ///< by the e of the scenario's own blow
-    std::string reason;               ///< why there is no result; empty when there is
+    Message reason;                   ///< why there is no result; empty when there is
     Hindrance hindrance = Hindrance::other;  ///< where the scenario's own blow is the reason
     bool stopped = false;                    ///< on the stop token: no result
 

@@ -190,8 +190,8 @@ Message closedFormRefusal(const Problem& problem) {
 
 Impact solveClosedForm(const Problem& problem, Detail detail) {
     Impact impact;
-    impact.reason = closedFormRefusal(problem).text();
-    if (!impact.reason.empty()) return impact;
+    impact.reason = closedFormRefusal(problem);
+    if (!impact.reason.isEmpty()) return impact;
     const double beta = problem.law.beta;
     if (!overlapIsSmall(beta, problem.transitTime())) {
         impact.reason = translatable(

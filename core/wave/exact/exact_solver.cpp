@@ -85,7 +85,7 @@ ExactSolver& ExactSolver::operator=(ExactSolver&&) noexcept = default;
 Impact ExactSolver::solve(const Problem& problem, Detail detail, const std::stop_token& stop) {
     Impact impact;  // the only one returned: a move of it would be seen in sweeps
     if (const std::string_view refusal = rodRefusal(problem); !refusal.empty()) {
-        impact.reason = refusal;
+        impact.reason = Message::ofTable(refusal);
         return impact;
     }
     if (problem.force().isRigidBody() && isSoftReference(problem)) {

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <limits>
 #include <stop_token>
-#include <string>
 
 #include "core/contact/step_law.h"
 #include "core/model/pulse_force.h"
@@ -52,7 +51,7 @@ class LatticeMarch {
     void skipPeriods(double momentum);
     void finish();
     void countWork(const std::stop_token& stop);
-    void fail(std::string reason) {
+    void fail(Message reason) {
         m_impact->outcome = Outcome::notSolved;
         m_impact->reason = std::move(reason);
         m_over = true;
@@ -148,15 +147,19 @@ template <class Waves>
 bool LatticeMarch<Waves>::isFeasible(const Problem& problem, int segments) {
     const double steepest = ContactLaw<>(problem.law).slopes().elastic * m_duration;
     if (!(steepest <= 2)) {
-        fail("a step of the lattice is too long for the rock: (beta/gamma) tau/N = " +
-             formatNumber(steepest) + " must not exceed 2; it takes at least " +
-             formatNumber(std::ceil(ContactLaw<>(problem.law).slopes().elastic * problem.transitTime() / 2)) +
-             " segments");
+        const double least =
+            std::ceil(ContactLaw<>(problem.law).slopes().elastic * problem.transitTime() / 2);
+        fail({translatable("drillwave::Message",
+                           "a step of the lattice is too long for the rock: (beta/gamma) tau/N = %1 must not "
+                           "exceed 2; it takes at least %2 segments"),
+              {formatNumber(steepest), formatNumber(least)}});
         return false;
     }
     if (!(problem.force().end / m_duration + double(m_period) < mostSteps)) {
-        fail("the lattice would need more than the permitted number of steps; use fewer than " +
-             formatNumber(segments) + " segments, or the exact method");
+        fail({translatable("drillwave::Message",
+                           "the lattice would need more than the permitted number of steps; use fewer than "
+                           "%1 segments, or the exact method"),
+              {formatNumber(segments)}});
         return false;
     }
     m_waves.begin(segments, problem.force().isRigidBody() ? 1 / (2 * problem.transitTime()) : 0,
@@ -217,8 +220,10 @@ void LatticeMarch<Waves>::noteChanges(double impulseBefore) {
         note(ContactEvent::separation, time);
         const double exchanged = impulse() - m_impulseAtContact;
         if (time - m_contactStart < m_duration && exchanged > negligibleImpulse)
-            fail("a contact at time " + formatNumber(m_contactStart) +
-                 " is shorter than a step of the lattice; use more segments or the exact method");
+            fail({translatable("drillwave::Message",
+                               "a contact at time %1 is shorter than a step of the lattice; use more "
+                               "segments or the exact method"),
+                  {formatNumber(m_contactStart)}});
     }
 }
 

@@ -48,8 +48,8 @@ double spread(double cor, int segments, const std::vector<int>& others, SolveCor
 Impact LatticeSolver::solve(const Problem& problem, Detail detail, const LatticeOptions& options,
                             const std::stop_token& stop) {
     Impact impact;
-    impact.reason = rodRefusal(problem);
-    if (!impact.reason.empty()) return impact;
+    impact.reason = Message::ofTable(rodRefusal(problem));
+    if (!impact.reason.isEmpty()) return impact;
     auto& [moved, ring] = *m_workspace;
     if (options.waves == LatticeWaves::moved)
         moved.solve(problem, options.segments, detail, stop, impact);

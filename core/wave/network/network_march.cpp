@@ -40,10 +40,11 @@ Impact NetworkMarch::run(long mostCells, const std::stop_token& stop) {
     begin(mostCells);
     while (true) {
         if (m_plan.wants().forcesIfTheyFit && work() > mostCells) m_recorder.leaveOutForces();
-        if (work() > mostCells) return notSolved(overspent(), Hindrance::workLimit);
+        if (work() > mostCells) return notSolved(Message::ofTable(overspent()), Hindrance::workLimit);
         if (!m_census.isUnderWay()) scheduleCensus();
         m_lattice.takeBlock(m_census, static_cast<double>(mostCells - flownCells() - m_cells), stop);
-        if (!m_lattice.trouble().empty()) return notSolved(m_lattice.trouble(), Hindrance::other);
+        if (!m_lattice.trouble().empty())
+            return notSolved(Message::ofTable(m_lattice.trouble()), Hindrance::other);
         m_cells += static_cast<long>(stepsOfBlock * (m_plan.sections() + 1));
         if (m_census.isUnderWay()) countBlock(stop);
         m_recorder.add(stop);
@@ -164,9 +165,9 @@ Impact NetworkMarch::result(const CensusResult& census, Outcome outcome) {
     return impact;
 }
 
-Impact NetworkMarch::notSolved(std::string_view reason, Hindrance hindrance) {
+Impact NetworkMarch::notSolved(Message reason, Hindrance hindrance) {
     m_recorder.abandon();
-    Impact impact = Impact::unsolved(reason, hindrance);
+    Impact impact = Impact::unsolved(std::move(reason), hindrance);
     impact.pieces = m_cells;
     return impact;
 }

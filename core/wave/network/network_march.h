@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <stop_token>
-#include <string>
 #include <string_view>
 
 #include "core/text/message.h"
@@ -45,7 +44,7 @@ class NetworkMarch {
     bool isUntouchedSince(const CensusResult& census) const;
     bool fliesUntil(double time, const std::stop_token& stop);
     Impact result(const CensusResult& census, Outcome outcome);
-    Impact notSolved(std::string_view reason, Hindrance hindrance);
+    Impact notSolved(Message reason, Hindrance hindrance);
     std::string_view overspent() const;
     long flownCells() const;
     long work() const;

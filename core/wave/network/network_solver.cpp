@@ -204,7 +204,7 @@ class NetworkSolver::Workspace {
 Impact NetworkSolver::Workspace::solve(const Problem& problem, const NetworkSettings& settings,
                                        const std::stop_token& stop) {
     if (const std::string_view refusal = networkRefusal(problem); !refusal.empty())
-        return Impact::unsolved(refusal);
+        return Impact::unsolved(Message::ofTable(refusal));
     if (!usualGrid(problem, m_usual)) return solveRounded(problem, settings, stop);
     return solveShared(problem, settings, stop);
 }
@@ -250,7 +250,7 @@ Impact NetworkSolver::Workspace::solveRounded(const Problem& problem, const Netw
     const double foreseen = planRounded(problem, cell, wants).work;
     cell *= std::max(1.0, foreseen / roundedShare / static_cast<double>(settings.mostCells));
     if (cell * fewestRoundedCells > roundTripOf(problem))
-        return Impact::unsolved(NetworkMarch::tooManyCells, Hindrance::workLimit);
+        return Impact::unsolved(Message::ofTable(NetworkMarch::tooManyCells), Hindrance::workLimit);
     planRounded(problem, cell, wants);
     Impact impact = run(settings, stop);
     for (const double other : {0.83, 1.19}) {

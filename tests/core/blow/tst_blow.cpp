@@ -59,7 +59,7 @@ void TestBlow::numbersBeyondDoublePrecisionAreNoResult() {
     scenario.groups = {.beta = 1, .gamma = 1, .tau = 5e-324, .delta = 0};
     const Blow blow = solveBlow(scenario, {}, Detail::summary);
     QVERIFY(!blow.isSolved());
-    QVERIFY(blow.impact.reason.starts_with("its numbers are beyond the range of double precision"));
+    QVERIFY(blow.impact.reason.text().starts_with("its numbers are beyond the range of double precision"));
     QVERIFY(!blow.feed);
 }
 
@@ -135,7 +135,7 @@ void TestBlow::anUnsolvedBlowHasTheRemarksOnItsScenarioOnly() {
     MethodSolver solver({.pieces = 1});
     const Blow blow = solveBlow(scenario, {}, Detail::ledger, {}, Stresses::asNeeded, solver);
     QVERIFY(!blow.isSolved());
-    QVERIFY(!blow.impact.reason.empty());
+    QVERIFY(!blow.impact.reason.isEmpty());
     QCOMPARE(blow.alerts, alertsFor(scenario));
     QVERIFY(!blow.feed);
 }

@@ -118,7 +118,7 @@ class TestChainSolution : public QObject {
             for (const auto accuracy : {NetworkAccuracy::quick, NetworkAccuracy::sure}) {
                 const ChainSolution solution =
                     solveChain(scenario, {.accuracy = accuracy, .wants = {}}, solver);
-                QVERIFY2(solution.impact.isSolved(), number + solution.impact.reason.c_str());
+                QVERIFY2(solution.impact.isSolved(), number + solution.impact.reason.text().c_str());
                 QVERIFY2(std::abs(solution.impact.momentumResidual()) < 1e-9, number);
                 std::vector<int> finer = solution.problem.pieces;
                 for (int& count : finer)

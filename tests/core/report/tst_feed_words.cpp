@@ -249,7 +249,7 @@ void TestFeedWords::noSentenceContradictsTheNumbers() {
     QFETCH(double, inclination);
     const Scenario base = sceneOf(example, stiffness, gamma, gap, inclination);
     const StudiedBlow blow(base);
-    QCOMPARE(blow.study().reason, std::string());
+    QCOMPARE(blow.study().reason.text(), std::string());
     const double need = blow.study().need(ThrustCase::scenario).thrust;
     const double weight = weightAlongHole(base).value_or(0);
     for (const double share : shares) {
@@ -303,7 +303,7 @@ void TestFeedWords::whatIsAdvisedIsEnough() {
     QFETCH(double, inclination);
     const Scenario base = sceneOf(example, stiffness, gamma, gap, inclination);
     const StudiedBlow blow(base);
-    QCOMPARE(blow.study().reason, std::string());
+    QCOMPARE(blow.study().reason.text(), std::string());
     const double weight = weightAlongHole(base).value_or(0);
     const double frequency = *base.drill.blowFrequency;
     constexpr double noise = 1e-12;  // that a round number may be off

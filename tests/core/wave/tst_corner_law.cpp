@@ -84,7 +84,7 @@ class CornerLawTest : public QObject {
             const Problem problem = expected.problem();
             const std::string where = "row " + std::to_string(++row) + ": " + describe(problem);
             const Impact impact = solved(problem);
-            QVERIFY2(impact.isSolved(), (where + impact.reason).c_str());
+            QVERIFY2(impact.isSolved(), (where + impact.reason.text()).c_str());
             const ImpactSummary summary = summarize(impact, problem);
             QVERIFY(isClose(impact.cor, expected.cor, 1e-13 * std::max(1.0, impact.growth), where));
             QVERIFY2(std::abs(impact.cor - expected.cor) <= impact.corError, where.c_str());
@@ -213,7 +213,7 @@ class CornerLawTest : public QObject {
             if (i % 2 == 0) problem.law.corners.resize(1);  // those that exponential sums solve
             const Impact impact = exact.solve(problem, Detail::ledger);
             if (!impact.isSolved()) {
-                qInfo("%s: %s", describe(problem).c_str(), impact.reason.c_str());
+                qInfo("%s: %s", describe(problem).c_str(), impact.reason.text().c_str());
                 continue;
             }
             ++solvedScenes;
@@ -262,7 +262,7 @@ class CornerLawTest : public QObject {
             NetworkSettings settings;
             settings.wants = {.events = true};
             const Impact cells = solveNetwork(string, settings);
-            QVERIFY2(cells.isSolved(), (describe(rod) + cells.reason).c_str());
+            QVERIFY2(cells.isSolved(), (describe(rod) + cells.reason.text()).c_str());
             passed += passesOf(exact);
             QVERIFY(isClose(cells.efficiency(), exact.efficiency(), 1e-9, describe(rod)));
             QVERIFY(isClose(cells.peakForce, exact.peakForce, 1e-9, describe(rod)));
@@ -284,7 +284,8 @@ class CornerLawTest : public QObject {
             const Impact rough = solveNetwork(problem, quick);
             const Impact sure = solveNetwork(problem, {.wants = {}, .mostCells = 200'000'000});
             const std::string where = std::to_string(i) + ": " + describe(problem);
-            QVERIFY2(rough.isSolved() && sure.isSolved(), (where + rough.reason + sure.reason).c_str());
+            QVERIFY2(rough.isSolved() && sure.isSolved(),
+                     (where + rough.reason.text() + sure.reason.text()).c_str());
             passed += passesOf(rough) > 0;
             QVERIFY2(std::abs(sure.momentumResidual()) < 1e-10, where.c_str());
             QVERIFY2(sure.peakForce >= 0 && sure.efficiency() >= -1e-12 && sure.efficiency() <= 1,

@@ -86,7 +86,7 @@ QString accuracySentence(const Accuracy& accuracy, const QLocale& locale) {
     const AccuracyRow& exact = accuracy.rows.front();
     if (std::isnan(exact.corError))
         return tr("The exact solution has no other to be compared with: %1")
-            .arg(translatedReason(accuracy.extended.reason));
+            .arg(translated(accuracy.extended.reason));
     QString text = tr("e is right to %1 in %2")
                        .arg(magnitudeText(exact.corError, locale), runTimeText(exact.time.median, locale));
     if (const AccuracyRow* paper = paperRow(accuracy))

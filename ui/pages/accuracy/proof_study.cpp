@@ -19,9 +19,9 @@ StudyProgress partOf(double done) {
     return {.done = static_cast<std::size_t>(done * parts), .wanted = parts};
 }
 
-std::runtime_error notSolved(const std::string& reason) {
+std::runtime_error notSolved(const Message& reason) {
     return std::runtime_error(QCoreApplication::translate("drillwave::ProofStudy", "Not solved: %1")
-                                  .arg(translatedReason(reason))
+                                  .arg(translated(reason))
                                   .toStdString());
 }
 
@@ -35,7 +35,7 @@ ProofAnswer proveStringAccuracy(const ProofQuestion& question, const StudyFeed<P
             feed.tell(partOf(done));
             feed.show(answer(soFar));
         });
-    if (!accuracy.isStopped && !accuracy.reason.empty()) throw notSolved(accuracy.reason);
+    if (!accuracy.isStopped && !accuracy.reason.isEmpty()) throw notSolved(accuracy.reason);
     return answer(accuracy);
 }
 

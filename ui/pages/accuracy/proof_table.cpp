@@ -58,7 +58,7 @@ QString stabilityCell(const StabilityRow& row, int column) {
             return coreText(worst.measure);
         case 2:
             return isSolved ? numberText(100 * worst.ratio, 2, locale) + QStringLiteral(" %")
-                            : translatedReason(row.reason);
+                            : translated(row.reason);
         case 3:
             return coreName(name(row.stabilityCase.shape));
         case 4:
@@ -95,7 +95,7 @@ void ProofTable::present(std::shared_ptr<const Accuracy> accuracy) {
     take(titles, numbered(rows), [accuracy, columns = shownColumns()](std::size_t i, int column) {
         const AccuracyRow& row = accuracy->rows[i];
         if (column == 0) return rowName(row);
-        if (row.outcome != Outcome::rebounded) return column == 1 ? translatedReason(row.reason) : QString();
+        if (row.outcome != Outcome::rebounded) return column == 1 ? translated(row.reason) : QString();
         const StudyColumn<AccuracyRow>& shown = *columns[static_cast<std::size_t>(column - 1)];
         // What follows from all rows is there when they are.
         const bool isMissing = !accuracy->isRelated && (shown.key == "order" || shown.key == "speed");

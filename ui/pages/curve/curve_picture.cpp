@@ -211,8 +211,7 @@ QString summaryOf(const CurvePicture& picture, const CurvePageStudy& study, cons
     else if (!output.grid.empty())
         text += tr(" · known by points alone in a part of the range");
     if (!output.unsolved.empty())
-        text += tr(" · no answer in a part of the range: %1")
-                    .arg(translatedReason(output.unsolved.front().reason));
+        text += tr(" · no answer in a part of the range: %1").arg(translated(output.unsolved.front().reason));
     return text;
 }
 

@@ -57,10 +57,10 @@ MapPicture designMap(const DesignReport& report, const DesignUnits& units, const
     for (std::uint64_t d = 0; d < report.findings.designs.size(); ++d) {
         const std::size_t column = d % map.study.x.count, row = d / map.study.x.count;
         const double number = aimedValue(report, aim, d).value;
-        const std::string& reason = report.findings.designs[d].reason;
+        const Message& reason = report.findings.designs[d].reason;
         if (std::isfinite(number))
             map.grid.set(column, row, number * value.factor);
-        else if (!reason.empty())
+        else if (!reason.isEmpty())
             map.grid.fail(column, row, reason);
     }
     MapPicture picture;

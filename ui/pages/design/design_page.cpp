@@ -146,10 +146,10 @@ void DesignPage::present() {
     }
     if (!answer->hasBest()) {
         if (m_study.job().state() == StudyState::running) return;
-        std::string reason;
+        Message reason;
         for (const DesignSamples& design : answer->report.findings.designs)
-            if (reason.empty()) reason = design.reason;
-        return refuse(tr("Too many of the samples have no answer: %1").arg(translatedReason(reason)));
+            if (reason.isEmpty()) reason = design.reason;
+        return refuse(tr("Too many of the samples have no answer: %1").arg(translated(reason)));
     }
     const ShownUnits units = shownUnitsOf(answer->report.study.base);
     if (answer != m_shown || !(units == m_shownUnits)) {

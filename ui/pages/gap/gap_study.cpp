@@ -104,7 +104,7 @@ GapAnswer answer(const GapQuestion& question, const StudyFeed<GapAnswer>& feed) 
                     .samples = {}};
     if (!feed.stop.stop_requested() && !found.isComplete())
         throw std::runtime_error(
-            tr("Not solved at all gaps: %1").arg(translatedReason(found.report.curve.reason)).toStdString());
+            tr("Not solved at all gaps: %1").arg(translated(found.report.curve.reason)).toStdString());
     return found;
 }
 

@@ -63,8 +63,8 @@ QString MapPicture::textAt(MapGrid::Place place, const QLocale& locale) const {
     QString result = outputText(value, locale);
     if (!grid().isThere(place.column, place.row))
         result = drillwave::tr("not solved yet");
-    else if (const auto reason = grid().reason(place.column, place.row); !reason.empty())
-        result = drillwave::tr("not solved: %1").arg(translatedReason(reason));
+    else if (const Message& reason = grid().reason(place.column, place.row); !reason.isEmpty())
+        result = drillwave::tr("not solved: %1").arg(translated(reason));
     else if (std::isnan(value))
         result = drillwave::tr("no such result here");
     return drillwave::tr("%1 · %2 · %3")

@@ -87,7 +87,7 @@ void ThrustPage::present() {
     if (!answer) return;
     if (!answer->problem.isEmpty())
         return refuse(translated(feedDecisionMessage(decideFeed(answer->scenario, {}))));
-    if (!answer->here.reason.empty()) return refuse(translatedReason(answer->here.reason));
+    if (!answer->here.reason.isEmpty()) return refuse(translated(answer->here.reason));
     const UnitChoice& choice = document().units();
     const ThrustUnits units =
         thrustUnits(answer->scenario, choice.fieldUnit(*answer->along.axis.parameter),

@@ -48,7 +48,7 @@ ThrustPicture thrustPicture(const ThrustAlong& along, const ThrustUnits& units) 
     std::ranges::sort(points, {}, &ThrustPoint::value);
     std::array<QVector<QCPGraphData>, thrustCaseCount> lower, upper;
     for (const ThrustPoint& point : points) {
-        if (!point.reason.empty()) continue;
+        if (!point.reason.isEmpty()) continue;
         const double x = point.value * units.along.factor;
         for (std::size_t i = 0; i < thrustCaseCount; ++i) {
             if (!point.needs[i].known) continue;

@@ -371,7 +371,7 @@ void TestCurve::whatIsRoughIsKnownByPointsAlone() {
     const CurveOutput& output = onlyLine(study).outputs[0];
     QVERIFY(!output.grid.empty() && output.unsolved.empty());
     for (const CurveStretch& stretch : output.grid) {
-        QVERIFY(stretch.reason.find("work") != std::string::npos);
+        QVERIFY(stretch.reason.text().find("work") != std::string::npos);
         const auto inside = std::ranges::count_if(onlyLine(study).points, [&](double x) {
             return x >= stretch.start * (1 - 1e-12) && x <= stretch.end * (1 + 1e-12);
         });
@@ -392,7 +392,7 @@ void TestCurve::whereThereIsNoAnswerIsToldWithTheReason() {
     const CurveOutput& output = line.outputs[0];
     QVERIFY(!study.isComplete());
     QCOMPARE(output.unsolved.size(), 1u);
-    QVERIFY(output.unsolved[0].reason.find("tau >= 0.5") != std::string::npos);
+    QVERIFY(output.unsolved[0].reason.text().find("tau >= 0.5") != std::string::npos);
     QCOMPARE(output.unsolved[0].start, 0.2);
     // bisection in the test: where it begins to hold
     double without = 0.5, with = 5;
@@ -512,7 +512,8 @@ void TestCurve::aRangeBeyondWhatCanBeHasAStretchWithoutAnswer() {
     QCOMPARE(output.unsolved.size(), 1u);
     QVERIFY(isNear(output.unsolved.front().start, 0.038, 1e-6));
     QCOMPARE(output.unsolved.front().end, 0.06);
-    QCOMPARE(output.unsolved.front().reason, std::string("rod.bore must be less than the diameter of 38 mm"));
+    QCOMPARE(output.unsolved.front().reason.text(),
+             std::string("rod.bore must be less than the diameter of 38 mm"));
     QVERIFY(onlyLine(study).value(0.03, 0) && !onlyLine(study).value(0.05, 0));
 
     asked = question(PulseShape::rectangular, {0.5, 0.1, 10, 0}, "beta=0.5:1");
@@ -521,8 +522,8 @@ void TestCurve::aRangeBeyondWhatCanBeHasAStretchWithoutAnswer() {
     const CurveStudy family = studyCurve(asked, 2);
     QVERIFY(family.lines[0].outputs[0].unsolved.empty());
     QCOMPARE(family.lines[1].outputs[0].unsolved.size(), 1u);
-    QVERIFY(
-        family.lines[1].outputs[0].unsolved[0].reason.starts_with("pulse.points needs at least two points"));
+    QVERIFY(family.lines[1].outputs[0].unsolved[0].reason.text().starts_with(
+        "pulse.points needs at least two points"));
 }
 
 void TestCurve::anAxisThatNoTextSaidIsRefusedAlike_data() {

@@ -36,13 +36,13 @@ class Toy : public DesignProblem {
   private:
     struct Solver : DesignSolver {
         explicit Solver(Function f) : function(std::move(f)) {}
-        std::string solve(std::uint64_t design, std::span<const double> values, std::span<double> outputs,
-                          const std::stop_token&) override {
+        Message solve(std::uint64_t design, std::span<const double> values, std::span<double> outputs,
+                      const std::stop_token&) override {
             outputs[0] = function(values) + static_cast<double>(design);
             return std::isnan(outputs[0]) ? "there is none" : "";
         }
-        std::string solveNominal(std::uint64_t design, std::span<double> outputs,
-                                 const std::stop_token&) override {
+        Message solveNominal(std::uint64_t design, std::span<double> outputs,
+                             const std::stop_token&) override {
             outputs[0] = static_cast<double>(design);
             return {};
         }
@@ -220,7 +220,7 @@ void TestDesignSamples::pointsWithoutAnswerAreLeftOut() {
     // one point of each replicate is below 1/2048 of the range
     const DesignSamples few = sampled(above(0x1p-11), 16384).front();
     QCOMPARE(few.unsolved, std::uint64_t{8});
-    QCOMPARE(few.reason, std::string("there is none"));
+    QCOMPARE(few.reason.text(), std::string("there is none"));
     QVERIFY(!std::isnan(few.statistics[0][0].value));
     const DesignSamples many = sampled(above(0.5)).front();
     QCOMPARE(many.unsolved, std::uint64_t{2048});

@@ -90,7 +90,7 @@ void TestDrillingCases::casesHold() {
     const DrillingResult result = studyDrilling(
         scenario, settings,
         {.cellError = kind == "statistics", .lyapunov = kind == "statistics", .fullRate = false});
-    QVERIFY2(result.outcome == DrillingOutcome::done, result.reason.c_str());
+    QVERIFY2(result.outcome == DrillingOutcome::done, result.reason.text().c_str());
     QVERIFY(std::abs(result.momentumResidual) < 1e-12);
     QVERIFY(std::abs(result.energyResidual) < 1e-3);
     const QJsonObject reference = given["reference"].toObject();

@@ -121,7 +121,7 @@ void TestDrillingTrial::tryScene(const DrillingProblem& problem, const std::stri
     const DrillingRecord main = marched(grid);
     if (main.outcome == DrillingOutcome::notSolved) {
         ++trial.notSolved;
-        qInfo("%s: %s", main.reason.c_str(), where.c_str());
+        qInfo("%s: %s", main.reason.text().c_str(), where.c_str());
         return;
     }
     if (main.outcome == DrillingOutcome::pushedBack) {

@@ -77,7 +77,7 @@ void TestMarchedBlow::theFirstBlowIsTheSingleOne() {
     DrillingSettings settings = settingsOf(1);
     settings.cells = 200;
     const Blow first = marchedBlow(scenario, settings, 1);
-    QVERIFY2(first.isSolved(), first.impact.reason.c_str());
+    QVERIFY2(first.isSolved(), first.impact.reason.text().c_str());
     QCOMPARE(first.marched->number, 1L);
     const BlowWaves one(single), many(first);
     for (const double x : {0.0, 0.3, 1.0})
@@ -166,7 +166,7 @@ void TestMarchedBlow::itBeginsWhereTheMarchHasIt() {
 void TestMarchedBlow::aPistonComesAnew() {
     const Scenario scenario = exampleOf("t38_string");
     const Blow blow = marchedBlow(scenario, settingsOf(5), 5);
-    QVERIFY2(blow.isSolved(), blow.impact.reason.c_str());
+    QVERIFY2(blow.isSolved(), blow.impact.reason.text().c_str());
     const BlowWaves waves(blow);
     const double v0 = blow.problem.hammer().velocity;
     for (const double share : {0.02, 0.4, 0.98}) {

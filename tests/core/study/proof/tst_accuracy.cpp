@@ -34,7 +34,7 @@ class TestAccuracy : public QObject {
                 told.push_back(soFar.rows.size());
                 QVERIFY(done > 0 && done <= 1);
             });
-        QVERIFY(found.reason.empty() && !found.isStopped);
+        QVERIFY(found.reason.isEmpty() && !found.isStopped);
         QCOMPARE(told.size(), found.rows.size());
         QCOMPARE(told.back(), found.rows.size());
         for (const StringAccuracyRow& row : found.rows) {
@@ -113,7 +113,7 @@ class TestAccuracy : public QObject {
             const bool isTooCoarse =
                 row.choice.method == Method::lattice && row.choice.lattice.segments == 100;
             QCOMPARE(row.outcome == Outcome::rebounded, !isTooCoarse);
-            QCOMPARE(row.reason.empty(), !isTooCoarse);
+            QCOMPARE(row.reason.isEmpty(), !isTooCoarse);
             QCOMPARE(std::isnan(row.corError), isTooCoarse);
         }
     }

@@ -64,7 +64,7 @@ class TestStability : public QObject {
         QVERIFY(report.rows.size() > 300);
         int histories = 0, limits = 0, lattices = 0, bounds = 0;
         for (const StabilityRow& row : report.rows) {
-            const std::string failure = row.failures.empty() ? row.reason : row.failures.front().text();
+            const std::string failure = (row.failures.empty() ? row.reason : row.failures.front()).text();
             QVERIFY2(row.passed(), (row.stabilityCase.name + ": " + failure).c_str());
             histories += row.leastForce.has_value();
             limits += row.limitDistance.has_value();
@@ -95,7 +95,7 @@ class TestStability : public QObject {
         const StabilityReport report = checkStability({softest}, 1, {}, ignoreProgress);
         QCOMPARE(report.notSolved(), std::size_t(1));
         QCOMPARE(report.failed(), std::size_t(0));
-        QVERIFY(!report.rows.front().reason.empty());
+        QVERIFY(!report.rows.front().reason.isEmpty());
     }
 
     void aStopEndsTheRun() {

@@ -41,7 +41,7 @@ struct ArraySink : RowSink {
         for (std::size_t i = 0; i < block.size(); ++i) {
             rows.emplace_back(block[i].begin(), block[i].end());
             copied.emplace_back(block.copied(i).begin(), block.copied(i).end());
-            reasons.emplace_back(block.reason(i));
+            reasons.push_back(block.reason(i).text());
         }
         return true;
     }

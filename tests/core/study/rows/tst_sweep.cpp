@@ -255,8 +255,8 @@ void TestSweep::pointsThatAreNoScenarioAreEmptyAndCounted() {
     for (std::size_t r = 1; r < rows.size(); ++r) found += rows[r].back().empty() ? '0' : '1';
     QCOMPARE(found, solved);
     QCOMPARE(counts.failed, std::uint64_t(solved.count('0')));
-    QVERIFY2(counts.failures.front().reason.starts_with(reason.toStdString()),
-             counts.failures.front().reason.c_str());
+    QVERIFY2(counts.failures.front().reason.text().starts_with(reason.toStdString()),
+             counts.failures.front().reason.text().c_str());
     if (isString(sweep.base)) return;
     for (std::size_t r = 1; r < rows.size(); ++r) {
         if (rows[r].back().empty()) continue;
@@ -272,8 +272,8 @@ void TestSweep::numbersBeyondDoublePrecisionAreNoResult() {
     QCOMPARE(rows[1], (std::vector<std::string>{"5e-324", "", ""}));
     QVERIFY(!rows[2][2].empty());
     QCOMPARE(counts.failed, std::uint64_t{1});
-    QVERIFY(
-        counts.failures.front().reason.starts_with("its numbers are beyond the range of double precision"));
+    QVERIFY(counts.failures.front().reason.text().starts_with(
+        "its numbers are beyond the range of double precision"));
 }
 
 void TestSweep::aStopEndsTheSweep() {

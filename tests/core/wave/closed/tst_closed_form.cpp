@@ -153,7 +153,7 @@ class TestClosedForm : public QObject {
         QFETCH(QString, named);
         const Impact impact = solveClosedForm(problemOf(scene));
         QCOMPARE(impact.outcome, Outcome::notSolved);
-        QVERIFY2(QString::fromStdString(impact.reason).contains(named), impact.reason.c_str());
+        QVERIFY2(QString::fromStdString(impact.reason.text()).contains(named), impact.reason.text().c_str());
     }
 };
 

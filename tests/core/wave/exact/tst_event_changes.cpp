@@ -51,7 +51,7 @@ class Study {
             const Impact alone = m_solver.solve(problem, Detail::cor);
             const Impact truth = solveInExtendedPrecision(problem, Detail::cor);
             const auto blame = [&](int& count) {
-                if (count++ == 0) tally.worst = words(scene, impact, truth) + " " + impact.reason;
+                if (count++ == 0) tally.worst = words(scene, impact, truth) + " " + impact.reason.text();
             };
             if (impact.outcome != Outcome::rebounded || alone.outcome != Outcome::rebounded ||
                 truth.outcome != Outcome::rebounded) {
@@ -138,7 +138,7 @@ class TestEventChanges : public QObject {
         const Impact wrong = solve(MistakenBasis());
         QVERIFY(std::abs(wrong.energyResidual()) > 1e-3);
         QCOMPARE(wrong.outcome, Outcome::notSolved);
-        QVERIFY(wrong.reason.find("energies") != std::string::npos);
+        QVERIFY(wrong.reason.text().find("energies") != std::string::npos);
     }
 
     void onEitherSideOfAChangeOfEventsNothingIsWrong_data() {

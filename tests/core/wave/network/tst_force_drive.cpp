@@ -72,7 +72,7 @@ class TestForceDrive : public QObject {
         }
         const Impact exact = solve(scene, Detail::ledger);
         const Impact impact = solveNetwork(problem, {});
-        QVERIFY2(impact.outcome == Outcome::rebounded, impact.reason.c_str());
+        QVERIFY2(impact.outcome == Outcome::rebounded, impact.reason.text().c_str());
         const auto agrees = [](const char* what, double value, double expected) {
             QVERIFY2(std::abs(value - expected) < 1e-9, QString("%1: %2, not %3")
                                                             .arg(what)
@@ -97,7 +97,7 @@ class TestForceDrive : public QObject {
             const Problem problem = problemOf(pulseForceOf(TableShape{300, seed}), groups);
             const Impact exact = ExactSolver().solve(problem, Detail::ledger);
             const Impact impact = solveNetwork(problem, {});
-            QVERIFY2(impact.outcome == Outcome::rebounded, impact.reason.c_str());
+            QVERIFY2(impact.outcome == Outcome::rebounded, impact.reason.text().c_str());
             const double off = std::abs(cor(impact) - exact.cor);
             QVERIFY2(off <= impact.corError && off < 1e-7,
                      QByteArray::number(off) + " of " + QByteArray::number(impact.corError));

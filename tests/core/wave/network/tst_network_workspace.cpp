@@ -153,7 +153,8 @@ class TestNetworkWorkspace : public QObject {
             const Impact alone = solveNetwork(problem, settings);
             compareSums(solver.solve(problem, settings), alone);
             solver.solve(problem, few);
-            QCOMPARE(solver.solve(problem, settings, stopped.get_token()).reason, std::string("stopped"));
+            QCOMPARE(solver.solve(problem, settings, stopped.get_token()).reason.text(),
+                     std::string("stopped"));
             const Impact told = solver.solve(problem, everything);
             QVERIFY(!told.events.empty() && !told.sections.empty());
             const Impact sums = solver.solve(problem, settings);
