@@ -57,7 +57,7 @@ class TestWaveNumbers : public QObject {
         CaseSolver solver(columns, {}, 1'000'000);
         solver.setPulse(longBlow());
         std::vector<double> row(2);
-        QCOMPARE(solver.solve(longBlow(), row, {}), std::string());
+        QVERIFY(solver.solve(longBlow(), row, {}).isEmpty());
         QVERIFY(!solver.impact().hasHistories());
         QCOMPARE(row[0], kept.summary.rodForces->tension.size);
         QCOMPARE(row[1], double(*kept.summary.forcePeaks));

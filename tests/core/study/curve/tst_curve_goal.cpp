@@ -65,7 +65,7 @@ double solvedBy(Method method, const CurveQuestion& asked, double x) {
     CaseSolver solver(asked.columns, choice, asked.workLimit);
     solver.setPulse(scenario);
     double value = 0;
-    if (!solver.solve(scenario, {&value, 1}, {}).empty()) qFatal("not solved");
+    if (!solver.solve(scenario, {&value, 1}, {}).isEmpty()) qFatal("not solved");
     return value;
 }
 
