@@ -1654,6 +1654,22 @@ Trotzdem löschen?</translation>
         <source>a power law</source>
         <translation>ein Potenzgesetz</translation>
     </message>
+    <message>
+        <source>done</source>
+        <translation>fertig</translation>
+    </message>
+    <message>
+        <source>not_solved</source>
+        <translation>nicht gelöst</translation>
+    </message>
+    <message>
+        <source>pushed_back</source>
+        <translation>weicht zurück</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>angehalten</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -7602,22 +7618,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Springen</translation>
     </message>
     <message>
-        <source>done</source>
-        <translation>fertig</translation>
-    </message>
-    <message>
-        <source>pushed_back</source>
-        <translation>weicht zurück</translation>
-    </message>
-    <message>
-        <source>not_solved</source>
-        <translation>nicht gelöst</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>angehalten</translation>
-    </message>
-    <message>
         <source>period %1</source>
         <translation>Periode %1</translation>
     </message>
@@ -9174,6 +9174,46 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>%1; did you mean the example %2?</source>
         <translation>%1; war das Beispiel %2 gemeint?</translation>
+    </message>
+    <message>
+        <source>%1 is beyond the range of double precision: the values are too large or too small</source>
+        <translation>%1 liegt außerhalb des Bereichs doppelter Genauigkeit: die Werte sind zu groß oder zu klein</translation>
+    </message>
+    <message>
+        <source>not smooth within the work permitted</source>
+        <translation>mit dem erlaubten Aufwand nicht glatt</translation>
+    </message>
+    <message>
+        <source>an error, which has no smooth course</source>
+        <translation>ein Fehler, der keinen glatten Verlauf hat</translation>
+    </message>
+    <message>
+        <source>of many blows, which need not be smooth: straight between points</source>
+        <translation>aus vielen Schlägen, die nicht glatt sein müssen: gerade zwischen den Punkten</translation>
+    </message>
+    <message>
+        <source>solved point by point</source>
+        <translation>Punkt für Punkt gelöst</translation>
+    </message>
+    <message>
+        <source>other reasons</source>
+        <translation>andere Gründe</translation>
+    </message>
+    <message>
+        <source>the table has changed since it was checked: %1</source>
+        <translation>die Tabelle hat sich geändert, seit sie geprüft wurde: %1</translation>
+    </message>
+    <message>
+        <source>a step of the lattice is too long for the rock: (beta/gamma) tau/N = %1 must not exceed 2; it takes at least %2 segments</source>
+        <translation>ein Schritt des Gitters ist zu lang für das Gestein: (beta/gamma) tau/N = %1 darf 2 nicht überschreiten; es braucht mindestens %2 Segmente</translation>
+    </message>
+    <message>
+        <source>the lattice would need more than the permitted number of steps; use fewer than %1 segments, or the exact method</source>
+        <translation>das Gitter bräuchte mehr Schritte als erlaubt; weniger als %1 Segmente oder das exakte Verfahren nehmen</translation>
+    </message>
+    <message>
+        <source>a contact at time %1 is shorter than a step of the lattice; use more segments or the exact method</source>
+        <translation>ein Kontakt zur Zeit %1 ist kürzer als ein Schritt des Gitters; mehr Segmente oder das exakte Verfahren nehmen</translation>
     </message>
 </context>
 <context>

@@ -1654,6 +1654,22 @@ Ta bort ändå?</translation>
         <source>a power law</source>
         <translation>en potenslag</translation>
     </message>
+    <message>
+        <source>done</source>
+        <translation>klart</translation>
+    </message>
+    <message>
+        <source>not_solved</source>
+        <translation>inte löst</translation>
+    </message>
+    <message>
+        <source>pushed_back</source>
+        <translation>trycks tillbaka</translation>
+    </message>
+    <message>
+        <source>stopped</source>
+        <translation>stoppad</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -7602,22 +7618,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>studsande</translation>
     </message>
     <message>
-        <source>done</source>
-        <translation>klart</translation>
-    </message>
-    <message>
-        <source>pushed_back</source>
-        <translation>trycks tillbaka</translation>
-    </message>
-    <message>
-        <source>not_solved</source>
-        <translation>inte löst</translation>
-    </message>
-    <message>
-        <source>stopped</source>
-        <translation>stoppad</translation>
-    </message>
-    <message>
         <source>period %1</source>
         <translation>period %1</translation>
     </message>
@@ -9174,6 +9174,46 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>%1; did you mean the example %2?</source>
         <translation>%1; menade du exemplet %2?</translation>
+    </message>
+    <message>
+        <source>%1 is beyond the range of double precision: the values are too large or too small</source>
+        <translation>%1 ligger utanför området för dubbel precision: värdena är för stora eller för små</translation>
+    </message>
+    <message>
+        <source>not smooth within the work permitted</source>
+        <translation>inte jämn inom det tillåtna arbetet</translation>
+    </message>
+    <message>
+        <source>an error, which has no smooth course</source>
+        <translation>ett fel, som inte har något jämnt förlopp</translation>
+    </message>
+    <message>
+        <source>of many blows, which need not be smooth: straight between points</source>
+        <translation>av många slag, som inte behöver vara jämnt: rakt mellan punkterna</translation>
+    </message>
+    <message>
+        <source>solved point by point</source>
+        <translation>löst punkt för punkt</translation>
+    </message>
+    <message>
+        <source>other reasons</source>
+        <translation>andra skäl</translation>
+    </message>
+    <message>
+        <source>the table has changed since it was checked: %1</source>
+        <translation>tabellen har ändrats sedan den kontrollerades: %1</translation>
+    </message>
+    <message>
+        <source>a step of the lattice is too long for the rock: (beta/gamma) tau/N = %1 must not exceed 2; it takes at least %2 segments</source>
+        <translation>ett steg i gittret är för långt för berget: (beta/gamma) tau/N = %1 får inte överstiga 2; det krävs minst %2 segment</translation>
+    </message>
+    <message>
+        <source>the lattice would need more than the permitted number of steps; use fewer than %1 segments, or the exact method</source>
+        <translation>gittret skulle behöva fler steg än tillåtet; använd färre än %1 segment eller den exakta metoden</translation>
+    </message>
+    <message>
+        <source>a contact at time %1 is shorter than a step of the lattice; use more segments or the exact method</source>
+        <translation>en kontakt vid tiden %1 är kortare än ett steg i gittret; använd fler segment eller den exakta metoden</translation>
     </message>
 </context>
 <context>
