@@ -4,8 +4,8 @@
 #include <QtTest>
 
 #include "core/report/design_text.h"
-#include "core/report/drilling_text.h"
 #include "core/report/drilling_scan_report.h"
+#include "core/report/drilling_text.h"
 #include "core/report/map_report.h"
 #include "core/report/thrust_report.h"
 #include "core/yaml/examples.h"

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # Runs every command on a rod and a string, in each language, and some that are refused: try_commands.sh PROGRAM
-# For a program that watches itself, as sanitizers make it: none may end in a code that is not its own, or by a signal.
+# Each ends in the code that it should, in a program that watches itself, as sanitizers make it, too.
 set -uo pipefail
 program=$(readlink -f "$1")
 work=$(mktemp -d)
