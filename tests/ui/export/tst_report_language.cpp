@@ -103,7 +103,7 @@ void TestReportLanguage::theReportSpeaksTheLanguageOfItsReader_data() {
     QTest::newRow("German") << "de"
                             << "Urteil über den Vorschub";
     QTest::newRow("Swedish") << "sv"
-                             << "Utlåtande om matningen";
+                             << "Omdöme om matningen";
 }
 
 void TestReportLanguage::theReportSpeaksTheLanguageOfItsReader() {
