@@ -343,7 +343,8 @@ void TestCommandLine::mistakesAreToldInTheLanguageOfTheCommand() {
     QTemporaryDir place;
     const QString path = place.filePath("bad.yaml");
     QFile file(path);
-    QVERIFY(file.open(QIODevice::WriteOnly) && file.write("drillwave: 1\ngroups: {beta: -1}\n") > 0);
+    QVERIFY(file.open(QIODevice::WriteOnly) &&
+            file.write("drillwave: 1\ndimensionless: {beta: -1, gamma: 1, tau: 4}\n") > 0);
     file.close();
     for (const char* command : {"run", "validate"}) {
         const Finished read = run({command, path, "--language", "de"});
