@@ -10,6 +10,7 @@
 #include "core/blow/outputs.h"
 #include "core/model/scenario.h"
 #include "core/study/drilling/drilling_study.h"
+#include "core/study/rows/output_column.h"
 
 namespace drillwave {
 
