@@ -13,8 +13,8 @@
 namespace drillwave {
 
 /// The text of the topic that these words name, in lines of at most `width` columns: of a command in the
-/// language of the style, of what the manual has in English. Throws CommandError
-/// (usage) with the nearest names where there is none. Requires a word.
+/// language of the style, of what the manual has in English. Throws CommandError (usage) with the nearest
+/// names where there is none. Requires a word.
 std::string topicText(std::span<const std::string> words, std::size_t width,
                       const ReadingStyle& style = plainStyle());
 

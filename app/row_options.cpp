@@ -11,6 +11,7 @@
 #include "app/study_plots.h"
 #include "core/model/blow_traits.h"
 #include "core/text/decimal_text.h"
+#include "core/text/message_list.h"
 
 namespace drillwave {
 
@@ -57,15 +58,12 @@ long limitOf(const Arguments& arguments, const Scenario& scenario) {
 }
 
 /// "2 rows", to stand before a reason.
-Message counted(std::uint64_t count, RowNoun noun) {
-    const std::string number = std::to_string(count);
+Message countOf(std::uint64_t count, RowNoun noun) {
     if (noun == RowNoun::row)
-        return {count == 1 ? translatable("drillwave::Message", "%1 row")
-                           : translatable("drillwave::Message", "%1 rows"),
-                {number}};
-    return {count == 1 ? translatable("drillwave::Message", "%1 point")
-                       : translatable("drillwave::Message", "%1 points"),
-            {number}};
+        return counted(count, translatable("drillwave::Message", "%1 row"),
+                       translatable("drillwave::Message", "%1 rows"));
+    return counted(count, translatable("drillwave::Message", "%1 point"),
+                   translatable("drillwave::Message", "%1 points"));
 }
 
 }  // namespace
@@ -75,8 +73,7 @@ Message reasonsOf(const RowCounts& counts, RowNoun noun, long workLimit) {
     std::uint64_t told = 0;
     bool atLimit = false;
     for (const RowFailure& failure : counts.failures) {
-        const Message one = about(counted(failure.rows, noun), failure.reason);
-        text = text.isEmpty() ? one : Message("%1; %2", {text, one});
+        text = joined(std::move(text), "%1; %2", about(countOf(failure.rows, noun), failure.reason));
         told += failure.rows;
         atLimit |= isAtLimit(failure.reason);
     }

@@ -108,9 +108,8 @@ using RunRows = std::function<RowCounts(std::stop_token, RowSink& sink, const Ro
 using DrawRows = std::function<std::vector<NamedFile>()>;
 
 /// Runs into `out` and commits it with its record and what is drawn then, with progress on a terminal in that
-/// style. Failed
-/// rows are counted on stderr, with their reasons, and give ExitCode::unsolvedOrFailed; an interruption
-/// leaves no file.
+/// style. Failed rows are counted on stderr, with their reasons, and give ExitCode::unsolvedOrFailed; an
+/// interruption leaves no file.
 ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options, OutputFile& out,
                    const Interruption& interruption, const ReadingStyle& style, const DrawRows& draw = {});
 

@@ -19,6 +19,7 @@
 #include "core/model/word_parameter.h"
 #include "core/report/alert_words.h"
 #include "core/text/decimal_text.h"
+#include "core/text/message_list.h"
 #include "core/text/name_text.h"
 #include "core/text/nearest_name.h"
 #include "core/text/text_input.h"
@@ -104,11 +105,9 @@ Message nearExample(const std::string& path) {
     if (begun.empty() || begun.size() > few) begun = {nearestName(path, names)};
     if (begun.front().empty()) return {};
     Message list;
-    for (const std::string_view name : begun) {
-        const std::string quoted = "`" + std::string(name) + "`";
-        list = list.isEmpty() ? Message(quoted)
-                              : Message(translatable("drillwave::Message", "%1 or %2"), {list, quoted});
-    }
+    for (const std::string_view name : begun)
+        list = joined(std::move(list), translatable("drillwave::Message", "%1 or %2"),
+                      "`" + std::string(name) + "`");
     return list;
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/archive/row_record.h"
 #include "core/text/decimal_text.h"
+#include "core/text/message_list.h"
 #include "core/yaml/scenario_file.h"
 #include "core/yaml/scenario_text.h"
 #include "core/yaml/yaml_tree.h"
@@ -60,7 +61,7 @@ Message rangesOf(const std::vector<std::uint64_t>& numbers) {
         if (end > i)
             range = {end == i + 1 ? "%1, %2" : translatable("drillwave::Message", "%1 to %2"),
                      {range, std::to_string(numbers[end])}};
-        text = text.isEmpty() ? range : Message("%1, %2", {text, range});
+        text = joined(std::move(text), "%1, %2", std::move(range));
         i = end + 1;
     }
     return text;

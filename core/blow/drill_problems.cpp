@@ -5,6 +5,7 @@
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
 #include "core/text/handy_text.h"
+#include "core/text/message_list.h"
 #include "core/text/number_text.h"
 
 namespace drillwave {
@@ -79,8 +80,8 @@ std::vector<Message> drillProblems(const Scenario& scenario, const DrillLength& 
 
 Message drillProblem(const Scenario& scenario) {
     Message line;
-    for (const Message& problem : drillProblems(scenario, scanLengthOf(scenario)))
-        line = line.isEmpty() ? problem : Message("%1; %2", {line, problem});
+    for (Message& problem : drillProblems(scenario, scanLengthOf(scenario)))
+        line = joined(std::move(line), "%1; %2", std::move(problem));
     return line;
 }
 

@@ -15,6 +15,7 @@
 #include "core/report/report_numbers.h"
 #include "core/report/report_text.h"
 #include "core/report/section_grid.h"
+#include "core/text/message_list.h"
 #include "core/text/number_text.h"
 
 namespace drillwave {
@@ -207,11 +208,9 @@ Message solvedMessage(const Blow& blow, const ReadingStyle& style) {
     const int contacts = blow.impact.contacts;
     return {translatable("drillwave::Message", "method %1, %2, %3, solved in %4"),
             {solver.name,
-             {contacts == 1 ? translatable("drillwave::Message", "%1 contact")
-                            : translatable("drillwave::Message", "%1 contacts"),
-              {std::to_string(contacts)}},
-             solver.pieces,
-             style.quantity(blow.runTime, Quantity::time)}};
+             counted(static_cast<std::uint64_t>(contacts), translatable("drillwave::Message", "%1 contact"),
+                     translatable("drillwave::Message", "%1 contacts")),
+             solver.pieces, style.quantity(blow.runTime, Quantity::time)}};
 }
 
 }  // namespace

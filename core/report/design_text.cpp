@@ -8,6 +8,7 @@
 #include "core/report/design_words.h"
 #include "core/report/report_text.h"
 #include "core/text/handy_text.h"
+#include "core/text/message_list.h"
 
 namespace drillwave {
 
@@ -38,9 +39,9 @@ Message uncertainMessage(const DesignStudy& study, const ReadingStyle& style) {
 Message chosenMessage(const DesignStudy& study) {
     Message list;
     for (const SweepAxis& axis : study.choices) {
-        const Message values{translatable("drillwave::Message", "%1 (%2 values)"),
-                             {std::string(axis.key()), std::to_string(axis.count)}};
-        list = list.isEmpty() ? values : Message("%1, %2", {list, values});
+        list = joined(std::move(list), "%1, %2",
+                      {translatable("drillwave::Message", "%1 (%2 values)"),
+                       {std::string(axis.key()), std::to_string(axis.count)}});
     }
     if (list.isEmpty()) list = translatable("drillwave::Message", "nothing, the design of FILE alone");
     return {study.keepsEnergy

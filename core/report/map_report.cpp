@@ -4,6 +4,7 @@
 #include "core/model/version.h"
 #include "core/report/json_value.h"
 #include "core/report/report_text.h"
+#include "core/text/message_list.h"
 #include "core/text/number_text.h"
 
 namespace drillwave {
@@ -24,11 +25,6 @@ std::string placeText(const MapReport& report, const MapGrid::Place& place, cons
     };
     return valueText(report.study.x, report.grid.xs()[place.column]) + ", " +
            valueText(report.study.y, report.grid.ys()[place.row]);
-}
-
-/// "1 point", "8 points": a pattern for one and one for all other numbers.
-Message counted(std::uint64_t count, const char* one, const char* several) {
-    return {count == 1 ? one : several, {std::to_string(count)}};
 }
 
 Message points(std::uint64_t count) {

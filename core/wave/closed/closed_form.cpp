@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "core/text/message.h"
+#include "core/text/message_list.h"
 #include "core/text/units.h"
 #include "core/wave/closed/decay_pieces.h"
 
@@ -170,9 +171,7 @@ Message closedFormRefusal(const Problem& problem) {
         return Message::ofTable(refusal);
     constexpr double rounding = 64 * std::numeric_limits<double>::epsilon();
     Message found;
-    const auto add = [&](Message text) {
-        found = found.isEmpty() ? std::move(text) : Message("%1, %2", {found, std::move(text)});
-    };
+    const auto add = [&](Message text) { found = joined(std::move(found), "%1, %2", std::move(text)); };
     if (problem.force().shape != PulseShape::rectangular)
         add("pulse.shape = " + std::string(name(problem.force().shape)));
     if (problem.law.gamma != 1) add("gamma = " + formatNumber(problem.law.gamma));
