@@ -13,6 +13,7 @@
 #include <system_error>
 
 #include "app/command_error.h"
+#include "core/disk/file_bytes.h"
 #include "core/disk/whole_file.h"
 
 namespace drillwave {
@@ -29,8 +30,7 @@ class Pipe {
     Pipe(const std::string& path, const ReadingStyle& style)
         : m_isOwn(!isStandardInput(path)),
           m_descriptor(m_isOwn ? ::open(path.c_str(), O_RDONLY | O_CLOEXEC) : STDIN_FILENO) {
-        if (m_descriptor < 0)
-            m_problem = {translatable("drillwave::Message", "cannot be opened: %1"), {reason(errno)}};
+        if (m_descriptor < 0) m_problem = cannotBeOpened(reason(errno));
         if (!m_isOwn && ::isatty(STDIN_FILENO) == 1)
             std::fprintf(
                 stderr, "%s\n",
@@ -137,8 +137,7 @@ RereadableInput::RereadableInput(const std::string& path, std::uint64_t most, co
         return;
     }
     struct stat status {};
-    if (::stat(path.c_str(), &status) != 0)
-        refuse({translatable("drillwave::Message", "cannot be opened: %1"), {reason(errno)}});
+    if (::stat(path.c_str(), &status) != 0) refuse(cannotBeOpened(reason(errno)));
     if (!S_ISREG(status.st_mode))
         refuse(translatable("drillwave::Message", "is not a regular file; write the rows to a file first"));
     if (!m_buffer.open(path, std::ios::in | std::ios::binary))

@@ -10,13 +10,9 @@
 
 namespace drillwave {
 
-namespace {
-
 Message cannotBeOpened(const Message& reason) {
     return {translatable("drillwave::Message", "cannot be opened: %1"), {reason}};
 }
-
-}  // namespace
 
 FileBytes readStart(const std::string& path, std::size_t bytes) {
     std::error_code error;

@@ -22,4 +22,7 @@ FileBytes readFile(const std::string& path, std::size_t maximumBytes);
 /// The same without the limit, but no more than the first `bytes` of it.
 FileBytes readStart(const std::string& path, std::size_t bytes);
 
+/// That a file cannot be opened, as FileBytes has it.
+Message cannotBeOpened(const Message& reason);
+
 }  // namespace drillwave

@@ -110,14 +110,13 @@ std::string leftOutText(std::size_t count, std::size_t most, const ReadingStyle&
 }
 
 std::string familyText(const SweepAxis& family, double value, const ReadingStyle& style) {
-    return std::string(family.key()) + " = " +
-           (family.words ? std::string(family.words->words()[static_cast<std::size_t>(value)])
-                         : valueText(family, value, valueDigits, style));
+    return std::string(family.key()) + " = " + valueText(family, value, valueDigits, style);
 }
 
 std::string valueText(const SweepAxis& axis, double value, int ofDigits, const ReadingStyle& style) {
-    const std::string number = style.number(axis.unit->fromSi(value), ofDigits);
-    return axis.unit->name.empty() ? number : number + " " + std::string(axis.unit->name);
+    if (axis.words) return std::string(axis.words->words()[static_cast<std::size_t>(value)]);
+    const std::string number = style.number(axis.unit ? axis.unit->fromSi(value) : value, ofDigits);
+    return !axis.unit || axis.unit->name.empty() ? number : number + " " + std::string(axis.unit->name);
 }
 
 std::string curveText(const CurveReport& report, const ReadingStyle& style) {

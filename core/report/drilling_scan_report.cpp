@@ -8,6 +8,7 @@
 
 #include "core/model/version.h"
 #include "core/report/blow_csv.h"
+#include "core/report/curve_text.h"
 #include "core/report/report_text.h"
 #include "core/study/drilling/drilling_numbers.h"
 #include "core/text/json.h"
@@ -38,17 +39,7 @@ bool isOfDamper(const SweepAxis& axis) {
     return key == "drill.machine_mass" || key == "drill.damper_damping" || key == "drill.damper_stiffness";
 }
 
-/// In four digits of the unit of the axis.
-std::string valueText(const SweepAxis& axis, double value, const ReadingStyle& style) {
-    if (!axis.parameter) {
-        std::string word;
-        axis.column().appendText(word, value);
-        return word;
-    }
-    const bool hasUnit = axis.unit && !axis.unit->name.empty();
-    const std::string number = style.number(hasUnit ? axis.unit->fromSi(value) : value, 4);
-    return hasUnit ? number + " " + std::string(axis.unit->name) : number;
-}
+constexpr int scanDigits = 4;  ///< of the values of the parameter
 
 /// Values in order, and what holds at all motions of each.
 using HeldValues = std::map<double, bool>;
@@ -63,8 +54,8 @@ Message placesOf(const HeldValues& values, const SweepAxis& axis, const ReadingS
     std::vector<Message> windows;
     for (auto begin = std::ranges::find_if(values, holds); begin != values.end();) {
         const auto end = std::find_if_not(begin, values.end(), holds);
-        const std::string from = valueText(axis, begin->first, style);
-        const std::string to = valueText(axis, std::prev(end)->first, style);
+        const std::string from = valueText(axis, begin->first, scanDigits, style);
+        const std::string to = valueText(axis, std::prev(end)->first, scanDigits, style);
         if (begin == values.begin())
             windows.push_back({translatable("drillwave::Message", "up to %1"), {to}});
         else if (end == values.end())
@@ -108,7 +99,7 @@ std::string scanTable(const DrillingScan& scan, OutputUnits units, const Reading
               title(translatable("drillwave::Message", "motion"))});
     for (const DrillingScanPoint& point : scan.points) {
         const DrillingResult& result = point.result;
-        std::vector<std::string> cells{valueText(scan.axis, point.value, style),
+        std::vector<std::string> cells{valueText(scan.axis, point.value, scanDigits, style),
                                        style.said(nameOf(point.start)), style.number(result.groups.phi, 4)};
         if (!result.statistics) {
             cells.insert(cells.end(), 6, "");

@@ -59,11 +59,14 @@ std::vector<Message> problemsOf(const CurveQuestion& question) {
                     "drillwave::Message",
                     "%1 takes a study of all gaps at every point; `drillwave thrust --along` has it"),
                 std::vector<Message>{std::string(column.output->name)});
-    if (question.family && question.family->count > maximumCurveLines)
-        problems.emplace_back(
-            translatable("drillwave::Message", "a family has at most %1 lines, this one %2"),
-            std::vector<Message>{std::to_string(maximumCurveLines), std::to_string(question.family->count)});
+    if (Message problem = familyProblem(question); !problem.isEmpty()) problems.push_back(std::move(problem));
     return problems;
+}
+
+Message familyProblem(const CurveQuestion& question) {
+    if (!question.family || question.family->count <= maximumCurveLines) return {};
+    return {translatable("drillwave::Message", "a family has at most %1 lines, this one %2"),
+            {std::to_string(maximumCurveLines), std::to_string(question.family->count)}};
 }
 
 bool CurveStudy::isReached() const {

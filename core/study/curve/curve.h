@@ -49,6 +49,9 @@ inline constexpr std::size_t maximumCurveLines = 50;
 /// every point. Empty when it can be studied.
 std::vector<Message> problemsOf(const CurveQuestion& question);
 
+/// Why the family has too many lines; empty when it has not.
+Message familyProblem(const CurveQuestion& question);
+
 /// A part of the range, SI, and why it is not as the others (there may be other reasons within).
 struct CurveStretch {
     double start = 0;

@@ -158,15 +158,10 @@ CurveStudy studyOf(const CurveQuestion& question, const std::vector<Samples>& sa
 std::vector<Message> sampledProblemsOf(const CurveQuestion& question) {
     const SweepAxis& along = question.along;
     const bool isRange = along.kind == SweepAxis::Kind::linear || along.kind == SweepAxis::Kind::logarithmic;
-    if (!isRange || !(along.start < along.stop) || along.count < 2)
-        return {Message(translatable("drillwave::Message", "the range of %1 must end above its beginning"),
-                        {std::string(along.key())})};
+    if (!isRange || !(along.start < along.stop) || along.count < 2) return {mustRise(along)};
     std::vector<Message> problems = problemsOf(
         Sweep{.base = question.base, .axes = question.axes(), .columns = question.columns, .shard = {}});
-    if (question.family && question.family->count > maximumCurveLines)
-        problems.emplace_back(
-            translatable("drillwave::Message", "a family has at most %1 lines, this one %2"),
-            std::vector<Message>{std::to_string(maximumCurveLines), std::to_string(question.family->count)});
+    if (Message problem = familyProblem(question); !problem.isEmpty()) problems.push_back(std::move(problem));
     return problems;
 }
 

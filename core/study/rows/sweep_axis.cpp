@@ -277,6 +277,11 @@ ParsedAxis parseRange(std::string_view text) {
     return parsed;
 }
 
+Message mustRise(const SweepAxis& axis) {
+    return {translatable("drillwave::Message", "the range of %1 must end above its beginning"),
+            {std::string(axis.key())}};
+}
+
 Message followProblem(const SweepAxis& axis) {
     // Narrower ranges, of their larger end, have fewer values than places of their features are to have.
     constexpr double narrowest = 1e-4;
@@ -288,8 +293,7 @@ Message followProblem(const SweepAxis& axis) {
                 {key}};
     if (axis.kind != SweepAxis::Kind::linear && axis.kind != SweepAxis::Kind::logarithmic)
         return followedForm(key);
-    if (!(axis.start < axis.stop))
-        return {translatable("drillwave::Message", "the range of %1 must end above its beginning"), {key}};
+    if (!(axis.start < axis.stop)) return mustRise(axis);
     if (axis.stop - axis.start < narrowest * std::max(std::abs(axis.start), std::abs(axis.stop)))
         return {translatable("drillwave::Message",
                              "the range of %1 is too narrow: it must be at least 1e-4 of its end"),

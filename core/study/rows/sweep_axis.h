@@ -63,6 +63,9 @@ ParsedAxis parseRange(std::string_view text);
 /// an axis whose ends are values of its parameter. Empty when one can.
 Message followProblem(const SweepAxis& axis);
 
+/// That its range has to end above its beginning, which is not so.
+Message mustRise(const SweepAxis& axis);
+
 /// How many even steps from `start` to `stop` give values of a parameter where `most` (≥ 2) are wanted: so
 /// many, but of whole numbers as many as meet whole numbers alone.
 std::uint64_t countWithin(const Parameter& parameter, double start, double stop, std::uint64_t most);

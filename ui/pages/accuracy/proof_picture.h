@@ -2,6 +2,7 @@
 // What is drawn of the proofs: error against run time, and how near the extreme cases are to failing.
 #pragma once
 
+#include <QLocale>
 #include <QPointF>
 #include <QString>
 #include <QStringList>

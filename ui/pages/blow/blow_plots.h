@@ -2,6 +2,7 @@
 // The four plots of a blow on one time axis: the same drawing code for the page and for files.
 #pragma once
 
+#include <QLocale>
 #include <array>
 
 #include "ui/pages/blow/blow_curves.h"

@@ -2,6 +2,7 @@
 // What is drawn of a map: its values in the units on show, and which colour stands for which.
 #pragma once
 
+#include <QLocale>
 #include <QPointF>
 #include <QString>
 #include <memory>
