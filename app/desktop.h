@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "app/drawing.h"
+#include "core/text/languages.h"
 
 namespace drillwave {
 
@@ -17,7 +18,8 @@ namespace drillwave {
 /// file and no option, and where there is no display.
 int openWindow(int argc, char** argv);
 
-/// For a command that draws; needs no display. Throws CommandError (usage) where nothing can be drawn with.
-std::unique_ptr<const Drawing> startDrawing(int argc, char** argv);
+/// For a command that draws, in a language; needs no display. Throws CommandError (usage) where nothing can
+/// be drawn with.
+std::unique_ptr<const Drawing> startDrawing(int argc, char** argv, const Language& language);
 
 }  // namespace drillwave

@@ -39,7 +39,7 @@ int openWindow(int argc, char** argv) {
                 {builtWithout}));
 }
 
-std::unique_ptr<const Drawing> startDrawing(int, char** argv) {
+std::unique_ptr<const Drawing> startDrawing(int, char** argv, const Language&) {
     // Until that program is loaded nothing in it could answer a signal.
     holdInterruptions();
     goOnBeside(argv);

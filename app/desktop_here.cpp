@@ -99,7 +99,12 @@ class RuntimeFolder {
 
 class QtDrawing : public Drawing {
   public:
-    QtDrawing(int argc, char** argv) : m_argc(argc), m_application(m_argc, argv) {}
+    QtDrawing(int argc, char** argv, const Language& language) : m_argc(argc), m_application(m_argc, argv) {
+        if (isEnglish(language)) return;
+        speak(language);
+        m_reader.locale = QLocale(fromView(language.code));
+        m_reader.isSpokenTo = true;
+    }
 
     std::string figure(const Figure& figure, std::string_view format) const override {
         return drawFigure(figure, fromView(format)).toStdString();
@@ -107,21 +112,16 @@ class QtDrawing : public Drawing {
 
     std::vector<NamedFile> blow(const Blow& blow, const std::vector<std::string>& formats,
                                 const std::stop_token& stop) const override {
-        return filesOf(drawBlowPlots(blow, formats, stop));
+        return filesOf(drawBlowPlots(blow, formats, stop, m_reader));
     }
 
-    std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order,
-                                  const Language& language) const override {
-        if (isEnglish(language)) return filesOf(drawReport(report, order));
-        speak(language);
-        PaperReader reader;
-        reader.locale = QLocale(fromView(language.code));
-        reader.isSpokenTo = true;
-        return filesOf(drawReport(report, order, reader));
+    std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order) const override {
+        return filesOf(drawReport(report, order, m_reader));
     }
 
     std::vector<NamedFile> study(const StudyValue& value, const PictureOrder& order) const override {
-        return std::visit([&](const auto* found) { return filesOf(drawStudy(*found, order)); }, value);
+        return std::visit([&](const auto* found) { return filesOf(drawStudy(*found, order, m_reader)); },
+                          value);
     }
 
   private:
@@ -133,6 +133,7 @@ class QtDrawing : public Drawing {
 
     int m_argc;  // outlives the application, which refers to it
     QApplication m_application;
+    PaperReader m_reader;
 };
 
 }  // namespace
@@ -164,7 +165,7 @@ int openWindow(int argc, char** argv) {
     return QApplication::exec();
 }
 
-std::unique_ptr<const Drawing> startDrawing(int argc, char** argv) {
+std::unique_ptr<const Drawing> startDrawing(int argc, char** argv, const Language& language) {
     // Qt ends the program where it cannot open its plugins and fonts.
     constexpr int filesOfQt = 16;
     checkOpenFiles(filesOfQt);
@@ -176,7 +177,7 @@ std::unique_ptr<const Drawing> startDrawing(int argc, char** argv) {
     // A signal while that folder is there would leave it behind.
     const HeldInterruptions held;
     const RuntimeFolder runtimeFolder;
-    auto drawing = std::make_unique<const QtDrawing>(argc, argv);
+    auto drawing = std::make_unique<const QtDrawing>(argc, argv, language);
     writePlainly();
     return drawing;
 }

@@ -18,7 +18,6 @@ namespace drillwave {
 
 struct Accuracy;
 struct BlowReport;
-struct Language;
 struct CurveReport;
 struct DesignReport;
 struct DrillingReport;
@@ -37,8 +36,9 @@ using StudyValue =
                  const DrillingReport*, const DrillingScanReport*, const GapReport*, const MapReport*,
                  const StringAccuracy*, const SweepRows*, const ThrustReport*>;
 
-/// Draws; what it draws with is another program's matter (desktop.h). All of them throw CommandError
-/// (unwritable output) where something could not be drawn, and give not all pictures after a stop.
+/// Draws in the language of the command, numbers too; what it draws with is another program's matter
+/// (desktop.h). All of them throw CommandError (unwritable output) where something could not be drawn, and
+/// give not all pictures after a stop.
 class Drawing {
   public:
     Drawing() = default;
@@ -46,17 +46,16 @@ class Drawing {
     Drawing(const Drawing&) = delete;
     Drawing& operator=(const Drawing&) = delete;
 
-    /// A figure of the paper in one of the pictureFormats; empty where it could not be drawn.
+    /// A figure of the paper, in its language, in one of the pictureFormats; empty where it could not be
+    /// drawn.
     virtual std::string figure(const Figure& figure, std::string_view format) const = 0;
 
     /// blow.*, rock.*, wave_picture.* and rod.* of a blow solved with Detail::histories, in each format.
     virtual std::vector<NamedFile> blow(const Blow& blow, const std::vector<std::string>& formats,
                                         const std::stop_token& stop) const = 0;
 
-    /// The report on a blow that was solved, "html" and "pdf", in that language, numbers too; in
-    /// English as the commands write them.
-    virtual std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order,
-                                          const Language& language) const = 0;
+    /// The report on a blow that was solved, "html" and "pdf".
+    virtual std::vector<NamedFile> report(const BlowReport& report, const PictureOrder& order) const = 0;
 
     /// The picture of a study in each format, as its page in the window shows it at first.
     virtual std::vector<NamedFile> study(const StudyValue& value, const PictureOrder& order) const = 0;

@@ -104,7 +104,7 @@ int runCommand(const Command& command, std::span<const std::string> words, const
     exitOnInterruption();
     const Arguments arguments = parseArguments(command, words, language);
     const std::unique_ptr<const Drawing> drawing =
-        command.draws(arguments) ? startDrawing(argc, argv) : nullptr;
+        command.draws(arguments) ? startDrawing(argc, argv, language) : nullptr;
     return static_cast<int>(command.run(arguments, drawing.get()));
 }
 

@@ -120,8 +120,8 @@ ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
             ExitCode::unsolvedOrFailed,
             couldNotBeSolved(path, reasonWithHint(report.blow.impact.reason, arguments, document.scenario,
                                                   report.blow.impact.hindrance)));
-    std::vector<NamedFile> files = drawing->report(
-        report, {std::string(stem), place.formats, interruption.token()}, arguments.language());
+    std::vector<NamedFile> files =
+        drawing->report(report, {std::string(stem), place.formats, interruption.token()});
     interruption.check();
     write(place, std::move(files), overwrite, interruption);
     if (!isStream(place.path))

@@ -23,9 +23,7 @@ class PlainDrawing : public Drawing {
         for (const std::string& format : formats) files.push_back({"blow." + format, "drawn as " + format});
         return files;
     }
-    std::vector<NamedFile> report(const BlowReport&, const PictureOrder&, const Language&) const override {
-        return {};
-    }
+    std::vector<NamedFile> report(const BlowReport&, const PictureOrder&) const override { return {}; }
     std::vector<NamedFile> study(const StudyValue&, const PictureOrder& order) const override {
         std::vector<NamedFile> files;
         for (const std::string& format : order.formats)

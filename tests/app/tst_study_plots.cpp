@@ -45,6 +45,7 @@ class TestStudyPlots : public QObject {
   private slots:
     void everyStudyIsDrawn_data();
     void everyStudyIsDrawn();
+    void picturesSpeakTheLanguageOfTheCommand();
     void numbersAreTheSameWithPictures();
     void picturesStandBesideTheFile();
     void picturesRespectWhatIsThere();
@@ -100,6 +101,26 @@ void TestStudyPlots::everyStudyIsDrawn() {
     for (const QString& text : texts) QVERIFY2(drawn.contains(packed(text)), qPrintable(text + "\n" + drawn));
     QVERIFY(read(folder.filePath("study.pdf")).startsWith("%PDF-"));
     QVERIFY(read(folder.filePath("study.pdf")).size() > 4000);
+}
+
+void TestStudyPlots::picturesSpeakTheLanguageOfTheCommand() {
+    const QTemporaryDir folder;
+    const auto drawn = [&](const char* name, const QStringList& words) {
+        const QString out = folder.filePath(QString::fromLatin1(name));
+        const Finished finished = run(words + QStringList{"--plots", "svg", "--language", "de", "-o", out});
+        return finished.exitCode == 0 ? out : QString::fromUtf8(finished.error);
+    };
+    const QString drill = example("t38_medium_rock");
+    const QString gap = textsOf(read(drawn("gap.csv", {"gap", drill}).replace(".csv", ".svg")));
+    for (const char* text : {"Spaltd[mm]", "Stoßzahle", "0,5"})
+        QVERIFY2(gap.contains(QString::fromUtf8(text)), qPrintable(text + ("\n" + gap)));
+    const QString blow = textsOf(read(drawn("blow", {"run", drill}) + "/blow.svg"));
+    for (const char* text : {"Zeitt[ms]", "0,5"})
+        QVERIFY2(blow.contains(QString::fromUtf8(text)), qPrintable(text + ("\n" + blow)));
+    // The figures of the paper are in its own, and what scripts read is as ever.
+    const QString figures = textsOf(read(drawn("figures", {"figures"}) + "/fig4.svg"));
+    QVERIFY2(figures.contains("0.5") && !figures.contains("0,5"), qPrintable(figures));
+    QVERIFY(read(folder.filePath("gap.csv")).contains("0.5"));
 }
 
 void TestStudyPlots::numbersAreTheSameWithPictures() {

@@ -114,9 +114,8 @@ Millimetres sizeOf(const std::vector<FigurePanel>& panels) {
     return {width, panelHeight * static_cast<double>(panels.size())};
 }
 
-/// For paper.
-void layOut(QCustomPlot& plot, const std::vector<FigurePanel>& panels) {
-    layOutPanels(plot, panels, PlotStyle::forPaper(), QLocale::c());
+void layOutOnPaper(QCustomPlot& plot, const std::vector<FigurePanel>& panels, const QLocale& locale) {
+    layOutPanels(plot, panels, PlotStyle::forPaper(), locale);
 }
 
 }  // namespace
@@ -143,14 +142,15 @@ void layOutPanels(QCustomPlot& plot, const std::vector<FigurePanel>& panels, con
 
 QByteArray drawFigure(const Figure& figure, const QString& format) {
     QCustomPlot plot;
-    layOut(plot, figure.panels);
+    layOutOnPaper(plot, figure.panels, QLocale::c());
     return renderPlot(plot, sizeOf(figure.panels), format, QStringLiteral("Fig. %1").arg(figure.number),
                       standardDpi, fromView(figureMark));
 }
 
-Pictures drawPanels(const std::vector<FigurePanel>& panels, const QString& title, const PictureOrder& order) {
+Pictures drawPanels(const std::vector<FigurePanel>& panels, const QString& title, const PictureOrder& order,
+                    const QLocale& locale) {
     QCustomPlot plot;
-    layOut(plot, panels);
+    layOutOnPaper(plot, panels, locale);
     return renderPictures(plot, sizeOf(panels), title, order);
 }
 

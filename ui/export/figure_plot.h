@@ -26,6 +26,7 @@ void layOutPanels(QCustomPlot& plot, const std::vector<FigurePanel>& panels, con
 QByteArray drawFigure(const Figure& figure, const QString& format);
 
 /// The same of other panels, see renderPictures().
-Pictures drawPanels(const std::vector<FigurePanel>& panels, const QString& title, const PictureOrder& order);
+Pictures drawPanels(const std::vector<FigurePanel>& panels, const QString& title, const PictureOrder& order,
+                    const QLocale& locale = QLocale::c());
 
 }  // namespace drillwave

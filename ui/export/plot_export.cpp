@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/plot_export.h"
 
-#include "ui/export/paper_plots.h"
-
 namespace drillwave {
 namespace {
 
@@ -36,13 +34,13 @@ Pictures render(const std::vector<Drawn>& all, const Scenario& scenario,
 
 }  // namespace
 
-Pictures drawBlowPlots(const Blow& blow, const std::vector<std::string>& formats,
-                       const std::stop_token& stop) {
+Pictures drawBlowPlots(const Blow& blow, const std::vector<std::string>& formats, const std::stop_token& stop,
+                       const PaperReader& reader) {
     if (const QString problem = obstacle(blow.impact); !problem.isEmpty()) return {{}, problem};
-    return render({{"blow", blowPaperPlot(blow)},
-                   {"rock", rockPaperPlot(blow)},
-                   {"wave_picture", wavePaperPlot(blow)},
-                   {"rod", rodPaperPlot(blow, stop)}},
+    return render({{"blow", blowPaperPlot(blow, reader)},
+                   {"rock", rockPaperPlot(blow, reader)},
+                   {"wave_picture", wavePaperPlot(blow, reader)},
+                   {"rod", rodPaperPlot(blow, stop, reader)}},
                   blow.scenario, formats, stop);
 }
 

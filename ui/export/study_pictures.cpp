@@ -3,7 +3,6 @@
 
 #include "core/yaml/preset_file.h"
 #include "ui/export/figure_plot.h"
-#include "ui/export/paper_plots.h"
 #include "ui/export/sweep_panels.h"
 #include "ui/pages/accuracy/proof_plot.h"
 #include "ui/pages/curve/curve_plot.h"
@@ -21,14 +20,10 @@ Pictures drawn(const PaperPlot& paper, const std::string& title, const PictureOr
     return renderPictures(*paper.plot, paper.size, QString::fromStdString(title), order);
 }
 
-ShownUnits unitsFor(const Scenario& scenario) {
-    return shownUnits(naturalUnits(scenario), scalesOf(scenario));
-}
-
 }  // namespace
 
 // Of several outputs the first: the page shows one at a time.
-Pictures drawStudy(const CurveReport& report, const PictureOrder& order) {
+Pictures drawStudy(const CurveReport& report, const PictureOrder& order, const PaperReader& reader) {
     const CurveQuestion& asked = report.study.question;
     CurvePageStudy study;
     study.question.curve = asked;
@@ -40,23 +35,21 @@ Pictures drawStudy(const CurveReport& report, const PictureOrder& order) {
     const ShownUnits units =
         shownUnits(isSi ? UnitSystem::si : UnitSystem::dimensionless, scalesOf(asked.base));
     const Unit& unit = customaryUnit(*asked.along.parameter, UnitSystem::si);
-    return drawn(paperPlot<CurvePlot>(curvePicture(study, units, unit, here, builtInPresets(), QLocale::c()),
-                                      {180, 120}),
+    return drawn(paperPlot<CurvePlot>(curvePicture(study, units, unit, here, builtInPresets(), reader.locale),
+                                      {180, 120}, reader.locale),
                  asked.base.title, order);
 }
 
-Pictures drawStudy(const DesignReport& report, const PictureOrder& order) {
-    const PaperReader reader;
+Pictures drawStudy(const DesignReport& report, const PictureOrder& order, const PaperReader& reader) {
     const DesignUnits units(
         report.study, reader.unitsFor(report.study.base),
         [&](const Parameter& parameter) -> const Unit& { return reader.unitFor(parameter); }, reader.locale);
-    return drawn(paperPlot<DesignPlot>(designPicture(report, units), {180, 180}), report.study.base.title,
-                 order);
+    return drawn(paperPlot<DesignPlot>(designPicture(report, units), {180, 180}, reader.locale),
+                 report.study.base.title, order);
 }
 
-Pictures drawStudy(const DrillingReport& report, const PictureOrder& order) {
+Pictures drawStudy(const DrillingReport& report, const PictureOrder& order, const PaperReader& reader) {
     const DrillingResult& result = report.result;
-    const PaperReader reader;
     DrillingPicture picture;
     picture.units = drillingShown(result.scenario, reader.unitFor(*findParameter("drill.thrust")),
                                   reader.unitsFor(result.scenario));
@@ -65,12 +58,11 @@ Pictures drawStudy(const DrillingReport& report, const PictureOrder& order) {
     else
         picture.march = marchPicture(result.blows, result.settings, result.units, &result,
                                      corOverPeriod(result.scenario, order.stop), picture.units);
-    return drawn(paperPlot<DrillingPlot>(picture, {180, 130}), result.scenario.title, order);
+    return drawn(paperPlot<DrillingPlot>(picture, {180, 130}, reader.locale), result.scenario.title, order);
 }
 
-Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order) {
+Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order, const PaperReader& reader) {
     const DrillingScan& scan = report.scan;
-    const PaperReader reader;
     DrillingPicture picture;
     picture.units =
         drillingShown(scan.base, reader.unitFor(*scan.axis.parameter), reader.unitsFor(scan.base));
@@ -79,38 +71,42 @@ Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order) 
         if (const std::optional<double> value = scan.axis.parameter->value(scan.base))
             picture.installed = *value * picture.units.along.factor;
     if (picture.scan->scan.rate.isEmpty()) picture.message = tr("No value has statistics.");
-    return drawn(paperPlot<DrillingPlot>(picture, {180, 80}), scan.base.title, order);
+    return drawn(paperPlot<DrillingPlot>(picture, {180, 80}, reader.locale), scan.base.title, order);
 }
 
-Pictures drawStudy(const GapReport& report, const PictureOrder& order) {
-    return drawn(gapPaperPlot(report), report.scenario.title, order);
+Pictures drawStudy(const GapReport& report, const PictureOrder& order, const PaperReader& reader) {
+    return drawn(gapPaperPlot(report, reader), report.scenario.title, order);
 }
 
 // The report outlives the picture.
-Pictures drawStudy(const MapReport& report, const PictureOrder& order) {
+Pictures drawStudy(const MapReport& report, const PictureOrder& order, const PaperReader& reader) {
     const std::shared_ptr<const MapReport> shared(std::shared_ptr<const MapReport>(), &report);
-    return drawn(paperPlot<MapPlot>(mapPicture(shared, unitsFor(report.study.base)), {180, 140}),
-                 report.study.base.title, order);
+    return drawn(
+        paperPlot<MapPlot>(mapPicture(shared, reader.unitsFor(report.study.base)), {180, 140}, reader.locale),
+        report.study.base.title, order);
 }
 
-Pictures drawStudy(const ThrustReport& report, const PictureOrder& order) {
-    return drawn(thrustPaperPlot(report), report.scenario.title, order);
+Pictures drawStudy(const ThrustReport& report, const PictureOrder& order, const PaperReader& reader) {
+    return drawn(thrustPaperPlot(report, reader), report.scenario.title, order);
 }
 
-Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order) {
-    return drawn(paperPlot<ProofPlot>(accuracyPicture(accuracy, QLocale::c()), {160, 110}), {}, order);
+Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order, const PaperReader& reader) {
+    return drawn(paperPlot<ProofPlot>(accuracyPicture(accuracy, reader.locale), {160, 110}, reader.locale),
+                 {}, order);
 }
 
-Pictures drawStudy(const StringAccuracy& accuracy, const PictureOrder& order) {
-    return drawn(paperPlot<ProofPlot>(accuracyPicture(accuracy, QLocale::c()), {160, 110}), {}, order);
+Pictures drawStudy(const StringAccuracy& accuracy, const PictureOrder& order, const PaperReader& reader) {
+    return drawn(paperPlot<ProofPlot>(accuracyPicture(accuracy, reader.locale), {160, 110}, reader.locale),
+                 {}, order);
 }
 
-Pictures drawStudy(const StabilityReport& report, const PictureOrder& order) {
-    return drawn(paperPlot<ProofPlot>(stabilityPicture(report, QLocale::c()), {180, 120}), {}, order);
+Pictures drawStudy(const StabilityReport& report, const PictureOrder& order, const PaperReader& reader) {
+    return drawn(paperPlot<ProofPlot>(stabilityPicture(report, reader.locale), {180, 120}, reader.locale), {},
+                 order);
 }
 
-Pictures drawStudy(const SweepRows& rows, const PictureOrder& order) {
-    return drawPanels(sweepPanels(rows), QString::fromStdString(rows.title), order);
+Pictures drawStudy(const SweepRows& rows, const PictureOrder& order, const PaperReader& reader) {
+    return drawPanels(sweepPanels(rows), QString::fromStdString(rows.title), order, reader.locale);
 }
 
 }  // namespace drillwave

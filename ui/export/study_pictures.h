@@ -13,25 +13,27 @@
 #include "core/study/proof/stability.h"
 #include "core/study/proof/string_accuracy.h"
 #include "core/study/rows/sweep_rows.h"
+#include "ui/export/paper_plots.h"
 #include "ui/export/pictures.h"
 
 namespace drillwave {
 
-/// What the page of each study shows at first, in naturalUnits(); see renderPictures().
-Pictures drawStudy(const CurveReport& report, const PictureOrder& order);
-Pictures drawStudy(const DesignReport& report, const PictureOrder& order);
+/// What the page of each study shows at first; see renderPictures().
+Pictures drawStudy(const CurveReport& report, const PictureOrder& order, const PaperReader& reader = {});
+Pictures drawStudy(const DesignReport& report, const PictureOrder& order, const PaperReader& reader = {});
 /// The march, or why there is nothing to show.
-Pictures drawStudy(const DrillingReport& report, const PictureOrder& order);
+Pictures drawStudy(const DrillingReport& report, const PictureOrder& order, const PaperReader& reader = {});
 /// Requires a parameter along the axis.
-Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order);
-Pictures drawStudy(const GapReport& report, const PictureOrder& order);
-Pictures drawStudy(const MapReport& report, const PictureOrder& order);
+Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order,
+                   const PaperReader& reader = {});
+Pictures drawStudy(const GapReport& report, const PictureOrder& order, const PaperReader& reader = {});
+Pictures drawStudy(const MapReport& report, const PictureOrder& order, const PaperReader& reader = {});
 /// Of a report along a parameter.
-Pictures drawStudy(const ThrustReport& report, const PictureOrder& order);
-Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order);
-Pictures drawStudy(const StringAccuracy& accuracy, const PictureOrder& order);
-Pictures drawStudy(const StabilityReport& report, const PictureOrder& order);
+Pictures drawStudy(const ThrustReport& report, const PictureOrder& order, const PaperReader& reader = {});
+Pictures drawStudy(const Accuracy& accuracy, const PictureOrder& order, const PaperReader& reader = {});
+Pictures drawStudy(const StringAccuracy& accuracy, const PictureOrder& order, const PaperReader& reader = {});
+Pictures drawStudy(const StabilityReport& report, const PictureOrder& order, const PaperReader& reader = {});
 /// Has no page: the rows as curves, see sweepPanels().
-Pictures drawStudy(const SweepRows& rows, const PictureOrder& order);
+Pictures drawStudy(const SweepRows& rows, const PictureOrder& order, const PaperReader& reader = {});
 
 }  // namespace drillwave
