@@ -18,7 +18,7 @@ using namespace drillwave::test;
 
 namespace {
 
-constexpr int concurrentRuns = 6;
+constexpr int concurrentRuns = 6, rounds = 2;
 
 const QStringList filesOfARun{"events.csv", "histories.csv", "scenario.yaml", "summary.json"};
 
@@ -79,7 +79,7 @@ class TestFolders : public QObject {
 
 void TestFolders::oneOfSixRunsSucceeds() {
     const QTemporaryDir place;
-    for (int round = 0; round < 5; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         const QString folder = place.filePath(QString("new/%1").arg(round));
         const QList<int> codes = runTogether(folder, {});
         QCOMPARE(codes.count(0), 1);
@@ -93,7 +93,7 @@ void TestFolders::oneOfSixRunsSucceeds() {
 void TestFolders::sixForcedRunsNeverMix() {
     const QTemporaryDir place;
     write(place.filePath("notes.txt"), "mine");
-    for (int round = 0; round < 5; ++round) {
+    for (int round = 0; round < rounds; ++round) {
         QCOMPARE(runTogether(place.path(), {"--force"}).count(0), concurrentRuns);
         QVERIFY(commonGamma(place.path()) > 0);
         QCOMPARE(contents(place.path()),
@@ -125,7 +125,7 @@ void TestFolders::aSignalLeavesAllOrNothing() {
     QCOMPARE(all.size(), 16);
     const qint64 whole = timer.nsecsElapsed();
 
-    constexpr int moments = 12;
+    constexpr int moments = 6;
     int interrupted = 0;
     for (int i = 1; i < moments; ++i) {
         const QString folder = place.filePath(QString("%1/out").arg(i));

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "tests/support/program.h"
+#include "tests/support/tries.h"
 
 using namespace drillwave::test;
 
@@ -36,11 +37,6 @@ Set setIn(const QString& folder) {
 
 QStringList hiddenIn(const QString& folder) {
     return QDir(folder).entryList({".*"}, QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot);
-}
-
-int trials(int few) {
-    return qEnvironmentVariableIsSet("DRILLWAVE_TRIAL") ? qEnvironmentVariableIntValue("DRILLWAVE_TRIAL")
-                                                        : few;
 }
 
 /// PDF without the time of day.
@@ -84,8 +80,10 @@ std::unique_ptr<QProcess> started(const QStringList& words) {
 }
 
 /// What each writer makes where nobody else is.
-std::vector<Set> setsOf(const Kind& kind) {
-    std::vector<Set> sets;
+const std::vector<Set>& setsOf(const Kind& kind) {
+    static QMap<QStringList, std::vector<Set>> made;
+    std::vector<Set>& sets = made[kind.words];
+    if (!sets.empty()) return sets;
     for (int writer = 0; writer < writers; ++writer) {
         const QTemporaryDir place;
         const Finished alone = run(kind.wordsOf(writer, place.path()), environment());
@@ -127,8 +125,8 @@ void TestStudySets::tryWriters(const QStringList& more) {
     QFETCH(QStringList, words);
     QFETCH(QString, main);
     const Kind kind{words, main};
-    const std::vector<Set> sets = setsOf(kind);
-    for (int round = 0, rounds = trials(3); round < rounds; ++round) {
+    const std::vector<Set>& sets = setsOf(kind);
+    for (int round = 0, rounds = tries("DRILLWAVE_TRIAL", 2); round < rounds; ++round) {
         const QTemporaryDir place;
         std::vector<std::unique_ptr<QProcess>> runs;
         for (int writer = 0; writer < writers; ++writer)
@@ -155,7 +153,7 @@ void TestStudySets::aSignalNeverLeavesHalfOfTwoRuns() {
     QFETCH(QStringList, words);
     QFETCH(QString, main);
     const Kind kind{words, main};
-    const std::vector<Set> sets = setsOf(kind);
+    const std::vector<Set>& sets = setsOf(kind);
     const QTemporaryDir place;
     QElapsedTimer timer;
     timer.start();
@@ -163,7 +161,7 @@ void TestStudySets::aSignalNeverLeavesHalfOfTwoRuns() {
     const qint64 whole = timer.nsecsElapsed() / 1000;
     QRandomGenerator random(38);
     int ended = 0;
-    for (int i = 0, signals_ = trials(12); i < signals_; ++i) {
+    for (int i = 0, signals_ = tries("DRILLWAVE_TRIAL", 5); i < signals_; ++i) {
         QCOMPARE(run(kind.wordsOf(0, place.path()) + QStringList{"--force"}, environment()).exitCode, 0);
         QVERIFY(setIn(place.path()) == sets[0]);
         const auto process = started(kind.wordsOf(1, place.path()) + QStringList{"--force"});

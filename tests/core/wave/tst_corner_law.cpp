@@ -10,16 +10,15 @@
 #include "core/wave/network/plain_lattice.h"
 #include "tests/support/corner_scenes.h"
 #include "tests/support/network_scenes.h"
+#include "tests/support/tries.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
 
 namespace {
 
-/// DRILLWAVE_CORNER_SCENES where it is set, in place of a number that takes seconds.
 int scenesOr(int few) {
-    const int many = qEnvironmentVariableIntValue("DRILLWAVE_CORNER_SCENES");
-    return many > 0 ? many : few;
+    return tries("DRILLWAVE_CORNER_SCENES", few);
 }
 
 bool isClose(double a, double b, double tolerance, const std::string& what) {

@@ -16,6 +16,7 @@
 
 #include "core/yaml/examples.h"
 #include "tests/support/files.h"
+#include "tests/support/tries.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/quantity_slider.h"
@@ -173,8 +174,7 @@ void TestEdits::manyEditsUndoneGiveTheSameBytes() {
     QCOMPARE(document.startFrom(findExample(example.toStdString())->text, example), QString());
     const QByteArray before = document.text();
     QRandomGenerator random(7);
-    const int events = qEnvironmentVariableIntValue("DRILLWAVE_MONKEY_EVENTS");
-    const int edits = events > 0 ? events / 5 : 500;
+    const int edits = tries("DRILLWAVE_MONKEY_EVENTS", 600) / 5;
     for (int i = 0; i < edits; ++i) editSomething(random);
     QVERIFY(document.undoStack().count() > edits / 5);
     const QByteArray after = document.text();

@@ -10,6 +10,7 @@
 #include "core/study/drilling/drilling_statistics.h"
 #include "core/study/drilling/drilling_study.h"
 #include "tests/support/drilling_scenes.h"
+#include "tests/support/tries.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -84,11 +85,11 @@ class TestDrillingTrial : public QObject {
 };
 
 void TestDrillingTrial::itHoldsOfAll_data() {
-    const int given = qEnvironmentVariableIntValue("DRILLWAVE_DRILLING_SCENES");
+    const int rods = tries("DRILLWAVE_DRILLING_SCENES", 16);
     QTest::addColumn<bool>("isString");
     QTest::addColumn<int>("count");
-    QTest::newRow("rods") << false << (given > 0 ? given : 16);
-    QTest::newRow("strings") << true << (given > 0 ? given / 4 : 4);
+    QTest::newRow("rods") << false << rods;
+    QTest::newRow("strings") << true << rods / 4;
 }
 
 /// Momentum to rounding, energy to the cells, and nothing that pulls.

@@ -4,6 +4,7 @@
 
 #include "tests/support/basis_comparison.h"
 #include "tests/support/basis_scenes.h"
+#include "tests/support/tries.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -12,8 +13,7 @@ namespace {
 
 /// Some for every run of the tests. DRILLWAVE_BASES_SCENES=200000 takes minutes; compare_bases says more.
 unsigned scenesToTry() {
-    const int asked = qEnvironmentVariableIntValue("DRILLWAVE_BASES_SCENES");
-    return asked > 0 ? unsigned(asked) : 3000;
+    return unsigned(tries("DRILLWAVE_BASES_SCENES", 3000));
 }
 
 std::string words(const BasisFinding& found) {

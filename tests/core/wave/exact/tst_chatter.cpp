@@ -7,6 +7,7 @@
 #include "core/wave/exact/extended_solver.h"
 #include "core/wave/exact/series_basis.h"
 #include "tests/support/scenes.h"
+#include "tests/support/tries.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -44,8 +45,7 @@ int classOf(int contacts) {
 /// Blows to try: some for every run of the tests. DRILLWAVE_CHATTER_BLOWS=1000 takes half an hour, for which
 /// Qt Test wants QTEST_FUNCTION_TIMEOUT=3600000 (ms) as well.
 int blowsToTry() {
-    const int asked = qEnvironmentVariableIntValue("DRILLWAVE_CHATTER_BLOWS");
-    return asked > 0 ? asked : 30;
+    return tries("DRILLWAVE_CHATTER_BLOWS", 30);
 }
 
 const Scene noDigits{PulseShape::piston, {4.3, 0.07, 0.1, 0}, 15};

@@ -10,6 +10,7 @@
 #include "tests/support/basis_scenes.h"
 #include "tests/support/event_change.h"
 #include "tests/support/network_scenes.h"
+#include "tests/support/tries.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -20,8 +21,7 @@ constexpr int fewChanges = 160;
 
 /// Some for every run of the tests. DRILLWAVE_EVENT_CHANGES=4000 takes minutes.
 int changesToFind() {
-    const int asked = qEnvironmentVariableIntValue("DRILLWAVE_EVENT_CHANGES");
-    return asked > 0 ? asked : fewChanges;
+    return tries("DRILLWAVE_EVENT_CHANGES", fewChanges);
 }
 
 /// Sums that were made apart, of right blows: rounding of joined pieces, 4e-10 at most.

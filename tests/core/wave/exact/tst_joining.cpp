@@ -8,6 +8,7 @@
 #include "core/wave/exact/series_joiner.h"
 #include "tests/support/scenes.h"
 #include "tests/support/series.h"
+#include "tests/support/tries.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -42,12 +43,6 @@ class SoftScenes {
     double m_leastBeta, m_leastGamma, m_mostGamma;
     std::mt19937_64 m_random;
 };
-
-/// Soft scenes to compare in each class: some for every run of the tests, more by DRILLWAVE_SOFT_BLOWS.
-int blowsToTry() {
-    const int asked = qEnvironmentVariableIntValue("DRILLWAVE_SOFT_BLOWS");
-    return asked > 0 ? asked : 40;
-}
 
 }  // namespace
 
@@ -129,12 +124,13 @@ class TestJoining : public QObject {
         const auto extended = std::make_unique<ContactMarch<SeriesBasis<long double>>>();
         SoftScenes scenes(leastBeta, leastGamma, mostGamma, 17);
         int compared = 0, outside = 0, changed = 0;
-        for (int i = 0; i < blowsToTry(); ++i) {
+        for (int i = 0; i < tries("DRILLWAVE_SOFT_BLOWS", 40); ++i) {
             const Scene scene = scenes.next();
             const Impact impact = solve(scene);
             QCOMPARE(impact.outcome, Outcome::rebounded);
             QVERIFY2(impact.corError <= 1e-9, describe(scene).c_str());
-            if (impact.pieces > 600'000 && blowsToTry() < 100) continue;  // many seconds in long double
+            if (impact.pieces > 600'000 && tries("DRILLWAVE_SOFT_BLOWS", 40) < 100)
+                continue;  // many seconds in long double
             Impact exact;
             extended->solve(problemOf(scene), Detail::cor, exact);
             if (exact.outcome != Outcome::rebounded) continue;
@@ -148,7 +144,7 @@ class TestJoining : public QObject {
         }
         qInfo("%d of %d outside, %d changed by more than rounding", outside, compared, changed);
         QVERIFY(outside <= compared / 100);
-        QVERIFY(compared >= blowsToTry() * 2 / 3);
+        QVERIFY(compared >= tries("DRILLWAVE_SOFT_BLOWS", 40) * 2 / 3);
         QVERIFY(changed >= std::max(2, compared / 20));  // else nothing has been tried
     }
 

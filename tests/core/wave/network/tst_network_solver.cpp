@@ -12,6 +12,7 @@
 #include "core/wave/network/string_envelope.h"
 #include "tests/support/network_scenes.h"
 #include "tests/support/scenes.h"
+#include "tests/support/tries.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -47,10 +48,9 @@ Impact march(const Problem& problem, const CellGrid& grid, const NetworkWants& w
     return march.run(mostCells, {});
 }
 
-/// How often random strings are tried: as many as asked for, else `usual`.
-int scenesOr(int usual) {
-    const int asked = qEnvironmentVariableIntValue("DRILLWAVE_NETWORK_SCENES");
-    return asked > 0 ? asked : usual;
+/// How often random strings are tried.
+int scenesOr(int few) {
+    return tries("DRILLWAVE_NETWORK_SCENES", few);
 }
 
 }  // namespace
