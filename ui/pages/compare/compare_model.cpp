@@ -45,13 +45,14 @@ QString CompareModel::text(const CompareRow& row, std::size_t column) const {
     if (row.kind == CompareRow::Kind::heading) return {};
     if (!row.hasNumbers()) return row.words[static_cast<qsizetype>(column)];
     const std::optional<double>& number = row.numbers[column];
-    const QString value = number ? numberText(*number, digits, QLocale()) : QStringLiteral("–");
+    const QString value = number ? numberText(*number, digits, QLocale()) : noNumber;
     if (!hasDifferences(m_table, row)) return value;
     if (column == m_table.reference) return value + QLatin1Char('\n') + tr("reference");
     const std::optional<double> difference = row.difference(column, m_table.reference);
     if (!difference) return value + QLatin1Char('\n');
     const QString share = percentText(*number, *row.numbers[m_table.reference]);
-    return value + QLatin1Char('\n') + signedText(*difference) +
+    const bool isNone = row.relative(column, m_table.reference) == 0.0;  // less than rounding makes
+    return value + QLatin1Char('\n') + signedText(isNone ? 0 : *difference) +
            (share.isEmpty() ? QString() : QStringLiteral("   ") + share);
 }
 

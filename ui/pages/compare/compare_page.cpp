@@ -22,6 +22,7 @@ namespace {
 
 constexpr QSize lineSize{30, 12};  // [px]
 constexpr int leastLetters = 8;    // of a line in a header
+constexpr int presentResult = -1;  // in place of the number of a run
 
 }  // namespace
 
@@ -117,6 +118,7 @@ void ComparePage::setResult(const SolvedBlowPtr& blow) {
 
 void ComparePage::follow() {
     m_layers->setCurrentIndex(m_runs.list()->empty() ? 0 : 1);
+    forgetNeeds();
     offerReferences();
     emit titleChanged();
     if (isVisible()) present();
@@ -133,14 +135,36 @@ void ComparePage::offerReferences() {
     }
 }
 
+// As soon as it is known, all is presented again.
+std::optional<double> ComparePage::everyGap(int column, const SolvedBlow& blow) {
+    std::unique_ptr<WorstNeed>& need = m_needs[column];
+    if (!need) {
+        need = std::make_unique<WorstNeed>();
+        connect(need.get(), &WorstNeed::changed, this, [this] {
+            if (isVisible()) present();
+        });
+    }
+    need->ask(blow);
+    return need->isCurrent() ? need->thrust() : std::nullopt;
+}
+
+void ComparePage::forgetNeeds() {
+    std::erase_if(m_needs, [this](const auto& each) {
+        return each.first != presentResult &&
+               std::ranges::find(*m_runs.list(), each.first, &Run::number) == m_runs.list()->end();
+    });
+}
+
 void ComparePage::present() {
     if (!m_now || m_runs.list()->empty()) return;
-    std::vector<CompareColumn> columns{{tr("now"), &m_now->request.scenario, m_now.get()}};
+    std::vector<CompareColumn> columns{
+        {tr("now"), &m_now->request.scenario, m_now.get(), everyGap(presentResult, *m_now)}};
     QList<QIcon> icons{QIcon()};
     std::size_t reference = 0;
     for (const Run& run : *m_runs.list()) {
         if (&run == m_runs.reference()) reference = columns.size();
-        columns.push_back({run.title(), &run.contents.scenario, run.blow.get()});
+        columns.push_back({run.title(), &run.contents.scenario, run.blow.get(),
+                           run.blow ? everyGap(run.number, *run.blow) : std::nullopt});
         icons << runIcon(run.number, palette(), lineSize);
     }
     m_model->present(

@@ -2,10 +2,13 @@
 // The page Compare: the present result and the pinned runs side by side.
 #pragma once
 
+#include <map>
+#include <memory>
 #include <optional>
 
 #include "ui/pages/compare/compare_model.h"
 #include "ui/pages/page.h"
+#include "ui/result/worst_need.h"
 #include "ui/runs/runs.h"
 
 class QComboBox;
@@ -49,6 +52,8 @@ class ComparePage : public Page {
     void makeTable();
     void follow();
     void present();
+    std::optional<double> everyGap(int column, const SolvedBlow& blow);
+    void forgetNeeds();
     void offerReferences();
     const Run* chosen() const;
     void choose();
@@ -65,6 +70,7 @@ class ComparePage : public Page {
     QComboBox* m_reference = nullptr;
     QPushButton* m_revert = nullptr;
     QTableView* m_view;
+    std::map<int, std::unique_ptr<WorstNeed>> m_needs;  // by the number of the run, or `present result`
     std::optional<int> m_chosen;  // run whose column it is; none for that of the present result
     CompareModel* m_model;
 };

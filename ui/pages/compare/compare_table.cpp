@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "core/model/blow_traits.h"
 #include "core/model/scenario_difference.h"
@@ -10,6 +11,7 @@
 #include "core/text/csv.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
+#include "ui/result/feed_text.h"
 #include "ui/result/output_unit.h"
 #include "ui/runs/difference_text.h"
 #include "ui/text/core_text.h"
@@ -133,6 +135,39 @@ void addResults(CompareTable& table, const Columns& columns, UnitSystem system, 
     }
 }
 
+/// What the installed thrust has to spare, which rods and hammers are compared for.
+void addMargins(CompareTable& table, const Columns& columns, UnitSystem system, const ChosenUnits& chosen) {
+    const auto base = std::ranges::find_if(
+        columns, [](const CompareColumn& each) { return isSolved(each) && each.blow->feed; });
+    if (system == UnitSystem::dimensionless || base == columns.end()) return;
+    using Numbers = std::vector<std::optional<double>>;
+    Numbers ofBlow, needed, ofAllGaps;
+    for (const CompareColumn& each : columns) {
+        const bool isJudged = isSolved(each) && each.blow->feed;
+        ofBlow.push_back(isJudged ? thrustMargin(*each.blow) : std::nullopt);
+        needed.push_back(isJudged ? each.everyGap : std::nullopt);
+        const bool isInstalled = ofBlow.back() && needed.back();
+        ofAllGaps.push_back(isInstalled ? std::optional(*each.blow->feed->effective() - *needed.back())
+                                        : std::nullopt);
+    }
+    const ShownUnit unit = outputUnit(*findOutput("thrust"), shownUnits(system, base->blow->scales, chosen),
+                                      base->blow->feed->fullRate);
+    const auto add = [&](const QString& name, Numbers numbers) {
+        const auto isThere = [](const std::optional<double>& number) { return number.has_value(); };
+        if (std::ranges::none_of(numbers, isThere)) return;
+        for (std::optional<double>& number : numbers)
+            if (number) *number *= unit.factor;
+        table.rows.push_back({.kind = CompareRow::Kind::result,
+                              .name = name,
+                              .unit = unit.unit,
+                              .numbers = std::move(numbers),
+                              .words = {}});
+    };
+    add(tr("thrust margin, this blow"), std::move(ofBlow));
+    add(tr("thrust needed at every gap"), std::move(needed));
+    add(tr("thrust margin at every gap"), std::move(ofAllGaps));
+}
+
 std::string cell(const QString& text, char separator) {
     return separator == ',' ? csvCell(text.toStdString()) : text.simplified().toStdString();
 }
@@ -164,6 +199,7 @@ CompareTable compareTable(const Columns& columns, std::size_t reference, UnitSys
     addParameters(table, columns, fields);
     if (table.rows.size() == 1) table.rows.front().name = tr("nothing differs");
     table.rows.push_back(heading(tr("results")));
+    addMargins(table, columns, units, chosen);
     addResults(table, columns, units, chosen);
     return table;
 }

@@ -15,9 +15,10 @@ class UnitChoice;
 
 /// What stands side by side.
 struct CompareColumn {
-    QString title;             ///< "now", "A  k 300 MN/m"
-    const Scenario* scenario;  ///< not nullptr
-    const SolvedBlow* blow;    ///< nullptr where there is none
+    QString title;                        ///< "now", "A  k 300 MN/m"
+    const Scenario* scenario;             ///< not nullptr
+    const SolvedBlow* blow;               ///< nullptr where there is none
+    std::optional<double> everyGap = {};  ///< the largest of its needs of thrust [N], where that is known
 };
 
 /// One quantity of all columns, in the units on show.
@@ -44,8 +45,9 @@ struct CompareTable {
     std::vector<CompareRow> rows;
 };
 
-/// All results that at least one of the columns has, but for numerical errors. `units` and `chosen` are those
-/// on show; their prefixes follow the first column that is solved. `fields` has those of parameters.
+/// All results that at least one of the columns has, but for numerical errors, and margins of the thrust.
+/// `units` and `chosen` are those on show; their prefixes follow the first column that is solved. `fields`
+/// has those of parameters.
 CompareTable compareTable(const std::vector<CompareColumn>& columns, std::size_t reference, UnitSystem units,
                           const ChosenUnits& chosen, const UnitChoice& fields);
 

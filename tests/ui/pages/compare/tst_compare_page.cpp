@@ -11,6 +11,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/blow/blow.h"
+#include "core/blow/thrust.h"
+#include "core/study/thrust/thrust_study.h"
 #include "core/yaml/examples.h"
 #include "tests/support/program.h"
 #include "tests/support/window.h"
@@ -63,6 +66,8 @@ class TestComparePage : public QObject {
     void stringsHaveTheirResults_data();
     void stringsHaveTheirResults();
     void multiplesOfOtherScalesAreNotCompared();
+    void marginsOfTheThrustAreCompared();
+    void whatRoundingMakesIsNoDifference();
 
   private:
     void pin(const char* key, double si);
@@ -360,6 +365,49 @@ void TestComparePage::withoutUnitsARunHasNoForces() {
     force = rowOf(m_page->table(), "peak force");
     QCOMPARE(force->unit, QString("F₀"));
     QCOMPARE(*force->numbers[2], m_runs->list()->back().blow->summary.peakForce);
+}
+
+// That at every gap is found beside the blow, as soon as it is known.
+void TestComparePage::marginsOfTheThrustAreCompared() {
+    pin("bit_rock.stiffness", 1e8);
+    pin("rod.length", 3);
+    show();
+    const auto margins = [&](const char* name) {
+        const CompareRow* row = rowOf(m_page->table(), name);
+        return row ? row->numbers : std::vector<std::optional<double>>(3);
+    };
+    const auto isThere = [](const std::optional<double>& number) { return number.has_value(); };
+    QTRY_VERIFY_WITH_TIMEOUT(std::ranges::all_of(margins("thrust margin at every gap"), isThere), 60000);
+    Scenario first = m_document->scenario();
+    findParameter("rod.length")->assign(first, 3.66);
+    for (const auto& [column, scenario] : {std::pair(std::size_t{1}, first), {2, m_document->scenario()}}) {
+        const double installed = *scenario.drill.thrust;
+        const Blow blow = solveBlow(scenario, {}, Detail::cor);
+        const double needed = *thrustNeeded(scenario, blow.summary.cor, blow.summary.transferred);
+        const double everywhere = widestOf(studyThrust(scenario).needs).thrust;
+        const auto isShown = [&](const char* name, double newton) {
+            return std::abs(*margins(name)[column] - newton / 1e3) < 1e-9;
+        };
+        QVERIFY(isShown("thrust margin, this blow", installed - needed));
+        QVERIFY(isShown("thrust needed at every gap", everywhere));
+        QVERIFY(isShown("thrust margin at every gap", installed - everywhere));
+    }
+    m_page->setResult(solve(UnitSystem::dimensionless));
+    QVERIFY(!rowOf(m_page->table(), "thrust margin, this blow"));
+}
+
+void TestComparePage::whatRoundingMakesIsNoDifference() {
+    CompareTable table;
+    table.titles = QStringList{"now", "A"};
+    table.rows.push_back({.kind = CompareRow::Kind::result,
+                          .name = "COR e",
+                          .unit = {},
+                          .numbers = {0.4, 0.4 + 0x1p-53},
+                          .words = {}});
+    CompareModel model;
+    model.present(table, {});
+    const QString text = model.index(0, 1).data().toString();
+    QVERIFY2(text.contains(QStringLiteral("\n±0 ")), qPrintable(text));
 }
 
 QTEST_MAIN(TestComparePage)
