@@ -62,7 +62,7 @@ constexpr auto summaryLines = std::to_array<SummaryLine>({
      LineKind::part},
     {"percussion_power", translatable("drillwave::Message", "percussion power"), OutputOf::uniformRod},
     {"penetration_rate", translatable("drillwave::Message", "penetration rate"), OutputOf::uniformRod,
-     LineKind::plain, translatable("drillwave::Message", "at most %1")},
+     LineKind::plain, translatable("drillwave::Message", "%1 of blows like this one")},
     {"first_contact_time", translatable("drillwave::Message", "first contact"), OutputOf::anyBlow,
      LineKind::afterContact},
     {"separation_time", translatable("drillwave::Message", "last separation"), OutputOf::anyBlow,

@@ -27,11 +27,6 @@ ResultEntry::Text textOf(const Output& output) {
     switch (output.measure) {
         case Measure::impulse:
             return [&output](const SolvedBlow& blow) { return impulseText(output, blow); };
-        case Measure::speed:  // what the rig can reach at most
-            return [&output](const SolvedBlow& blow) {
-                const QString text = outputText(output, blow);
-                return text.isEmpty() ? text : QStringLiteral("≤ ") + text;
-            };
         default:
             return [&output](const SolvedBlow& blow) { return outputText(output, blow); };
     }

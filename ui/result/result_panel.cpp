@@ -73,23 +73,41 @@ void ResultPanel::addAlerts() {
 
 // Before all numbers, with room for what it says at most, or they would move.
 void ResultPanel::addDecision() {
-    constexpr int lines = 4;
-    m_decision = new QLabel(widget());
+    constexpr int lines = 4, linesBelow = 2;
+    auto* decided = new QWidget(widget());
+    m_decision = new QLabel(decided);
     m_decision->setObjectName(QStringLiteral("decision"));
     m_decision->setWordWrap(true);
-    m_decision->setAlignment(Qt::AlignLeft | Qt::AlignTop);
     QFont font = m_decision->font();
     font.setBold(true);
     m_decision->setFont(font);
-    m_decision->setMinimumHeight(lines * QFontMetrics(font).lineSpacing());
     m_decision->setAccessibleName(tr("what to do about the feed"));
     makeSelectable(*m_decision);
-    static_cast<QVBoxLayout*>(widget()->layout())->insertWidget(0, m_decision);
+    m_beyond = new QLabel(decided);
+    m_beyond->setObjectName(QStringLiteral("beyond"));
+    m_beyond->setWordWrap(true);
+    m_beyond->setText(tr("Told of single blows, each from rest; %1 follows one after another.")
+                          .arg(QStringLiteral("<a href=\"drilling\">%1</a>").arg(tr("Drilling"))));
+    m_beyond->setToolTip(
+        tr("Waves that a blow leaves in the rod meet the next one, and may make the bit "
+           "bounce where single blows say that it rests"));
+    m_beyond->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
+    connect(m_beyond, &QLabel::linkActivated, this, &ResultPanel::drillingChosen);
+    auto* layout = new QVBoxLayout(decided);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addWidget(m_decision);
+    layout->addWidget(m_beyond);
+    layout->addStretch();
+    decided->setMinimumHeight(lines * QFontMetrics(font).lineSpacing() +
+                              linesBelow * m_beyond->fontMetrics().lineSpacing());
+    static_cast<QVBoxLayout*>(widget()->layout())->insertWidget(0, decided);
 }
 
 void ResultPanel::showDecision() {
     m_decision->setText(decisionText(m_worst, *m_blow));
     m_decision->setToolTip(m_blow->fault.isEmpty() ? feedMeaningText(*m_blow) : QString());
+    m_beyond->setVisible(m_blow->feed && m_blow->feed->force);
 }
 
 void ResultPanel::goToAlerts() {

@@ -47,6 +47,8 @@ class ResultPanel : public SteadyScrollArea {
     void timeChosen(std::optional<double> time);
     /// The user follows a largest stress to where in the rod, x/L, and when, t/t0, it occurs.
     void placeChosen(double section, double time);
+    /// The user wants to see what many blows do.
+    void drillingChosen();
     /// The user follows an alert to its parameter: the key, as in parameters().
     void parameterChosen(const QString& key);
 
@@ -84,6 +86,7 @@ class ResultPanel : public SteadyScrollArea {
     AlertList* m_alerts = nullptr;
     SectionBox* m_alertSection = nullptr;
     QLabel* m_decision = nullptr;
+    QLabel* m_beyond = nullptr;  // what the decision leaves out
     StaleVeil* m_veil;
 };
 

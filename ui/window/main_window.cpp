@@ -149,6 +149,8 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     addMenus();
     addStatusBar();
     wire();
+    connect(m_resultPanel, &ResultPanel::drillingChosen, m_pages,
+            [this, drilling] { m_pages->setCurrentWidget(drilling); });
     new BlowGhost(
         m_document, *m_scenarioPanel, *m_pages, [this] { return m_shown; }, this);
     wireSolving();

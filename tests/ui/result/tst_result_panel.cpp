@@ -263,7 +263,7 @@ class TestResultPanel : public QObject {
         QCOMPARE(titles, QStringList({"Thrust", "Energy", "Penetration", "Rebound", "Stress in the rod",
                                       "Force and times"}));
         QVERIFY(valueOf(panel, "Energy: percussion power").endsWith(" kW"));
-        QVERIFY(valueOf(panel, "Penetration: penetration rate").startsWith("≤ "));
+        QVERIFY(valueOf(panel, "Penetration: penetration rate").endsWith(" m/min"));
         // 51 N s (1 + e)
         QCOMPARE(valueOf(panel, "Rebound: COR e"), QString("0.3672"));
         QCOMPARE(valueOf(panel, "Rebound: impulse on the rock"), QString("69.73 N s = 1.37 I₀"));

@@ -14,6 +14,7 @@
 #include "ui/form/scenario_panel.h"
 #include "ui/form/section_box.h"
 #include "ui/job/observation.h"
+#include "ui/pages/drilling/drilling_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/result/alert_link.h"
 #include "ui/result/place_link.h"
@@ -90,6 +91,20 @@ class TestResultWiring : public QObject {
         QCOMPARE(window.focusWidget(), &first);
         panel.alerts()->present("out of rock", {}, m_style);
         QCOMPARE(link->text(), QString("✖ not solved"));
+    }
+
+    // Single blows say that a bit rests where many make it bounce.
+    void theDecisionSaysWhatItLeavesOutAndLeadsThere() {
+        MainWindow window;
+        window.show();
+        window.openExample(*findExample("t38_medium_rock"));
+        auto* beyond = part<ResultPanel>(window).findChild<QLabel*>(QStringLiteral("beyond"));
+        QVERIFY(beyond);
+        QTRY_VERIFY(beyond->isVisibleTo(&window));
+        emit beyond->linkActivated(QStringLiteral("drilling"));
+        QCOMPARE(&part<PageTabs>(window).current(), &part<DrillingPage>(window));
+        window.openExample(*findExample("paper_fig4b"));
+        QTRY_VERIFY(!beyond->isVisibleTo(&window));
     }
 
     void theTopOfTheResultLeadsToItsAlerts() {
