@@ -16,6 +16,7 @@
 #include <sstream>
 
 #include "core/disk/file_bytes.h"
+#include "core/model/blow_traits.h"
 #include "core/signal/text_lines.h"
 #include "ui/form/pulse_preview.h"
 #include "ui/form/section_box.h"
@@ -199,8 +200,12 @@ void ImportDialog::ask() {
     showState();
 }
 
-// Why there is nothing to be computed.
+// Why there is nothing to be computed. The window is there meanwhile, to make room.
 QString ImportDialog::obstacle() const {
+    if (use() == ImportUse::blow && !isForced(m_document.scenario()))
+        return tr(
+            "This string is struck by the sections of its hammer; Edit ▸ Put a force in place of the hammer "
+            "makes room for a measured one.");
     if (!m_unreadable.isEmpty())
         return QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(m_path), m_unreadable);
     const QString problem = m_table->problem();

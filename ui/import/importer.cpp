@@ -23,9 +23,6 @@ void Importer::start(ImportUse use) {
 }
 
 void Importer::open(const QString& path, ImportUse use) {
-    if (const QString reason = refusal(use); !reason.isEmpty())
-        return m_questions.tell(m_window, Questions::Tone::failure, tr("This cannot be taken."),
-                                QFileInfo(path).fileName() + QLatin1Char('\n') + reason);
     delete m_dialog;
     m_dialog = new ImportDialog(path, use, m_document, m_window);
     m_dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -47,17 +44,7 @@ void Importer::take() {
                          : tr("%1 is laid over the page Blow.").arg(file));
 }
 
-QString Importer::refusal(ImportUse use) const {
-    if (use == ImportUse::blow && !isForced(m_document.scenario()))
-        return tr(
-            "This string is struck by the sections of its hammer; Edit ▸ Put a force in place of the hammer "
-            "makes room for a measured one.");
-    return {};
-}
-
 QString Importer::takeBlow() {
-    // Another scenario may have been opened while the dialog was.
-    if (const QString reason = refusal(ImportUse::blow); !reason.isEmpty()) return reason;
     Scenario changed = m_document.scenario();
     changed.pulse.shape = PulseShape::table;
     changed.pulse.tableFile.clear();
@@ -67,7 +54,6 @@ QString Importer::takeBlow() {
 }
 
 QString Importer::takeMeasured() {
-    if (const QString reason = refusal(m_dialog->use()); !reason.isEmpty()) return reason;
     if (m_measured.isFull())
         return tr("%1 measured curves are there already: remove one on the page Blow.")
             .arg(MeasuredList::most);

@@ -32,8 +32,6 @@ class Importer : public QObject {
 
   private:
     void take();
-    /// Why a signal is of no use for this here; empty where it is.
-    QString refusal(ImportUse use) const;
     QString takeBlow();
     QString takeMeasured();
 

@@ -14,6 +14,7 @@ FormNotice::FormNotice(Document& document, QWidget* parent)
       m_toString(new QAction(tr("&Make a drill string of this"), this)),
       m_toUniformRod(new QAction(tr("&Simplify to a uniform rod"), this)),
       m_toForce(new QAction(tr("Put a &force in place of the hammer"), this)) {
+    m_toForce->setObjectName(QStringLiteral("toForce"));
     setObjectName(QStringLiteral("formNotice"));
     QPushButton* undo = addButton(tr("Undo"), tr("Take the conversion back"));
     connect(undo, &QPushButton::clicked, &document.undoStack(), &QUndoStack::undo);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A measured signal as the hammer blow: what the scenario takes, and the dialog beside the window.
+#include <QAction>
 #include <QDialogButtonBox>
 #include <QLabel>
 #include <QPushButton>
@@ -27,6 +28,7 @@ class TestImportOfBlow : public QObject, private ImportFixture {
     void aBlowOfAllThePointsThereMayBeFitsItsFile();
     void whatLeavingOutSamplesDoesToTheReboundIsTold();
     void withoutPhysicalUnitsOnlyTheShapeIsTaken();
+    void aStringWithAHammerSaysAtOnceHowToMakeRoom();
     void aPlaceBeyondTheRodIsRefused();
     void aBlowThatTheScenarioRefusesStaysInTheDialog();
     void theDialogFollowsTheRod();
@@ -105,6 +107,21 @@ void TestImportOfBlow::withoutPhysicalUnitsOnlyTheShapeIsTaken() {
     use.setCurrentIndex(use.findData(static_cast<int>(ImportUse::impactForce)));
     QVERIFY(settle(dialog));
     QVERIFY(!control<QLabel>(dialog, "summary").text().contains(words));
+}
+
+void TestImportOfBlow::aStringWithAHammerSaysAtOnceHowToMakeRoom() {
+    m_window->document().startFrom(findExample("t38_string")->text, QStringLiteral("string"));
+    ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::blow);
+    QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).contains(QStringLiteral("Put a force in place of the hammer")),
+             qPrintable(message(dialog)));
+    QVERIFY(!control<QPushButton>(dialog, "take").isEnabled());
+    // The dialog stays open beside the window, where there is room to be made.
+    m_window->findChild<QAction*>(QStringLiteral("toForce"))->trigger();
+    QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).isEmpty(), qPrintable(message(dialog)));
+    control<QPushButton>(dialog, "take").click();
+    QVERIFY(m_window->document().scenario().pulse.shape == PulseShape::table);
 }
 
 void TestImportOfBlow::aPlaceBeyondTheRodIsRefused() {
