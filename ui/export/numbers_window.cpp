@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "ui/export/numbers_table.h"
+#include "ui/questions/on_screen.h"
 
 namespace drillwave {
 namespace {
@@ -51,8 +52,7 @@ NumbersWindow::NumbersWindow(const QString& title, const QList<std::pair<QString
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     layout->addWidget(buttons);
-    constexpr int width = 760, height = 560;
-    resize(width, height);
+    resize(firstSize(*this, {760, 560}));
 }
 
 QTableView* NumbersWindow::makeView(const QString& title, const QByteArray& csv) {

@@ -12,6 +12,7 @@
 
 #include "ui/export/report_export.h"
 #include "ui/pages/study/flow_layout.h"
+#include "ui/questions/on_screen.h"
 #include "ui/text/settings.h"
 
 namespace drillwave {
@@ -64,8 +65,7 @@ ReportPreview::ReportPreview(QWidget* parent)
     layout->addWidget(m_fields);
     layout->addWidget(m_pages, 1);
     layout->addLayout(buttons);
-    constexpr int width = 720, height = 900;
-    resize(width, height);
+    resize(firstSize(*this, {720, 900}));
     m_edited.setSingleShot(true);
     m_edited.setInterval(patienceMilliseconds);
     connect(&m_edited, &QTimer::timeout, m_pages, &QPrintPreviewWidget::updatePreview);

@@ -8,8 +8,8 @@
 #include <algorithm>
 
 #include "ui/help/help_topic.h"
+#include "ui/questions/on_screen.h"
 #include "ui/text/language.h"
-#include "ui/window/on_screen.h"
 #include "ui/window/page_tabs.h"
 
 namespace drillwave {
@@ -81,8 +81,8 @@ void ManualHelp::placeBeside() {
     const QRect room = m_window->screen()->availableGeometry(), frame = m_window->frameGeometry();
     const int right = room.right() - frame.right(), left = frame.left() - room.left();
     const int width = std::min(m_help->width(), std::max({right, left, leastBeside}));
-    const int height = std::min(std::max(m_help->height(), frame.height()), room.height());
-    m_help->resize(width, height);
+    m_help->resize(firstSize(*m_help, {width, std::max(m_help->height(), frame.height())}));
+    const int height = m_help->height();
     const int x = right >= leastBeside  ? frame.right() + 1
                   : left >= leastBeside ? frame.left() - width
                                         : room.right() + 1 - width;

@@ -5,13 +5,12 @@
 #include <QEvent>
 #include <QMainWindow>
 #include <QMenu>
-#include <QScreen>
 #include <QStyle>
 #include <QTimer>
 #include <algorithm>
 
+#include "ui/questions/on_screen.h"
 #include "ui/text/settings.h"
-#include "ui/window/on_screen.h"
 
 namespace drillwave {
 namespace {
@@ -19,7 +18,6 @@ namespace {
 // Raised when docks or toolbars change so that an old layout no longer fits.
 constexpr int layoutVersion = 2;
 constexpr QSize usualSize{1440, 900};
-constexpr QSize usualFrame{16, 48};   // of a window: its edges, and its title above
 constexpr int usefulPageWidth = 480;  // narrower, a plot beside both docks can hardly be read
 const QString geometryKey = QStringLiteral("window/geometry");
 const QString layoutKey = QStringLiteral("window/layout");
@@ -57,7 +55,7 @@ void WindowLayout::addTo(QMenu& menu) {
 
 void WindowLayout::restoreSize() {
     // What the window manager puts about it is known only later, and may be known too late to be looked at.
-    m_window->resize(usualSize.boundedTo(m_window->screen()->availableSize() - usualFrame));
+    m_window->resize(firstSize(*m_window, usualSize));
     if (m_window->restoreGeometry(Settings().value(geometryKey).toByteArray()))
         keepOnScreen(*m_window);
     else

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/on_screen.h"
+#include "ui/questions/on_screen.h"
 
 #include <QGuiApplication>
 #include <QScreen>
@@ -25,6 +25,11 @@ QRect roomFor(const QRect& frame) {
 }
 
 }  // namespace
+
+QSize firstSize(const QWidget& window, const QSize& wanted) {
+    constexpr QSize usualFrame{16, 48};  // edges, and the title above
+    return wanted.boundedTo(window.screen()->availableSize() - usualFrame);
+}
 
 void fitOnScreen(QWidget& window) {
     const QRect room = window.screen()->availableGeometry();
