@@ -22,8 +22,6 @@ constexpr int numberRole = Qt::UserRole;  // of a run, on its row
 constexpr int mostRows = 7;               // on show at once
 constexpr QSize lineSize{30, 12};         // [px]
 
-const QString nothing = QStringLiteral("–");
-
 }  // namespace
 
 RunPanel::RunPanel(Runs& runs, QWidget* parent)
@@ -32,7 +30,6 @@ RunPanel::RunPanel(Runs& runs, QWidget* parent)
     QFont bold = title->font();
     bold.setBold(true);
     title->setFont(bold);
-    m_hint->setText(tr("F7 pins this result to compare with."));
     m_hint->setWordWrap(true);
     m_list->setObjectName(QStringLiteral("runs"));
     m_list->setAccessibleName(tr("Runs"));
@@ -113,6 +110,11 @@ void RunPanel::present(const SolvedBlowPtr& blow) {
         fillRow(*m_list->topLevelItem(i), (*m_runs.list())[static_cast<std::size_t>(i - 1)].blow, nullptr);
 }
 
+void RunPanel::setKept(bool kept) {
+    m_kept = kept;
+    fill();
+}
+
 void RunPanel::fill() {
     const QScopedValueRollback filling(m_filling, true);
     const Run* before = chosen();
@@ -121,7 +123,10 @@ void RunPanel::fill() {
     const RunList& runs = *m_runs.list();
     m_list->clear();
     m_list->setVisible(!runs.empty());
-    m_hint->setVisible(runs.empty());
+    m_hint->setText(runs.empty()
+                        ? tr("F7 pins this result to compare with.")
+                        : tr("Gone when the window closes, unless File ▸ Keep runs beside the file."));
+    m_hint->setVisible(runs.empty() || !m_kept);
     if (!runs.empty()) {
         auto* now = new QTreeWidgetItem(m_list, {tr("● now")});
         now->setToolTip(name, tr("The present result"));
@@ -148,7 +153,7 @@ void RunPanel::fill() {
 void RunPanel::fillRow(QTreeWidgetItem& row, const SolvedBlowPtr& blow, const Run* reference) const {
     const bool isSolved = blow && blow->fault.isEmpty();
     row.setText(cor, isSolved ? numberText(blow->summary.cor, 4, QLocale())
-                     : blow   ? nothing
+                     : blow   ? noNumber
                               : QStringLiteral("…"));
     row.setToolTip(cor, blow ? blow->fault : tr("Being solved"));
     for (const int column : {cor, change}) row.setTextAlignment(column, Qt::AlignRight | Qt::AlignVCenter);

@@ -24,6 +24,8 @@ class RunPanel : public QWidget {
 
     /// The present result.
     void present(const SolvedBlowPtr& blow);
+    /// Whether the runs are there when the file is opened again: says so where they are not.
+    void setKept(bool kept);
     QTreeWidget* list() const { return m_list; }
 
   signals:
@@ -50,6 +52,7 @@ class RunPanel : public QWidget {
     QTreeWidget* m_list;
     QList<QAction*> m_ofRuns;  // what can be done with a run
     QAction* m_compareWithNow = nullptr;
+    bool m_kept = false;
     bool m_filling = false;  // the list follows the runs, not the user
 };
 

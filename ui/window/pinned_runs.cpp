@@ -47,6 +47,7 @@ PinnedRuns::PinnedRuns(Document& document, Questions& questions, QWidget* window
         "opened again"));
     connect(m_keepAction, &QAction::triggered, this, &PinnedRuns::keep);
     connect(&m_keeper, &RunKeeper::keptChanged, m_keepAction, &QAction::setChecked);
+    connect(m_keepAction, &QAction::toggled, m_panel, &RunPanel::setKept);
     connect(&m_keeper, &RunKeeper::failed, this, &PinnedRuns::fail);
     // Once saving is over: others hear of it while the question is open.
     connect(&m_keeper, &RunKeeper::othersFound, this, [this](const QString& folder) {
