@@ -66,8 +66,9 @@ std::string programHelp(const ReadingStyle& style) {
 
 std::string commandHelp(const Command& command, const ReadingStyle& style) {
     const auto said = [&](std::string_view text) { return style.patternFor(std::string(text)); };
+    const std::string operands = command.operands.empty() ? "" : " " + std::string(command.operands);
     std::string help = style.said({translatable("drillwave::Message", "Usage: drillwave %1 [OPTION]…\n"),
-                                   {std::string(command.name) + " " + std::string(command.operands)}}) +
+                                   {std::string(command.name) + operands}}) +
                        "\n" + said(command.summary) + ".\n";
     if (command.operands.starts_with("FILE")) help += "\n" + said(scenarioOperandHelp) + "\n";
     const std::vector<OptionSpec> options = optionsOf(command);

@@ -10,6 +10,7 @@
 #include "core/model/scales.h"
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
+#include "core/report/curve_text.h"
 #include "core/report/feed_words.h"
 #include "core/report/json_value.h"
 #include "core/report/report_text.h"
@@ -94,17 +95,14 @@ std::string blowsText(const ThrustReport& report, const ReadingStyle& style) {
 }
 
 std::string bracketTable(const ThrustAlong& along, const ReadingStyle& style) {
-    const RowColumn column = along.axis.column();
     TextGrid grid;
-    std::vector<std::string> titles{column.header};
+    std::vector<std::string> titles{along.axis.column().header};
     const std::vector<ThrustCase> cases = knownCases(along);
     for (const ThrustCase which : cases) titles.push_back(style.said(label(which)));
     titles.push_back(style.said(translatable("drillwave::Message", "feed")));
     grid.add(titles);
     for (const ThrustPoint& point : along.curve.points) {
-        std::string value;
-        column.appendText(value, point.value);
-        std::vector<std::string> cells{style.withDecimalSign(std::move(value))};
+        std::vector<std::string> cells{style.number(along.axis.unit->fromSi(point.value), valueDigits)};
         for (const ThrustCase which : cases)
             cells.push_back(point.reason.isEmpty() ? bracket(point.need(which), style) : "-");
         cells.push_back(style.said(Message::ofTable(feedWord(point.verdict.feed))));

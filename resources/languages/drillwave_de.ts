@@ -2555,6 +2555,18 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <source>page %1 of %2</source>
         <translation>Seite %1 von %2</translation>
     </message>
+    <message>
+        <source>thrust margin, this blow</source>
+        <translation>Reserve des Andrucks, dieser Schlag</translation>
+    </message>
+    <message>
+        <source>thrust needed at every gap</source>
+        <translation>Andruck, der bei jedem Spalt genügt</translation>
+    </message>
+    <message>
+        <source>thrust margin at every gap</source>
+        <translation>Reserve des Andrucks bei jedem Spalt</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -4471,6 +4483,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>Only the shape is taken: this scenario has no physical units.</source>
         <translation>Nur die Form wird genommen: dieses Szenario hat keine physikalischen Einheiten.</translation>
     </message>
+    <message>
+        <source>This string is struck by the sections of its hammer; Edit ▸ Put a force in place of the hammer makes room for a measured one.</source>
+        <translation>Diesen Strang schlagen die Abschnitte seines Hammers; Bearbeiten ▸ Kraft anstelle des Hammers setzen macht Platz für einen gemessenen Schlag.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::ImportPlot</name>
@@ -4498,10 +4514,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Tabellen von Abtastwerten (*.csv *.txt *.tsv *.dat *.asc *.prn);;Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>This cannot be taken.</source>
-        <translation>Das kann nicht übernommen werden.</translation>
-    </message>
-    <message>
         <source>Import of a measured signal</source>
         <translation>Import eines gemessenen Signals</translation>
     </message>
@@ -4512,10 +4524,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>%1 is laid over the page Blow.</source>
         <translation>%1 liegt jetzt über der Seite Schlag.</translation>
-    </message>
-    <message>
-        <source>This string is struck by the sections of its hammer; Edit ▸ Put a force in place of the hammer makes room for a measured one.</source>
-        <translation>Diesen Strang schlagen die Abschnitte seines Hammers; Bearbeiten ▸ Kraft anstelle des Hammers setzen macht Platz für einen gemessenen Schlag.</translation>
     </message>
     <message>
         <source>take the hammer blow from %1</source>
@@ -7290,10 +7298,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Bohrfortschritt</translation>
     </message>
     <message>
-        <source>at most %1</source>
-        <translation>höchstens %1</translation>
-    </message>
-    <message>
         <source>first contact</source>
         <translation>erster Kontakt</translation>
     </message>
@@ -9215,6 +9219,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>a contact at time %1 is shorter than a step of the lattice; use more segments or the exact method</source>
         <translation>ein Kontakt zur Zeit %1 ist kürzer als ein Schritt des Gitters; mehr Segmente oder das exakte Verfahren nehmen</translation>
     </message>
+    <message>
+        <source>%1 of blows like this one</source>
+        <translation>%1 bei Schlägen wie diesem</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -10173,6 +10181,18 @@ Auf und Ab verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translation>
         <source>Stress in hammer and string</source>
         <translation>Spannung in Hammer und Strang</translation>
     </message>
+    <message>
+        <source>Told of single blows, each from rest; %1 follows one after another.</source>
+        <translation>Gilt für einzelne Schläge, jeder aus der Ruhe; %1 verfolgt einen nach dem anderen.</translation>
+    </message>
+    <message>
+        <source>Drilling</source>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>Waves that a blow leaves in the rod meet the next one, and may make the bit bounce where single blows say that it rests</source>
+        <translation>Wellen, die ein Schlag in der Stange hinterlässt, treffen auf den nächsten; die Krone kann dann auch springen, wo einzelne Schläge sie ruhen lassen</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::RockPage</name>
@@ -10554,6 +10574,10 @@ der verbleibenden Wellen: %4 und %5</translation>
     <message>
         <source>Being solved</source>
         <translation>Wird gelöst</translation>
+    </message>
+    <message>
+        <source>Gone when the window closes, unless File ▸ Keep runs beside the file.</source>
+        <translation>Mit dem Fenster weg, außer mit Datei ▸ Läufe neben der Datei aufbewahren.</translation>
     </message>
 </context>
 <context>
@@ -12533,8 +12557,8 @@ pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json und, mit --plots,
         <translation>der Schlag jeder Auslegung hat dieselbe Energie wie der von FILE</translation>
     </message>
     <message>
-        <source>samples of a design, 4096, of a string 1024, if not given; a power of two</source>
-        <translation>Stichproben je Auslegung, Zweierpotenz; sonst 4096, bei einem Strang 1024</translation>
+        <source>samples of a design, 4096, of a string 1024, if not given; rounded up to a power of two</source>
+        <translation>Stichproben je Auslegung, aufgerundet zur Zweierpotenz; sonst 4096, bei einem Strang 1024</translation>
     </message>
     <message>
         <source>which samples, 1 if not given</source>

@@ -2555,6 +2555,18 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
         <source>page %1 of %2</source>
         <translation>sida %1 av %2</translation>
     </message>
+    <message>
+        <source>thrust margin, this blow</source>
+        <translation>matningskraftens marginal, detta slag</translation>
+    </message>
+    <message>
+        <source>thrust needed at every gap</source>
+        <translation>matningskraft som räcker vid varje spalt</translation>
+    </message>
+    <message>
+        <source>thrust margin at every gap</source>
+        <translation>matningskraftens marginal vid varje spalt</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -4471,6 +4483,10 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <source>Only the shape is taken: this scenario has no physical units.</source>
         <translation>Bara formen tas: detta scenario har inga fysikaliska enheter.</translation>
     </message>
+    <message>
+        <source>This string is struck by the sections of its hammer; Edit ▸ Put a force in place of the hammer makes room for a measured one.</source>
+        <translation>Denna sträng slås av sektionerna i sin hammare; Redigera ▸ Sätt en kraft i hammarens ställe ger plats för ett uppmätt slag.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::ImportPlot</name>
@@ -4498,10 +4514,6 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Tabeller med sampel (*.csv *.txt *.tsv *.dat *.asc *.prn);;Alla filer (*)</translation>
     </message>
     <message>
-        <source>This cannot be taken.</source>
-        <translation>Detta kan inte tas emot.</translation>
-    </message>
-    <message>
         <source>Import of a measured signal</source>
         <translation>Import av en uppmätt signal</translation>
     </message>
@@ -4512,10 +4524,6 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     <message>
         <source>%1 is laid over the page Blow.</source>
         <translation>%1 ligger nu över sidan Slag.</translation>
-    </message>
-    <message>
-        <source>This string is struck by the sections of its hammer; Edit ▸ Put a force in place of the hammer makes room for a measured one.</source>
-        <translation>Denna sträng slås av sektionerna i sin hammare; Redigera ▸ Sätt en kraft i hammarens ställe ger plats för ett uppmätt slag.</translation>
     </message>
     <message>
         <source>take the hammer blow from %1</source>
@@ -7290,10 +7298,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>borrsjunkning</translation>
     </message>
     <message>
-        <source>at most %1</source>
-        <translation>högst %1</translation>
-    </message>
-    <message>
         <source>first contact</source>
         <translation>första kontakt</translation>
     </message>
@@ -9215,6 +9219,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>a contact at time %1 is shorter than a step of the lattice; use more segments or the exact method</source>
         <translation>en kontakt vid tiden %1 är kortare än ett steg i gittret; använd fler segment eller den exakta metoden</translation>
     </message>
+    <message>
+        <source>%1 of blows like this one</source>
+        <translation>%1 vid slag som detta</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -10173,6 +10181,18 @@ Upp och Ner flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <source>Stress in hammer and string</source>
         <translation>Spänning i hammare och sträng</translation>
     </message>
+    <message>
+        <source>Told of single blows, each from rest; %1 follows one after another.</source>
+        <translation>Gäller enstaka slag, vart och ett från vila; %1 följer slag på slag.</translation>
+    </message>
+    <message>
+        <source>Drilling</source>
+        <translation>Borrning</translation>
+    </message>
+    <message>
+        <source>Waves that a blow leaves in the rod meet the next one, and may make the bit bounce where single blows say that it rests</source>
+        <translation>Vågor som ett slag lämnar i stången möter nästa; kronan kan då studsa även där enstaka slag låter den vila</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::RockPage</name>
@@ -10554,6 +10574,10 @@ av de kvarvarande vågorna: %4 och %5</translation>
     <message>
         <source>Being solved</source>
         <translation>Löses</translation>
+    </message>
+    <message>
+        <source>Gone when the window closes, unless File ▸ Keep runs beside the file.</source>
+        <translation>Försvinner med fönstret, om inte Arkiv ▸ Behåll körningar bredvid filen.</translation>
     </message>
 </context>
 <context>
@@ -12527,8 +12551,8 @@ pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json och, med --plots,
         <translation>varje konstruktions slag har samma energi som det i FILE</translation>
     </message>
     <message>
-        <source>samples of a design, 4096, of a string 1024, if not given; a power of two</source>
-        <translation>stickprov per konstruktion, annars 4096 (sträng 1024); en tvåpotens</translation>
+        <source>samples of a design, 4096, of a string 1024, if not given; rounded up to a power of two</source>
+        <translation>stickprov per konstruktion, annars 4096 (sträng 1024); avrundas uppåt till en tvåpotens</translation>
     </message>
     <message>
         <source>which samples, 1 if not given</source>
