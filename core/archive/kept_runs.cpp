@@ -31,9 +31,9 @@ std::string nameOf(const std::filesystem::path& folder) {
     return folder.filename().string();
 }
 
-class Reader {
+class RunsReader {
   public:
-    Reader(std::string folder, std::string scenarioPath)
+    RunsReader(std::string folder, std::string scenarioPath)
         : m_folder(std::move(folder)), m_scenarioPath(std::move(scenarioPath)) {}
 
     KeptRuns read() {
@@ -142,7 +142,7 @@ std::vector<NamedFile> runFiles(const std::vector<KeptRun>& runs) {
 
 KeptRuns readRuns(const std::string& folder, const std::string& scenarioPath) {
     if (!isThere(folder)) return {};
-    return Reader(folder, scenarioPath).read();
+    return RunsReader(folder, scenarioPath).read();
 }
 
 }  // namespace drillwave

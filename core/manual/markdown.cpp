@@ -55,9 +55,9 @@ bool isRule(std::string_view line) {
 }
 
 /// Reads line after line.
-class Reader {
+class MarkdownReader {
   public:
-    explicit Reader(std::string_view text) : m_rest(text) {}
+    explicit MarkdownReader(std::string_view text) : m_rest(text) {}
 
     std::vector<ManualBlock> read() {
         while (!m_rest.empty()) take(nextLine());
@@ -141,7 +141,7 @@ class Reader {
 }  // namespace
 
 std::vector<ManualBlock> readMarkdown(std::string_view text) {
-    return Reader(text).read();
+    return MarkdownReader(text).read();
 }
 
 std::string_view sectionNumber(std::string_view heading) {

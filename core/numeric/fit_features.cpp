@@ -13,7 +13,7 @@ namespace {
 
 using Segments = std::span<const MonotoneSegment>;
 
-constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();
+constexpr double roundingOfValues = 4 * std::numeric_limits<double>::epsilon();
 
 FitSide sideOf(const FitPiece& piece, std::size_t output, double x) {
     // Markov's inequality for polynomials of degree 16 that are off by the error.
@@ -87,7 +87,7 @@ FitExtreme extremeOf(Segments segments, Extreme which) {
             where = i;
             atStart = start;
         }
-    const Estimate value{sign * best, bound - best + rounding * std::abs(best)};
+    const Estimate value{sign * best, bound - best + roundingOfValues * std::abs(best)};
     return {.value = value,
             .place = placeOfEnd(segments, where, atStart, value),
             .everywhere = best - opposite <= 2 * value.error};
@@ -105,7 +105,7 @@ std::vector<LocalExtreme> localExtremesOf(Segments segments) {
         double error;
     };
     const auto errorOf = [](const MonotoneSegment& segment, double value) {
-        return segment.error() + rounding * std::abs(value);
+        return segment.error() + roundingOfValues * std::abs(value);
     };
     Candidate high{0, true, segments[0].first, errorOf(segments[0], segments[0].first)}, low = high;
     enum class Direction { unknown, up, down } direction = Direction::unknown;
@@ -135,7 +135,7 @@ std::vector<LocalExtreme> localExtremesOf(Segments segments) {
 std::vector<FitCrossing> crossingsOf(Segments segments, double level) {
     std::vector<FitCrossing> crossings;
     if (segments.empty()) return crossings;
-    const double fuzz = rounding * std::abs(level);
+    const double fuzz = roundingOfValues * std::abs(level);
     const auto sideOf = [level](double value, double margin) {
         return value > level + margin ? 1 : value < level - margin ? -1 : 0;
     };
@@ -147,7 +147,8 @@ std::vector<FitCrossing> crossingsOf(Segments segments, double level) {
         if (segment.lower() <= level && segment.upper() >= level && segment.lower() < segment.upper()) {
             places.push_back(segment.placeOf(level));
             const double slope = std::abs(segment.piece->outputs[segment.output].slope(places.back()));
-            accuracy = std::min(segment.end - segment.start, margin / slope) + rounding * places.back();
+            accuracy =
+                std::min(segment.end - segment.start, margin / slope) + roundingOfValues * places.back();
         }
         const int now = sideOf(segment.last, margin);
         if (now == 0) continue;

@@ -8,9 +8,9 @@ namespace drillwave {
 
 namespace {
 
-constexpr auto count = static_cast<double>(GaussRule::count);
+constexpr auto degree = static_cast<double>(GaussRule::count);
 
-/// Legendre polynomial of degree `count` and its slope, by the three-term recurrence.
+/// Legendre polynomial of that degree and its slope, by the three-term recurrence.
 struct Legendre {
     double value;
     double slope;
@@ -18,18 +18,18 @@ struct Legendre {
 
 Legendre legendre(double u) {
     double before = 1, value = u;
-    for (double k = 2; k <= count; ++k) {
+    for (double k = 2; k <= degree; ++k) {
         const double next = ((2 * k - 1) * u * value - (k - 1) * before) / k;
         before = value;
         value = next;
     }
-    return {value, count * (u * value - before) / (u * u - 1)};
+    return {value, degree * (u * value - before) / (u * u - 1)};
 }
 
 GaussRule makeRule() {
     GaussRule rule{};
     for (std::size_t i = 0; i < GaussRule::count; ++i) {
-        double u = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.75) / (count + 0.5));
+        double u = std::cos(std::numbers::pi * (static_cast<double>(i) + 0.75) / (degree + 0.5));
         for (int step = 0; step < 5; ++step) u -= legendre(u).value / legendre(u).slope;  // Newton, quadratic
         const double slope = legendre(u).slope;
         rule.nodes[i] = (1 - u) / 2;

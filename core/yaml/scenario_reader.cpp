@@ -243,7 +243,7 @@ ScenarioForm formOf(const YamlEntries& file, int format) {
 }
 
 /// True when all that is wrong is an unreadable table file.
-bool readFile(SectionReader& reader, const YamlNode& root, int format, const TableSource& tables) {
+bool readScenario(SectionReader& reader, const YamlNode& root, int format, const TableSource& tables) {
     std::vector<std::string_view> known(std::begin(commonKeys), std::end(commonKeys));
     known.insert(known.end(), keysOf(format).begin(), keysOf(format).end());
     // Those of the other format are told of as such where they stand.
@@ -302,7 +302,7 @@ ReadScenario readScenario(std::string_view text, const std::string& source, cons
             translatable("drillwave::Message",
                          "the file must be lines of `key: value`, the first `drillwave: 1`"));
     else if (const std::optional<int> format = readFormat(reader, tree.root))
-        result.unreadable = readFile(reader, tree.root, *format, {source, tablePoints});
+        result.unreadable = readScenario(reader, tree.root, *format, {source, tablePoints});
     result.problems = reader.problems().take();
     result.scenario = std::move(reader.scenario());
     return result;

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int format = 1;
 constexpr qint64 mostRecordBytes = qint64{8} << 20;  // the largest scenario with every byte escaped
-const QString formatKey = QStringLiteral("drillwave_recovery");
+const QString recoveryFormatKey = QStringLiteral("drillwave_recovery");
 const QString nameKey = QStringLiteral("name");
 const QString originKey = QStringLiteral("origin");
 const QString timeKey = QStringLiteral("time");
@@ -30,7 +30,7 @@ UnsavedScenario readRecovery(const QString& path, QString& problem) {
     }
     const QJsonObject object = QJsonDocument::fromJson(file.read(mostRecordBytes)).object();
     const QString scenario = object[scenarioKey].toString();
-    if (object[formatKey].toInt() != format || scenario.isEmpty()) {
+    if (object[recoveryFormatKey].toInt() != format || scenario.isEmpty()) {
         problem = tr("it is damaged, or written by another version of the program");
         return {};
     }
@@ -56,7 +56,7 @@ void removeDeadLocks(const QDir& folder) {
 
 QByteArray recoveryBytes(const ScenarioDocument& contents, const QString& name, const QString& origin,
                          const QDateTime& time) {
-    const QJsonObject object{{formatKey, format},
+    const QJsonObject object{{recoveryFormatKey, format},
                              {nameKey, name},
                              {originKey, origin},
                              {timeKey, time.toString(Qt::ISODate)},

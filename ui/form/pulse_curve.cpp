@@ -9,7 +9,7 @@ namespace drillwave {
 namespace {
 
 constexpr int curvedSteps = 40;
-constexpr std::size_t most = 1000;  // segments drawn one by one
+constexpr std::size_t mostSegments = 1000;  // segments drawn one by one
 
 void append(QPolygonF& points, const PulseSegment& segment, double end, double peak) {
     const double length = std::min(segment.length, end - segment.start);
@@ -22,7 +22,7 @@ void append(QPolygonF& points, const PulseSegment& segment, double end, double p
 
 // Of so many points that several fall on one pixel, the lowest and the highest of each bunch.
 QPolygonF thinned(const QPolygonF& points) {
-    const qsizetype bunch = points.size() / static_cast<qsizetype>(most) + 1;
+    const qsizetype bunch = points.size() / static_cast<qsizetype>(mostSegments) + 1;
     if (bunch <= 2) return points;
     QPolygonF kept;
     for (qsizetype i = 0; i < points.size(); i += bunch) {

@@ -18,6 +18,7 @@
 #include "ui/form/quantity_slider.h"
 #include "ui/form/unit_button.h"
 #include "ui/text/field_text.h"
+#include "ui/text/lightness.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_quantity.h"
 #include "ui/text/typed_text.h"
@@ -209,8 +210,7 @@ void QuantityField::showProblem() {
     QPalette colors = palette();
     if (wrong) {
         const QColor base = colors.color(QPalette::Base);
-        colors.setColor(QPalette::Base,
-                        base.lightness() < 128 ? QColor(0x5a, 0x22, 0x22) : QColor(0xff, 0xe3, 0xe0));
+        colors.setColor(QPalette::Base, isDark(base) ? QColor(0x5a, 0x22, 0x22) : QColor(0xff, 0xe3, 0xe0));
     }
     lineEdit()->setPalette(wrong ? colors : QPalette());
     emit problemShown(m_problem);

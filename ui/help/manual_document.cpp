@@ -9,19 +9,15 @@
 #include <algorithm>
 
 #include "ui/help/manual_links.h"
+#include "ui/text/lightness.h"
 
 namespace drillwave {
 namespace {
 
-constexpr int darkest = 128;                            // lightness from which on a ground is a light one
-constexpr qreal narrowGap = 4, gap = 10, wideGap = 18;  // [px]
+constexpr qreal narrowGap = 4, usualGap = 10, wideGap = 18;  // [px]
 constexpr qreal codeMargin = 16;                        // [px]
 constexpr qreal tableWidth = 98;    // per cent of the text, which leaves room for its lines
 constexpr qreal lineSpacing = 125;  // per cent of the type
-
-bool isDark(const QPalette& palette) {
-    return palette.color(QPalette::Base).lightness() < darkest;
-}
 
 QColor mixed(const QColor& one, const QColor& other, double share) {
     const auto mix = [share](int a, int b) { return int(a + share * (b - a)); };
@@ -85,7 +81,7 @@ void layOut(const QTextBlock& block, QTextCursor& cursor, const ManualColours& c
     QTextBlockFormat format = block.blockFormat();
     const int level = format.headingLevel();
     if (level > 0) {
-        format.setTopMargin(level < 3 ? wideGap : gap);
+        format.setTopMargin(level < 3 ? wideGap : usualGap);
         format.setBottomMargin(narrowGap);
         cursor.setBlockFormat(format);
         cursor.movePosition(QTextCursor::EndOfBlock, QTextCursor::KeepAnchor);
@@ -98,7 +94,7 @@ void layOut(const QTextBlock& block, QTextCursor& cursor, const ManualColours& c
         format.setNonBreakableLines(!mayBreak(block));
         format.setLeftMargin(format.leftMargin() + codeMargin);
         format.setTopMargin(isCode(block.previous()) ? 0 : narrowGap);
-        format.setBottomMargin(isCode(block.next()) ? 0 : gap);
+        format.setBottomMargin(isCode(block.next()) ? 0 : usualGap);
     } else {
         format.setNonBreakableLines(false);
         format.setLineHeight(lineSpacing, QTextBlockFormat::ProportionalHeight);
@@ -146,7 +142,7 @@ void layOut(QTextTable& table, const ManualColours& colours) {
     format.setCellPadding(narrowGap);
     format.setCellSpacing(0);
     format.setTopMargin(narrowGap);
-    format.setBottomMargin(gap);
+    format.setBottomMargin(usualGap);
     format.setWidth(QTextLength(QTextLength::PercentageLength, tableWidth));
     format.setColumnWidthConstraints(columnWidths(table));
     table.setFormat(format);
@@ -161,7 +157,7 @@ void layOut(QTextTable& table, const ManualColours& colours) {
 }  // namespace
 
 ManualColours manualColours(const QPalette& palette) {
-    const bool dark = isDark(palette);
+    const bool dark = isDark(palette.color(QPalette::Base));
     const QColor base = palette.color(QPalette::Base), text = palette.color(QPalette::Text);
     return {.link = dark ? QColor(0x7c, 0xbd, 0xf5) : QColor(0x0b, 0x57, 0xa4),
             .code = mixed(base, text, 0.07),

@@ -16,10 +16,6 @@ constexpr double muchOf = 0.05;  // the impulse, for what clipping adds
 
 constexpr int percentDigits = 2;
 
-QString percent(double share) {
-    return numberText(100 * share, percentDigits, QLocale()) + QChar(QChar::Nbsp) + QLatin1Char('%');
-}
-
 QString countText(std::size_t count) {
     return QLocale().toString(static_cast<qulonglong>(count));
 }
@@ -52,8 +48,10 @@ QString importSummary(const ImportPreview& preview, const UnitChoice& units) {
                     "the peak) from the lines between them, the impulse changes by %6.")
                      .arg(countText(signal.samples), countText(preview.samples),
                           countText(signal.points.size()), units.boundText(signal.deviation, UnitKind::force),
-                          peak > 0 ? percent(roundedTo(signal.deviation / peak, percentDigits, Rounding::up))
-                                   : QStringLiteral("–"),
+                          peak > 0
+                              ? percentText(roundedTo(signal.deviation / peak, percentDigits, Rounding::up),
+                                            percentDigits, QLocale())
+                              : noNumber,
                           units.text(signal.impulseChange, UnitKind::impulse));
     if (preview.effect) parts << effectText(*preview.effect);
     if (signal.clipped > 0)

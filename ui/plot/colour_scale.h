@@ -5,6 +5,8 @@
 #include <QColor>
 #include <vector>
 
+#include "ui/text/lightness.h"
+
 class QCPColorGradient;
 
 namespace drillwave {
@@ -25,7 +27,7 @@ class ColourScale {
     static const ColourScale& ramp();
     /// The one that fits the background.
     static const ColourScale& forBackground(const QColor& background) {
-        return background.lightness() < 128 ? onDark() : onLight();
+        return isDark(background) ? onDark() : onLight();
     }
 
     /// Of value/limit; what is outside −1 … 1 has the colours of the ends, NaN is transparent.

@@ -6,6 +6,8 @@
 #include <QFontInfo>
 #include <algorithm>
 
+#include "ui/text/lightness.h"
+
 namespace drillwave {
 namespace {
 
@@ -24,7 +26,7 @@ void setColors(PlotStyle& style, const QColor& background, const QColor& text) {
     style.frame = blend(background, text, 0.45);
     style.grid = blend(background, text, 0.12);
     style.zeroLine = blend(background, text, 0.35);
-    const bool dark = background.lightness() < 128;
+    const bool dark = isDark(background);
     std::transform(std::begin(linesOnLight), std::end(linesOnLight), std::begin(linesOnDark), style.lines,
                    [dark](QRgb light, QRgb bright) { return QColor::fromRgb(dark ? bright : light); });
 }

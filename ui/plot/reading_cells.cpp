@@ -37,7 +37,7 @@ QString shortLabel(const QString& name) {
 }  // namespace
 
 QString ReadingCell::text(const QLocale& locale, int digits) const {
-    if (!std::isfinite(value)) return QStringLiteral("–");
+    if (!std::isfinite(value)) return noNumber;
     const QString number = numberText(value, digits, locale);
     return unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit;
 }

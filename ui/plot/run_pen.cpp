@@ -5,6 +5,8 @@
 #include <QPainter>
 #include <QPixmap>
 
+#include "ui/text/lightness.h"
+
 namespace drillwave {
 namespace {
 
@@ -23,9 +25,8 @@ const QList<qreal>& dashes(int kind) {
 }  // namespace
 
 QPen runPen(int number, const PlotStyle& style) {
-    const bool isDark = style.background.lightness() < 128;
     const int colour = number % kinds;
-    QPen pen(QColor::fromRgb((isDark ? runsOnDark : runsOnLight)[colour]), style.lineWidth);
+    QPen pen(QColor::fromRgb((isDark(style.background) ? runsOnDark : runsOnLight)[colour]), style.lineWidth);
     pen.setDashPattern(dashes(number + number / kinds));
     pen.setCapStyle(Qt::FlatCap);
     pen.setJoinStyle(Qt::BevelJoin);

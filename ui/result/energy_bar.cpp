@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "ui/text/lightness.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -14,12 +15,8 @@ std::size_t index(EnergyPart part) {
     return static_cast<std::size_t>(part);
 }
 
-bool isDark(const QPalette& palette) {
-    return palette.color(QPalette::Base).lightness() < 128;
-}
-
 QColor colourOf(EnergyPart part, const QPalette& palette) {
-    const bool dark = isDark(palette);
+    const bool dark = isDark(palette.color(QPalette::Base));
     switch (part) {
         case EnergyPart::rock:
             return dark ? QColor(0xd9, 0xa4, 0x6a) : QColor(0x8a, 0x55, 0x20);
@@ -61,7 +58,7 @@ void drawPart(QPainter& painter, const QRectF& rect, EnergyPart part, const QPal
 }
 
 QString shareText(double share) {
-    return numberText(std::round(1000 * share) / 10, 3, QLocale()) + QChar(QChar::Nbsp) + QLatin1Char('%');
+    return percentText(std::round(1000 * share) / 1000, 3, QLocale());
 }
 
 }  // namespace

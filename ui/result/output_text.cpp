@@ -18,11 +18,6 @@ QString shown(double value, const ShownUnit& unit) {
 }
 
 // Shares of the energy are known to 1e-12: what is smaller is rounding.
-QString percent(double fraction) {
-    return numberText(std::abs(fraction) < 1e-12 ? 0 : 100 * fraction, 4, QLocale()) + QChar(QChar::Nbsp) +
-           QLatin1Char('%');
-}
-
 /// Of the largest compression or tension over all sections.
 std::optional<RodForce> stringPlaceOf(const Output& output, const SolvedBlow& blow) {
     const std::vector<SectionStress> stresses = sectionStresses(blow.scenario, blow.impact);
@@ -51,7 +46,7 @@ QString outputText(const Output& output, const SolvedBlow& blow) {
             return shown(value, blow.units.energy);
         case Measure::share:
         case Measure::energy:
-            return percent(value);
+            return percentText(std::abs(value) < 1e-12 ? 0 : value, 4, QLocale());
         default:
             return shown(value, outputUnit(output, blow.units, value));
     }

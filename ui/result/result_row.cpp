@@ -8,13 +8,12 @@
 #include "ui/result/output_unit.h"
 #include "ui/result/place_link.h"
 #include "ui/runs/difference_text.h"
+#include "ui/text/number_text.h"
 #include "ui/text/translation.h"
 #include "ui/text/warning_text.h"
 
 namespace drillwave {
 namespace {
-
-const QString nothing = QStringLiteral("–");
 
 // Of the values that are read first.
 void makeHeavy(QLabel& label) {
@@ -71,7 +70,7 @@ void ResultRow::place(QGridLayout* grid) {
 }
 
 bool ResultRow::isFilled() const {
-    return isThere() && m_value->text() != nothing;
+    return isThere() && m_value->text() != noNumber;
 }
 
 QString ResultRow::text() const {
@@ -91,7 +90,7 @@ void ResultRow::offer(const Scenario& scenario) const {
 void ResultRow::present(const SolvedBlow& blow) const {
     const bool solved = blow.fault.isEmpty();
     const QString text = solved ? m_entry.text(blow) : QString();
-    m_value->setText(text.isEmpty() ? nothing : text);
+    m_value->setText(text.isEmpty() ? noNumber : text);
     if (m_entry.warning) setWarning(*m_value, solved && m_entry.warning(blow));
     const QString note = solved && m_entry.note ? m_entry.note(blow) : QString();
     m_value->setToolTip(note.isEmpty() ? m_entry.meaning : m_entry.meaning + QStringLiteral(".\n") + note);

@@ -34,6 +34,10 @@ QString numberText(double value, int digits, const QLocale& locale) {
     return text.replace(QLatin1Char('-'), QStringLiteral("−"));
 }
 
+QString percentText(double share, int digits, const QLocale& locale) {
+    return numberText(100 * share, digits, locale) + QChar(QChar::Nbsp) + QLatin1Char('%');
+}
+
 QString magnitudeText(double value, const QLocale& locale) {
     if (value == 0) return QStringLiteral("0");
     int exponent = static_cast<int>(std::floor(std::log10(std::abs(value))));

@@ -9,9 +9,15 @@
 
 namespace drillwave {
 
+/// What stands where there is no number.
+inline const QString noNumber = QStringLiteral("–");
+
 /// So many significant digits, without trailing zeros: "0.4067", "−0.4067" with a real minus sign; all digits
 /// before the point up to a million, "12345", without group separators; "1.235·10⁷" and "1.235·10⁻⁵" beyond.
 QString numberText(double value, int digits, const QLocale& locale);
+
+/// A share of 1 in so many digits: "12.3 %".
+QString percentText(double share, int digits, const QLocale& locale);
 
 /// Order of magnitude with one digit, "3·10⁻¹⁵"; "0" for zero.
 QString magnitudeText(double value, const QLocale& locale);

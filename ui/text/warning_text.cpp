@@ -4,6 +4,8 @@
 #include <QApplication>
 #include <QLabel>
 
+#include "ui/text/lightness.h"
+
 namespace drillwave {
 
 void setWarning(QLabel& label, bool warning) {
@@ -14,10 +16,10 @@ void setWarning(QLabel& label, bool warning) {
     if (warning) {
         const QPalette shown = QApplication::palette(&label);
         // Contrast of 4.5 at least, on windows light and dark.
-        const bool isDark = shown.color(QPalette::Window).lightness() < 128;
+        const bool dark = isDark(shown.color(QPalette::Window));
         for (const auto group : {QPalette::Active, QPalette::Inactive})
             palette.setColor(group, QPalette::WindowText,
-                             isDark ? QColor(0xff, 0x9e, 0x8a) : QColor(0xa8, 0x1e, 0x0c));
+                             dark ? QColor(0xff, 0x9e, 0x8a) : QColor(0xa8, 0x1e, 0x0c));
     }
     label.setPalette(palette);
 }

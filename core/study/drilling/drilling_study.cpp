@@ -27,10 +27,10 @@ constexpr EnumNames<DrillingVerdict> verdictNames{{{DrillingVerdict::pushedBack,
 constexpr double fullShare = 0.95, restingShare = 0.95;
 
 /// Everything of a study but its numbers of the marches.
-class Study {
+class MarchStudy {
   public:
-    Study(const Scenario& scenario, const DrillingSettings& settings, const DrillingWants& wants,
-          const std::stop_token& stop, const DrillingProgress& progress)
+    MarchStudy(const Scenario& scenario, const DrillingSettings& settings, const DrillingWants& wants,
+               const std::stop_token& stop, const DrillingProgress& progress)
         : m_wants(wants), m_stop(stop) {
         if (progress)
             m_progress = [&](long more) {
@@ -216,7 +216,7 @@ std::optional<double> DrillingResult::meanError(std::size_t quantity) const {
 
 std::optional<double> fullPenetrationOf(const Scenario& scenario, const DrillingSettings& settings,
                                         const std::stop_token& stop) {
-    return Study(scenario, settings, {}, stop, {}).fullPenetration();
+    return MarchStudy(scenario, settings, {}, stop, {}).fullPenetration();
 }
 
 long foreseenBlows(const DrillingSettings& settings, const DrillingWants& wants) {
@@ -245,7 +245,7 @@ DrillingResult studyDrilling(const Scenario& scenario, const DrillingSettings& s
                              const DrillingProgress& progress) {
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
-    DrillingResult result = Study(scenario, settings, wants, stop, progress).run();
+    DrillingResult result = MarchStudy(scenario, settings, wants, stop, progress).run();
     result.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
     return result;
 }

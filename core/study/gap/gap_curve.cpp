@@ -17,9 +17,9 @@ namespace drillwave {
 
 namespace {
 
-constexpr int cellsOfPeriod = 8;  // to begin with
+constexpr int firstCells = 8;  // to begin with
 /// Of a period over which all is smooth: the nodes of each cell.
-constexpr long leastSolves = cellsOfPeriod * static_cast<long>(Chebyshev::mostNodes);
+constexpr long leastSolves = firstCells * static_cast<long>(Chebyshev::mostNodes);
 constexpr std::size_t mostHammerCuts = 64;
 constexpr double nearestCuts = 1e-11;
 constexpr double negligibleImpulse = 1e-13;
@@ -84,7 +84,7 @@ class GapSampler {
 std::vector<double> firstCuts(const GapCurve& curve, const PulseForce& hammer) {
     std::vector<double> cuts;
     for (double period = curve.start; period < curve.end; ++period) {
-        for (int i = 0; i < cellsOfPeriod; ++i) cuts.push_back(period + double(i) / cellsOfPeriod);
+        for (int i = 0; i < firstCells; ++i) cuts.push_back(period + double(i) / firstCells);
         if (hammer.segments.size() <= mostHammerCuts)
             for (const PulseSegment& segment : hammer.segments)
                 cuts.push_back(period + segment.impulseBefore);

@@ -16,7 +16,7 @@ namespace {
 
 /// β1, the positive root of e^x = 2x + 1, of [paper (12)]: above it the second pulse ends while its wave
 /// still arrives.
-constexpr double steepest = 1.2564312086261697;
+constexpr double beta1 = 1.2564312086261697;
 
 /// 1 − e^(−x) with all its digits.
 double saturation(double x) {
@@ -138,13 +138,13 @@ double secondForcePulse(double beta, double t) {
 
 double secondPulseEnd(double beta) {
     // ts of [paper (12)], and of [paper (14)]
-    return beta > steepest ? steepest / beta : 1 / saturation(beta) - 1 / (2 * beta);
+    return beta > beta1 ? beta1 / beta : 1 / saturation(beta) - 1 / (2 * beta);
 }
 
 double secondPulseImpulse(double beta) {
-    if (beta > steepest) {
-        const double decay = std::exp(-steepest);
-        return 2 / beta * (3 * (1 - decay) - steepest * (1 + 2 * decay));  // [paper (13)]
+    if (beta > beta1) {
+        const double decay = std::exp(-beta1);
+        return 2 / beta * (3 * (1 - decay) - beta1 * (1 + 2 * decay));  // [paper (13)]
     }
     const double x = beta / saturation(beta) - 0.5;  // β ts
     // [paper (15)], arranged so that nothing cancels for β → 0

@@ -22,7 +22,7 @@ constexpr double mostOfRate = 0.5;
 constexpr int mostStretches = 2000;
 
 /// Differences of this share of what they are taken of are rounding, and decide nothing.
-constexpr double rounding = 256 * std::numeric_limits<double>::epsilon();
+constexpr double roundingShare = 256 * std::numeric_limits<double>::epsilon();
 
 double sizeOf(const double* c, int count) {
     double size = 0;
@@ -117,11 +117,12 @@ RearNode::Piece RearNode::pieceOf(const Inputs& in, const Modes& modes, double f
     const double size =
         std::abs(meanForce) + stiffness * sizeOf(piece.stretch.data(), piece.count) +
         damping * (sizeOf(piece.body.data(), piece.count) + sizeOf(piece.rear.data(), piece.count));
-    dropRounding(piece.margin.data(), piece.count, rounding * size);
+    dropRounding(piece.margin.data(), piece.count, roundingShare * size);
     const double waves = sizeOf(b2.data(), WaveCell::count) + sizeOf(f1.data(), WaveCell::count) + size;
-    if (modes.face == Face::touching) dropRounding(piece.push.data(), piece.count, rounding * waves);
+    if (modes.face == Face::touching) dropRounding(piece.push.data(), piece.count, roundingShare * waves);
     if (modes.face == Face::apart)
-        dropRounding(piece.gap.data() + 1, piece.count, rounding * width * waves * (of1 + 1 / impedance));
+        dropRounding(piece.gap.data() + 1, piece.count,
+                     roundingShare * width * waves * (of1 + 1 / impedance));
     return piece;
 }
 
@@ -188,7 +189,7 @@ bool RearNode::quietStep(const WaveCell& b2, double width, std::size_t part, For
     const double grows = stiffness * moved + damping * gain * size;
     const double pull = mean + stiffness * stretch + damping * velocity;
     WaveCell& damper = forces.damper;
-    if (pull + grows < damping * m_mobility * q.least() - quietMargin * grows - rounding * size) {
+    if (pull + grows < damping * m_mobility * q.least() - quietMargin * grows - roundingShare * size) {
         damper = {};
         m_now.stretch += width * (velocity + gain * mean / 2 - q.mean() * m_mobility);
     } else {
@@ -199,7 +200,7 @@ bool RearNode::quietStep(const WaveCell& b2, double width, std::size_t part, For
         for (std::size_t i = 0; i < in.size(); ++i)
             for (std::size_t k = 0; k < out.size(); ++k) out[k] += map.of[i][k] * in[i];
         std::copy_n(out.begin(), WaveCell::count, damper.c.begin());
-        if (damper.least() <= quietMargin * damper.spread() + rounding * size) return false;
+        if (damper.least() <= quietMargin * damper.spread() + roundingShare * size) return false;
         m_now.stretch = out[WaveCell::count];
         if (damper.most() > m_sums.damperPeak)
             m_sums.damperPeak = std::max(m_sums.damperPeak, damper.peak().value);

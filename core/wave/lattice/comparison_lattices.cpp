@@ -8,7 +8,7 @@ namespace drillwave {
 
 namespace {
 
-constexpr int wanted = 8;
+constexpr int latticeCount = 8;
 constexpr std::size_t leastAligned = 4;
 
 /// Whether the force jumps after its beginning.
@@ -45,16 +45,17 @@ int nearWithPhase(int segments, int radius, double tau, double phase, double tol
 
 std::vector<int> comparisonLattices(const Problem& problem, int segments) {
     // Ratios without a pattern: corners of the law fall on any fractions.
-    constexpr double shares[wanted] = {0.4127, 0.7291, 0.5503, 0.4619, 0.6413, 0.5099, 0.6867, 0.5923};
+    constexpr double shares[latticeCount] = {0.4127, 0.7291, 0.5503, 0.4619, 0.6413, 0.5099, 0.6867, 0.5923};
     constexpr double exact = 1e-6, rough = 1.0 / 32;
     const int radius = segments / 40;
     const double tau = problem.transitTime();
     const bool jumps = hasJumps(problem.force());
     const bool isAligned = jumps && phaseDistance(segments, tau, 0) <= exact;
     std::vector<int> spread, aligned;
-    for (int i = 0; i < wanted; ++i) {
+    for (int i = 0; i < latticeCount; ++i) {
         const int target = std::max(1, static_cast<int>(shares[i] * segments));
-        spread.push_back(jumps ? nearWithPhase(target, radius, tau, double(i) / wanted, rough) : target);
+        spread.push_back(jumps ? nearWithPhase(target, radius, tau, double(i) / latticeCount, rough)
+                               : target);
         if (!isAligned) continue;
         const int candidate = nearWithPhase(target, radius, tau, 0, exact);
         if (phaseDistance(candidate, tau, 0) <= exact && std::ranges::count(aligned, candidate) == 0)

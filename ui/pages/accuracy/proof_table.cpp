@@ -17,7 +17,7 @@ namespace {
 
 QString numberCell(double value, NumberStyle style) {
     const QLocale locale;
-    if (std::isnan(value)) return QStringLiteral("–");
+    if (std::isnan(value)) return noNumber;
     switch (style) {
         case NumberStyle::error:
             return magnitudeText(value, locale);
@@ -70,9 +70,9 @@ QString stabilityCell(const StabilityRow& row, int column) {
         case 7:
             return numberText(groups.delta, 4, locale);
         case 8:
-            return isSolved ? numberText(row.cor, 4, locale) : QStringLiteral("–");
+            return isSolved ? numberText(row.cor, 4, locale) : noNumber;
         case 9:
-            return isSolved ? magnitudeText(row.corError, locale) : QStringLiteral("–");
+            return isSolved ? magnitudeText(row.corError, locale) : noNumber;
         default:
             return locale.toString(static_cast<qlonglong>(row.pieces));
     }
@@ -99,7 +99,7 @@ void ProofTable::present(std::shared_ptr<const Accuracy> accuracy) {
         const StudyColumn<AccuracyRow>& shown = *columns[static_cast<std::size_t>(column - 1)];
         // What follows from all rows is there when they are.
         const bool isMissing = !accuracy->isRelated && (shown.key == "order" || shown.key == "speed");
-        return isMissing ? QStringLiteral("–") : numberCell(shown.value(row), shown.style);
+        return isMissing ? noNumber : numberCell(shown.value(row), shown.style);
     });
 }
 

@@ -16,11 +16,11 @@ std::function<double(double)> shownValue(const ShownUnits& units, const ShownUni
     };
 }
 
-const QString time = QStringLiteral("t");
+const QString timeSymbol = QStringLiteral("t");
 
 CurveMeaning momentumLike(const ShownUnits& units, std::function<double(double)> value) {
     CurveMeaning meaning;
-    meaning.xName = time;
+    meaning.xName = timeSymbol;
     meaning.xUnit = units.time.unit;
     meaning.yUnit = units.impulse.unit;
     if (value) meaning.value = shownValue(units, units.impulse, std::move(value));
@@ -34,7 +34,7 @@ CurveMeaning momentumLike(const ShownUnits& units, std::function<double(double)>
 CurveMeaning forceLike(const ShownUnits& units, std::function<double(double)> value,
                        std::function<double(double)> impulse) {
     CurveMeaning meaning;
-    meaning.xName = time;
+    meaning.xName = timeSymbol;
     meaning.xUnit = units.time.unit;
     meaning.yUnit = units.force.unit;
     meaning.integralUnit = units.impulse.unit;

@@ -37,7 +37,7 @@ QPen wavePen(const PlotStyle& style, int index) {
 }
 
 // By name: their factors follow the scenario.
-bool sameUnits(const ShownUnits& a, const ShownUnits& b) {
+bool sameUnitsOfHistories(const ShownUnits& a, const ShownUnits& b) {
     return a.time.unit == b.time.unit && a.force.unit == b.force.unit && a.impulse.unit == b.impulse.unit;
 }
 
@@ -182,7 +182,7 @@ void BlowPlots::linkTimeAxes() {
 }
 
 void BlowPlots::present(const BlowCurves& curves) {
-    const bool unitsChanged = !sameUnits(m_curves.units, curves.units);
+    const bool unitsChanged = !sameUnitsOfHistories(m_curves.units, curves.units);
     const bool hasOtherRuns = m_curves.runs != curves.runs;
     m_curves = curves;
     if (hasOtherRuns) showRuns();
@@ -261,7 +261,7 @@ void BlowPlots::setGhost(const BlowCurves* before) {
         plot.ghosts.clear();
     }
     m_ghostEnd = 0;
-    if (before && sameUnits(before->units, m_curves.units)) {
+    if (before && sameUnitsOfHistories(before->units, m_curves.units)) {
         for (int i = 0; i < BlowCurves::waveCount; ++i)
             addGhost(waves, i, before->waves[static_cast<std::size_t>(i)]);
         addGhost(force, 0, before->force);

@@ -5,6 +5,8 @@
 
 #include <cmath>
 
+#include "ui/text/lightness.h"
+
 namespace drillwave {
 namespace {
 
@@ -49,8 +51,7 @@ MeasuredCurves::MeasuredCurves(BlowPlots* plots)
 QPen MeasuredCurves::pen(const PlotStyle& style, int index) {
     static const QList<qreal> dashes[] = {{4, 1.5}, {10, 2, 2, 2}, {2, 1.2}, {7, 2}};
     constexpr int kinds = 4;
-    const bool dark = style.background.lightness() < 128;
-    const QRgb* colours = dark ? onDark : onLight;
+    const QRgb* colours = isDark(style.background) ? onDark : onLight;
     QPen pen(QColor::fromRgb(colours[index % kinds]), style.lineWidth);
     pen.setDashPattern(dashes[(index + index / kinds) % kinds]);
     pen.setCapStyle(Qt::FlatCap);

@@ -46,10 +46,6 @@ CurvePageStudy solve(const CurvePageQuestion& question, const StudyFeed<CurvePag
 }
 
 /// As many digits as a pixel is worth.
-double readable(double value) {
-    return QString::number(value, 'g', 4).toDouble();  // C locale, whatever the user's
-}
-
 }  // namespace
 
 CurvePage::CurvePage(Document& document, QWidget* parent)

@@ -13,7 +13,7 @@ namespace drillwave {
 namespace {
 
 constexpr double nearPixels = 9;
-constexpr int mostColumns = 5;  // of the legend
+constexpr int mostColumnsOfCurves = 5;  // of the legend
 
 bool sameAxes(const CurvePicture& a, const CurvePicture& b) {
     return a.xName == b.xName && a.x == b.x && a.from == b.from && a.to == b.to &&
@@ -34,7 +34,7 @@ CurvePlot::CurvePlot(QCustomPlot* plot) : StudyFrame(plot) {
     addRunCurves(RunGraphs::thin);
     addRunMarks();
     connect(plot, &QCustomPlot::beforeReplot, this,
-            [this] { wrapLegend(*m_legend, m_plot->width(), mostColumns); });
+            [this] { wrapLegend(*m_legend, m_plot->width(), mostColumnsOfCurves); });
     setStyle(PlotStyle::forPaper());
 }
 

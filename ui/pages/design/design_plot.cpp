@@ -27,7 +27,7 @@ bool haveSameAxes(const DesignPicture& a, const DesignPicture& b) {
                                    a.series[0].aim.last().x() == b.series[0].aim.last().x()));
 }
 
-void setPoints(QCPGraph& graph, QVector<QPointF> points) {
+void setWidened(QCPGraph& graph, QVector<QPointF> points) {
     // One design alone has a width, or its band could not be seen.
     if (points.size() == 1)
         points = {points[0] - QPointF(halfWidthOfOne, 0), points[0], points[0] + QPointF(halfWidthOfOne, 0)};
@@ -182,13 +182,13 @@ void DesignPlot::makeGraphs() {
             m_aims.append(graph);
         }
     }
-    for (int i = 0; i < m_aims.size(); ++i) setPoints(*m_aims[i], m_picture.series[i].aim);
+    for (int i = 0; i < m_aims.size(); ++i) setWidened(*m_aims[i], m_picture.series[i].aim);
     const DesignSeries marked =
         m_picture.series.isEmpty() ? DesignSeries() : m_picture.series[m_picture.marked];
-    setPoints(*m_low, marked.low);
-    setPoints(*m_high, marked.high);
-    setPoints(*m_mean, marked.mean);
-    setPoints(*m_nominal, marked.nominal);
+    setWidened(*m_low, marked.low);
+    setWidened(*m_high, marked.high);
+    setWidened(*m_mean, marked.mean);
+    setWidened(*m_nominal, marked.nominal);
 }
 
 // A map has no curves.

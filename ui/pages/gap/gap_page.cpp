@@ -40,7 +40,7 @@ GapPage::GapPage(Document& document, QWidget* parent)
     : StudyPage(document, parent),
       m_output(outputBox()),
       m_scatter(new ScatterFields(document.units(), this)),
-      m_study(&answer),
+      m_study(&answerGap),
       m_runGaps(runGap) {
     PlotWidget* plot = arrange(QList<QWidget*>{m_output, m_scatter} + m_scatter->fields());
     m_plot = new GapPlot(plot);

@@ -12,10 +12,6 @@ namespace {
 
 constexpr double besideShare = 0.28;  // width of the distribution over that of the curve
 
-QString percentText(double share, const QLocale& locale) {
-    return numberText(100 * share, 4, locale) + QChar(QChar::Nbsp) + QLatin1Char('%');
-}
-
 bool sameAxes(const GapPicture& a, const GapPicture& b) {
     return a.output == b.output && a.gap.unit == b.gap.unit && a.value.unit == b.value.unit &&
            a.from == b.from && a.to == b.to;
@@ -187,7 +183,7 @@ QString GapPlot::summary() const {
                                : tr("all gaps alike: mean %1, 5–95 % %2…%3"))
             .arg(shown(spread.mean), shown(spread.quantiles.front()), shown(spread.quantiles.back()));
     if (m_picture.shareAboveOne)
-        text += tr(" · e > 1 at %1 of gaps").arg(percentText(*m_picture.shareAboveOne, locale));
+        text += tr(" · e > 1 at %1 of gaps").arg(percentText(*m_picture.shareAboveOne, 4, locale));
     if (m_picture.thrust)
         text += tr(" · thrust for 95 % of gaps %1")
                     .arg(numberText(*m_picture.thrust, 4, locale) + QChar(QChar::Nbsp) +

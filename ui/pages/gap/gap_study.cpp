@@ -91,7 +91,7 @@ GapQuestion gapQuestion(Scenario scenario, const std::optional<NormalGap>& norma
     return {std::move(scenario), normal};
 }
 
-GapAnswer answer(const GapQuestion& question, const StudyFeed<GapAnswer>& feed) {
+GapAnswer answerGap(const GapQuestion& question, const StudyFeed<GapAnswer>& feed) {
     constexpr std::size_t parts = 1000;  // of the work
     if (question.normal)
         if (const QString problem = scatterProblem(*question.normal); !problem.isEmpty())

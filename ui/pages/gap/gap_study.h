@@ -38,6 +38,6 @@ struct GapAnswer {
 };
 
 /// Throws std::runtime_error, with a sentence, where there is no answer at all gaps.
-GapAnswer answer(const GapQuestion& question, const StudyFeed<GapAnswer>& feed);
+GapAnswer answerGap(const GapQuestion& question, const StudyFeed<GapAnswer>& feed);
 
 }  // namespace drillwave

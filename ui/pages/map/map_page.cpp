@@ -30,11 +30,6 @@ constexpr int usualPoints = 200;
 constexpr int usualPointsOfString = 40;  // each takes a millisecond or several
 
 /// A number that is easily read, as fine as pixels are.
-double readable(double shown) {
-    constexpr int digits = 4;
-    return QString::number(shown, 'g', digits).toDouble();
-}
-
 /// All there is of it.
 StudyRange wholeElasticity(const Parameter& gamma) {
     return {gamma, 0.01, 1, false};
@@ -50,7 +45,7 @@ MapPage::MapPage(Document& document, QWidget* parent)
       m_points(pointsBox()),
       m_levels(new LevelField(this)),
       m_newest(std::make_shared<std::atomic<int>>(0)),
-      m_study(&answer) {
+      m_study(&answerMap) {
     m_x->setObjectName(QStringLiteral("x"));
     m_y->setObjectName(QStringLiteral("y"));
     PlotWidget* plot =

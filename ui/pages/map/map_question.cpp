@@ -84,7 +84,7 @@ bool MapQuestion::operator==(const MapQuestion& other) const {
            background(study) == background(other.study);
 }
 
-MapReport answer(const MapQuestion& question, const StudyFeed<MapReport>& feed) {
+MapReport answerMap(const MapQuestion& question, const StudyFeed<MapReport>& feed) {
     const int jobs = std::max(1, QThread::idealThreadCount());
     MapReport report{.study = question.study, .grid = {}, .contours = {}, .runTime = 0, .scenarioText = {}};
     std::stop_source ending;

@@ -26,6 +26,6 @@ struct MapQuestion {
 
 /// Throws nothing; a map that is stopped has the points that it has. What there is so far is shown within
 /// about 100 ms even where blows are slow, and after that now and then.
-MapReport answer(const MapQuestion& question, const StudyFeed<MapReport>& feed);
+MapReport answerMap(const MapQuestion& question, const StudyFeed<MapReport>& feed);
 
 }  // namespace drillwave

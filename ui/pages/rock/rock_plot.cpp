@@ -21,12 +21,11 @@ QString energyText(const RockCurve& curve, const QLocale& locale) {
     if (std::abs(curve.energyShare) < rounding) return RockPlot::tr("no energy left in the rock");
     return (curve.ofHammerEnergy ? RockPlot::tr("energy left in the rock: %1 (%2 of E₀)")
                                  : RockPlot::tr("energy left in the rock: %1 (%2 of W)"))
-        .arg(shown(curve.energy, curve.units.energy, locale),
-             numberText(100 * curve.energyShare, 3, locale) + QChar(QChar::Nbsp) + QLatin1Char('%'));
+        .arg(shown(curve.energy, curve.units.energy, locale), percentText(curve.energyShare, 3, locale));
 }
 
 // By name: their factors follow the scenario.
-bool sameUnits(const ShownUnits& a, const ShownUnits& b) {
+bool sameUnitsOfPenetration(const ShownUnits& a, const ShownUnits& b) {
     return a.force.unit == b.force.unit && a.penetration.unit == b.penetration.unit;
 }
 
@@ -62,7 +61,7 @@ RockPlot::RockPlot(QCustomPlot* plot) : StudyFrame(plot) {
 }
 
 void RockPlot::present(const RockCurve& curve) {
-    const bool unitsChanged = !sameUnits(m_curve.units, curve.units);
+    const bool unitsChanged = !sameUnitsOfPenetration(m_curve.units, curve.units);
     const bool hasOtherRuns = m_curve.runs != curve.runs;
     if (unitsChanged) setGhost(nullptr);
     m_curve = curve;
@@ -163,7 +162,7 @@ void RockPlot::setGhost(const RockCurve* before) {
     if (m_ghost) m_plot->removePlottable(m_ghost);
     m_ghost = nullptr;
     m_ghostSize = {};
-    if (before && sameUnits(before->units, m_curve.units)) {
+    if (before && sameUnitsOfPenetration(before->units, m_curve.units)) {
         m_ghost = new CurvePath(x(), y());
         m_ghost->removeFromLegend();
         m_ghost->setSelectable(QCP::stNone);

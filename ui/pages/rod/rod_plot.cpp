@@ -22,7 +22,7 @@ constexpr double strengthInView = 2.5;
 constexpr double tellingDifference = 1.02;
 
 // By name: their factors follow the scenario.
-bool sameUnits(const ShownUnits& a, const ShownUnits& b) {
+bool sameUnitsOfStresses(const ShownUnits& a, const ShownUnits& b) {
     return a.stress.unit == b.stress.unit && a.length.unit == b.length.unit;
 }
 
@@ -114,7 +114,7 @@ void RodPlot::addMark(Mark& mark) {
 }
 
 void RodPlot::present(const RodCurves& curves) {
-    const bool unitsChanged = !sameUnits(m_curves.units, curves.units);
+    const bool unitsChanged = !sameUnitsOfStresses(m_curves.units, curves.units);
     const bool hasOtherRuns = m_curves.runs != curves.runs;
     if (unitsChanged) setGhost(nullptr);
     m_curves = curves;
@@ -207,7 +207,7 @@ void RodPlot::showRuns() {
 void RodPlot::setGhost(const RodCurves* before) {
     for (QCPGraph* ghost : std::as_const(m_ghosts)) m_plot->removeGraph(ghost);
     m_ghosts.clear();
-    if (before && sameUnits(before->units, m_curves.units)) {
+    if (before && sameUnitsOfStresses(before->units, m_curves.units)) {
         for (const Load line : {Load::compression, Load::tension}) {
             QCPGraph* ghost = addCurve(x(), y());
             ghost->removeFromLegend();

@@ -19,10 +19,10 @@ namespace drillwave {
 namespace {
 
 constexpr double sideMargin = 14;   // [px]
-constexpr double rockWidth = 16;    // [px]
+constexpr double groundWidth = 16;  // [px]
 constexpr double leastHeight = 70;  // of the thickest section [px]
 constexpr double mostHeight = 190;  // likewise
-constexpr double reach = 4;         // of a click beside a section that is thinner than the pointer [px]
+constexpr double clickReach = 4;    // of a click beside a section that is thinner than the pointer [px]
 
 // 1, 2 or 5 times a power of ten, about a seventh of the whole.
 double tickStep(double whole) {
@@ -80,7 +80,7 @@ double StringDrawing::largestDiameter() const {
 QRectF StringDrawing::area() const {
     const double top = 2 * fontMetrics().lineSpacing() + 12;
     const double tall = std::max(leastHeight / 2, height() - wordsHeight());
-    return {sideMargin, top, std::max(10.0, width() - 2 * sideMargin - rockWidth), tall};
+    return {sideMargin, top, std::max(10.0, width() - 2 * sideMargin - groundWidth), tall};
 }
 
 double StringDrawing::exaggeration() const {
@@ -100,9 +100,9 @@ QRectF StringDrawing::sectionRect(std::size_t section) const {
 // Of several that are thinner than the pointer the nearest.
 std::optional<std::size_t> StringDrawing::sectionAt(QPointF point) const {
     std::optional<std::size_t> nearest;
-    double distance = reach;
+    double distance = clickReach;
     for (std::size_t i = 0; i < m_model.chain().size(); ++i) {
-        const QRectF rect = sectionRect(i).adjusted(0, -reach, 0, reach);
+        const QRectF rect = sectionRect(i).adjusted(0, -clickReach, 0, clickReach);
         if (point.y() < rect.top() || point.y() > rect.bottom()) continue;
         if (point.x() >= rect.left() && point.x() < rect.right()) return i;
         const double away = std::min(std::abs(point.x() - rect.left()), std::abs(point.x() - rect.right()));
@@ -218,7 +218,7 @@ void StringDrawing::drawMarks(QPainter& painter) const {
     const QRectF whole = area();
     const QColor ink = palette().color(QPalette::Text);
     painter.setPen(QPen(ink, 1));
-    const QRectF rock(whole.right(), whole.top() - 4, rockWidth, whole.height() + 8);
+    const QRectF rock(whole.right(), whole.top() - 4, groundWidth, whole.height() + 8);
     painter.fillRect(rock, QBrush(ink, Qt::DiagCrossPattern));
     painter.drawLine(rock.topLeft(), rock.bottomLeft());
     std::size_t face = 0;
@@ -227,7 +227,7 @@ void StringDrawing::drawMarks(QPainter& painter) const {
     painter.setPen(QPen(ink, 1.6));
     painter.drawLine(QPointF(x, whole.top() - 6), QPointF(x, whole.bottom() + 2));
     const double line = fontMetrics().lineSpacing();
-    const QRectF words(whole.left(), whole.top() - 6 - line, whole.width() + rockWidth, line);
+    const QRectF words(whole.left(), whole.top() - 6 - line, whole.width() + groundWidth, line);
     painter.drawText(words, Qt::AlignLeft | Qt::AlignVCenter, tr("hammer"));
     painter.drawText(words, Qt::AlignRight | Qt::AlignVCenter, tr("rock"));
     const double hammerEnd = std::max(x, whole.left() + fontMetrics().horizontalAdvance(tr("hammer")) + 10);

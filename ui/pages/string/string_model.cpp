@@ -17,8 +17,6 @@
 namespace drillwave {
 namespace {
 
-const QString none = QStringLiteral("–");
-
 /// The number of a section that each column shows; empty for other columns.
 const std::vector<std::string_view>& fieldKeys() {
     static const std::vector<std::string_view> keys = [] {
@@ -180,16 +178,16 @@ QVariant StringModel::shown(const QModelIndex& index) const {
     if (index.column() == sectionName) return row.name();
     if (isResult(index.column())) return resultCell(index.row(), index.column());
     const KeptParameter parameter = parameterAt(index);
-    return parameter ? numberCell(row, *parameter) : none;
+    return parameter ? numberCell(row, *parameter) : noNumber;
 }
 
 QString StringModel::numberCell(const StringRow& /*row*/, const Parameter& parameter) const {
     const std::optional<double> si = parameter.value(m_document.scenario());
     const std::string_view field = parameter.address->field->key;
-    if (!si) return none;
+    if (!si) return noNumber;
     // Most sections have none of these.
     const bool isUsual = *si == 0 && (field == "loss" || field == "mass_after" || field == "attenuation");
-    if (isUsual) return none;
+    if (isUsual) return noNumber;
     return fieldText(*si, parameter.quantity, m_document.units().fieldUnit(*ofColumn(field)), QLocale());
 }
 
@@ -204,10 +202,10 @@ QString StringModel::repeatCell(const StringRow& row) const {
 }
 
 QString StringModel::resultCell(int row, int column) const {
-    if (!m_results) return none;
+    if (!m_results) return noNumber;
     const RowResult& result = m_results->rows[static_cast<std::size_t>(row)];
     if (column == reflected)
-        return result.reflected ? numberText(100 * result.reflected->size, 3, QLocale()) : none;
+        return result.reflected ? numberText(100 * result.reflected->size, 3, QLocale()) : noNumber;
     const RowPeak& peak = column == compression ? result.compression : result.tension;
     return numberText(peak.size / m_blow->scales.stress * m_blow->units.stress.factor, 4, QLocale());
 }

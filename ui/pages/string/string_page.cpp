@@ -201,7 +201,7 @@ QByteArray StringPage::csv() const {
             const QString cell = column == StringModel::repeat
                                      ? QString::number(at.repeat ? at.repeat->times : 1)
                                      : m_model->index(row, column).data().toString();
-            add(cell == QStringLiteral("–") ? QString() : cell, false);
+            add(cell == noNumber ? QString() : cell, false);
         }
         text += '\n';
     }

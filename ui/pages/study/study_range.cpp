@@ -41,6 +41,10 @@ StudyRange rangeAroundSection(const Parameter& parameter, const Scenario& scenar
 
 }  // namespace
 
+double readable(double shown) {
+    return QString::number(shown, 'g', 4).toDouble();  // C locale, whatever the user's
+}
+
 double readableNear(const Parameter& parameter, double si) {
     const Unit& unit = parameter.displayUnit();
     const double shown = unit.fromSi(si);

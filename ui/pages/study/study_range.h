@@ -29,6 +29,9 @@ struct StudyRange {
     std::uint64_t pointsWithin(std::uint64_t most) const;
 };
 
+/// In four digits, as one types it.
+double readable(double shown);
+
 /// The nearest value with one significant digit in the unit that the parameter is shown in.
 double readableNear(const Parameter& parameter, double si);
 

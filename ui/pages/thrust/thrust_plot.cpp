@@ -11,7 +11,7 @@
 namespace drillwave {
 namespace {
 
-constexpr int mostColumns = 3;  // of the legend
+constexpr int mostColumnsOfNeeds = 3;  // of the legend
 
 bool sameAxes(const ThrustPicture& a, const ThrustPicture& b) {
     return a.key == b.key && a.isLogarithmic == b.isLogarithmic && a.from == b.from && a.to == b.to &&
@@ -32,9 +32,9 @@ ThrustPlot::ThrustPlot(QCustomPlot* plot) : StudyFrame(plot) {
     plot->axisRect()->setMinimumMargins(QMargins(4, 4, 12, 4));
     view(plot->axisRect());
     addHeader(2);
-    m_legend->setWrap(mostColumns);
+    m_legend->setWrap(mostColumnsOfNeeds);
     connect(plot, &QCustomPlot::beforeReplot, this,
-            [plot] { wrapLegend(*plot->legend, plot->viewport().width(), mostColumns); });
+            [plot] { wrapLegend(*plot->legend, plot->viewport().width(), mostColumnsOfNeeds); });
     m_bands = new RegimeBands(plot);
     for (const ThrustCase which : thrustCases) {
         const auto i = static_cast<std::size_t>(which);

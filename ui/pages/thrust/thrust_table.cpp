@@ -13,7 +13,7 @@
 namespace drillwave {
 namespace {
 
-enum Row { bracket, margin, limit, gap, feed, rows };
+enum Row { bracket, margin, limit, gap, feed, rowsInAll };
 
 // The columns are narrow.
 QString shortName(ThrustCase which) {
@@ -34,14 +34,14 @@ QString percent(double share) {
 
 QString gapText(const GapAtBlow& found, const ShownUnit& unit) {
     if (found.motion.kind == UndampedMotion::Kind::resting) return ThrustTable::tr("none");
-    if (found.motion.kind == UndampedMotion::Kind::pushedBack) return QStringLiteral("–");
+    if (found.motion.kind == UndampedMotion::Kind::pushedBack) return noNumber;
     if (!found.motion.stable) return ThrustTable::tr("not steady");
     return numberText(found.gap * unit.factor, 3, QLocale()) + QChar(QChar::Nbsp) + unit.unit;
 }
 
 }  // namespace
 
-ThrustTable::ThrustTable(QWidget* parent) : QTableWidget(rows, int(thrustCaseCount), parent) {
+ThrustTable::ThrustTable(QWidget* parent) : QTableWidget(rowsInAll, int(thrustCaseCount), parent) {
     setObjectName(QStringLiteral("needs"));
     setAccessibleName(tr("Needs of the thrust"));
     QStringList cases;
@@ -59,8 +59,8 @@ ThrustTable::ThrustTable(QWidget* parent) : QTableWidget(rows, int(thrustCaseCou
         tr("How far the bit is off the rock when the hammer strikes, if nothing damps the rebound; with a "
            "damper `drillwave drill` follows it"),
         tr("What the effective force does between blows with this e")};
-    for (int row = 0; row < rows; ++row) verticalHeaderItem(row)->setToolTip(meanings[row]);
-    for (int row = 0; row < rows; ++row)
+    for (int row = 0; row < rowsInAll; ++row) verticalHeaderItem(row)->setToolTip(meanings[row]);
+    for (int row = 0; row < rowsInAll; ++row)
         for (int column = 0; column < columnCount(); ++column) {
             auto* cell = new QTableWidgetItem;
             cell->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -107,7 +107,7 @@ void ThrustTable::presentGap(ThrustCase which, const std::optional<GapAtBlow>& f
 }
 
 void ThrustTable::clearNumbers() {
-    for (int row = 0; row < rows; ++row)
+    for (int row = 0; row < rowsInAll; ++row)
         for (const ThrustCase which : thrustCases) setText(row, which, {});
 }
 

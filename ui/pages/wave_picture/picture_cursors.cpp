@@ -9,7 +9,7 @@
 namespace drillwave {
 namespace {
 
-constexpr double reach = 5;  // of the mouse around a line [px]
+constexpr double lineReach = 5;  // of the mouse around a line [px]
 
 }  // namespace
 
@@ -121,8 +121,8 @@ QString PictureCursors::sectionText(const QLocale& locale) const {
 PictureCursors::Line PictureCursors::lineAt(const QPointF& pixel) const {
     if (!m_picture->shown() || !QRectF(m_plot->axisRect()->rect()).adjusted(-2, -2, 2, 2).contains(pixel))
         return Line::none;
-    if (std::abs(pixel.y() - timePixel()) <= reach) return Line::time;
-    return std::abs(pixel.x() - sectionPixel()) <= reach ? Line::section : Line::none;
+    if (std::abs(pixel.y() - timePixel()) <= lineReach) return Line::time;
+    return std::abs(pixel.x() - sectionPixel()) <= lineReach ? Line::section : Line::none;
 }
 
 void PictureCursors::moveTo(const QPointF& pixel) {

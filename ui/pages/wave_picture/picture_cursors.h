@@ -4,6 +4,7 @@
 
 #include <qcustomplot.h>
 
+#include <QLocale>
 #include <QObject>
 #include <optional>
 

@@ -24,7 +24,7 @@
 namespace drillwave {
 namespace {
 
-const QString fieldKey = QStringLiteral("wavePicture/field");
+const QString shownFieldKey = QStringLiteral("wavePicture/field");
 const QString frontsKey = QStringLiteral("wavePicture/fronts");
 const QString velocityName = QStringLiteral("velocity");
 
@@ -116,7 +116,7 @@ QHBoxLayout* WavePicturePage::makeBar() {
 
 void WavePicturePage::restoreChoices() {
     const Settings settings;
-    const bool velocity = settings.value(fieldKey).toString() == velocityName;
+    const bool velocity = settings.value(shownFieldKey).toString() == velocityName;
     m_field->setCurrentIndex(velocity ? 1 : 0);
     m_picture->setField(velocity ? WaveQuantity::velocity : WaveQuantity::force);
     m_fronts->setChecked(settings.value(frontsKey, true).toBool());
@@ -125,7 +125,7 @@ void WavePicturePage::restoreChoices() {
 
 void WavePicturePage::wire() {
     connect(m_field, &QComboBox::currentIndexChanged, this, [this](int index) {
-        Settings().setValue(fieldKey, index == 1 ? velocityName : QStringLiteral("force"));
+        Settings().setValue(shownFieldKey, index == 1 ? velocityName : QStringLiteral("force"));
         m_picture->setField(index == 1 ? WaveQuantity::velocity : WaveQuantity::force);
     });
     connect(m_fronts, &QCheckBox::toggled, this, [this](bool shown) {

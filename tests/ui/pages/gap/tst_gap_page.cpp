@@ -242,7 +242,7 @@ void TestGapPage::aSlowCurveIsShownCoarseFirst() {
                                         shown.push_back(std::move(so));
                                         if (shown.size() == 2) stop.request_stop();
                                     }};
-    answer(gapQuestion(scenario, {}), feed);
+    answerGap(gapQuestion(scenario, {}), feed);
     QCOMPARE(shown.size(), std::size_t{2});
     QCOMPARE(shown[0].samples.size(), std::size_t{5});
     QCOMPARE(shown[1].samples.size(), std::size_t{9});
@@ -260,7 +260,7 @@ void TestGapPage::aSlowCurveIsShownCoarseFirst() {
 void TestGapPage::aQuickCurveIsNotShownTwice() {
     int shown = 0;
     const StudyFeed<GapAnswer> feed{{}, [](StudyProgress) {}, [&](const GapAnswer&) { ++shown; }};
-    QVERIFY(answer(gapQuestion(Scenario(), {}), feed).isComplete());
+    QVERIFY(answerGap(gapQuestion(Scenario(), {}), feed).isComplete());
     QCOMPARE(shown, 0);
 }
 
