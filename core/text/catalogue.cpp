@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
-#include <map>
 #include <sstream>
 
 #include "core/text/catalogue_texts.h"
@@ -30,6 +29,8 @@ Texts readCatalogue(std::string_view xml) {
     return texts;
 }
 
+}  // namespace
+
 const Texts& textsOf(const Language& language) {
     static std::map<std::string_view, Texts> read;
     const auto there = read.find(language.code);
@@ -37,8 +38,6 @@ const Texts& textsOf(const Language& language) {
     const auto* const source = std::ranges::find(catalogueTexts, language.code, &CatalogueText::code);
     return read[language.code] = source == std::end(catalogueTexts) ? Texts() : readCatalogue(source->xml);
 }
-
-}  // namespace
 
 std::string inLanguage(const Language& language, const std::string& english) {
     if (isEnglish(language)) return english;

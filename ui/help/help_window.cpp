@@ -8,6 +8,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include "ui/text/language.h"
 #include "ui/text/settings.h"
 
 namespace drillwave {
@@ -141,8 +142,17 @@ void HelpWindow::fillContents() {
 
 void HelpWindow::find(const QString& typed) {
     const QStringList words = soughtWords(typed);
+    m_sought = words;
+    QList<ManualHit> found = m_sections.find(words);
+    // The manual is in English; whoever reads the window in another language has its words.
+    if (found.isEmpty() && !words.isEmpty())
+        for (const QString& english : englishOf(typed, spokenLanguage())) {
+            m_sought = soughtWords(english);
+            found = m_sections.find(m_sought);
+            if (!found.isEmpty()) break;
+        }
     m_hits->clear();
-    for (const ManualHit& hit : m_sections.find(words)) {
+    for (const ManualHit& hit : found) {
         const QString title = hit.heading == hit.chapter ? hit.chapter : hit.chapter + u'\n' + hit.heading;
         auto* item = new QListWidgetItem(hit.excerpt.isEmpty() ? title : title + u'\n' + hit.excerpt, m_hits);
         item->setData(placeRole, urlOf(hit.place));
@@ -152,7 +162,7 @@ void HelpWindow::find(const QString& typed) {
         none->setFlags(Qt::NoItemFlags);
     }
     m_side->setCurrentWidget(words.isEmpty() ? static_cast<QWidget*>(m_contents) : m_hits);
-    m_view->mark(words.isEmpty() ? QStringList() : words);
+    m_view->mark(m_sought);
 }
 
 void HelpWindow::openHit(QListWidgetItem* item) {
@@ -160,7 +170,7 @@ void HelpWindow::openHit(QListWidgetItem* item) {
     if (place.chapter.isEmpty()) return;
     m_hits->setCurrentItem(item);
     m_view->go(place);
-    m_view->mark(soughtWords(m_search->text()));
+    m_view->mark(m_sought);
 }
 
 // The chapter on show is the one that is open in the contents.

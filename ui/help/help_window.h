@@ -47,6 +47,7 @@ class HelpWindow : public QWidget {
     ManualBook m_book;
     ManualSearch m_sections{m_book};
     QLineEdit* m_search;
+    QStringList m_sought;  // by the search, in the language of the manual
     QTreeWidget* m_contents;
     QListWidget* m_hits;
     QStackedWidget* m_side;

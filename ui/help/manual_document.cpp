@@ -15,7 +15,7 @@ namespace drillwave {
 namespace {
 
 constexpr qreal narrowGap = 4, usualGap = 10, wideGap = 18;  // [px]
-constexpr qreal codeMargin = 16;                        // [px]
+constexpr qreal codeMargin = 16;                             // [px]
 constexpr qreal tableWidth = 98;    // per cent of the text, which leaves room for its lines
 constexpr qreal lineSpacing = 125;  // per cent of the type
 

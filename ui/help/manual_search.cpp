@@ -3,8 +3,10 @@
 
 #include <QRegularExpression>
 #include <algorithm>
+#include <utility>
 
 #include "core/manual/inline_text.h"
+#include "core/text/catalogue.h"
 
 namespace drillwave {
 namespace {
@@ -48,6 +50,23 @@ QStringList soughtWords(const QString& typed) {
         if (!text.isEmpty() && text != QStringLiteral("\"")) words.append(text);
     }
     return words;
+}
+
+QStringList englishOf(const QString& words, const Language& language) {
+    constexpr qsizetype mostWords = 4;
+    const QRegularExpression asWords(
+        QStringLiteral("\\b") + QRegularExpression::escape(words.simplified()) + QStringLiteral("\\b"),
+        QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);
+    QList<std::pair<qsizetype, QString>> found;  // by the length of the translation
+    for (const auto& [english, translation] : textsOf(language)) {
+        const QString text = QString::fromStdString(translation);
+        if (text.count(u' ') < mostWords && text.contains(asWords))
+            found.append({text.size(), QString::fromStdString(english)});
+    }
+    std::ranges::stable_sort(found, {}, &std::pair<qsizetype, QString>::first);
+    QStringList texts;
+    for (const auto& each : found) texts.append(each.second);
+    return texts;
 }
 
 ManualSearch::ManualSearch(const ManualBook& book) {

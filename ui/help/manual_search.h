@@ -5,6 +5,7 @@
 #include <QList>
 #include <QStringList>
 
+#include "core/text/languages.h"
 #include "ui/help/manual_book.h"
 
 namespace drillwave {
@@ -21,6 +22,10 @@ struct ManualHit {
 
 /// The words of what was typed; between quotes several are one.
 QStringList soughtWords(const QString& typed);
+
+/// What the window calls so in a language, in the English that the manual is in: short texts whose
+/// translation has those words, the shortest first.
+QStringList englishOf(const QString& words, const Language& language);
 
 /// The sections of all chapters as plain text, read once.
 class ManualSearch {

@@ -16,6 +16,8 @@
 #include "ui/help/help_window.h"
 #include "ui/help/manual_document.h"
 #include "ui/help/manual_links.h"
+#include "ui/help/manual_search.h"
+#include "ui/text/language.h"
 #include "ui/text/settings.h"
 
 using namespace drillwave;
@@ -62,6 +64,9 @@ class TestHelpWindow : public QObject {
     void textAndLinksStandOutInBothThemes();
     void picturesAreThereAndNoWiderThanTheText();
     void formulasKeepTheirLinesWithinTheWidth();
+    // The last: what is spoken stays.
+    void wordsOfTheWindowAreFoundInEveryLanguage_data();
+    void wordsOfTheWindowAreFoundInEveryLanguage();
 
   private:
     HelpView& view() { return m_help->view(); }
@@ -179,6 +184,39 @@ void TestHelpWindow::searchLooksInAllChaptersForAllWords() {
     // A name is told first where it has a heading of its own.
     QCOMPARE(sections.find({QStringLiteral("wave_loss")}).first().place.heading,
              QStringLiteral("drill.wave_loss: wave loss η"));
+}
+
+void TestHelpWindow::wordsOfTheWindowAreFoundInEveryLanguage_data() {
+    QTest::addColumn<QString>("code");
+    QTest::addColumn<QString>("typed");
+    QTest::addColumn<QString>("english");
+    QTest::newRow("thrust, de") << "de"
+                                << "andruck"
+                                << "thrust";
+    QTest::newRow("thrust, sv") << "sv"
+                                << "matningskraft"
+                                << "thrust";
+    QTest::newRow("restitution, de") << "de" << QStringLiteral("Stoßzahl") << "COR";
+    QTest::newRow("restitution, sv") << "sv"
+                                     << "studstal"
+                                     << "COR";
+    QTest::newRow("stiffness, de") << "de"
+                                   << "Steifigkeit"
+                                   << "stiffness";
+}
+
+void TestHelpWindow::wordsOfTheWindowAreFoundInEveryLanguage() {
+    QFETCH(QString, code);
+    QFETCH(QString, typed);
+    QFETCH(QString, english);
+    const Language& language = *findLanguage(code.toStdString());
+    QVERIFY2(!englishOf(typed, language).filter(english).isEmpty(),
+             qPrintable(englishOf(typed, language).join(u'|')));
+    speak(language);
+    m_help->search().setText(typed);
+    QVERIFY(m_help->hits().count() > 0);
+    QVERIFY(m_help->hits().item(0)->flags() != Qt::NoItemFlags);
+    QVERIFY(englishOf(typed, languages[0]).isEmpty());
 }
 
 void TestHelpWindow::whatIsFoundIsMarkedAndInView() {
