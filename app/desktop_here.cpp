@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QLocale>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
@@ -25,6 +26,7 @@
 #include "ui/export/report_export.h"
 #include "ui/export/study_pictures.h"
 #include "ui/text/language.h"
+#include "ui/text/number_text.h"
 #include "ui/text/settings.h"
 #include "ui/text/shown_text.h"
 #include "ui/window/main_window.h"
@@ -102,7 +104,7 @@ class QtDrawing : public Drawing {
     QtDrawing(int argc, char** argv, const Language& language) : m_argc(argc), m_application(m_argc, argv) {
         if (isEnglish(language)) return;
         speak(language);
-        m_reader.locale = QLocale(fromView(language.code));
+        m_reader.locale = withoutGroups(QLocale(fromView(language.code)));
         m_reader.isSpokenTo = true;
     }
 
@@ -154,6 +156,7 @@ int openWindow(int argc, char** argv) {
     QGuiApplication::setDesktopFileName("drillwave");
     QGuiApplication::setWindowIcon(programIcon());
 
+    QLocale::setDefault(withoutGroups(QLocale()));
     const WindowArguments arguments = wordsFor(QCoreApplication::arguments());
     if (arguments.resetsUi) resetSettings();
     speak(arguments.language ? *arguments.language : languageToSpeak());

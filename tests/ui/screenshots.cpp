@@ -18,6 +18,7 @@
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/drilling/drilling_page.h"
 #include "ui/text/language.h"
+#include "ui/text/number_text.h"
 #include "ui/text/settings.h"
 #include "ui/window/main_window.h"
 #include "ui/window/manual_help.h"
@@ -183,7 +184,7 @@ int main(int argc, char** argv) {
         wanted.bothScales = false;
     }
     if (named.isEmpty() || named.size() > 2 || wanted.sizes.first().isEmpty()) words.showHelp(2);
-    QLocale::setDefault(QLocale(words.value(locale)));
+    QLocale::setDefault(withoutGroups(QLocale(words.value(locale))));
     const Language* spoken = findLanguage(words.value(language).toStdString());
     if (!spoken) words.showHelp(2);
     speak(*spoken);

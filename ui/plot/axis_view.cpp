@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/plot/number_ticks.h"
 #include "ui/text/translation.h"
 
 namespace drillwave {
@@ -108,7 +109,7 @@ void setScale(QCPAxis& axis, QCPAxis::ScaleType scale) {
     for (QCPAxis* changed : both) {
         if (scale == QCPAxis::stLogarithmic) {
             changed->setProperty(linearTicker, QVariant::fromValue(changed->ticker()));
-            changed->setTicker(QSharedPointer<QCPAxisTickerLog>::create());
+            changed->setTicker(QSharedPointer<NumberTicks<QCPAxisTickerLog>>::create());
         } else {
             changed->setTicker(changed->property(linearTicker).value<QSharedPointer<QCPAxisTicker>>());
         }

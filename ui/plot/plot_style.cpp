@@ -5,7 +5,9 @@
 
 #include <QFontInfo>
 #include <algorithm>
+#include <typeinfo>
 
+#include "ui/plot/number_ticks.h"
 #include "ui/text/lightness.h"
 
 namespace drillwave {
@@ -31,7 +33,17 @@ void setColors(PlotStyle& style, const QColor& background, const QColor& text) {
                    [dark](QRgb light, QRgb bright) { return QColor::fromRgb(dark ? bright : light); });
 }
 
+// In place of the ticks that an axis has from the start.
+void writeNumbers(QCPAxis& axis) {
+    const QSharedPointer<QCPAxisTicker> present = axis.ticker();
+    if (const QCPAxisTicker& ticker = *present; typeid(ticker) != typeid(QCPAxisTicker)) return;
+    const auto numbers = QSharedPointer<NumberTicks<QCPAxisTicker>>::create();
+    numbers->setTickCount(present->tickCount());
+    axis.setTicker(numbers);
+}
+
 void applyTo(QCPAxis& axis, const PlotStyle& style) {
+    writeNumbers(axis);
     axis.setLabelFont(style.font);
     axis.setTickLabelFont(style.font);
     axis.setLabelColor(style.text);

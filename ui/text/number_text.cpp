@@ -17,9 +17,13 @@ QString superscript(int exponent) {
 
 }  // namespace
 
+QLocale withoutGroups(QLocale locale) {
+    locale.setNumberOptions(locale.numberOptions() | QLocale::OmitGroupSeparator);
+    return locale;
+}
+
 QString numberText(double value, int digits, const QLocale& locale) {
-    QLocale plain = locale;
-    plain.setNumberOptions(QLocale::OmitGroupSeparator);
+    const QLocale plain = withoutGroups(locale);
     const double magnitude = std::abs(value);
     QString text;
     if (value != 0 && (magnitude < 1e-4 || magnitude >= 1e6) && std::isfinite(value)) {

@@ -12,6 +12,10 @@ namespace drillwave {
 /// What stands where there is no number.
 inline const QString noNumber = QStringLiteral("–");
 
+/// The locale, writing "12345" for "12.345" and "12,345": a group separator of one is the decimal sign of
+/// another.
+QLocale withoutGroups(QLocale locale);
+
 /// So many significant digits, without trailing zeros: "0.4067", "−0.4067" with a real minus sign; all digits
 /// before the point up to a million, "12345", without group separators; "1.235·10⁷" and "1.235·10⁻⁵" beyond.
 QString numberText(double value, int digits, const QLocale& locale);

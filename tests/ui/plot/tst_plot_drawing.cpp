@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "tests/support/plot_scene.h"
+#include "ui/plot/axis_view.h"
 #include "ui/plot/curve_graph.h"
 
 using namespace drillwave;
@@ -20,6 +21,8 @@ class TestPlotDrawing : public QObject {
   private slots:
     void init();
     void numbersOfALowAxisKeepApart();
+    void numbersOfAnAxisAreReadInOneWay_data();
+    void numbersOfAnAxisAreReadInOneWay();
     void linesAreAsThickWhereManyPointsMeet();
     void dashesStayDashesOnLongTables();
     void crowdedPointsLeaveNoHoleInTheirCurve();
@@ -63,6 +66,35 @@ void TestPlotDrawing::numbersOfALowAxisKeepApart() {
             }
         }
     }
+}
+
+void TestPlotDrawing::numbersOfAnAxisAreReadInOneWay_data() {
+    QTest::addColumn<QString>("locale");
+    for (const char* name : {"C", "en_US", "de_DE", "sv_SE"})
+        QTest::newRow(name) << QString::fromLatin1(name);
+}
+
+/// "1.000" of a German axis is 1 to who reads it in English, and a hyphen no minus.
+void TestPlotDrawing::numbersOfAnAxisAreReadInOneWay() {
+    QFETCH(const QString, locale);
+    m->plot.setLocale(QLocale(locale));
+    QCPAxis* axis = m->y(m->upper);
+    for (const auto scale : {QCPAxis::stLinear, QCPAxis::stLogarithmic, QCPAxis::stLinear}) {
+        setScale(*axis, scale);
+        axis->setRange(scale == QCPAxis::stLinear ? -2000 : 1, 2000);
+        m->plot.replot();
+        const QVector<QString> labels = axis->tickVectorLabels();
+        const QString shown = labels.join(u' ');
+        QVERIFY2(labels.contains(QStringLiteral("1000")), qPrintable(shown));
+        QCOMPARE(labels.contains(QStringLiteral("−1000")), scale == QCPAxis::stLinear);
+        QVERIFY2(!shown.contains(u'-'), qPrintable(shown));
+    }
+    // Of a power of ten QCustomPlot makes a superscript.
+    axis->setRange(-1e-6, 1e-6);
+    m->plot.replot();
+    const QVector<QString> powers = axis->tickVectorLabels();
+    QVERIFY2(powers.contains(QStringLiteral("−1e-06")) || powers.contains(QStringLiteral("−5e-07")),
+             qPrintable(powers.join(u' ')));
 }
 
 // Begins with the mechanism: the plot draws a solid line of many points piece by piece, each piece over the

@@ -8,6 +8,7 @@
 #include "ui/pages/map/map_crosshair.h"
 #include "ui/pages/map/map_presets.h"
 #include "ui/plot/curve_graph.h"
+#include "ui/plot/number_ticks.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
@@ -19,8 +20,8 @@ constexpr double cutShare = 0.28;  // of the map's size
 void setKind(QCPAxis* axis, SweepAxis::Kind kind) {
     const bool logarithmic = kind == SweepAxis::Kind::logarithmic;
     axis->setScaleType(logarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-    axis->setTicker(logarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
-                                : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
+    axis->setTicker(logarithmic ? QSharedPointer<QCPAxisTicker>(new NumberTicks<QCPAxisTickerLog>)
+                                : QSharedPointer<QCPAxisTicker>(new NumberTicks<QCPAxisTicker>));
 }
 
 QCPRange rangeOf(const SweepAxis& axis, double factor) {

@@ -6,6 +6,7 @@
 #include "ui/pages/thrust/regime_bands.h"
 #include "ui/plot/curve_graph.h"
 #include "ui/plot/legend_entries.h"
+#include "ui/plot/number_ticks.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -65,8 +66,8 @@ void ThrustPlot::present(const ThrustPicture& picture) {
     m_feed->setName(picture.isWeighted ? tr("effective force, with weight along the hole")
                                        : tr("installed thrust"));
     x()->setScaleType(picture.isLogarithmic ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
-    x()->setTicker(picture.isLogarithmic ? QSharedPointer<QCPAxisTicker>(new QCPAxisTickerLog)
-                                         : QSharedPointer<QCPAxisTicker>(new QCPAxisTicker));
+    x()->setTicker(picture.isLogarithmic ? QSharedPointer<QCPAxisTicker>(new NumberTicks<QCPAxisTickerLog>)
+                                         : QSharedPointer<QCPAxisTicker>(new NumberTicks<QCPAxisTicker>));
     x()->setLabel(picture.units.along.axisLabel(picture.along));
     y()->setLabel(picture.units.force.axisLabel(tr("thrust")));
     finish(otherAxes);
