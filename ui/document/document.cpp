@@ -49,6 +49,21 @@ std::string withoutHead(const std::string& text) {
 
 // "t38_rod_medium_rock" of "T38 rod, medium rock": letters and digits of any script, which every system
 // takes.
+/// "bore must be less than the diameter", where files have a key and its value.
+QString inWordsOfTheForm(const InputProblem& problem) {
+    const KeptParameter parameter = findParameter(problem.key);
+    if (!parameter || problem.reason.arguments.empty()) return translated(problem.text);
+    return parameterLabel(*parameter) + QLatin1Char(' ') + translated(problem.reason.arguments.back());
+}
+
+QString inWordsOfTheForm(const std::string& name, const std::vector<InputProblem>& problems) {
+    QStringList lines;
+    for (const InputProblem& problem : problems)
+        lines << (name.empty() ? QString() : QString::fromStdString(name) + QStringLiteral(": ")) +
+                     inWordsOfTheForm(problem);
+    return lines.join(u'\n');
+}
+
 QString fileStemOf(const std::string& title) {
     constexpr qsizetype longest = 60;
     QString stem;
@@ -142,7 +157,7 @@ QString Document::change(Scenario& scenario, const std::vector<ParameterValue>& 
         parameter->assign(scenario, si);
     }
     const std::vector<InputProblem> problems = m_check(scenario);
-    return problems.empty() ? QString() : translated(problems.front().text);
+    return problems.empty() ? QString() : inWordsOfTheForm(problems.front());
 }
 
 QString Document::contentsWith(const std::vector<ParameterValue>& values, ScenarioDocument& changed) const {
@@ -303,9 +318,8 @@ QString Document::applyPreset(const Preset& preset) {
     if (!hasUnits(m_scenario))
         return tr("A preset has physical units, and this scenario is given by its dimensionless groups.");
     Scenario changed = withPreset(m_scenario, preset);
-    std::vector<InputProblem> problems = m_check(changed);
-    if (!problems.empty())
-        return translated(ScenarioError(ScenarioError::Kind::invalid, preset.name, std::move(problems)));
+    const std::vector<InputProblem> problems = m_check(changed);
+    if (!problems.empty()) return inWordsOfTheForm(preset.name, problems);
     if (changed == m_scenario) return {};
     try {
         const std::string text = writeWithPreset({changed, m_text, m_source.source}, preset);
@@ -319,9 +333,8 @@ QString Document::applyPreset(const Preset& preset) {
 }
 
 QString Document::useScenario(const Scenario& scenario, const QString& step) {
-    std::vector<InputProblem> problems = m_check(scenario);
-    if (!problems.empty())
-        return translated(ScenarioError(ScenarioError::Kind::invalid, scenario.title, std::move(problems)));
+    const std::vector<InputProblem> problems = m_check(scenario);
+    if (!problems.empty()) return inWordsOfTheForm(scenario.title, problems);
     push(scenario, step);
     return {};
 }

@@ -2,6 +2,8 @@
 #include "ui/text/shown_text.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
+#include <utility>
 
 #include "core/yaml/scenario_file.h"
 #include "ui/text/core_text.h"
@@ -12,10 +14,19 @@ QString fromView(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
 }
 
+QString withSigns(QString text) {
+    static const std::pair<QRegularExpression, QString> signs[] = {
+        {QRegularExpression(QStringLiteral("\\b([IFWdtk])0\\b")), QStringLiteral("\\1₀")},
+        {QRegularExpression(QStringLiteral("\\+-")), QStringLiteral("±")},
+        {QRegularExpression(QStringLiteral("\\bphi\\b")), QStringLiteral("φ")}};
+    for (const auto& [plain, sign] : signs) text.replace(plain, sign);
+    return text;
+}
+
 std::string translatedPattern(const std::string& pattern) {
     const QString here = QCoreApplication::translate("drillwave::Message", pattern.c_str());
     // what is in a table of the core too, as the name of a parameter
-    return (here == fromView(pattern) ? coreText(pattern) : here).toStdString();
+    return withSigns(here == fromView(pattern) ? coreText(pattern) : here).toStdString();
 }
 
 QString translated(const Message& message) {

@@ -15,6 +15,9 @@ class ScenarioError;
 /// UTF-8 as Qt's own text.
 QString fromView(std::string_view text);
 
+/// "f I₀ ± φ" for "f I0 +- phi", as the commands write where a terminal may lack the signs.
+QString withSigns(QString text);
+
 /// A pattern of a Message in the language of the window.
 std::string translatedPattern(const std::string& pattern);
 

@@ -138,6 +138,7 @@ QString localText(const QString& plain, const QLocale& locale) {
 QString shownUnitName(std::string_view name) {
     QString shown = fromView(name);
     if (shown == QLatin1String("us") || shown == QLatin1String("um")) shown.replace(0, 1, u'µ');
+    if (shown == QLatin1String("deg")) return QStringLiteral("°");
     return shown.replace(QLatin1String("^2"), QStringLiteral("²"))
         .replace(QLatin1String("^3"), QStringLiteral("³"));
 }

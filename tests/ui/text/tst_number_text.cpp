@@ -5,6 +5,7 @@
 
 #include "core/text/number_text.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 
 using namespace drillwave;
 
@@ -17,6 +18,8 @@ class TestNumberText : public QObject {
     void boundsAreRoundedUp_data();
     void boundsAreRoundedUp();
     void theLocaleGivesTheComma();
+    void noLocaleGroupsDigits();
+    void signsStandForWhatTerminalsLack();
 };
 
 void TestNumberText::numbersAreWrittenForPeople_data() {
@@ -67,6 +70,22 @@ void TestNumberText::theLocaleGivesTheComma() {
     QCOMPARE(numberText(0.5, 3, german), QStringLiteral("0,5"));
     QCOMPARE(numberText(1.5e-9, 2, german), QStringLiteral("1,5·10⁻⁹"));
     QCOMPARE(numberText(12345.0, 3, german), QStringLiteral("12345"));
+}
+
+void TestNumberText::noLocaleGroupsDigits() {
+    for (const char* name : {"en_US", "de_DE", "sv_SE"}) {
+        const QLocale locale(QString::fromLatin1(name));
+        QVERIFY(locale.toString(12345) != QStringLiteral("12345"));
+        QCOMPARE(withoutGroups(locale).toString(12345), QStringLiteral("12345"));
+    }
+}
+
+void TestNumberText::signsStandForWhatTerminalsLack() {
+    QCOMPARE(withSigns(QStringLiteral("phi = 2 +- 1, f I0 (1 + e), d0")),
+             QStringLiteral("φ = 2 ± 1, f I₀ (1 + e), d₀"));
+    QCOMPARE(withSigns(QStringLiteral("T0, 10, graphic")), QStringLiteral("T0, 10, graphic"));
+    QCOMPARE(translated(Message("gap %1 +- %2", {std::string("d0"), std::string("1")})),
+             QStringLiteral("gap d0 ± 1"));  // names stay
 }
 
 QTEST_GUILESS_MAIN(TestNumberText)

@@ -142,6 +142,7 @@ void TestTypedText::unitsAreShownAsTheyArePrinted() {
     QCOMPARE(shownUnitName("us"), QStringLiteral("µs"));
     QCOMPARE(shownUnitName("kg/m^3"), QStringLiteral("kg/m³"));
     QCOMPARE(shownUnitName("mm"), QStringLiteral("mm"));
+    QCOMPARE(shownUnitName("deg"), QStringLiteral("°"));
 }
 
 QTEST_MAIN(TestTypedText)
