@@ -74,7 +74,7 @@ constexpr auto outputTable = std::to_array<Output>({
      OutputGroup::penetration, "Largest penetration of the bit during the blow", std::nullopt, std::nullopt,
      nullptr, "", 1},
     {"residual_penetration", "penetration that stays after the blow", Measure::penetration, Detail::summary,
-     number<&ImpactSummary::residualPenetration>, "penetration a blow", OutputOf::anyBlow,
+     number<&ImpactSummary::residualPenetration>, "penetration per blow", OutputOf::anyBlow,
      OutputGroup::penetration, "Penetration that stays after the blow"},
     {"first_contact_time", "time of the first contact", Measure::time, Detail::summary,
      number<&ImpactSummary::firstContactTime>, "first contact", OutputOf::anyBlow, OutputGroup::contact,
@@ -148,12 +148,12 @@ constexpr auto outputTable = std::to_array<Output>({
      std::nullopt, Load::tension},
     {"peak_compression_after", "largest compression of the waves left, undamped", Measure::stress,
      Detail::histories, [](const From& f) -> Number { return f.summary.largest.compressionAfter; },
-     "compression, after", OutputOf::anyBlow, OutputGroup::stress,
+     "compression of waves left", OutputOf::anyBlow, OutputGroup::stress,
      "Largest compressive stress of the waves that are left after the blow and run on, of a string as long "
      "as it is followed; nothing damps them in the model, a real rod does",
      std::nullopt, Load::compressionAfter},
     {"peak_tension_after", "largest tension of the waves left, undamped", Measure::stress, Detail::histories,
-     [](const From& f) -> Number { return f.summary.largest.tensionAfter; }, "tension, after",
+     [](const From& f) -> Number { return f.summary.largest.tensionAfter; }, "tension of waves left",
      OutputOf::anyBlow, OutputGroup::stress,
      "Largest tensile stress of the waves that are left after the blow and run on, of a string over a round "
      "trip at least; nothing damps them in the model, a real rod does",

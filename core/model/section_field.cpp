@@ -57,7 +57,7 @@ constexpr std::array fieldTable{
                  Quantity::density, "kg/m^3", ranges::density, usual_ranges::density, linear, Presence::optional,
                  [](const Section& s) { return s.density; }, [](Section& s, double v) { s.density = v; },
                  [](Section& s) { s.density.reset(); }},
-    SectionField{"mass_after", "mass behind it", "M", "Mass lumped at the end towards the rock; of the last section of a string a mass of the bit",
+    SectionField{"mass_after", "attached mass", "M", "Mass lumped at the end towards the rock; of the last section of a string a mass of the bit",
                  Quantity::mass, "kg", ranges::mass, {0, 50}, linear, Presence::unusual,
                  [](const Section& s) { return Value(s.massAfter); }, [](Section& s, double v) { s.massAfter = v; }},
     SectionField{"loss", "loss", "η", "Share of the energy of a wave that is lost in the joint at the end towards the rock",

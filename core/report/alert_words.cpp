@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/alert_words.h"
 
+#include <utility>
+
 #include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
 #include "core/report/feed_words.h"
 #include "core/report/parameter_words.h"
 #include "core/text/handy_text.h"
+#include "core/text/message_list.h"
 
 namespace drillwave {
 
@@ -52,13 +55,14 @@ Message defaultHammer(const Alert& alert, const ReadingStyle& style) {
         return translatable("drillwave::Message",
                             "The hammer's impedance is that of the rod, the value assumed where none is "
                             "given: its blow is one step.");
-    std::string values;
+    Message values;
     for (const AlertArgument& argument : alert.arguments) {
         const KeptParameter parameter = findParameter(argument.name);
-        values += (values.empty() ? "" : ", ") + std::string(parameter->localKey()) + " " +
-                  (style.keepsUnitsOfFile()
-                       ? formatQuantity(argument.value, argument.quantity, parameter->displayUnit())
-                       : style.quantity(argument.value, argument.quantity, 4));
+        const std::string value =
+            style.keepsUnitsOfFile()
+                ? formatQuantity(argument.value, argument.quantity, parameter->displayUnit())
+                : style.quantity(argument.value, argument.quantity, 4);
+        values = joined(std::move(values), "%1, %2", {"%1 %2", {labelMessage(*parameter), value}});
     }
     return {translatable("drillwave::Message",
                          "The hammer is the one assumed where none is given (%1, the material of the rod): "
@@ -92,14 +96,14 @@ Message residualWaves(const Alert& alert, const ReadingStyle& style) {
     const std::string roundTrips = fourDigits(alert, "round_trips", style);
     if (!alert.has("whole"))
         return {translatable("drillwave::Message",
-                             "The waves of a blow make only n_b = %1 round trips until the next blow, and "
+                             "The waves of a blow make only %1 round trips until the next blow, and "
                              "meet it undamped: penetration may swing by 10 % up or down with frequency "
-                             "times length; `drill` follows it."),
+                             "times length; Drilling (command `drill`) follows it."),
                 {roundTrips}};
     return {translatable("drillwave::Message",
-                         "The waves of a blow make only n_b = %1 round trips until the next blow, and meet "
-                         "it undamped and nearly in step (n_b close to %2): penetration may swing by 10 % up "
-                         "or down; `drill` follows it."),
+                         "The waves of a blow make only %1 round trips until the next blow, and meet "
+                         "it undamped and nearly in step (close to %2): penetration may swing by 10 % up "
+                         "or down; Drilling (command `drill`) follows it."),
             {roundTrips, whole(alert, "whole")}};
 }
 
@@ -225,7 +229,8 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
         case AlertCode::stressAboveYield:
             return overload(alert, translatable("drillwave::Message", "would yield"), style);
         case AlertCode::stressAboveFatigue:
-            return overload(alert, translatable("drillwave::Message", "tires with every blow"), style);
+            return overload(alert, translatable("drillwave::Message", "takes fatigue damage with every blow"),
+                            style);
         case AlertCode::residualWaves:
             return residualWaves(alert, style);
         case AlertCode::lengthsRounded:
@@ -252,19 +257,20 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                     {inUnit(alert, "force", style), inUnit(alert, "needed", style)}};
         case AlertCode::noWaveLoss:
             return translatable("drillwave::Message",
-                                "Nothing takes from the waves: jumps never fade. A wave_loss of 1 to 30 % in "
+                                "Nothing damps the waves: jumps never fade. A wave loss of 1 to 30 % in "
                                 "a round trip is usual.");
         case AlertCode::restrikeInTheWay:
             return {translatable("drillwave::Message",
                                  "After it has separated, the piston still passes up to %1 % of its "
                                  "momentum: it is in the way of the rebounding string, where a machine would "
-                                 "have drawn it back; restrike: false says so."),
+                                 "have drawn it back; “may strike again” switched off "
+                                 "(restrike: false in the file) says so."),
                     {style.number(100 * alert.argument("share").value, 3)}};
         case AlertCode::shankOff:
             return {translatable("drillwave::Message",
                                  "At a blow the shank is up to %1 off its mean place in the machine: the "
-                                 "stroke, and so the blow, would be another one. A dashpot lets it creep; a "
-                                 "spring (damper_stiffness) brings it back."),
+                                 "stroke, and so the blow, would be another one. A dashpot lets it creep; "
+                                 "the spring of the damper brings it back."),
                     {inUnit(alert, "offset", style)}};
         case AlertCode::frequencyRounded:
             return {

@@ -218,7 +218,7 @@ Message regimeWords(const DrillingResult& result, const ReadingStyle& style) {
     if (!result.lyapunov) return regime();
     std::string exponent = style.number(result.lyapunov->value, 3);
     if (result.lyapunov->error) exponent += " +- " + style.number(*result.lyapunov->error, 2);
-    return {translatable("drillwave::Message", "%1; Lyapunov exponent %2 a blow"), {regime(), exponent}};
+    return {translatable("drillwave::Message", "%1; Lyapunov exponent %2 per blow"), {regime(), exponent}};
 }
 
 std::string drillingJson(const DrillingReport& report, OutputUnits units) {

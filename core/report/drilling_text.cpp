@@ -111,7 +111,7 @@ std::string drillingText(const DrillingReport& report, OutputUnits units, const 
         text += paragraph(style.said(advice));
     text += "\n  " +
             style.said({translatable("drillwave::Message",
-                                     "phi = %1 (thrust over mean reaction), n_b = %2 round trips a blow"),
+                                     "phi = %1 (thrust over mean reaction), n_b = %2 round trips per blow"),
                         {style.number(result.groups.phi, 4), style.number(result.groups.roundTrips, 4)}}) +
             "\n";
     if (result.statistics)

@@ -170,9 +170,9 @@ std::string_view feedWord(Feed feed) {
     static constexpr EnumNames<Feed> words{{{Feed::unknown, ""},
                                             {Feed::pushedBack, "machine pushed back"},
                                             {Feed::penetrationLost, "penetration lost"},
-                                            {Feed::fullRate, "enough, bounces"},
-                                            {Feed::backInTime, "enough, may bounce"},
-                                            {Feed::resting, "enough, rests"}}};
+                                            {Feed::fullRate, "enough, bit bounces"},
+                                            {Feed::backInTime, "enough, bit may bounce"},
+                                            {Feed::resting, "enough, bit stays on rock"}}};
     return words[feed];
 }
 

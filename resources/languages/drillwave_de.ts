@@ -418,7 +418,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>Restore Defaults</source>
-        <translation>Vorgaben wiederherstellen</translation>
+        <translation>Voreinstellungen wiederherstellen</translation>
     </message>
 </context>
 <context>
@@ -474,6 +474,85 @@ Trotzdem löschen?</translation>
     <message>
         <source>Scroll right</source>
         <translation>Nach rechts rollen</translation>
+    </message>
+</context>
+<context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Strg</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Umschalt</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Meta</source>
+        <translation>Meta</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Entf</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Einfg</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Pos1</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Bild auf</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Bild ab</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Leertaste</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tab</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Hoch</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Runter</translation>
     </message>
 </context>
 <context>
@@ -613,7 +692,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>attenuation</source>
-        <translation>Abklingen</translation>
+        <translation>Wellendämpfung</translation>
     </message>
     <message>
         <source>damping</source>
@@ -724,7 +803,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>Feed force that the drill rig applies</source>
-        <translation>Vorschubkraft, die das Bohrgerät aufbringt</translation>
+        <translation>Andruck, den das Bohrgerät aufbringt</translation>
     </message>
     <message>
         <source>Force from which on the loading curve has another slope</source>
@@ -804,7 +883,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>Normal deviation of the time between two blows, of its mean, cut at three deviations</source>
-        <translation>Normalverteilte Abweichung der Zeit zwischen zwei Schlägen, als Anteil ihres Mittels, abgeschnitten bei drei Abweichungen</translation>
+        <translation>Standardabweichung der (normalverteilten) Zeit zwischen zwei Schlägen, als Anteil ihres Mittels; Werte außerhalb von drei Standardabweichungen kommen nicht vor</translation>
     </message>
     <message>
         <source>Number of peaks of the impact force above 1 % of the largest</source>
@@ -996,7 +1075,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>attenuation</source>
-        <translation>Abklingen</translation>
+        <translation>Dämpfung</translation>
     </message>
     <message>
         <source>balance error</source>
@@ -1039,8 +1118,8 @@ Trotzdem löschen?</translation>
         <translation>Stoßzahl e = -pf/p0</translation>
     </message>
     <message>
-        <source>compression, after</source>
-        <translation>Druck, danach</translation>
+        <source>compression of waves left</source>
+        <translation>Druck, verbleibende Wellen</translation>
     </message>
     <message>
         <source>compression, blow</source>
@@ -1072,7 +1151,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>effective feed force over the largest of the four needs of the thrust, less 1, when the scenario has them; takes a study of all gaps</source>
-        <translation>wirksame Vorschubkraft durch den größten der vier Bedarfe an Andruck, weniger 1, wenn das Szenario sie hat; braucht eine Studie aller Spalte</translation>
+        <translation>wirksamer Andruck durch den größten der vier Bedarfe, weniger 1, wenn das Szenario sie hat; braucht eine Studie aller Spalte</translation>
     </message>
     <message>
         <source>efficiency</source>
@@ -1143,16 +1222,16 @@ Trotzdem löschen?</translation>
         <translation>Energie des Strangs nach dem Schlag, Anteil an der des Hammers</translation>
     </message>
     <message>
-        <source>enough, bounces</source>
-        <translation>genug, springt</translation>
+        <source>enough, bit bounces</source>
+        <translation>reicht, Krone hebt ab</translation>
     </message>
     <message>
-        <source>enough, may bounce</source>
-        <translation>genug, springt vielleicht</translation>
+        <source>enough, bit may bounce</source>
+        <translation>reicht, Krone hebt evtl. ab</translation>
     </message>
     <message>
-        <source>enough, rests</source>
-        <translation>genug, ruht</translation>
+        <source>enough, bit stays on rock</source>
+        <translation>reicht, Krone bleibt am Gestein</translation>
     </message>
     <message>
         <source>error</source>
@@ -1355,8 +1434,8 @@ Trotzdem löschen?</translation>
         <translation>Maschine weicht zurück</translation>
     </message>
     <message>
-        <source>mass behind it</source>
-        <translation>Masse dahinter</translation>
+        <source>attached mass</source>
+        <translation>angehängte Masse</translation>
     </message>
     <message>
         <source>mean force</source>
@@ -1399,7 +1478,7 @@ Trotzdem löschen?</translation>
         <translation>Eindringung</translation>
     </message>
     <message>
-        <source>penetration a blow</source>
+        <source>penetration per blow</source>
         <translation>Eindringung/Schlag</translation>
     </message>
     <message>
@@ -1507,8 +1586,8 @@ Trotzdem löschen?</translation>
         <translation>Tabelle</translation>
     </message>
     <message>
-        <source>tension, after</source>
-        <translation>Zug, danach</translation>
+        <source>tension of waves left</source>
+        <translation>Zug, verbleibende Wellen</translation>
     </message>
     <message>
         <source>tension, blow</source>
@@ -1767,7 +1846,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>%1 of %2 samples become %3 points: no sample of what is taken is further than %4 (%5 of the peak) from the lines between them, the impulse changes by %6.</source>
-        <translation>Aus %1 von %2 Abtastwerten werden %3 Punkte: Kein genommener Abtastwert ist weiter als %4 (%5 der Spitze) von den Linien dazwischen entfernt, der Kraftstoß ändert sich um %6.</translation>
+        <translation>Aus %1 von %2 Abtastwerten werden %3 Punkte: Kein übernommener Abtastwert ist weiter als %4 (%5 der Spitze) von den Linien dazwischen entfernt, der Kraftstoß ändert sich um %6.</translation>
     </message>
     <message>
         <source>%1 negative samples are clipped, which adds %2 to the impulse.</source>
@@ -1785,12 +1864,12 @@ Trotzdem löschen?</translation>
         <source>Table: separator, decimal sign, the first line with a sample and the columns are found out; change what is wrong. Without a column of times give the sampling rate.
 Signal: force, strain or the output of a bridge in the unit of the column. A strain becomes a force by E and the area of the rod, of the string where the gauge is, or of another bar. Tension is positive in the rod; a blow presses.
 Zero line: the mean of the first samples, in which nothing happens.
-Take from: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and Shift+drag zoom there), “All” the whole record.
+Range: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and Shift+drag zoom there), “All” the whole record.
 Points at most: of so many samples only some are kept, and it is said how far the others are from the lines between them. A blow keeps its impulse where that moves its forces little.</source>
         <translation>Tabelle: Trennzeichen, Dezimalzeichen, die erste Zeile mit einem Abtastwert und die Spalten werden erkannt; was falsch ist, lässt sich ändern. Ohne Spalte der Zeiten ist die Abtastrate anzugeben.
 Signal: Kraft, Dehnung oder Ausgang einer Brücke in der Einheit der Spalte. Aus einer Dehnung wird eine Kraft mit E und dem Querschnitt der Stange, des Strangs an der Messstelle oder eines anderen Stabs. Zug ist in der Stange positiv; ein Schlag drückt.
 Nulllinie: der Mittelwert der ersten Abtastwerte, in denen nichts geschieht.
-Ausschnitt: „Spitze“ nimmt den Abschnitt um den größten Wert, „Ansicht“, was das Diagramm zeigt (dort zoomen das Rad und Ziehen mit Umschalt), „Alles“ die ganze Aufzeichnung.
+Bereich: „Spitze“ nimmt den Abschnitt um den größten Wert, „Ansicht“, was das Diagramm zeigt (dort zoomen das Rad und Ziehen mit Umschalt), „Alles“ die ganze Aufzeichnung.
 Punkte höchstens: Von so vielen Abtastwerten bleiben nur einige, und es wird gesagt, wie weit die anderen von den Linien dazwischen entfernt sind. Ein Schlag behält seinen Kraftstoß, wo das seine Kräfte wenig verändert.</translation>
     </message>
     <message>
@@ -2011,7 +2090,7 @@ Punkte höchstens: Von so vielen Abtastwerten bleiben nur einige, und es wird ge
     </message>
     <message>
         <source>%1 of %2 designs, robust best %3</source>
-        <translation>%1, %2 Auslegungen, robust beste %3</translation>
+        <translation>%1, %2 Auslegungen, robusteste %3</translation>
     </message>
     <message>
         <source>rock</source>
@@ -2055,7 +2134,7 @@ Punkte höchstens: Von so vielen Abtastwerten bleiben nur einige, und es wird ge
     </message>
     <message>
         <source>The deviation of the gap must be from %1 to %2 d₀.</source>
-        <translation>Die Abweichung des Spalts muss zwischen %1 und %2 d₀ liegen.</translation>
+        <translation>Die Standardabweichung des Spalts muss zwischen %1 und %2 d₀ liegen.</translation>
     </message>
     <message>
         <source>Not solved at all gaps: %1</source>
@@ -2319,15 +2398,15 @@ Punkte höchstens: Von so vielen Abtastwerten bleiben nur einige, und es wird ge
     </message>
     <message>
         <source>What the feed force does between the blows</source>
-        <translation>Was die Vorschubkraft zwischen den Schlägen bewirkt</translation>
+        <translation>Was der Andruck zwischen den Schlägen bewirkt</translation>
     </message>
     <message>
-        <source>margin</source>
-        <translation>Reserve</translation>
+        <source>margin, this blow</source>
+        <translation>Reserve, dieser Schlag</translation>
     </message>
     <message>
         <source>Feed force less what this blow needs for full penetration, and as a share of that</source>
-        <translation>Vorschubkraft abzüglich dessen, was dieser Schlag für volle Eindringung braucht, und als Anteil davon</translation>
+        <translation>Andruck abzüglich dessen, was dieser Schlag für volle Eindringung braucht, und als Anteil davon</translation>
     </message>
     <message>
         <source>needed</source>
@@ -2347,7 +2426,7 @@ Punkte höchstens: Von so vielen Abtastwerten bleiben nur einige, und es wird ge
     </message>
     <message>
         <source>Feed force less the largest of the four needs, and as a share of that: thrust_margin of commands and files</source>
-        <translation>Vorschubkraft abzüglich des größten der vier Bedarfe, und als Anteil davon: thrust_margin in Befehlen und Dateien</translation>
+        <translation>Andruck abzüglich des größten der vier Bedarfe, und als Anteil davon: thrust_margin in Befehlen und Dateien</translation>
     </message>
     <message>
         <source>installed</source>
@@ -2355,7 +2434,7 @@ Punkte höchstens: Von so vielen Abtastwerten bleiben nur einige, und es wird ge
     </message>
     <message>
         <source>Feed force of the drill rig</source>
-        <translation>Vorschubkraft des Bohrgeräts</translation>
+        <translation>Andruck des Bohrgeräts</translation>
     </message>
     <message>
         <source>Coefficient of restitution: momentum after the blow over momentum before it, reversed, e = −pf/p0</source>
@@ -3153,7 +3232,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>dieses Szenario</translation>
     </message>
     <message>
-        <source>A curve for the value of the family that the scenario has, too</source>
+        <source>Also a curve for the scenario&apos;s own value of the family</source>
         <translation>Eine Kurve auch für den Wert der Schar, den das Szenario hat</translation>
     </message>
     <message>
@@ -3173,8 +3252,8 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Die Stange, die ohne Wellen ankommt, gepunktet, über ihrer Steifigkeit in einer von zwei Einheiten</translation>
     </message>
     <message>
-        <source>no rod without waves</source>
-        <translation>keine Stange ohne Wellen</translation>
+        <source>comparison without waves: none</source>
+        <translation>Vergleich ohne Wellen: keiner</translation>
     </message>
     <message>
         <source>rod without waves, k₀ = Z/(2T)</source>
@@ -3228,7 +3307,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>&lt;b&gt;Robust best: %1&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Robust beste: %1&lt;/b&gt;</translation>
+        <translation>&lt;b&gt;Robusteste Auslegung: %1&lt;/b&gt;</translation>
     </message>
     <message>
         <source>The samples do not tell it apart from %1: any of them will do.</source>
@@ -3256,11 +3335,11 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>Least %1 found of the robust best: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Kleinster gefundener Wert (%1) der robust besten: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
+        <translation>Kleinster gefundener Wert (%1) der robustesten Auslegung: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
     </message>
     <message>
         <source>Largest %1 found of the robust best: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Größter gefundener Wert (%1) der robust besten: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
+        <translation>Größter gefundener Wert (%1) der robustesten Auslegung: &lt;b&gt;%2&lt;/b&gt;, bei %3.</translation>
     </message>
     <message>
         <source>The choices change the energy of the blow: machines of different power are compared. “keep the energy” keeps it.</source>
@@ -3276,7 +3355,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>Load the robust best</source>
-        <translation>Die robust beste laden</translation>
+        <translation>Robusteste Auslegung laden</translation>
     </message>
     <message>
         <source>Load the nominal best</source>
@@ -3384,7 +3463,7 @@ Gezeigt wird der Wert davor.</translation>
     </message>
     <message>
         <source>robust best</source>
-        <translation>robust beste</translation>
+        <translation>robusteste</translation>
     </message>
     <message>
         <source>share of the scatter
@@ -3433,19 +3512,19 @@ Gezeigt wird der Wert davor.</translation>
     </message>
     <message>
         <source>A preset of a rod is for uniform rods, and this scenario is a drill string.</source>
-        <translation>Eine Vorgabe einer Stange ist für gleichförmige Stangen, und dieses Szenario ist ein Bohrstrang.</translation>
+        <translation>Eine Voreinstellung einer Stange ist für gleichförmige Stangen, und dieses Szenario ist ein Bohrstrang.</translation>
     </message>
     <message>
         <source>A preset of a blow is a force, and this string is struck by the sections of its hammer.</source>
-        <translation>Eine Vorgabe eines Schlags ist eine Kraft, und diesen Strang schlagen die Abschnitte seines Hammers.</translation>
+        <translation>Eine Voreinstellung eines Schlags ist eine Kraft, und diesen Strang schlagen die Abschnitte seines Hammers.</translation>
     </message>
     <message>
         <source>A preset has physical units, and this scenario is given by its dimensionless groups.</source>
-        <translation>Eine Vorgabe hat physikalische Einheiten, und dieses Szenario ist durch seine dimensionslosen Kennzahlen gegeben.</translation>
+        <translation>Eine Voreinstellung hat physikalische Einheiten, und dieses Szenario ist durch seine dimensionslosen Kennzahlen gegeben.</translation>
     </message>
     <message>
         <source>take the preset %1</source>
-        <translation>die Vorgabe %1 übernehmen</translation>
+        <translation>die Voreinstellung %1 übernehmen</translation>
     </message>
     <message>
         <source>take the hammer blow from %1</source>
@@ -3507,8 +3586,8 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Anhalten %1/%2</translation>
     </message>
     <message>
-        <source>φ = %1, n_b = %2</source>
-        <translation>φ = %1, n_b = %2</translation>
+        <source>φ = %1, %2 round trips between blows</source>
+        <translation>φ = %1, %2 Hin- und Rückläufe zwischen Schlägen</translation>
     </message>
     <message>
         <source>; %1 % of the blows begin on the rock; %2</source>
@@ -3565,8 +3644,8 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Eindringung</translation>
     </message>
     <message>
-        <source>Of a blow, an upper limit: all rock under the bit gives way</source>
-        <translation>Eines Schlags, eine obere Grenze: alles Gestein unter der Bohrkrone gibt nach</translation>
+        <source>Per blow; an upper limit: all rock under the bit gives way</source>
+        <translation>Je Schlag; eine obere Grenze: alles Gestein unter der Bohrkrone gibt nach</translation>
     </message>
     <message>
         <source>rock impulse</source>
@@ -3574,7 +3653,7 @@ Gezeigt wird der Wert davor.</translation>
     </message>
     <message>
         <source>Of a blow and the cycle behind it; on the mean the feed times the interval</source>
-        <translation>Eines Schlags und des Zyklus dahinter; im Mittel der Vorschub mal dem Abstand der Schläge</translation>
+        <translation>Je Schlag und den Zyklus danach; im Mittel der Andruck mal dem Abstand der Schläge</translation>
     </message>
     <message>
         <source>peak force</source>
@@ -3602,7 +3681,7 @@ Gezeigt wird der Wert davor.</translation>
     </message>
     <message>
         <source>deviation</source>
-        <translation>Abweichung</translation>
+        <translation>Standardabweichung</translation>
     </message>
     <message>
         <source>median</source>
@@ -4283,8 +4362,8 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>gestreuter Spalt: Mittel %1, 5–95 % %2…%3</translation>
     </message>
     <message>
-        <source>all gaps alike: mean %1, 5–95 % %2…%3</source>
-        <translation>alle Spalte gleich: Mittel %1, 5–95 % %2…%3</translation>
+        <source>all gaps equally likely: mean %1, 5–95 % %2…%3</source>
+        <translation>alle Spalte gleich wahrscheinlich: Mittel %1, 5–95&#xa0;% %2…%3</translation>
     </message>
     <message>
         <source> · e &gt; 1 at %1 of gaps</source>
@@ -4453,7 +4532,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>The record, and what is taken of it</source>
-        <translation>Die Aufzeichnung, und was davon genommen wird</translation>
+        <translation>Die Aufzeichnung und was davon übernommen wird</translation>
     </message>
     <message>
         <source>Import</source>
@@ -4464,8 +4543,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>N, Zug +</translation>
     </message>
     <message>
-        <source>F, pressing +</source>
-        <translation>F, drückend +</translation>
+        <source>F, compression +</source>
+        <translation>F, Druck +</translation>
     </message>
     <message>
         <source>Nothing to show: %1</source>
@@ -4481,7 +4560,7 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     </message>
     <message>
         <source>Only the shape is taken: this scenario has no physical units.</source>
-        <translation>Nur die Form wird genommen: dieses Szenario hat keine physikalischen Einheiten.</translation>
+        <translation>Nur die Form wird übernommen: dieses Szenario hat keine physikalischen Einheiten.</translation>
     </message>
     <message>
         <source>This string is struck by the sections of its hammer; Edit ▸ Put a force in place of the hammer makes room for a measured one.</source>
@@ -4495,8 +4574,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Aufzeichnung</translation>
     </message>
     <message>
-        <source>taken</source>
-        <translation>genommen</translation>
+        <source>used</source>
+        <translation>übernommen</translation>
     </message>
     <message>
         <source>time in the file [%1]</source>
@@ -4579,11 +4658,11 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>&amp;System</translation>
     </message>
     <message>
-        <source>The window speaks %1 when it is opened the next time.</source>
-        <translation>Das Fenster spricht %1, wenn es das nächste Mal geöffnet wird.</translation>
+        <source>Language from the next start on: %1.</source>
+        <translation>Sprache ab dem nächsten Start: %1.</translation>
     </message>
     <message>
-        <source>Close it and start Drillwave again. Numbers stay as the system writes them; files and the manual are in English.</source>
+        <source>Close the window and start Drillwave again. Numbers stay as the system writes them; files and the manual are in English.</source>
         <translation>Das Fenster schließen und Drillwave neu starten. Zahlen bleiben, wie das System sie schreibt; Dateien und das Handbuch sind auf Englisch.</translation>
     </message>
 </context>
@@ -4591,27 +4670,27 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <name>drillwave::LawSection</name>
     <message>
         <source>law</source>
-        <translation>Gesetz</translation>
+        <translation>Kraft–Eindringung</translation>
     </message>
     <message>
         <source>Bit and rock: law</source>
-        <translation>Bohrkrone und Gestein: Gesetz</translation>
+        <translation>Bohrkrone und Gestein: Kraft–Eindringung</translation>
     </message>
     <message>
         <source>How the force rises with the penetration: along one line, along lines with corners, or with a power of it; it falls along one slope in all of them</source>
-        <translation>Wie die Kraft mit der Eindringung steigt: entlang einer Linie, entlang von Linien mit Ecken, oder mit einer Potenz davon; sie fällt immer entlang einer Steigung</translation>
+        <translation>Wie die Kraft mit der Eindringung steigt: entlang einer Geraden, entlang eines Linienzugs mit Knicken oder mit einer Potenz davon; sie fällt immer mit derselben Steigung</translation>
     </message>
     <message>
         <source>one line</source>
-        <translation>eine Linie</translation>
+        <translation>Gerade</translation>
     </message>
     <message>
         <source>corners</source>
-        <translation>Ecken</translation>
+        <translation>geknickt</translation>
     </message>
     <message>
         <source>power</source>
-        <translation>Potenz</translation>
+        <translation>Potenzgesetz</translation>
     </message>
     <message>
         <source>+ corner</source>
@@ -4856,8 +4935,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
 <context>
     <name>drillwave::MarchRects</name>
     <message>
-        <source>blow (shaded: they count)</source>
-        <translation>Schlag (schattiert: sie zählen)</translation>
+        <source>blow (shaded: used for statistics)</source>
+        <translation>Schlag (schattiert: in der Statistik)</translation>
     </message>
     <message>
         <source>gap modulo d₀, in d₀</source>
@@ -4977,7 +5056,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>%1 points; no sample of what is taken is further than %2 from them</source>
-        <translation>%1 Punkte; kein genommener Abtastwert ist weiter als %2 von ihnen entfernt</translation>
+        <translation>%1 Punkte; kein übernommener Abtastwert ist weiter als %2 von ihnen entfernt</translation>
     </message>
 </context>
 <context>
@@ -5050,12 +5129,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Impedanz des Hammers ist größer als die der Stange: er schiebt in einer Treppe immer kleinerer Stufen, von der angenommen wird, dass sie weiterläuft, als wäre die Stange lang.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; `drill` follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft: die Eindringung kann mit Frequenz mal Länge um 10&#xa0;% nach oben oder unten schwanken; `drill` verfolgt das.</translation>
+        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; Drilling (command `drill`) follows it.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft: die Eindringung kann mit Frequenz mal Länge um 10&#xa0;% nach oben oder unten schwanken; Bohren (Befehl `drill`) verfolgt das.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped and nearly in step (n_b close to %2): penetration may swing by 10 % up or down; `drill` follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur n_b = %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft und fast im Takt (n_b nahe %2): die Eindringung kann um 10&#xa0;% nach oben oder unten schwanken; `drill` verfolgt das.</translation>
+        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped and nearly in step (close to %2): penetration may swing by 10 % up or down; Drilling (command `drill`) follows it.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft und fast im Takt (nahe %2): die Eindringung kann um 10&#xa0;% nach oben oder unten schwanken; Bohren (Befehl `drill`) verfolgt das.</translation>
     </message>
     <message>
         <source>share but a cell of time of %1, which would take more work than is permitted</source>
@@ -5138,8 +5217,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>würde fließen</translation>
     </message>
     <message>
-        <source>tires with every blow</source>
-        <translation>ermüdet mit jedem Schlag</translation>
+        <source>takes fatigue damage with every blow</source>
+        <translation>überschreitet mit jedem Schlag die Dauerfestigkeit</translation>
     </message>
     <message>
         <source>After %1 bit or hammer may still meet again: these are the numbers at the next blow, not final ones.</source>
@@ -5158,16 +5237,16 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Der Vorschub, %1, ist kleiner als die mittlere Reaktion der Schläge, %2, oder ihr so nahe, dass Spalte ohne Grenze wachsen.</translation>
     </message>
     <message>
-        <source>Nothing takes from the waves: jumps never fade. A wave_loss of 1 to 30 % in a round trip is usual.</source>
+        <source>Nothing damps the waves: jumps never fade. A wave loss of 1 to 30 % in a round trip is usual.</source>
         <translation>Die Wellen verlieren nichts: Sprünge klingen nie ab. Ein Wellenverlust von 1 bis 30&#xa0;% in einem Hin- und Rücklauf ist üblich.</translation>
     </message>
     <message>
-        <source>After it has separated, the piston still passes up to %1 % of its momentum: it is in the way of the rebounding string, where a machine would have drawn it back; restrike: false says so.</source>
-        <translation>Nachdem sich der Kolben getrennt hat, gibt er noch bis zu %1&#xa0;% seines Impulses weiter: er ist dem zurückprallenden Strang im Weg, wo eine Maschine ihn zurückgezogen hätte; das sagt restrike: false.</translation>
+        <source>After it has separated, the piston still passes up to %1 % of its momentum: it is in the way of the rebounding string, where a machine would have drawn it back; “may strike again” switched off (restrike: false in the file) says so.</source>
+        <translation>Nachdem sich der Kolben getrennt hat, gibt er noch bis zu %1&#xa0;% seines Impulses weiter: er ist dem zurückprallenden Strang im Weg, wo eine Maschine ihn zurückgezogen hätte; das sagt „darf wieder schlagen“ ausgeschaltet (restrike: false in der Datei).</translation>
     </message>
     <message>
-        <source>At a blow the shank is up to %1 off its mean place in the machine: the stroke, and so the blow, would be another one. A dashpot lets it creep; a spring (damper_stiffness) brings it back.</source>
-        <translation>Bei einem Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt: der Hub, und damit der Schlag, wäre ein anderer. Ein Dämpfer lässt es kriechen; eine Feder (damper_stiffness) bringt es zurück.</translation>
+        <source>At a blow the shank is up to %1 off its mean place in the machine: the stroke, and so the blow, would be another one. A dashpot lets it creep; the spring of the damper brings it back.</source>
+        <translation>Bei einem Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt: der Hub, und damit der Schlag, wäre ein anderer. Ein Dämpfer lässt es kriechen; die Feder des Dämpfers bringt es zurück.</translation>
     </message>
     <message>
         <source>The blow frequency is marched as %1, so that blows come at the end of a cell.</source>
@@ -5243,11 +5322,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Bounded motion needs more than f I0 = %1.</source>
-        <translation>Eine beschränkte Bewegung braucht mehr als f I0 = %1.</translation>
+        <translation>Eine beschränkte Bewegung braucht mehr als f I₀ = %1.</translation>
     </message>
     <message>
         <source>Waves alone ask for f I0 (1 + e) = %1 for the full rate; with another damper it is another thrust.</source>
-        <translation>Wellen allein verlangen f I0 (1 + e) = %1 für den vollen Bohrfortschritt; mit einem anderen Dämpfer ist es ein anderer Andruck.</translation>
+        <translation>Wellen allein verlangen f I₀ (1 + e) = %1 für den vollen Bohrfortschritt; mit einem anderen Dämpfer ist es ein anderer Andruck.</translation>
     </message>
     <message>
         <source>at rest before every blow</source>
@@ -5266,7 +5345,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>wiederholt sich alle %1 Schläge</translation>
     </message>
     <message>
-        <source>%1; Lyapunov exponent %2 a blow</source>
+        <source>%1; Lyapunov exponent %2 per blow</source>
         <translation>%1; Ljapunow-Exponent %2 je Schlag</translation>
     </message>
     <message>
@@ -5495,7 +5574,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>preset %1: %2</source>
-        <translation>Vorgabe %1: %2</translation>
+        <translation>Voreinstellung %1: %2</translation>
     </message>
     <message>
         <source>not stated</source>
@@ -5623,7 +5702,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>all gaps alike</source>
-        <translation>alle Spalte gleich</translation>
+        <translation>alle Spalte gleich wahrscheinlich</translation>
     </message>
     <message>
         <source>smallest</source>
@@ -5663,7 +5742,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The scattered gap is a normal distribution cut off at no gap: mean and deviation are those before the cut.</source>
-        <translation>Der gestreute Spalt ist eine bei null abgeschnittene Normalverteilung: Mittel und Abweichung sind die vor dem Schnitt.</translation>
+        <translation>Der gestreute Spalt ist eine bei null abgeschnittene Normalverteilung: Mittel und Standardabweichung sind die vor dem Schnitt.</translation>
     </message>
     <message>
         <source>Errors below %1, from %2 blow</source>
@@ -5851,7 +5930,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Places are from the rear end of a section. What a joint reflects is the energy of the waves from the hammer that the far end of the section throws back, of that of the hammer.</source>
-        <translation>Orte zählen vom hinteren Ende eines Abschnitts. Der Rückwurf ist der Anteil der Energie des Hammers, den die Verbindung am gesteinsseitigen Ende des Abschnitts von dem zurückwirft, was vom Hammer kommt.</translation>
+        <translation>Orte zählen vom hinteren Ende eines Abschnitts. Die Reflexion ist der Anteil der Energie des Hammers, den die Verbindung am gesteinsseitigen Ende des Abschnitts von dem reflektiert, was vom Hammer kommt.</translation>
     </message>
     <message>
         <source>Needs of the thrust</source>
@@ -5887,11 +5966,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>in %1, at its rear end, at %2</source>
-        <translation>in %1, am hinteren Ende, bei %2</translation>
+        <translation>in %1, am hammerseitigen Ende, bei %2</translation>
     </message>
     <message>
         <source>in %1, %2 from its rear end, at %3</source>
-        <translation>in %1, %2 von seinem hinteren Ende, bei %3</translation>
+        <translation>in %1, %2 vom hammerseitigen Ende, bei %3</translation>
     </message>
     <message>
         <source>stiffness k t₀/Z</source>
@@ -6075,7 +6154,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>joint reflects</source>
-        <translation>Rückwurf</translation>
+        <translation>Reflexion</translation>
     </message>
     <message>
         <source>none</source>
@@ -6087,7 +6166,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>enough ... bit back undamped</source>
-        <translation>genug ... Krone ungedämpft zurück</translation>
+        <translation>reicht ... Krone ungedämpft zurück</translation>
     </message>
     <message>
         <source>margin</source>
@@ -6095,7 +6174,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>enough up to</source>
-        <translation>genug bis</translation>
+        <translation>reicht bis</translation>
     </message>
     <message>
         <source>gap at the blow</source>
@@ -6119,7 +6198,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Section %1 of hammer and string %2: %3, %4 from its rear end at %5, against a strength of %6.</source>
-        <translation>Abschnitt %1 von Hammer und Strang %2: %3, %4 von seinem hinteren Ende bei %5, gegenüber einer Festigkeit von %6.</translation>
+        <translation>Abschnitt %1 von Hammer und Strang %2: %3, %4 vom hinteren Ende bei %5, gegenüber einer Festigkeit von %6.</translation>
     </message>
     <message>
         <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the waves left (which nothing damps here), against a strength of %5.</source>
@@ -6331,11 +6410,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>must be a list of presets, `- name: …`</source>
-        <translation>muss eine Liste von Vorgaben sein, `- name: …`</translation>
+        <translation>muss eine Liste von Voreinstellungen sein, `- name: …`</translation>
     </message>
     <message>
         <source>each preset must begin with `name: …`</source>
-        <translation>jede Vorgabe muss mit `name: …` beginnen</translation>
+        <translation>jede Voreinstellung muss mit `name: …` beginnen</translation>
     </message>
     <message>
         <source>must be text</source>
@@ -6343,7 +6422,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>is the name of another preset too</source>
-        <translation>ist auch der Name einer anderen Vorgabe</translation>
+        <translation>ist auch der Name einer anderen Voreinstellung</translation>
     </message>
     <message>
         <source>is missing</source>
@@ -7367,7 +7446,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1 of I0, %2 of W</source>
-        <translation>%1 von I0, %2 von W</translation>
+        <translation>%1 von I₀, %2 von W</translation>
     </message>
     <message>
         <source>method %1, %2, %3, solved in %4</source>
@@ -7511,7 +7590,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>robust best</source>
-        <translation>robust beste</translation>
+        <translation>robusteste</translation>
     </message>
     <message>
         <source>nominal best</source>
@@ -7551,11 +7630,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Least %1 of the robust best found in the ranges: %2 at %3 (samples alone: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Kleinster in den Bereichen gefundener Wert (%1) der robust besten: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
+        <translation>Kleinster in den Bereichen gefundener Wert (%1) der robustesten Auslegung: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
     </message>
     <message>
         <source>Largest %1 of the robust best found in the ranges: %2 at %3 (samples alone: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Größter in den Bereichen gefundener Wert (%1) der robust besten: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
+        <translation>Größter in den Bereichen gefundener Wert (%1) der robustesten Auslegung: %2 bei %3 (nur aus Stichproben: %4; Suchen: %5, davon hier geendet: %6).</translation>
     </message>
     <message>
         <source>%1 sample could not be solved and are left out: %2.</source>
@@ -7599,11 +7678,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>The robust best is at the upper end of %1: widen the choice.</source>
-        <translation>Die robust beste liegt am oberen Ende von %1: die Wahl erweitern.</translation>
+        <translation>Die robusteste Auslegung liegt am oberen Ende von %1: die Wahl erweitern.</translation>
     </message>
     <message>
         <source>The robust best is at the lower end of %1: widen the choice.</source>
-        <translation>Die robust beste liegt am unteren Ende von %1: die Wahl erweitern.</translation>
+        <translation>Die robusteste Auslegung liegt am unteren Ende von %1: die Wahl erweitern.</translation>
     </message>
     <message>
         <source>The choices change the energy of the blow by up to %1 %: machines of different power are compared; --keep-energy keeps it.</source>
@@ -7659,7 +7738,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- has the scatter of the blows at that value and the most that other cells change at five of the values.</source>
-        <translation>Als voller Bohrfortschritt gelten 95&#xa0;% dessen, was ein Vorschub von 2 (1 + 2e) f J mit demselben Dämpfer ergibt. +- enthält die Streuung der Schläge bei diesem Wert und die größte Änderung durch andere Zellen bei fünf der Werte.</translation>
+        <translation>Als voller Bohrfortschritt gelten 95&#xa0;% dessen, was ein Vorschub von 2 (1 + 2e) f J mit demselben Dämpfer ergibt. ± enthält die Streuung der Schläge bei diesem Wert und die größte Änderung durch andere Zellen bei fünf der Werte.</translation>
     </message>
     <message>
         <source>Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. There is no over-feed side: friction, rotation and buckling are not in the model.</source>
@@ -7679,7 +7758,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>deviation</source>
-        <translation>Abweichung</translation>
+        <translation>Standardabweichung</translation>
     </message>
     <message>
         <source>rock impulse</source>
@@ -7702,8 +7781,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Impuls auf %1 genau, Energie auf %2 genau</translation>
     </message>
     <message>
-        <source>phi = %1 (thrust over mean reaction), n_b = %2 round trips a blow</source>
-        <translation>phi = %1 (Andruck durch mittlere Reaktion), n_b = %2 Hin- und Rückläufe je Schlag</translation>
+        <source>phi = %1 (thrust over mean reaction), n_b = %2 round trips per blow</source>
+        <translation>φ = %1 (Andruck durch mittlere Reaktion), %2 Hin- und Rückläufe je Schlag</translation>
     </message>
     <message>
         <source>installed thrust of %1</source>
@@ -7711,19 +7790,19 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>effective force of %1 (thrust %2, less %3 of weight along the hole)</source>
-        <translation>wirksame Vorschubkraft %1 (Andruck %2, abzüglich %3 Gewicht entlang des Lochs)</translation>
+        <translation>wirksamer Andruck %1 (vom Bohrgerät %2, abzüglich %3 Gewicht entlang des Lochs)</translation>
     </message>
     <message>
         <source>effective force of %1 (thrust %2, and %3 of weight along the hole)</source>
-        <translation>wirksame Vorschubkraft %1 (Andruck %2 und %3 Gewicht entlang des Lochs)</translation>
+        <translation>wirksamer Andruck %1 (vom Bohrgerät %2 und %3 Gewicht entlang des Lochs)</translation>
     </message>
     <message>
         <source>The gap has a period of d0 = %1.</source>
-        <translation>Der Spalt hat die Periode d0 = %1.</translation>
+        <translation>Der Spalt hat die Periode d₀ = %1.</translation>
     </message>
     <message>
         <source>The gap has a period of d0.</source>
-        <translation>Der Spalt hat die Periode d0.</translation>
+        <translation>Der Spalt hat die Periode d₀.</translation>
     </message>
     <message>
         <source>%1 in %2.</source>
@@ -7999,7 +8078,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1 of %2, n_b = %3</source>
-        <translation>%1 mit %2 je Schlag, n_b = %3</translation>
+        <translation>%1 mit %2 je Schlag, %3 Hin- und Rückläufe bis zum nächsten Schlag</translation>
     </message>
     <message>
         <source>What a damper changes, and what waves from blow to blow, `drillwave drill` follows.</source>
@@ -8467,7 +8546,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>the file of presets %1</source>
-        <translation>die Datei mit Vorgaben %1</translation>
+        <translation>die Datei mit Voreinstellungen %1</translation>
     </message>
     <message>
         <source>--segments %1: needs at most %2 whole numbers from %3 to %4, as in 100,1000,10000</source>
@@ -8949,11 +9028,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>the file of presets has an empty name; without one the built-in ones are taken</source>
-        <translation>die Datei mit Vorgaben hat einen leeren Namen; ohne die Option gelten die eingebauten</translation>
+        <translation>die Datei mit Voreinstellungen hat einen leeren Namen; ohne die Option gelten die eingebauten</translation>
     </message>
     <message>
         <source>%1: the file of presets is larger than %2 KiB, too large to be meant</source>
-        <translation>%1: die Datei mit Vorgaben ist größer als %2 KiB, das ist kaum beabsichtigt</translation>
+        <translation>%1: die Datei mit Voreinstellungen ist größer als %2 KiB, das ist kaum beabsichtigt</translation>
     </message>
     <message>
         <source>%1 is a drill string, whose sections are given one by one</source>
@@ -8961,7 +9040,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>%1 is given by its dimensionless groups; presets need a scenario in physical units</source>
-        <translation>%1 ist durch dimensionslose Kennzahlen gegeben; Vorgaben brauchen ein Szenario in physikalischen Einheiten</translation>
+        <translation>%1 ist durch dimensionslose Kennzahlen gegeben; Voreinstellungen brauchen ein Szenario in physikalischen Einheiten</translation>
     </message>
     <message>
         <source>--presets is about --rod, --hammer and --rock; add one of them</source>
@@ -8997,7 +9076,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>no preset has all of &quot;%1&quot;</source>
-        <translation>keine Vorgabe enthält alles aus &quot;%1&quot;</translation>
+        <translation>keine Voreinstellung enthält alles aus &quot;%1&quot;</translation>
     </message>
     <message>
         <source>%1 done</source>
@@ -9700,7 +9779,7 @@ Auf und Ab verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translation>
     <name>drillwave::PresetBox</name>
     <message>
         <source>%1: preset</source>
-        <translation>%1: Vorgabe</translation>
+        <translation>%1: Voreinstellung</translation>
     </message>
     <message>
         <source>custom</source>
@@ -9708,11 +9787,11 @@ Auf und Ab verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translation>
     </message>
     <message>
         <source>The values are those of no preset. Choose one to start from its values.</source>
-        <translation>Die Werte sind die keiner Vorgabe. Eine wählen, um von ihren Werten auszugehen.</translation>
+        <translation>Die Werte sind die keiner Voreinstellung. Eine wählen, um von ihren Werten auszugehen.</translation>
     </message>
     <message>
         <source>Presets are physical values, and this scenario is given by its dimensionless groups alone. File ▸ New begins one in physical values.</source>
-        <translation>Vorgaben sind physikalische Werte, und dieses Szenario ist nur durch seine dimensionslosen Kennzahlen gegeben. Datei ▸ Neu beginnt eines in physikalischen Werten.</translation>
+        <translation>Voreinstellungen sind physikalische Werte, und dieses Szenario ist nur durch seine dimensionslosen Kennzahlen gegeben. Datei ▸ Neu beginnt eines in physikalischen Werten.</translation>
     </message>
     <message>
         <source>none</source>
@@ -9720,15 +9799,15 @@ Auf und Ab verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translation>
     </message>
     <message>
         <source>&amp;Add file of presets…</source>
-        <translation>Datei mit Vorgaben &amp;hinzufügen …</translation>
+        <translation>Datei mit Voreinstellungen &amp;hinzufügen …</translation>
     </message>
     <message>
         <source>Offer the presets of a YAML file of your own, now and in later runs</source>
-        <translation>Die Vorgaben einer eigenen YAML-Datei anbieten, jetzt und künftig</translation>
+        <translation>Die Voreinstellungen einer eigenen YAML-Datei anbieten, jetzt und künftig</translation>
     </message>
     <message>
         <source>&amp;Open folder of presets</source>
-        <translation>&amp;Ordner der Vorgaben öffnen</translation>
+        <translation>&amp;Ordner der Voreinstellungen öffnen</translation>
     </message>
     <message>
         <source>A file presets.yaml in %1 is read by itself</source>
@@ -9744,7 +9823,7 @@ Auf und Ab verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translation>
     </message>
     <message>
         <source>The presets of %1 are not used.</source>
-        <translation>Die Vorgaben von %1 werden nicht verwendet.</translation>
+        <translation>Die Voreinstellungen von %1 werden nicht verwendet.</translation>
     </message>
     <message>
         <source>Take it off the list</source>
@@ -9752,19 +9831,19 @@ Auf und Ab verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translation>
     </message>
     <message>
         <source>Add a file of presets</source>
-        <translation>Eine Datei mit Vorgaben hinzufügen</translation>
+        <translation>Eine Datei mit Voreinstellungen hinzufügen</translation>
     </message>
     <message>
         <source>Presets (*.yaml *.yml);;All files (*)</source>
-        <translation>Vorgaben (*.yaml *.yml);;Alle Dateien (*)</translation>
+        <translation>Voreinstellungen (*.yaml *.yml);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>These presets cannot be used.</source>
-        <translation>Diese Vorgaben können nicht verwendet werden.</translation>
+        <translation>Diese Voreinstellungen können nicht verwendet werden.</translation>
     </message>
     <message>
         <source>This preset does not fit the rest of the scenario.</source>
-        <translation>Diese Vorgabe passt nicht zum Rest des Szenarios.</translation>
+        <translation>Diese Voreinstellung passt nicht zum Rest des Szenarios.</translation>
     </message>
 </context>
 <context>
@@ -10317,7 +10396,7 @@ Ein Klick ins Diagramm verschiebt sie, und den Zeitcursor dorthin, wo die Spannu
         <translation>Größte Spannungen entlang der Stange</translation>
     </message>
     <message>
-        <source>Nothing to show: so many waves that they are not kept.</source>
+        <source>Nothing to show: there are too many waves to be kept.</source>
         <translation>Nichts zu zeigen: so viele Wellen, dass sie nicht behalten werden.</translation>
     </message>
     <message>
@@ -10466,8 +10545,8 @@ der verbleibenden Wellen: %4 und %5</translation>
         <translation> · Hammer drückt</translation>
     </message>
     <message>
-        <source> · hammer apart</source>
-        <translation> · Hammer getrennt</translation>
+        <source> · hammer not in contact</source>
+        <translation> · Hammer ohne Kontakt</translation>
     </message>
     <message>
         <source>t = %1 · %2 · stress %3 … %4</source>
@@ -10645,12 +10724,12 @@ der verbleibenden Wellen: %4 und %5</translation>
         <translation>Niemand regelt den Spalt am Bohrgerät: alle Spalte einer Periode gleich, oder eine Normalverteilung, abgeschnitten bei keinem Spalt</translation>
     </message>
     <message>
-        <source>all alike</source>
-        <translation>alle gleich</translation>
+        <source>all equally likely</source>
+        <translation>alle gleich wahrscheinlich</translation>
     </message>
     <message>
         <source>mean ± deviation</source>
-        <translation>Mittel ± Abweichung</translation>
+        <translation>Mittel ± Standardabw.</translation>
     </message>
     <message>
         <source>mean</source>
@@ -10709,7 +10788,7 @@ der verbleibenden Wellen: %4 und %5</translation>
     </message>
     <message>
         <source>preset</source>
-        <translation>Vorgabe</translation>
+        <translation>Voreinstellung</translation>
     </message>
     <message>
         <source>not given</source>
@@ -10870,8 +10949,8 @@ der verbleibenden Wellen: %4 und %5</translation>
         <translation>Die ganze Aufzeichnung</translation>
     </message>
     <message>
-        <source>take from</source>
-        <translation>nehmen von</translation>
+        <source>range</source>
+        <translation>Bereich</translation>
     </message>
     <message>
         <source>clip what is negative</source>
@@ -10887,7 +10966,7 @@ der verbleibenden Wellen: %4 und %5</translation>
     </message>
     <message>
         <source>Times what all forces are multiplied by</source>
-        <translation>Womit alle Kräfte malgenommen werden</translation>
+        <translation>Womit alle Kräfte multipliziert werden</translation>
     </message>
     <message>
         <source>as it is</source>
@@ -10907,14 +10986,14 @@ der verbleibenden Wellen: %4 und %5</translation>
     </message>
     <message>
         <source>All forces are multiplied by it</source>
-        <translation>Mit dem alle Kräfte malgenommen werden</translation>
+        <translation>Alle Kräfte werden damit multipliziert</translation>
     </message>
     <message>
         <source>impulse</source>
         <translation>Kraftstoß</translation>
     </message>
     <message>
-        <source>That the signal is to have</source>
+        <source>The impulse that the signal is to have</source>
         <translation>Den das Signal haben soll</translation>
     </message>
     <message>
@@ -11074,11 +11153,11 @@ der verbleibenden Wellen: %4 und %5</translation>
     </message>
     <message>
         <source>Put a section behind the selected one: like it, a preset, or one of the example strings; adapters go to the shank, bits to the rock</source>
-        <translation>Einen Abschnitt hinter den gewählten setzen: wie ihn, eine Vorgabe, oder einen der Beispielstränge; Einsteckenden kommen an den Anfang, Bohrkronen ans Gestein</translation>
+        <translation>Einen Abschnitt hinter den gewählten setzen: wie ihn, eine Voreinstellung, oder einen der Beispielstränge; Einsteckenden kommen an den Anfang, Bohrkronen ans Gestein</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation>Verdoppeln</translation>
+        <translation>Duplizieren</translation>
     </message>
     <message>
         <source>Put the selected section there once more, with its name</source>
@@ -11122,7 +11201,7 @@ der verbleibenden Wellen: %4 und %5</translation>
     </message>
     <message>
         <source>Presets</source>
-        <translation>Vorgaben</translation>
+        <translation>Voreinstellungen</translation>
     </message>
     <message>
         <source>Rods</source>
@@ -11166,7 +11245,7 @@ der verbleibenden Wellen: %4 und %5</translation>
     </message>
     <message>
         <source>duplicate %1</source>
-        <translation>%1 verdoppeln</translation>
+        <translation>%1 duplizieren</translation>
     </message>
     <message>
         <source>A hammer has at least one section.</source>
@@ -11216,12 +11295,12 @@ dahinter</translation>
     <message>
         <source>attenu-
 ation</source>
-        <translation>Ab-
-klingen</translation>
+        <translation>Dämp-
+fung</translation>
     </message>
     <message>
         <source>%1 at %2 from its rear end, %3</source>
-        <translation>%1 bei %2 von seinem hinteren Ende, %3</translation>
+        <translation>%1, %2 vom hammerseitigen Ende, %3</translation>
     </message>
     <message>
         <source>These sections come %1 times, one after another. Type another number; 1 takes the repeat away.</source>
@@ -11233,7 +11312,7 @@ klingen</translation>
     </message>
     <message>
         <source>Share of the energy of the hammer that the joint behind %1 throws back of what comes from the hammer</source>
-        <translation>Anteil der Energie des Hammers, den die Verbindung hinter %1 von dem zurückwirft, was vom Hammer kommt</translation>
+        <translation>Anteil der Energie des Hammers, den die Verbindung hinter %1 von dem reflektiert, was vom Hammer kommt</translation>
     </message>
     <message>
         <source>
@@ -11263,11 +11342,11 @@ der Wellen, die der Schlag hinterlässt: %1</translation>
     </message>
     <message>
         <source>Share of the energy of the hammer that the joint behind the section throws back of what comes from the hammer; of a repeat, by the joint that throws back most</source>
-        <translation>Anteil der Energie des Hammers, den die Verbindung hinter dem Abschnitt von dem zurückwirft, was vom Hammer kommt; in einer Wiederholung der Verbindung, die am meisten zurückwirft</translation>
+        <translation>Anteil der Energie des Hammers, den die Verbindung hinter dem Abschnitt von dem reflektiert, was vom Hammer kommt; in einer Wiederholung der Verbindung, die am meisten reflektiert</translation>
     </message>
     <message>
         <source>repeat</source>
-        <translation>mal</translation>
+        <translation>Anzahl</translation>
     </message>
     <message>
         <source>name</source>
@@ -11286,8 +11365,8 @@ spannung</translation>
     <message>
         <source>joint
 reflects</source>
-        <translation>Rück-
-wurf</translation>
+        <translation>Re-
+flexion</translation>
     </message>
     <message>
         <source>The name %1</source>
@@ -11375,7 +11454,7 @@ wurf</translation>
 <context>
     <name>drillwave::StringSection</name>
     <message>
-        <source>Closed forms and groups are of uniform rods, and not here</source>
+        <source>Closed forms and groups are for uniform rods only</source>
         <translation>Geschlossene Formen und Kennzahlen gibt es für gleichförmige Stangen, nicht hier</translation>
     </message>
     <message>
@@ -11778,7 +11857,7 @@ wurf</translation>
     </message>
     <message>
         <source>not steady</source>
-        <translation>nicht stetig</translation>
+        <translation>kein stationärer Zustand</translation>
     </message>
     <message>
         <source>Needs of the thrust</source>
@@ -11794,7 +11873,7 @@ wurf</translation>
     </message>
     <message>
         <source>enough up to</source>
-        <translation>genug bis</translation>
+        <translation>reicht bis</translation>
     </message>
     <message>
         <source>gap at the blow</source>
@@ -11938,7 +12017,7 @@ wurf</translation>
         <translation>Nichts zu zeigen: %1</translation>
     </message>
     <message>
-        <source>Nothing to show: so many waves that they are not kept.</source>
+        <source>Nothing to show: there are too many waves to be kept.</source>
         <translation>Nichts zu zeigen: so viele Wellen, dass sie nicht behalten werden.</translation>
     </message>
     <message>
@@ -12117,7 +12196,7 @@ wave_picture.* und rod.*.</translation>
     </message>
     <message>
         <source>a file of presets of your own, in place of the built-in ones</source>
-        <translation>eine eigene Datei mit Vorgaben, anstelle der eingebauten</translation>
+        <translation>eine eigene Datei mit Voreinstellungen, anstelle der eingebauten</translation>
     </message>
     <message>
         <source>print one JSON object in place of the summary</source>
@@ -12449,12 +12528,12 @@ summary.json, blows.csv, mit --histories histories.csv und mit --plots drilling.
 impulse I0 of a blow and restitution e it is judged so (theory §10):
   below f I0                machine pushed back
   below f I0 (1+e)          penetration lost
-  below f I0 (1+2e)         enough, bounces: it leaves the rock between blows unless the
+  below f I0 (1+2e)         enough, bit bounces: it leaves the rock between blows unless the
                             machine damps
-  below f I0 (1+e)/(1-e)    enough, may bounce: one that was at rest is back before the
-                            next blow
-  from there on             enough, rests; over-feeding (friction, buckling, stalling) is
-                            outside the model
+  below f I0 (1+e)/(1-e)    enough, bit may bounce: one that was at rest is back before
+                            the next blow
+  from there on             enough, bit stays on rock; over-feeding (friction, buckling,
+                            stalling) is outside the model
 The words are by the e of this blow. Beside it, each with its own e: 95 % of all gaps between bit
 and rock, rigid rock (e = 1), and the worst gap on elastic rock (gamma = 1). A margin is the
 installed thrust over f I0 (1+e), less 1; thrust_margin is that of the largest need. Where
@@ -12468,12 +12547,12 @@ only this blow and rigid rock are told.</source>
 Schlagfrequenz f, Kraftstoß I0 eines Schlags und Stoßzahl e (theory §10):
   unter f I0                Maschine weicht zurück
   unter f I0 (1+e)          Eindringung verloren
-  unter f I0 (1+2e)         genug, springt: die Bohrkrone verlässt zwischen den Schlägen das
+  unter f I0 (1+2e)         reicht, Krone hebt ab: sie verlässt zwischen den Schlägen das
                             Gestein, wenn die Maschine nicht dämpft
-  unter f I0 (1+e)/(1-e)    genug, springt vielleicht: eine zuvor ruhende Bohrkrone ist vor dem
-                            nächsten Schlag zurück
-  ab diesem Wert            genug, ruht; zu hoher Vorschub (Reibung, Knicken, Stehenbleiben der
-                            Drehung) liegt außerhalb des Modells
+  unter f I0 (1+e)/(1-e)    reicht, Krone hebt evtl. ab: eine zuvor ruhende Bohrkrone ist vor
+                            dem nächsten Schlag zurück
+  ab diesem Wert            reicht, Krone bleibt am Gestein; zu hoher Vorschub (Reibung,
+                            Knicken, Stehenbleiben der Drehung) liegt außerhalb des Modells
 Das Urteil richtet sich nach dem e dieses Schlags. Daneben, jeweils mit eigenem e: 95&#xa0;% aller Spalte
 zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und der schlechteste Spalt auf elastischem
 Gestein (gamma = 1). Eine Reserve ist der installierte Andruck durch f I0 (1+e), weniger 1;
@@ -12518,7 +12597,7 @@ Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --ai
 max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. DIR gets designs.csv,
 pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
         <translation>Jede Auslegung, die zur Wahl steht, wird an denselben Stichproben dessen gelöst, was unsicher ist.
-Genannt werden die nach dem ersten Ziel beste (robust beste), die, die am besten wäre, wenn alles
+Genannt werden die nach dem ersten Ziel beste (robusteste), die, die am besten wäre, wenn alles
 wie in FILE ist (nominal beste), welche anderen nach den Stichproben gleichauf liegen, was sich zu
 messen lohnt, und das Schlechteste, das in den Bereichen gefunden wurde.
   --uncertain KEY=LOW:HIGH             alle Werte gleich wahrscheinlich, mit :log im Logarithmus;
@@ -12686,7 +12765,7 @@ unter 1, und tau unter 0,1 bei exponentiellen Schlägen und Kolbenschlägen.</tr
     </message>
     <message>
         <source>Says nothing about a file without problems. Takes files of presets, too.</source>
-        <translation>Sagt nichts zu einer Datei ohne Fehler. Nimmt auch Dateien mit Vorgaben.</translation>
+        <translation>Sagt nichts zu einer Datei ohne Fehler. Nimmt auch Dateien mit Voreinstellungen.</translation>
     </message>
     <message>
         <source>list the built-in scenarios, or write them</source>
@@ -12751,7 +12830,7 @@ des Fensters eingesetzt werden.</translation>
     </message>
     <message>
         <source>mean impulse on the rock: feed force over frequency</source>
-        <translation>mittlerer Kraftstoß auf das Gestein: Vorschubkraft durch Frequenz</translation>
+        <translation>mittlerer Kraftstoß auf das Gestein: Andruck durch Frequenz</translation>
     </message>
     <message>
         <source>mean of the largest forces on the rock</source>
@@ -12779,7 +12858,7 @@ des Fensters eingesetzt werden.</translation>
     </message>
     <message>
         <source>phi, feed force over mean reaction of the blows</source>
-        <translation>phi, Vorschubkraft durch mittlere Reaktion der Schläge</translation>
+        <translation>phi, Andruck durch mittlere Reaktion der Schläge</translation>
     </message>
     <message>
         <source>n_b, round trips of a wave from blow to blow</source>

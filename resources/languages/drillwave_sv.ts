@@ -477,6 +477,85 @@ Ta bort ändå?</translation>
     </message>
 </context>
 <context>
+    <name>QShortcut</name>
+    <message>
+        <source>Ctrl</source>
+        <translation>Ctrl</translation>
+    </message>
+    <message>
+        <source>Shift</source>
+        <translation>Skift</translation>
+    </message>
+    <message>
+        <source>Alt</source>
+        <translation>Alt</translation>
+    </message>
+    <message>
+        <source>Meta</source>
+        <translation>Meta</translation>
+    </message>
+    <message>
+        <source>Del</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Delete</translation>
+    </message>
+    <message>
+        <source>Ins</source>
+        <translation>Insert</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>End</source>
+        <translation>End</translation>
+    </message>
+    <message>
+        <source>PgUp</source>
+        <translation>Page Up</translation>
+    </message>
+    <message>
+        <source>PgDown</source>
+        <translation>Page Down</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Space</source>
+        <translation>Blanksteg</translation>
+    </message>
+    <message>
+        <source>Tab</source>
+        <translation>Tabb</translation>
+    </message>
+    <message>
+        <source>Return</source>
+        <translation>Retur</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Vänster</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Höger</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Upp</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Ned</translation>
+    </message>
+</context>
+<context>
     <name>QTabBar</name>
     <message>
         <source>Scroll Left</source>
@@ -672,11 +751,11 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>Cross-section of the rod, in place of its diameter and bore</source>
-        <translation>Stångens tvärsnittsarea, i stället för dess diameter och borrning</translation>
+        <translation>Stångens tvärsnittsarea, i stället för dess diameter och spolhål</translation>
     </message>
     <message>
         <source>Cross-section, in place of diameter and bore</source>
-        <translation>Tvärsnittsarea, i stället för diameter och borrning</translation>
+        <translation>Tvärsnittsarea, i stället för diameter och spolhål</translation>
     </message>
     <message>
         <source>Dashpot between machine and rear end, over many blows; needs a machine mass</source>
@@ -804,7 +883,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>Normal deviation of the time between two blows, of its mean, cut at three deviations</source>
-        <translation>Normalfördelad avvikelse hos tiden mellan två slag, som andel av dess medelvärde, avskuren vid tre avvikelser</translation>
+        <translation>Standardavvikelse hos den (normalfördelade) tiden mellan två slag, som andel av dess medelvärde; avskuren vid tre standardavvikelser</translation>
     </message>
     <message>
         <source>Number of peaks of the impact force above 1 % of the largest</source>
@@ -816,7 +895,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>Outer diameter at the end towards the rock of a cone, whose `diameter` is that of its rear end; the bore is constant</source>
-        <translation>Ytterdiameter vid änden mot berget för en kon, vars `diameter` är bakändens; borrningen är konstant</translation>
+        <translation>Ytterdiameter vid änden mot berget för en kon, vars `diameter` är bakändens; spolhålet har konstant diameter</translation>
     </message>
     <message>
         <source>Outer diameter of the rod</source>
@@ -1020,7 +1099,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>bore</source>
-        <translation>borrning</translation>
+        <translation>spolhål</translation>
     </message>
     <message>
         <source>bound on the numerical error of cor</source>
@@ -1039,8 +1118,8 @@ Ta bort ändå?</translation>
         <translation>studstal e = -pf/p0</translation>
     </message>
     <message>
-        <source>compression, after</source>
-        <translation>tryck, efter</translation>
+        <source>compression of waves left</source>
+        <translation>tryck i kvarvarande vågor</translation>
     </message>
     <message>
         <source>compression, blow</source>
@@ -1143,16 +1222,16 @@ Ta bort ändå?</translation>
         <translation>strängens energi efter slaget, andel av hammarens</translation>
     </message>
     <message>
-        <source>enough, bounces</source>
-        <translation>nog, studsar</translation>
+        <source>enough, bit bounces</source>
+        <translation>räcker, kronan studsar</translation>
     </message>
     <message>
-        <source>enough, may bounce</source>
-        <translation>nog, studsar kanske</translation>
+        <source>enough, bit may bounce</source>
+        <translation>räcker, kronan studsar ev.</translation>
     </message>
     <message>
-        <source>enough, rests</source>
-        <translation>nog, vilar</translation>
+        <source>enough, bit stays on rock</source>
+        <translation>räcker, kronan vilar</translation>
     </message>
     <message>
         <source>error</source>
@@ -1355,8 +1434,8 @@ Ta bort ändå?</translation>
         <translation>maskinen trycks tillbaka</translation>
     </message>
     <message>
-        <source>mass behind it</source>
-        <translation>massa bakom</translation>
+        <source>attached mass</source>
+        <translation>massa efter</translation>
     </message>
     <message>
         <source>mean force</source>
@@ -1399,7 +1478,7 @@ Ta bort ändå?</translation>
         <translation>inträngning</translation>
     </message>
     <message>
-        <source>penetration a blow</source>
+        <source>penetration per blow</source>
         <translation>inträngning/slag</translation>
     </message>
     <message>
@@ -1507,8 +1586,8 @@ Ta bort ändå?</translation>
         <translation>tabell</translation>
     </message>
     <message>
-        <source>tension, after</source>
-        <translation>drag, efter</translation>
+        <source>tension of waves left</source>
+        <translation>drag i kvarvarande vågor</translation>
     </message>
     <message>
         <source>tension, blow</source>
@@ -1763,15 +1842,15 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>All of the %1 samples are kept, of %2 in the record.</source>
-        <translation>Alla de %1 samplen behålls, av %2 i inspelningen.</translation>
+        <translation>Alla %1 mätvärden behålls, av %2 i inspelningen.</translation>
     </message>
     <message>
         <source>%1 of %2 samples become %3 points: no sample of what is taken is further than %4 (%5 of the peak) from the lines between them, the impulse changes by %6.</source>
-        <translation>%1 av %2 sampel blir %3 punkter: inget sampel i det som tas ligger längre än %4 (%5 av toppen) från linjerna mellan dem, impulsen ändras med %6.</translation>
+        <translation>%1 av %2 mätvärden blir %3 punkter: inget använt mätvärde ligger längre än %4 (%5 av toppen) från linjerna mellan dem, impulsen ändras med %6.</translation>
     </message>
     <message>
         <source>%1 negative samples are clipped, which adds %2 to the impulse.</source>
-        <translation>%1 negativa sampel klipps bort, vilket lägger %2 till impulsen.</translation>
+        <translation>%1 negativa mätvärden klipps bort, vilket lägger %2 till impulsen.</translation>
     </message>
     <message>
         <source>That is much: take less of the record.</source>
@@ -1785,13 +1864,13 @@ Ta bort ändå?</translation>
         <source>Table: separator, decimal sign, the first line with a sample and the columns are found out; change what is wrong. Without a column of times give the sampling rate.
 Signal: force, strain or the output of a bridge in the unit of the column. A strain becomes a force by E and the area of the rod, of the string where the gauge is, or of another bar. Tension is positive in the rod; a blow presses.
 Zero line: the mean of the first samples, in which nothing happens.
-Take from: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and Shift+drag zoom there), “All” the whole record.
+Range: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and Shift+drag zoom there), “All” the whole record.
 Points at most: of so many samples only some are kept, and it is said how far the others are from the lines between them. A blow keeps its impulse where that moves its forces little.</source>
-        <translation>Tabell: skiljetecken, decimaltecken, första raden med ett sampel och kolumnerna hittas av sig själva; ändra det som är fel. Ange samplingsfrekvensen om ingen kolumn har tider.
+        <translation>Tabell: skiljetecken, decimaltecken, första raden med ett mätvärde och kolumnerna hittas av sig själva; ändra det som är fel. Ange samplingsfrekvensen om ingen kolumn har tider.
 Signal: kraft, töjning eller en bryggas utsignal i kolumnens enhet. En töjning blir en kraft genom E och arean hos stången, hos strängen där givaren sitter, eller hos en annan stång. Drag är positivt i stången; ett slag trycker.
-Nollinje: medelvärdet av de första samplen, där ingenting händer.
-Ta från: ”Topp” tar stycket kring det största värdet, ”Vy” det som diagrammet visar (där zoomar hjulet och Skift+dra), ”Allt” hela inspelningen.
-Högst antal punkter: av så många sampel behålls bara några, och det anges hur långt de övriga ligger från linjerna mellan dem. Ett slag behåller sin impuls där det ändrar krafterna litet.</translation>
+Nollinje: medelvärdet av de första mätvärdena, där ingenting händer.
+Område: ”Topp” tar stycket kring det största värdet, ”Vy” det som diagrammet visar (där zoomar hjulet och Skift+dra), ”Allt” hela inspelningen.
+Högst antal punkter: av så många mätvärden behålls bara några, och det anges hur långt de övriga ligger från linjerna mellan dem. Ett slag behåller sin impuls där det ändrar krafterna litet.</translation>
     </message>
     <message>
         <source>%1, the paper&apos;s choice</source>
@@ -2011,7 +2090,7 @@ Högst antal punkter: av så många sampel behålls bara några, och det anges h
     </message>
     <message>
         <source>%1 of %2 designs, robust best %3</source>
-        <translation>%1, %2 konstruktioner, robust bästa %3</translation>
+        <translation>%1, %2 konstruktioner, robustast %3</translation>
     </message>
     <message>
         <source>rock</source>
@@ -2055,7 +2134,7 @@ Högst antal punkter: av så många sampel behålls bara några, och det anges h
     </message>
     <message>
         <source>The deviation of the gap must be from %1 to %2 d₀.</source>
-        <translation>Spaltens avvikelse måste ligga mellan %1 och %2 d₀.</translation>
+        <translation>Spaltens standardavvikelse måste ligga mellan %1 och %2 d₀.</translation>
     </message>
     <message>
         <source>Not solved at all gaps: %1</source>
@@ -2322,8 +2401,8 @@ Högst antal punkter: av så många sampel behålls bara några, och det anges h
         <translation>Vad matningskraften gör mellan slagen</translation>
     </message>
     <message>
-        <source>margin</source>
-        <translation>marginal</translation>
+        <source>margin, this blow</source>
+        <translation>marginal, detta slag</translation>
     </message>
     <message>
         <source>Feed force less what this blow needs for full penetration, and as a share of that</source>
@@ -2541,7 +2620,7 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
     </message>
     <message>
         <source>Hammer (dark) and string to scale, lengths and diameters each to their own, with the places of the sections; the bore is dashed, the rock at the right.</source>
-        <translation>Hammare (mörk) och sträng skalenligt, längder och diametrar var för sig, med sektionernas nummer; borrningen är streckad, berget till höger.</translation>
+        <translation>Hammare (mörk) och sträng skalenligt, längder och diametrar var för sig, med sektionernas nummer; spolhålet är streckat, berget till höger.</translation>
     </message>
     <message>
         <source>Restitution over one period of the gap between bit and rock, and how it is distributed when all gaps are alike.</source>
@@ -3146,14 +3225,14 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>family</source>
-        <translation>skara</translation>
+        <translation>kurvskara</translation>
     </message>
     <message>
         <source>this scenario</source>
         <translation>detta scenario</translation>
     </message>
     <message>
-        <source>A curve for the value of the family that the scenario has, too</source>
+        <source>Also a curve for the scenario&apos;s own value of the family</source>
         <translation>En kurva även för det värde i skaran som scenariot har</translation>
     </message>
     <message>
@@ -3173,8 +3252,8 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Stången som kommer fram utan vågor, prickad, över sin styvhet i en av två enheter</translation>
     </message>
     <message>
-        <source>no rod without waves</source>
-        <translation>ingen stång utan vågor</translation>
+        <source>comparison without waves: none</source>
+        <translation>jämförelse utan vågor: ingen</translation>
     </message>
     <message>
         <source>rod without waves, k₀ = Z/(2T)</source>
@@ -3228,7 +3307,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>&lt;b&gt;Robust best: %1&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Robust bästa: %1&lt;/b&gt;</translation>
+        <translation>&lt;b&gt;Robustaste konstruktion: %1&lt;/b&gt;</translation>
     </message>
     <message>
         <source>The samples do not tell it apart from %1: any of them will do.</source>
@@ -3256,11 +3335,11 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>Least %1 found of the robust best: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Minsta funna värde (%1) för den robust bästa: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
+        <translation>Minsta funna värde (%1) för den robustaste: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
     </message>
     <message>
         <source>Largest %1 found of the robust best: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
-        <translation>Största funna värde (%1) för den robust bästa: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
+        <translation>Största funna värde (%1) för den robustaste: &lt;b&gt;%2&lt;/b&gt;, vid %3.</translation>
     </message>
     <message>
         <source>The choices change the energy of the blow: machines of different power are compared. “keep the energy” keeps it.</source>
@@ -3276,7 +3355,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>Load the robust best</source>
-        <translation>Ladda den robust bästa</translation>
+        <translation>Ladda den robustaste</translation>
     </message>
     <message>
         <source>Load the nominal best</source>
@@ -3384,7 +3463,7 @@ Det som visas gäller värdet dessförinnan.</translation>
     </message>
     <message>
         <source>robust best</source>
-        <translation>robust bästa</translation>
+        <translation>robustast</translation>
     </message>
     <message>
         <source>share of the scatter
@@ -3488,7 +3567,7 @@ Det som visas gäller värdet dessförinnan.</translation>
     </message>
     <message>
         <source>bracket</source>
-        <translation>inringa</translation>
+        <translation>visa gränsfall</translation>
     </message>
     <message>
         <source>Also under a constant force, and with a dashpot of half the impedance where there is a machine mass: no maker publishes its damper</source>
@@ -3507,8 +3586,8 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Stoppa %1/%2</translation>
     </message>
     <message>
-        <source>φ = %1, n_b = %2</source>
-        <translation>φ = %1, n_b = %2</translation>
+        <source>φ = %1, %2 round trips between blows</source>
+        <translation>φ = %1, %2 varv fram och åter mellan slagen</translation>
     </message>
     <message>
         <source>; %1 % of the blows begin on the rock; %2</source>
@@ -3565,7 +3644,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>inträngning</translation>
     </message>
     <message>
-        <source>Of a blow, an upper limit: all rock under the bit gives way</source>
+        <source>Per blow; an upper limit: all rock under the bit gives way</source>
         <translation>För ett slag, en övre gräns: allt berg under borrkronan ger efter</translation>
     </message>
     <message>
@@ -3602,7 +3681,7 @@ Det som visas gäller värdet dessförinnan.</translation>
     </message>
     <message>
         <source>deviation</source>
-        <translation>avvikelse</translation>
+        <translation>standardavvikelse</translation>
     </message>
     <message>
         <source>median</source>
@@ -3908,7 +3987,7 @@ Det som visas gäller värdet dessförinnan.</translation>
     </message>
     <message>
         <source>First lines of the file; samples begin at the marked one</source>
-        <translation>Filens första rader; samplen börjar på den markerade</translation>
+        <translation>Filens första rader; mätvärdena börjar på den markerade</translation>
     </message>
 </context>
 <context>
@@ -3951,7 +4030,7 @@ Det som visas gäller värdet dessförinnan.</translation>
     </message>
     <message>
         <source>A measured signal from a table of samples: as the hammer blow, or to compare with</source>
-        <translation>En uppmätt signal ur en tabell med sampel: som hammarslag, eller att jämföra med</translation>
+        <translation>En uppmätt signal ur en tabell med mätvärden: som hammarslag, eller att jämföra med</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -4043,7 +4122,7 @@ Den kan ligga på en enhet som inte är ansluten. Ska den tas bort från listan?
         <source>%1
 Drop a scenario (.yaml), a file of a run (.csv, .json), a report (.html), the CSV file of a hammer blow, or a table of samples (.txt, .dat).</source>
         <translation>%1
-Släpp ett scenario (.yaml), en fil från en körning (.csv, .json), en rapport (.html), CSV-filen för ett hammarslag, eller en tabell med sampel (.txt, .dat).</translation>
+Släpp ett scenario (.yaml), en fil från en körning (.csv, .json), en rapport (.html), CSV-filen för ett hammarslag, eller en tabell med mätvärden (.txt, .dat).</translation>
     </message>
     <message>
         <source>The file has been changed by another program.</source>
@@ -4283,8 +4362,8 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>spridd spalt: medel %1, 5–95 % %2…%3</translation>
     </message>
     <message>
-        <source>all gaps alike: mean %1, 5–95 % %2…%3</source>
-        <translation>alla spalter: medel %1, 5–95 % %2…%3</translation>
+        <source>all gaps equally likely: mean %1, 5–95 % %2…%3</source>
+        <translation>alla spalter lika sannolika: medel %1, 5–95&#xa0;% %2…%3</translation>
     </message>
     <message>
         <source> · e &gt; 1 at %1 of gaps</source>
@@ -4453,7 +4532,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     </message>
     <message>
         <source>The record, and what is taken of it</source>
-        <translation>Inspelningen, och vad som tas av den</translation>
+        <translation>Inspelningen, och vad som används av den</translation>
     </message>
     <message>
         <source>Import</source>
@@ -4464,8 +4543,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>N, drag +</translation>
     </message>
     <message>
-        <source>F, pressing +</source>
-        <translation>F, tryckande +</translation>
+        <source>F, compression +</source>
+        <translation>F, tryck +</translation>
     </message>
     <message>
         <source>Nothing to show: %1</source>
@@ -4481,7 +4560,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     </message>
     <message>
         <source>Only the shape is taken: this scenario has no physical units.</source>
-        <translation>Bara formen tas: detta scenario har inga fysikaliska enheter.</translation>
+        <translation>Bara formen används: detta scenario har inga fysikaliska enheter.</translation>
     </message>
     <message>
         <source>This string is struck by the sections of its hammer; Edit ▸ Put a force in place of the hammer makes room for a measured one.</source>
@@ -4495,8 +4574,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>inspelning</translation>
     </message>
     <message>
-        <source>taken</source>
-        <translation>taget</translation>
+        <source>used</source>
+        <translation>använt</translation>
     </message>
     <message>
         <source>time in the file [%1]</source>
@@ -4511,7 +4590,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     </message>
     <message>
         <source>Tables of samples (*.csv *.txt *.tsv *.dat *.asc *.prn);;All files (*)</source>
-        <translation>Tabeller med sampel (*.csv *.txt *.tsv *.dat *.asc *.prn);;Alla filer (*)</translation>
+        <translation>Tabeller med mätvärden (*.csv *.txt *.tsv *.dat *.asc *.prn);;Alla filer (*)</translation>
     </message>
     <message>
         <source>Import of a measured signal</source>
@@ -4579,39 +4658,39 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>&amp;Systemets</translation>
     </message>
     <message>
-        <source>The window speaks %1 when it is opened the next time.</source>
-        <translation>Fönstret talar %1 nästa gång det öppnas.</translation>
+        <source>Language from the next start on: %1.</source>
+        <translation>Språk från nästa start: %1.</translation>
     </message>
     <message>
-        <source>Close it and start Drillwave again. Numbers stay as the system writes them; files and the manual are in English.</source>
-        <translation>Stäng det och starta Drillwave igen. Tal skrivs som systemet skriver dem; filer och handboken är på engelska.</translation>
+        <source>Close the window and start Drillwave again. Numbers stay as the system writes them; files and the manual are in English.</source>
+        <translation>Stäng fönstret och starta Drillwave igen. Tal skrivs som systemet skriver dem; filer och handboken är på engelska.</translation>
     </message>
 </context>
 <context>
     <name>drillwave::LawSection</name>
     <message>
         <source>law</source>
-        <translation>lag</translation>
+        <translation>kraft–inträngning</translation>
     </message>
     <message>
         <source>Bit and rock: law</source>
-        <translation>Borrkrona och berg: lag</translation>
+        <translation>Borrkrona och berg: kraft–inträngning</translation>
     </message>
     <message>
         <source>How the force rises with the penetration: along one line, along lines with corners, or with a power of it; it falls along one slope in all of them</source>
-        <translation>Hur kraften växer med inträngningen: längs en linje, längs linjer med hörn, eller med en potens av den; den faller alltid längs en lutning</translation>
+        <translation>Hur kraften växer med inträngningen: längs en rät linje, längs en bruten linje eller med en potens av den; den faller alltid med samma lutning</translation>
     </message>
     <message>
         <source>one line</source>
-        <translation>en linje</translation>
+        <translation>rak</translation>
     </message>
     <message>
         <source>corners</source>
-        <translation>hörn</translation>
+        <translation>bruten linje</translation>
     </message>
     <message>
         <source>power</source>
-        <translation>potens</translation>
+        <translation>potenslag</translation>
     </message>
     <message>
         <source>+ corner</source>
@@ -4856,8 +4935,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
 <context>
     <name>drillwave::MarchRects</name>
     <message>
-        <source>blow (shaded: they count)</source>
-        <translation>slag (skuggat: de räknas)</translation>
+        <source>blow (shaded: used for statistics)</source>
+        <translation>slag (skuggat: ingår i statistiken)</translation>
     </message>
     <message>
         <source>gap modulo d₀, in d₀</source>
@@ -4977,7 +5056,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>%1 points; no sample of what is taken is further than %2 from them</source>
-        <translation>%1 punkter; inget sampel i det som tas ligger längre än %2 från dem</translation>
+        <translation>%1 punkter; inget använt mätvärde ligger längre än %2 från dem</translation>
     </message>
 </context>
 <context>
@@ -5050,12 +5129,12 @@ en projektion av fler dimensioner</translation>
         <translation>Hammarens impedans är högre än stångens: den trycker i en trappa av allt mindre steg, som antas fortsätta som om stången vore lång.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; `drill` follows it.</source>
-        <translation>Slagets vågor hinner bara n_b = %1 varv fram och åter till nästa slag och möter det odämpade: inträngningen kan svänga 10&#xa0;% upp eller ned med frekvens gånger längd; `drill` följer det.</translation>
+        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; Drilling (command `drill`) follows it.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det odämpade: inträngningen kan svänga 10&#xa0;% upp eller ned med frekvens gånger längd; Borrning (kommandot `drill`) följer det.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only n_b = %1 round trips until the next blow, and meet it undamped and nearly in step (n_b close to %2): penetration may swing by 10 % up or down; `drill` follows it.</source>
-        <translation>Slagets vågor hinner bara n_b = %1 varv fram och åter till nästa slag och möter det odämpade och nästan i takt (n_b nära %2): inträngningen kan svänga 10&#xa0;% upp eller ned; `drill` följer det.</translation>
+        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped and nearly in step (close to %2): penetration may swing by 10 % up or down; Drilling (command `drill`) follows it.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det odämpade och nästan i takt (nära %2): inträngningen kan svänga 10&#xa0;% upp eller ned; Borrning (kommandot `drill`) följer det.</translation>
     </message>
     <message>
         <source>share but a cell of time of %1, which would take more work than is permitted</source>
@@ -5138,8 +5217,8 @@ en projektion av fler dimensioner</translation>
         <translation>skulle flyta</translation>
     </message>
     <message>
-        <source>tires with every blow</source>
-        <translation>utmattas för varje slag</translation>
+        <source>takes fatigue damage with every blow</source>
+        <translation>överskrider utmattningsgränsen vid varje slag</translation>
     </message>
     <message>
         <source>After %1 bit or hammer may still meet again: these are the numbers at the next blow, not final ones.</source>
@@ -5158,16 +5237,16 @@ en projektion av fler dimensioner</translation>
         <translation>Matningen, %1, är mindre än slagens medelreaktion, %2, eller så nära den att spalter växer utan gräns.</translation>
     </message>
     <message>
-        <source>Nothing takes from the waves: jumps never fade. A wave_loss of 1 to 30 % in a round trip is usual.</source>
+        <source>Nothing damps the waves: jumps never fade. A wave loss of 1 to 30 % in a round trip is usual.</source>
         <translation>Inget dämpar vågorna: språng klingar aldrig av. En vågförlust på 1 till 30&#xa0;% under ett varv fram och åter är vanlig.</translation>
     </message>
     <message>
-        <source>After it has separated, the piston still passes up to %1 % of its momentum: it is in the way of the rebounding string, where a machine would have drawn it back; restrike: false says so.</source>
-        <translation>Sedan kolven har skilts från strängen avger den ännu upp till %1&#xa0;% av sin rörelsemängd: den är i vägen för den studsande strängen, där en maskin skulle ha dragit den tillbaka; restrike: false anger det.</translation>
+        <source>After it has separated, the piston still passes up to %1 % of its momentum: it is in the way of the rebounding string, where a machine would have drawn it back; “may strike again” switched off (restrike: false in the file) says so.</source>
+        <translation>Sedan kolven har skilts från strängen avger den ännu upp till %1&#xa0;% av sin rörelsemängd: den är i vägen för den studsande strängen, där en maskin skulle ha dragit den tillbaka; ”får slå flera gånger” avstängt (restrike: false i filen) anger det.</translation>
     </message>
     <message>
-        <source>At a blow the shank is up to %1 off its mean place in the machine: the stroke, and so the blow, would be another one. A dashpot lets it creep; a spring (damper_stiffness) brings it back.</source>
-        <translation>Vid slaget är nacken upp till %1 från sitt medelläge i maskinen: slaglängden, och därmed slaget, skulle bli en annan. En dämpare låter den krypa; en fjäder (damper_stiffness) för den tillbaka.</translation>
+        <source>At a blow the shank is up to %1 off its mean place in the machine: the stroke, and so the blow, would be another one. A dashpot lets it creep; the spring of the damper brings it back.</source>
+        <translation>Vid slaget är nacken upp till %1 från sitt medelläge i maskinen: slaglängden, och därmed slaget, skulle bli en annan. En dämpare låter den krypa; dämparens fjäder för den tillbaka.</translation>
     </message>
     <message>
         <source>The blow frequency is marched as %1, so that blows come at the end of a cell.</source>
@@ -5243,11 +5322,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>Bounded motion needs more than f I0 = %1.</source>
-        <translation>En begränsad rörelse kräver mer än f I0 = %1.</translation>
+        <translation>En begränsad rörelse kräver mer än f I₀ = %1.</translation>
     </message>
     <message>
         <source>Waves alone ask for f I0 (1 + e) = %1 for the full rate; with another damper it is another thrust.</source>
-        <translation>Vågorna ensamma kräver f I0 (1 + e) = %1 för full takt; med en annan dämpare är det en annan matningskraft.</translation>
+        <translation>Vågorna ensamma kräver f I₀ (1 + e) = %1 för full takt; med en annan dämpare är det en annan matningskraft.</translation>
     </message>
     <message>
         <source>at rest before every blow</source>
@@ -5266,7 +5345,7 @@ en projektion av fler dimensioner</translation>
         <translation>upprepas efter %1 slag</translation>
     </message>
     <message>
-        <source>%1; Lyapunov exponent %2 a blow</source>
+        <source>%1; Lyapunov exponent %2 per blow</source>
         <translation>%1; Ljapunovexponent %2 per slag</translation>
     </message>
     <message>
@@ -5507,7 +5586,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>hammer may strike again</source>
-        <translation>hammaren får slå igen</translation>
+        <translation>hammaren får slå flera gånger</translation>
     </message>
     <message>
         <source>law of bit and rock</source>
@@ -5635,7 +5714,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>gap %1 +- %2</source>
-        <translation>spalt %1 +- %2</translation>
+        <translation>spalt %1 ± %2</translation>
     </message>
     <message>
         <source>e &gt; 1 at %1 of all gaps</source>
@@ -5663,7 +5742,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>The scattered gap is a normal distribution cut off at no gap: mean and deviation are those before the cut.</source>
-        <translation>Den spridda spalten är en normalfördelning avskuren vid noll: medelvärde och avvikelse är de före snittet.</translation>
+        <translation>Den spridda spalten är en normalfördelning avskuren vid noll: medelvärde och standardavvikelse är de före snittet.</translation>
     </message>
     <message>
         <source>Errors below %1, from %2 blow</source>
@@ -5851,7 +5930,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>Places are from the rear end of a section. What a joint reflects is the energy of the waves from the hammer that the far end of the section throws back, of that of the hammer.</source>
-        <translation>Lägen räknas från sektionens bakände. Skarvreflexen är den andel av hammarens energi som skarven vid änden mot berget kastar tillbaka av det som kommer från hammaren.</translation>
+        <translation>Lägen räknas från sektionens bakände. Reflexionen i skarven är den andel av hammarens energi som skarven vid änden mot berget reflekterar av det som kommer från hammaren.</translation>
     </message>
     <message>
         <source>Needs of the thrust</source>
@@ -5887,11 +5966,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>in %1, at its rear end, at %2</source>
-        <translation>i %1, vid dess bakände, vid %2</translation>
+        <translation>i %1, vid änden mot hammaren, vid %2</translation>
     </message>
     <message>
         <source>in %1, %2 from its rear end, at %3</source>
-        <translation>i %1, %2 från dess bakände, vid %3</translation>
+        <translation>i %1, %2 från änden mot hammaren, vid %3</translation>
     </message>
     <message>
         <source>stiffness k t₀/Z</source>
@@ -6075,7 +6154,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>joint reflects</source>
-        <translation>skarvreflex</translation>
+        <translation>reflexion i skarv</translation>
     </message>
     <message>
         <source>none</source>
@@ -6183,7 +6262,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>must be larger than the bore of %1</source>
-        <translation>måste vara större än borrningen på %1</translation>
+        <translation>måste vara större än spolhålet på %1</translation>
     </message>
     <message>
         <source>must have at least one section</source>
@@ -6207,7 +6286,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>is so narrow that the face meets no more than the bore of %1 of the section it strikes</source>
-        <translation>är så smal att slagytan bara träffar borrningen på %1 i den sektion den slår mot</translation>
+        <translation>är så smal att slagytan bara träffar spolhålet på %1 i den sektion den slår mot</translation>
     </message>
     <message>
         <source>the values are so large or small that its impedance, transit time or mass overflows</source>
@@ -7367,7 +7446,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>%1 of I0, %2 of W</source>
-        <translation>%1 av I0, %2 av W</translation>
+        <translation>%1 av I₀, %2 av W</translation>
     </message>
     <message>
         <source>method %1, %2, %3, solved in %4</source>
@@ -7511,7 +7590,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>robust best</source>
-        <translation>robust bästa</translation>
+        <translation>robustast</translation>
     </message>
     <message>
         <source>nominal best</source>
@@ -7551,11 +7630,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>Least %1 of the robust best found in the ranges: %2 at %3 (samples alone: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Minsta funna värde (%1) för den robust bästa inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
+        <translation>Minsta funna värde (%1) för den robustaste inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
     </message>
     <message>
         <source>Largest %1 of the robust best found in the ranges: %2 at %3 (samples alone: %4; %5 searches, %6 of them ended here).</source>
-        <translation>Största funna värde (%1) för den robust bästa inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
+        <translation>Största funna värde (%1) för den robustaste inom områdena: %2 vid %3 (bara stickproven: %4; %5 sökningar, %6 av dem slutade här).</translation>
     </message>
     <message>
         <source>%1 sample could not be solved and are left out: %2.</source>
@@ -7599,11 +7678,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>The robust best is at the upper end of %1: widen the choice.</source>
-        <translation>Den robust bästa ligger vid övre änden av %1: vidga valet.</translation>
+        <translation>Den robustaste konstruktionen ligger vid övre änden av %1: vidga valet.</translation>
     </message>
     <message>
         <source>The robust best is at the lower end of %1: widen the choice.</source>
-        <translation>Den robust bästa ligger vid nedre änden av %1: vidga valet.</translation>
+        <translation>Den robustaste konstruktionen ligger vid nedre änden av %1: vidga valet.</translation>
     </message>
     <message>
         <source>The choices change the energy of the blow by up to %1 %: machines of different power are compared; --keep-energy keeps it.</source>
@@ -7659,7 +7738,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- has the scatter of the blows at that value and the most that other cells change at five of the values.</source>
-        <translation>Full takt är 95&#xa0;% av vad en matning på 2 (1 + 2e) f J ger med samma dämpare. +- omfattar slagens spridning vid värdet och den största ändring som andra celler ger vid fem av värdena.</translation>
+        <translation>Full takt är 95&#xa0;% av vad en matning på 2 (1 + 2e) f J ger med samma dämpare. ± omfattar slagens spridning vid värdet och den största ändring som andra celler ger vid fem av värdena.</translation>
     </message>
     <message>
         <source>Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. There is no over-feed side: friction, rotation and buckling are not in the model.</source>
@@ -7679,7 +7758,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>deviation</source>
-        <translation>avvikelse</translation>
+        <translation>standardavvikelse</translation>
     </message>
     <message>
         <source>rock impulse</source>
@@ -7702,8 +7781,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>rörelsemängd på %1 när, energi på %2 när</translation>
     </message>
     <message>
-        <source>phi = %1 (thrust over mean reaction), n_b = %2 round trips a blow</source>
-        <translation>phi = %1 (matningskraft genom medelreaktion), n_b = %2 varv fram och åter per slag</translation>
+        <source>phi = %1 (thrust over mean reaction), n_b = %2 round trips per blow</source>
+        <translation>φ = %1 (matningskraft genom medelreaktion), %2 varv fram och åter per slag</translation>
     </message>
     <message>
         <source>installed thrust of %1</source>
@@ -7719,11 +7798,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>The gap has a period of d0 = %1.</source>
-        <translation>Spalten har perioden d0 = %1.</translation>
+        <translation>Spalten har perioden d₀ = %1.</translation>
     </message>
     <message>
         <source>The gap has a period of d0.</source>
-        <translation>Spalten har perioden d0.</translation>
+        <translation>Spalten har perioden d₀.</translation>
     </message>
     <message>
         <source>%1 in %2.</source>
@@ -7999,7 +8078,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>%1 of %2, n_b = %3</source>
-        <translation>%1 med %2, n_b = %3</translation>
+        <translation>%1 med %2, %3 varv fram och åter till nästa slag</translation>
     </message>
     <message>
         <source>What a damper changes, and what waves from blow to blow, `drillwave drill` follows.</source>
@@ -8981,19 +9060,19 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>pistons, for drill strings (length × diameter / bore)</source>
-        <translation>kolvar, för borrsträngar (längd × diameter / borrning)</translation>
+        <translation>kolvar, för borrsträngar (längd × diameter / spolhål)</translation>
     </message>
     <message>
         <source>adapters, for drill strings (length × diameter / bore)</source>
-        <translation>nackadaptrar, för borrsträngar (längd × diameter / borrning)</translation>
+        <translation>nackadaptrar, för borrsträngar (längd × diameter / spolhål)</translation>
     </message>
     <message>
         <source>couplings, for drill strings (length × diameter / bore)</source>
-        <translation>skarvhylsor, för borrsträngar (längd × diameter / borrning)</translation>
+        <translation>skarvhylsor, för borrsträngar (längd × diameter / spolhål)</translation>
     </message>
     <message>
         <source>bits, for drill strings (length × diameter / bore)</source>
-        <translation>borrkronor, för borrsträngar (längd × diameter / borrning)</translation>
+        <translation>borrkronor, för borrsträngar (längd × diameter / spolhål)</translation>
     </message>
     <message>
         <source>no preset has all of &quot;%1&quot;</source>
@@ -9512,7 +9591,7 @@ Upp och Ner flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     </message>
     <message>
         <source>Loop</source>
-        <translation>Slinga</translation>
+        <translation>Upprepa</translation>
     </message>
     <message>
         <source>Play again and again</source>
@@ -9856,7 +9935,7 @@ Upp och Ner flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     </message>
     <message>
         <source>Import a measured hammer blow: any table of samples, as a force, a strain or the output of a bridge</source>
-        <translation>Importera ett uppmätt hammarslag: vilken tabell med sampel som helst, som kraft, töjning eller en bryggas utsignal</translation>
+        <translation>Importera ett uppmätt hammarslag: vilken tabell med mätvärden som helst, som kraft, töjning eller en bryggas utsignal</translation>
     </message>
     <message>
         <source>Table of the hammer blow</source>
@@ -10317,7 +10396,7 @@ Ett klick i diagrammet flyttar den, och tidsmarkören till när spänningen där
         <translation>Största spänningar längs stången</translation>
     </message>
     <message>
-        <source>Nothing to show: so many waves that they are not kept.</source>
+        <source>Nothing to show: there are too many waves to be kept.</source>
         <translation>Inget att visa: så många vågor att de inte sparas.</translation>
     </message>
     <message>
@@ -10466,8 +10545,8 @@ av de kvarvarande vågorna: %4 och %5</translation>
         <translation> · hammaren trycker</translation>
     </message>
     <message>
-        <source> · hammer apart</source>
-        <translation> · hammaren isär</translation>
+        <source> · hammer not in contact</source>
+        <translation> · hammaren utan kontakt</translation>
     </message>
     <message>
         <source>t = %1 · %2 · stress %3 … %4</source>
@@ -10645,12 +10724,12 @@ av de kvarvarande vågorna: %4 och %5</translation>
         <translation>Ingen styr spalten på riggen: alla spalter i en period lika, eller en normalfördelning avskuren vid ingen spalt</translation>
     </message>
     <message>
-        <source>all alike</source>
-        <translation>alla lika</translation>
+        <source>all equally likely</source>
+        <translation>alla lika sannolika</translation>
     </message>
     <message>
         <source>mean ± deviation</source>
-        <translation>medel ± avvikelse</translation>
+        <translation>medel ± standardavv.</translation>
     </message>
     <message>
         <source>mean</source>
@@ -10791,7 +10870,7 @@ av de kvarvarande vågorna: %4 och %5</translation>
     </message>
     <message>
         <source>What is taken off all samples</source>
-        <translation>Vad som dras från alla sampel</translation>
+        <translation>Vad som dras från alla mätvärden</translation>
     </message>
     <message>
         <source>as recorded</source>
@@ -10827,7 +10906,7 @@ av de kvarvarande vågorna: %4 och %5</translation>
     </message>
     <message>
         <source>Samples before this time of the file are left out</source>
-        <translation>Sampel före denna tid i filen utelämnas</translation>
+        <translation>Mätvärden före denna tid i filen utelämnas</translation>
     </message>
     <message>
         <source>to</source>
@@ -10835,7 +10914,7 @@ av de kvarvarande vågorna: %4 och %5</translation>
     </message>
     <message>
         <source>Samples after this time of the file are left out</source>
-        <translation>Sampel efter denna tid i filen utelämnas</translation>
+        <translation>Mätvärden efter denna tid i filen utelämnas</translation>
     </message>
     <message>
         <source>beginning</source>
@@ -10870,8 +10949,8 @@ av de kvarvarande vågorna: %4 och %5</translation>
         <translation>Hela inspelningen</translation>
     </message>
     <message>
-        <source>take from</source>
-        <translation>ta från</translation>
+        <source>range</source>
+        <translation>område</translation>
     </message>
     <message>
         <source>clip what is negative</source>
@@ -10914,7 +10993,7 @@ av de kvarvarande vågorna: %4 och %5</translation>
         <translation>impuls</translation>
     </message>
     <message>
-        <source>That the signal is to have</source>
+        <source>The impulse that the signal is to have</source>
         <translation>Som signalen ska ha</translation>
     </message>
     <message>
@@ -10923,7 +11002,7 @@ av de kvarvarande vågorna: %4 och %5</translation>
     </message>
     <message>
         <source>That are kept of the samples; how far the rest is from the lines between them is said below</source>
-        <translation>Som behålls av samplen; hur långt resten ligger från linjerna mellan dem står nedan</translation>
+        <translation>Som behålls av mätvärdena; hur långt resten ligger från linjerna mellan dem står nedan</translation>
     </message>
     <message>
         <source>choose</source>
@@ -11078,7 +11157,7 @@ av de kvarvarande vågorna: %4 och %5</translation>
     </message>
     <message>
         <source>Duplicate</source>
-        <translation>Dubblera</translation>
+        <translation>Duplicera</translation>
     </message>
     <message>
         <source>Put the selected section there once more, with its name</source>
@@ -11166,7 +11245,7 @@ av de kvarvarande vågorna: %4 och %5</translation>
     </message>
     <message>
         <source>duplicate %1</source>
-        <translation>dubblera %1</translation>
+        <translation>duplicera %1</translation>
     </message>
     <message>
         <source>A hammer has at least one section.</source>
@@ -11221,7 +11300,7 @@ klingning</translation>
     </message>
     <message>
         <source>%1 at %2 from its rear end, %3</source>
-        <translation>%1 vid %2 från dess bakände, %3</translation>
+        <translation>%1, %2 från änden mot hammaren, %3</translation>
     </message>
     <message>
         <source>These sections come %1 times, one after another. Type another number; 1 takes the repeat away.</source>
@@ -11233,7 +11312,7 @@ klingning</translation>
     </message>
     <message>
         <source>Share of the energy of the hammer that the joint behind %1 throws back of what comes from the hammer</source>
-        <translation>Den andel av hammarens energi som skarven bakom %1 kastar tillbaka av det som kommer från hammaren</translation>
+        <translation>Den andel av hammarens energi som skarven bakom %1 reflekterar av det som kommer från hammaren</translation>
     </message>
     <message>
         <source>
@@ -11263,11 +11342,11 @@ av de vågor som slaget lämnar: %1</translation>
     </message>
     <message>
         <source>Share of the energy of the hammer that the joint behind the section throws back of what comes from the hammer; of a repeat, by the joint that throws back most</source>
-        <translation>Den andel av hammarens energi som skarven bakom sektionen kastar tillbaka av det som kommer från hammaren; i en upprepning av den skarv som kastar tillbaka mest</translation>
+        <translation>Den andel av hammarens energi som skarven bakom sektionen reflekterar av det som kommer från hammaren; i en upprepning av den skarv som reflekterar mest</translation>
     </message>
     <message>
         <source>repeat</source>
-        <translation>gånger</translation>
+        <translation>antal</translation>
     </message>
     <message>
         <source>name</source>
@@ -11286,8 +11365,8 @@ spänning</translation>
     <message>
         <source>joint
 reflects</source>
-        <translation>skarv-
-reflex</translation>
+        <translation>reflexion
+i skarv</translation>
     </message>
     <message>
         <source>The name %1</source>
@@ -11375,7 +11454,7 @@ reflex</translation>
 <context>
     <name>drillwave::StringSection</name>
     <message>
-        <source>Closed forms and groups are of uniform rods, and not here</source>
+        <source>Closed forms and groups are for uniform rods only</source>
         <translation>Slutna former och dimensionslösa tal gäller likformiga stänger, och finns inte här</translation>
     </message>
     <message>
@@ -11388,11 +11467,11 @@ reflex</translation>
     </message>
     <message>
         <source>may strike again</source>
-        <translation>får slå igen</translation>
+        <translation>får slå flera gånger</translation>
     </message>
     <message>
         <source>Hammer: may strike again</source>
-        <translation>Hammare: får slå igen</translation>
+        <translation>Hammare: får slå flera gånger</translation>
     </message>
     <message>
         <source>The hammer stays where the string may meet it again; without it, it is withdrawn once they have parted</source>
@@ -11400,7 +11479,7 @@ reflex</translation>
     </message>
     <message>
         <source>let the hammer strike again</source>
-        <translation>låt hammaren slå igen</translation>
+        <translation>låt hammaren slå flera gånger</translation>
     </message>
     <message>
         <source>withdraw the hammer</source>
@@ -11574,11 +11653,11 @@ reflex</translation>
     </message>
     <message>
         <source>samples from line</source>
-        <translation>sampel från rad</translation>
+        <translation>mätvärden från rad</translation>
     </message>
     <message>
         <source>The first line of the file that is a sample</source>
-        <translation>Filens första rad som är ett sampel</translation>
+        <translation>Filens första rad som är ett mätvärde</translation>
     </message>
     <message>
         <source>time</source>
@@ -11602,7 +11681,7 @@ reflex</translation>
     </message>
     <message>
         <source>Samples in a second</source>
-        <translation>Sampel per sekund</translation>
+        <translation>Mätvärden per sekund</translation>
     </message>
     <message>
         <source>signal</source>
@@ -11654,7 +11733,7 @@ reflex</translation>
     </message>
     <message>
         <source>No line of numbers is found in the first %1 lines with this separator and decimal sign: choose others, or the line where the samples begin; a longer header is to be cut off the file.</source>
-        <translation>Ingen rad med tal hittas i de första %1 raderna med detta skiljetecken och decimaltecken: välj andra, eller raden där samplen börjar; ett längre huvud får klippas bort ur filen.</translation>
+        <translation>Ingen rad med tal hittas i de första %1 raderna med detta skiljetecken och decimaltecken: välj andra, eller raden där mätvärdena börjar; ett längre huvud får klippas bort ur filen.</translation>
     </message>
     <message>
         <source>Time and signal are the same column: choose another one, or a sampling rate.</source>
@@ -11778,7 +11857,7 @@ reflex</translation>
     </message>
     <message>
         <source>not steady</source>
-        <translation>inte stabil</translation>
+        <translation>inte stationärt</translation>
     </message>
     <message>
         <source>Needs of the thrust</source>
@@ -11938,7 +12017,7 @@ reflex</translation>
         <translation>Inget att visa: %1</translation>
     </message>
     <message>
-        <source>Nothing to show: so many waves that they are not kept.</source>
+        <source>Nothing to show: there are too many waves to be kept.</source>
         <translation>Inget att visa: så många vågor att de inte sparas.</translation>
     </message>
     <message>
@@ -12444,12 +12523,12 @@ drilling.png.</translation>
 impulse I0 of a blow and restitution e it is judged so (theory §10):
   below f I0                machine pushed back
   below f I0 (1+e)          penetration lost
-  below f I0 (1+2e)         enough, bounces: it leaves the rock between blows unless the
+  below f I0 (1+2e)         enough, bit bounces: it leaves the rock between blows unless the
                             machine damps
-  below f I0 (1+e)/(1-e)    enough, may bounce: one that was at rest is back before the
-                            next blow
-  from there on             enough, rests; over-feeding (friction, buckling, stalling) is
-                            outside the model
+  below f I0 (1+e)/(1-e)    enough, bit may bounce: one that was at rest is back before
+                            the next blow
+  from there on             enough, bit stays on rock; over-feeding (friction, buckling,
+                            stalling) is outside the model
 The words are by the e of this blow. Beside it, each with its own e: 95 % of all gaps between bit
 and rock, rigid rock (e = 1), and the worst gap on elastic rock (gamma = 1). A margin is the
 installed thrust over f I0 (1+e), less 1; thrust_margin is that of the largest need. Where
@@ -12463,12 +12542,12 @@ only this blow and rigid rock are told.</source>
 f, slagets impuls I0 och studstalet e bedöms den så (theory §10):
   under f I0                maskinen trycks tillbaka
   under f I0 (1+e)          förlorad inträngning
-  under f I0 (1+2e)         nog, studsar: borrkronan lämnar berget mellan slagen om inte
+  under f I0 (1+2e)         räcker, kronan studsar: den lämnar berget mellan slagen om inte
                             maskinen dämpar
-  under f I0 (1+e)/(1-e)    nog, studsar kanske: en borrkrona som var i vila är tillbaka
-                            före nästa slag
-  därifrån och uppåt        nog, vilar; övermatning (friktion, knäckning, rotation som
-                            stannar) ligger utanför modellen
+  under f I0 (1+e)/(1-e)    räcker, kronan studsar ev.: en borrkrona som var i vila är
+                            tillbaka före nästa slag
+  därifrån och uppåt        räcker, kronan vilar; övermatning (friktion, knäckning,
+                            rotation som stannar) ligger utanför modellen
 Omdömet följer av e för detta slag. Dessutom, vart och ett med sitt eget e: 95&#xa0;% av alla spalter
 mellan borrkrona och berg, stelt berg (e = 1) och den sämsta spalten på elastiskt berg (gamma = 1).
 En marginal är den installerade matningskraften genom f I0 (1+e), minus 1; thrust_margin är den för
@@ -12512,7 +12591,7 @@ Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --ai
 max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. DIR gets designs.csv,
 pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
         <translation>Varje konstruktion bland valen löses för samma stickprov av det som är osäkert. Resultatet är den
-bästa efter det första målet (robust bästa), den som vore bäst om allt är som i FILE (nominellt
+bästa efter det första målet (robustast), den som vore bäst om allt är som i FILE (nominellt
 bästa), vilka andra som är lika bra så långt stickproven kan skilja dem åt, vad som är värt att
 mäta, och det sämsta som hittades inom områdena.
   --uncertain KEY=LOW:HIGH             alla värden lika sannolika; :log jämnt i logaritmen;

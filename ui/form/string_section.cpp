@@ -13,7 +13,7 @@ StringSection::StringSection(Document& document, QGridLayout* grid, QWidget* par
     m_summary->setObjectName(QStringLiteral("stringSummary"));
     m_summary->setWordWrap(true);
     m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
-    m_summary->setToolTip(tr("Closed forms and groups are of uniform rods, and not here"));
+    m_summary->setToolTip(tr("Closed forms and groups are for uniform rods only"));
     auto* sections = new QPushButton(tr("Sections…"), parent);
     sections->setObjectName(QStringLiteral("sections"));
     sections->setToolTip(tr("The page String: a drawing, and all sections in a table to edit"));

@@ -218,7 +218,7 @@ void ImportDialog::showAnswer() {
         if (preview->problem.isEmpty()) {
             const double shift = preview->signal.start;
             m_drawing->present(*preview, use() == ImportUse::blow ? shift : 0,
-                               use() == ImportUse::normalForce ? tr("N, tension +") : tr("F, pressing +"));
+                               use() == ImportUse::normalForce ? tr("N, tension +") : tr("F, compression +"));
         } else {
             m_drawing->showNothing(tr("Nothing to show: %1").arg(preview->problem));
             m_plot->replot(QCustomPlot::rpQueuedReplot);

@@ -37,7 +37,7 @@ ImportPlot::ImportPlot(PlotWidget* plot, const UnitChoice& units)
     insertAbove(plot->legend);
     useLegend(plot->legend->margins());
     m_record->setName(tr("record"));
-    m_taken->setName(tr("taken"));
+    m_taken->setName(tr("used"));
     view(plot->axisRect());
     plot->followPalette([this](const PlotStyle& style) { setStyle(style); });
     connect(plot, &PlotWidget::fitRequested, this, &ImportPlot::fit);

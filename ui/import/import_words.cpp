@@ -73,7 +73,7 @@ QString importHelp() {
         "by E and the area of the rod, of the string where the gauge is, or of another bar. Tension is "
         "positive in the rod; a blow presses.\n"
         "Zero line: the mean of the first samples, in which nothing happens.\n"
-        "Take from: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and "
+        "Range: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and "
         "Shift+drag zoom there), “All” the whole record.\n"
         "Points at most: of so many samples only some are kept, and it is said how far the others are from "
         "the lines between them. A blow keeps its impulse where that moves its forces little.");

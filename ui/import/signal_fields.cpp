@@ -139,7 +139,7 @@ void SignalFields::addTimes() {
     add("visible", tr("View"), tr("From and to the ends of what the plot shows: zoom there first"),
         [this] { emit visibleTimesWanted(); });
     add("all", tr("All"), tr("All of the record"), [this] { setTimes({}); });
-    m_form->addRow(tr("take from"), row);
+    m_form->addRow(tr("range"), row);
 }
 
 void SignalFields::addEnd() {
@@ -155,8 +155,8 @@ void SignalFields::addEnd() {
                            {tr("to an impulse"), value(Scaling::toImpulse)}});
     m_factor = quantity("factor", tr("factor"), tr("All forces are multiplied by it"), Quantity::ratio, "",
                         FieldRange::notZero, 1);
-    m_impulse = quantity("impulse", tr("impulse"), tr("That the signal is to have"), Quantity::impulse, "N s",
-                         FieldRange::positive, 51);
+    m_impulse = quantity("impulse", tr("impulse"), tr("The impulse that the signal is to have"),
+                         Quantity::impulse, "N s", FieldRange::positive, 51);
     m_points = addCount(*m_form,
                         {"points", tr("points at most"),
                          tr("That are kept of the samples; how far the rest is from the lines between them "

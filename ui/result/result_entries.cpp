@@ -66,7 +66,7 @@ QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Numb
          .meaning = tr("What the feed force does between the blows"),
          .text = feedText,
          .note = feedMeaningText},
-        {.name = tr("margin"),
+        {.name = tr("margin, this blow"),
          .meaning = tr("Feed force less what this blow needs for full penetration, and as a share of that"),
          .text = thrustMarginText,
          .number = [](const SolvedBlow& blow, UnitSystem) { return thrustMargin(blow); },

@@ -32,10 +32,10 @@ void LanguageMenu::choose(const Language* language) {
     if (language == chosenLanguage()) return;
     chooseLanguage(language);
     const QString name = fromView(languageToSpeak().name);
-    m_questions.tell(m_window, Questions::Tone::information,
-                     tr("The window speaks %1 when it is opened the next time.").arg(name),
-                     tr("Close it and start Drillwave again. Numbers stay as the system writes them; files "
-                        "and the manual are in English."));
+    m_questions.tell(
+        m_window, Questions::Tone::information, tr("Language from the next start on: %1.").arg(name),
+        tr("Close the window and start Drillwave again. Numbers stay as the system writes them; files "
+           "and the manual are in English."));
 }
 
 }  // namespace drillwave

@@ -41,8 +41,8 @@ const std::vector<Example>& examples() {
           {{"pulse.length", 0.5, Quantity::length},
            {"pulse.diameter", 0.038, Quantity::length},
            {"pulse.velocity", 10, Quantity::velocity}}},
-         "The hammer is the one assumed where none is given (length 500 mm, diameter 38 mm, velocity 10 m/s, "
-         "the material of the rod): give the data of the rock drill's piston."},
+         "The hammer is the one assumed where none is given (hammer length 500 mm, hammer diameter 38 mm, "
+         "hammer velocity 10 m/s, the material of the rod): give the data of the rock drill's piston."},
         {{note, AlertCode::pistonImpedance, "pulse.diameter", {{"ratio", 0.5}}},
          "The hammer's impedance is below the rod's: it bounces back after one step, so that the rod takes "
          "over more than its momentum."},
@@ -122,15 +122,17 @@ const std::vector<Example>& examples() {
            {"place", 0.915, Quantity::length},
            {"time", 4e-3, Quantity::time},
            {"strength", 150e6, Quantity::stress}}},
-         "The rod tires with every blow: tension reaches 160 MPa, 915 mm from the hammer at 4 ms, after the "
+         "The rod takes fatigue damage with every blow: tension reaches 160 MPa, 915 mm from the hammer at 4 "
+         "ms, after the "
          "blow, in the waves left (which nothing damps here), against a strength of 150 MPa."},
         {{note, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.5}}},
-         "The waves of a blow make only n_b = 4.5 round trips until the next blow, and meet it undamped: "
-         "penetration may swing by 10 % up or down with frequency times length; `drill` follows it."},
+         "The waves of a blow make only 4.5 round trips until the next blow, and meet it undamped: "
+         "penetration may swing by 10 % up or down with frequency times length; Drilling "
+         "(command `drill`) follows it."},
         {{warning, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.06}, {"whole", 4}}},
-         "The waves of a blow make only n_b = 4.06 round trips until the next blow, and meet it undamped and "
-         "nearly in step (n_b close to 4): penetration may swing by 10 % up or down; `drill` follows "
-         "it."},
+         "The waves of a blow make only 4.06 round trips until the next blow, and meet it undamped and "
+         "nearly in step (close to 4): penetration may swing by 10 % up or down; Drilling "
+         "(command `drill`) follows it."},
         {{warning,
           AlertCode::stressAboveYield,
           "string.9.yield_strength",
@@ -173,14 +175,15 @@ const std::vector<Example>& examples() {
          "The feed, 3 kN, is less than the mean reaction of the blows, 3.06 kN, or so near to it that gaps "
          "grow without bound."},
         {{note, AlertCode::noWaveLoss, "", {}},
-         "Nothing takes from the waves: jumps never fade. A wave_loss of 1 to 30 % in a round trip is "
+         "Nothing damps the waves: jumps never fade. A wave loss of 1 to 30 % in a round trip is "
          "usual."},
         {{warning, AlertCode::restrikeInTheWay, "", {{"share", 0.1234}}},
          "After it has separated, the piston still passes up to 12.3 % of its momentum: it is in the way of "
-         "the rebounding string, where a machine would have drawn it back; restrike: false says so."},
+         "the rebounding string, where a machine would have drawn it back; “may strike again” switched off "
+         "(restrike: false in the file) says so."},
         {{warning, AlertCode::shankOff, "", {{"offset", 0.006, Quantity::length}}},
          "At a blow the shank is up to 6 mm off its mean place in the machine: the stroke, and so the blow, "
-         "would be another one. A dashpot lets it creep; a spring (damper_stiffness) brings it back."},
+         "would be another one. A dashpot lets it creep; the spring of the damper brings it back."},
         {{note,
           AlertCode::frequencyRounded,
           "",
@@ -256,7 +259,7 @@ class TestAlertWords : public QObject {
         QCOMPARE(some[0].level, AlertLevel::information);
         const std::vector<Alert> inStep = remarks(70, 36.6);
         QCOMPARE(inStep[0].level, AlertLevel::warning);
-        QVERIFY(textOf(inStep[0]).contains("n_b close to 1"));
+        QVERIFY(textOf(inStep[0]).contains("in step (close to 1)"));
     }
 
     void noCodeIsLeftOut() {

@@ -145,6 +145,7 @@ class TestLanguages : public QObject, WindowFixture {
     void nothingIsCutOff();
     void menusAndFieldsSpeak_data();
     void menusAndFieldsSpeak();
+    void keysHaveOneName();
     void keysAreOfOneThingEach_data();
     void keysAreOfOneThingEach();
     void whatIsChosenCountsTheNextTime();
@@ -437,6 +438,20 @@ void TestLanguages::filesAreTheSame() {
                 QVERIFY2(now[name] == english[name], qPrintable(example + QStringLiteral(" ") + name + u'\n' +
                                                                 QString::fromUtf8(now[name].left(400))));
         }
+    }
+}
+
+/// Qt names the keys of menus by a catalogue of its own, which need not be installed; texts name them, too.
+void TestLanguages::keysHaveOneName() {
+    const QKeySequence find(Qt::CTRL | Qt::Key_F);
+    for (const Language& language : languages) {
+        const Speaking speaking(fromView(language.code));
+        const QString name = find.toString(QKeySequence::NativeText);
+        QCOMPARE(name, language.code == "de" ? QStringLiteral("Strg+F") : QStringLiteral("Ctrl+F"));
+        QCOMPARE(QKeySequence(QStringLiteral("Ctrl+F")), find);  // as the sources have them
+        const QString search =
+            QCoreApplication::translate("drillwave::HelpWindow", "Search all chapters (Ctrl+F)");
+        QVERIFY2(search.contains(name), qPrintable(search));
     }
 }
 

@@ -65,7 +65,7 @@ QList<QWidget*> CurvePage::makeControls() {
     m_family = new FamilyFields(tr("family"), preferredFamilies(), document().units(), this);
     m_own = new QCheckBox(tr("this scenario"), this);
     m_own->setObjectName(QStringLiteral("own"));
-    m_own->setToolTip(tr("A curve for the value of the family that the scenario has, too"));
+    m_own->setToolTip(tr("Also a curve for the scenario's own value of the family"));
     m_own->setChecked(true);
     m_output = new OutputBox(this, OfferedOutputs::ofOneBlow);
     m_goal = new GoalField(this);
@@ -78,7 +78,7 @@ QList<QWidget*> CurvePage::makeControls() {
     m_reference->setAccessibleName(tr("Rod without waves"));
     m_reference->setToolTip(
         tr("The rod that arrives without waves, dotted, over its stiffness in one of two units"));
-    m_reference->addItem(tr("no rod without waves"));
+    m_reference->addItem(tr("comparison without waves: none"));
     m_reference->addItem(tr("rod without waves, k₀ = Z/(2T)"));
     m_reference->addItem(tr("rod without waves, k₀ = Z/t₀"));
     connect(m_axis, &AxisFields::changed, this, &CurvePage::askSoon);

@@ -215,7 +215,7 @@ QString DrillingPage::wordsOf(const DrillingAnswer& answer) const {
     QStringList sentences{translated(verdictSentence(result, style))};
     if (const Message advice = adviceSentence(result, style); !advice.isEmpty())
         sentences << translated(advice);
-    QString numbers = tr("φ = %1, n_b = %2")
+    QString numbers = tr("φ = %1, %2 round trips between blows")
                           .arg(numberText(result.groups.phi, 4, locale()),
                                numberText(result.groups.roundTrips, 4, locale()));
     if (result.statistics)

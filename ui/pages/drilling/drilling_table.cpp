@@ -23,7 +23,7 @@ constexpr TableRow tableRows[] = {
      QT_TRANSLATE_NOOP("drillwave::DrillingTable", "Between bit and rock when the hammer strikes")},
     {3, QT_TRANSLATE_NOOP("drillwave::DrillingTable", "penetration"),
      QT_TRANSLATE_NOOP("drillwave::DrillingTable",
-                       "Of a blow, an upper limit: all rock under the bit gives way")},
+                       "Per blow; an upper limit: all rock under the bit gives way")},
     {2, QT_TRANSLATE_NOOP("drillwave::DrillingTable", "rock impulse"),
      QT_TRANSLATE_NOOP("drillwave::DrillingTable",
                        "Of a blow and the cycle behind it; on the mean the feed times the "

@@ -63,7 +63,7 @@ MarchRects::Series MarchRects::addSeries(int column) {
     series.before = addPoints(series.rect);
     series.before->setLayer(ghostLayer(m_plot));
     series.now = addPoints(series.rect);
-    below(series.rect)->setLabel(tr("blow (shaded: they count)"));
+    below(series.rect)->setLabel(tr("blow (shaded: used for statistics)"));
     below(series.rect)->ticker()->setTickCount(fewTicksOfMarch);
     return series;
 }

@@ -5,6 +5,7 @@
 
 #include "core/text/units.h"
 #include "ui/plot/curve_graph.h"
+#include "ui/plot/number_ticks.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -68,7 +69,7 @@ void GapPlot::addRects() {
     }
     m_beside->axis(QCPAxis::atLeft)->setTickLabels(false);
     m_beside->axis(QCPAxis::atBottom)->ticker()->setTickCount(2);
-    auto halves = QSharedPointer<QCPAxisTickerFixed>::create();
+    auto halves = QSharedPointer<NumberTicks<QCPAxisTickerFixed>>::create();
     halves->setTickStep(50);
     halves->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
     m_beside->axis(QCPAxis::atTop)->setTicker(halves);
@@ -180,7 +181,7 @@ QString GapPlot::summary() const {
     const GapSpread& spread = m_picture.spread;
     QString text =
         (m_picture.isScattered ? tr("scattered gap: mean %1, 5–95 % %2…%3")
-                               : tr("all gaps alike: mean %1, 5–95 % %2…%3"))
+                               : tr("all gaps equally likely: mean %1, 5–95 % %2…%3"))
             .arg(shown(spread.mean), shown(spread.quantiles.front()), shown(spread.quantiles.back()));
     if (m_picture.shareAboveOne)
         text += tr(" · e > 1 at %1 of gaps").arg(percentText(*m_picture.shareAboveOne, 4, locale));

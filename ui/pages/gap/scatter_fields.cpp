@@ -52,7 +52,7 @@ ScatterFields::ScatterFields(const UnitChoice& units, QWidget* parent)
     m_choice->setToolTip(
         tr("Nobody controls the gap at the rig: all gaps of a period alike, or a normal "
            "distribution cut off at no gap"));
-    m_choice->addItem(tr("all alike"));
+    m_choice->addItem(tr("all equally likely"));
     m_choice->addItem(tr("mean ± deviation"));
     layOut(*this);
     layout()->addWidget(label);

@@ -86,7 +86,7 @@ const RodCurves* RodPage::curves() const {
 
 void RodPage::setResult(const SolvedBlowPtr& blow) {
     if (const auto* curves = blow->page<RodCurves>(); curves && curves->string && !curves->string->waves) {
-        m_rod->showNothing(tr("Nothing to show: so many waves that they are not kept."));
+        m_rod->showNothing(tr("Nothing to show: there are too many waves to be kept."));
         m_plot->setDataText({});
     } else if (curves) {
         m_rod->present(*curves);

@@ -125,7 +125,7 @@ QString RodStrip::stateText() const {
                                        .arg(text(bit.penetration, depth), text(force, units.force))
                     : bit.gap > 0 ? tr("apart, gap %1").arg(text(bit.gap, depth))
                                   : tr("bit at the rock, no force");
-    if (picture().string) state += hammerTouches() ? tr(" · hammer pushes") : tr(" · hammer apart");
+    if (picture().string) state += hammerTouches() ? tr(" · hammer pushes") : tr(" · hammer not in contact");
     float least = 0, most = 0;
     for (const float value : m_values) {
         least = std::min(least, value);

@@ -170,7 +170,7 @@ void WavePicturePage::setResult(const SolvedBlowPtr& blow) {
     else if (!blow->fault.isEmpty())
         m_picture->showNothing(tr("Nothing to show: %1").arg(blow->fault));
     else if (!blow->impact.hasHistories())
-        m_picture->showNothing(tr("Nothing to show: so many waves that they are not kept."));
+        m_picture->showNothing(tr("Nothing to show: there are too many waves to be kept."));
     else
         return;  // the answer to an older request, before this page was there to ask
     m_profile->setBlow(m_picture->shown());
