@@ -148,12 +148,12 @@ constexpr auto outputTable = std::to_array<Output>({
      std::nullopt, Load::tension},
     {"peak_compression_after", "largest compression of the waves left, undamped", Measure::stress,
      Detail::histories, [](const From& f) -> Number { return f.summary.largest.compressionAfter; },
-     "compression of waves left", OutputOf::anyBlow, OutputGroup::stress,
+     "compression, after", OutputOf::anyBlow, OutputGroup::stress,
      "Largest compressive stress of the waves that are left after the blow and run on, of a string as long "
      "as it is followed; nothing damps them in the model, a real rod does",
      std::nullopt, Load::compressionAfter},
     {"peak_tension_after", "largest tension of the waves left, undamped", Measure::stress, Detail::histories,
-     [](const From& f) -> Number { return f.summary.largest.tensionAfter; }, "tension of waves left",
+     [](const From& f) -> Number { return f.summary.largest.tensionAfter; }, "tension, after",
      OutputOf::anyBlow, OutputGroup::stress,
      "Largest tensile stress of the waves that are left after the blow and run on, of a string over a round "
      "trip at least; nothing damps them in the model, a real rod does",

@@ -1118,8 +1118,8 @@ Trotzdem löschen?</translation>
         <translation>Stoßzahl e = -pf/p0</translation>
     </message>
     <message>
-        <source>compression of waves left</source>
-        <translation>Druck, verbleibende Wellen</translation>
+        <source>compression, after</source>
+        <translation>Druck, danach</translation>
     </message>
     <message>
         <source>compression, blow</source>
@@ -1586,8 +1586,8 @@ Trotzdem löschen?</translation>
         <translation>Tabelle</translation>
     </message>
     <message>
-        <source>tension of waves left</source>
-        <translation>Zug, verbleibende Wellen</translation>
+        <source>tension, after</source>
+        <translation>Zug, danach</translation>
     </message>
     <message>
         <source>tension, blow</source>
@@ -2402,7 +2402,7 @@ Punkte höchstens: Von so vielen Abtastwerten bleiben nur einige, und es wird ge
     </message>
     <message>
         <source>margin, this blow</source>
-        <translation>Reserve, dieser Schlag</translation>
+        <translation>Reserve, Schlag</translation>
     </message>
     <message>
         <source>Feed force less what this blow needs for full penetration, and as a share of that</source>
@@ -3252,8 +3252,8 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Die Stange, die ohne Wellen ankommt, gepunktet, über ihrer Steifigkeit in einer von zwei Einheiten</translation>
     </message>
     <message>
-        <source>comparison without waves: none</source>
-        <translation>Vergleich ohne Wellen: keiner</translation>
+        <source>rod without waves: none</source>
+        <translation>Stange ohne Wellen: keine</translation>
     </message>
     <message>
         <source>rod without waves, k₀ = Z/(2T)</source>
@@ -4362,8 +4362,8 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>gestreuter Spalt: Mittel %1, 5–95 % %2…%3</translation>
     </message>
     <message>
-        <source>all gaps equally likely: mean %1, 5–95 % %2…%3</source>
-        <translation>alle Spalte gleich wahrscheinlich: Mittel %1, 5–95&#xa0;% %2…%3</translation>
+        <source>all gaps: mean %1, 5–95 % %2…%3</source>
+        <translation>alle Spalte: Mittel %1, 5–95 % %2…%3</translation>
     </message>
     <message>
         <source> · e &gt; 1 at %1 of gaps</source>

@@ -1118,7 +1118,7 @@ Ta bort ändå?</translation>
         <translation>studstal e = -pf/p0</translation>
     </message>
     <message>
-        <source>compression of waves left</source>
+        <source>compression, after</source>
         <translation>tryck i kvarvarande vågor</translation>
     </message>
     <message>
@@ -1586,7 +1586,7 @@ Ta bort ändå?</translation>
         <translation>tabell</translation>
     </message>
     <message>
-        <source>tension of waves left</source>
+        <source>tension, after</source>
         <translation>drag i kvarvarande vågor</translation>
     </message>
     <message>
@@ -3252,8 +3252,8 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Stången som kommer fram utan vågor, prickad, över sin styvhet i en av två enheter</translation>
     </message>
     <message>
-        <source>comparison without waves: none</source>
-        <translation>jämförelse utan vågor: ingen</translation>
+        <source>rod without waves: none</source>
+        <translation>stång utan vågor: ingen</translation>
     </message>
     <message>
         <source>rod without waves, k₀ = Z/(2T)</source>
@@ -4362,8 +4362,8 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>spridd spalt: medel %1, 5–95 % %2…%3</translation>
     </message>
     <message>
-        <source>all gaps equally likely: mean %1, 5–95 % %2…%3</source>
-        <translation>alla spalter lika sannolika: medel %1, 5–95&#xa0;% %2…%3</translation>
+        <source>all gaps: mean %1, 5–95 % %2…%3</source>
+        <translation>alla spalter: medel %1, 5–95 % %2…%3</translation>
     </message>
     <message>
         <source> · e &gt; 1 at %1 of gaps</source>

@@ -78,7 +78,7 @@ QList<QWidget*> CurvePage::makeControls() {
     m_reference->setAccessibleName(tr("Rod without waves"));
     m_reference->setToolTip(
         tr("The rod that arrives without waves, dotted, over its stiffness in one of two units"));
-    m_reference->addItem(tr("comparison without waves: none"));
+    m_reference->addItem(tr("rod without waves: none"));
     m_reference->addItem(tr("rod without waves, k₀ = Z/(2T)"));
     m_reference->addItem(tr("rod without waves, k₀ = Z/t₀"));
     connect(m_axis, &AxisFields::changed, this, &CurvePage::askSoon);

@@ -181,7 +181,7 @@ QString GapPlot::summary() const {
     const GapSpread& spread = m_picture.spread;
     QString text =
         (m_picture.isScattered ? tr("scattered gap: mean %1, 5–95 % %2…%3")
-                               : tr("all gaps equally likely: mean %1, 5–95 % %2…%3"))
+                               : tr("all gaps: mean %1, 5–95 % %2…%3"))
             .arg(shown(spread.mean), shown(spread.quantiles.front()), shown(spread.quantiles.back()));
     if (m_picture.shareAboveOne)
         text += tr(" · e > 1 at %1 of gaps").arg(percentText(*m_picture.shareAboveOne, 4, locale));

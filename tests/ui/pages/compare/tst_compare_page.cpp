@@ -129,7 +129,7 @@ void TestComparePage::stringsHaveTheirResults() {
     const auto results = std::ranges::count(table.rows, CompareRow::Kind::result, &CompareRow::kind);
     QVERIFY2(results > 20, qPrintable(QString::number(results)));
     QVERIFY(rowOf(table, "diameter of coupling (section 2)"));
-    for (const char* name : {"peak force", "tension, blow", "tension of waves left", "into the rock"}) {
+    for (const char* name : {"peak force", "tension, blow", "tension, after", "into the rock"}) {
         const CompareRow* row = rowOf(table, name);
         QVERIFY2(row, name);
         QVERIFY2(row->difference(0, 1).has_value(), name);
