@@ -421,7 +421,7 @@ void TestRodPage::aStringWhoseWavesAreNotKeptSaysSo() {
     blow->impact.incident = {};
     blow->pages = {PageData::of(rodCurves(*blow, blow->units))};
     m_page->setResult(blow);
-    QVERIFY(m_page->plot()->accessibleDescription().contains(QStringLiteral("not kept")));
+    QVERIFY(m_page->plot()->accessibleDescription().contains(QStringLiteral("too many waves")));
     QVERIFY(!m_page->plot()->hasData());
     m_observation->setTime(1);
     m_observation->setSection(0.2);

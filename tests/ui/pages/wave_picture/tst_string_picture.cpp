@@ -404,7 +404,7 @@ void TestStringPicture::wavesThatWereNotKeptAreSaidToBeMissing() {
     blow->request.pages = {m_page->prepare()};
     blow->pages = {m_page->prepare()(*blow)};
     present(blow);
-    QVERIFY(m_page->plot()->accessibleDescription().contains(QStringLiteral("not kept")));
+    QVERIFY(m_page->plot()->accessibleDescription().contains(QStringLiteral("too many waves")));
     QVERIFY(m_page->plot()->csv().isEmpty());
     m_observation->setTime(2);
     m_observation->setSection(0.3);
