@@ -1231,7 +1231,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>enough, bit stays on rock</source>
-        <translation>reicht, Krone bleibt am Gestein</translation>
+        <translation>reicht, Krone ruht</translation>
     </message>
     <message>
         <source>error</source>
@@ -12551,7 +12551,7 @@ Schlagfrequenz f, Kraftstoß I0 eines Schlags und Stoßzahl e (theory §10):
                             Gestein, wenn die Maschine nicht dämpft
   unter f I0 (1+e)/(1-e)    reicht, Krone hebt evtl. ab: eine zuvor ruhende Bohrkrone ist vor
                             dem nächsten Schlag zurück
-  ab diesem Wert            reicht, Krone bleibt am Gestein; zu hoher Vorschub (Reibung,
+  ab diesem Wert            reicht, Krone ruht; zu hoher Vorschub (Reibung,
                             Knicken, Stehenbleiben der Drehung) liegt außerhalb des Modells
 Das Urteil richtet sich nach dem e dieses Schlags. Daneben, jeweils mit eigenem e: 95&#xa0;% aller Spalte
 zwischen Bohrkrone und Gestein, starres Gestein (e = 1) und der schlechteste Spalt auf elastischem

@@ -47,8 +47,6 @@ std::string withoutHead(const std::string& text) {
     return text.substr(begin);
 }
 
-// "t38_rod_medium_rock" of "T38 rod, medium rock": letters and digits of any script, which every system
-// takes.
 /// "bore must be less than the diameter", where files have a key and its value.
 QString inWordsOfTheForm(const InputProblem& problem) {
     const KeptParameter parameter = findParameter(problem.key);
@@ -64,6 +62,8 @@ QString inWordsOfTheForm(const std::string& name, const std::vector<InputProblem
     return lines.join(u'\n');
 }
 
+// "t38_rod_medium_rock" of "T38 rod, medium rock": letters and digits of any script, which every system
+// takes.
 QString fileStemOf(const std::string& title) {
     constexpr qsizetype longest = 60;
     QString stem;
@@ -157,7 +157,13 @@ QString Document::change(Scenario& scenario, const std::vector<ParameterValue>& 
         parameter->assign(scenario, si);
     }
     const std::vector<InputProblem> problems = m_check(scenario);
-    return problems.empty() ? QString() : inWordsOfTheForm(problems.front());
+    if (problems.empty()) return {};
+    const InputProblem& first = problems.front();
+    // The field has its label before it.
+    const bool isOfThese = std::ranges::any_of(
+        values, [&](const ParameterValue& value) { return value.parameter->key == first.key; });
+    return isOfThese && !first.reason.arguments.empty() ? translated(first.reason.arguments.back())
+                                                        : inWordsOfTheForm(first);
 }
 
 QString Document::contentsWith(const std::vector<ParameterValue>& values, ScenarioDocument& changed) const {

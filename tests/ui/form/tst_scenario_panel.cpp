@@ -291,7 +291,7 @@ void TestScenarioPanel::aSliderSaysWhyItStopsAndGoesBack() {
         const QList<QLabel*> labels = m->panel->findChildren<QLabel*>();
         return std::ranges::any_of(labels, [](const QLabel* label) {
             return label->isVisible() &&
-                   label->text().startsWith(QStringLiteral("bore must be less than the diameter of "));
+                   label->text().startsWith(QStringLiteral("⚠ bore: must be less than the diameter of "));
         });
     };
     QVERIFY(said());
