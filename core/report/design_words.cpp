@@ -131,6 +131,7 @@ void addEnergy(const DesignReport& report, const ReadingStyle& style, std::vecto
 
 void addGamma(const DesignReport& report, std::vector<DesignRemark>& remarks) {
     constexpr double nearlyAll = 0.9;
+    if (!carriesShares(report.study)) return;
     const Sensitivity& sensitivity = report.findings.sensitivity;
     if (report.study.dimensions() < 2) return;
     for (std::size_t o = 0; o < sensitivity.outputs.size(); ++o) {
@@ -160,6 +161,22 @@ std::vector<DesignRemark> remarksOn(const DesignReport& report, const ReadingSty
     addEnergy(report, style, remarks);
     addGamma(report, remarks);
     return remarks;
+}
+
+// Each replicate has a variance of its own, which of two or three points may be anything.
+bool carriesShares(const DesignStudy& study) {
+    return study.samples >= leastDesignSamples;
+}
+
+std::optional<std::size_t> firstToMeasure(const DesignReport& report, std::size_t aimed) {
+    constexpr double mostErrorOfShare = 1.0 / 3;  // so that it is there, and its order of magnitude
+    const OutputSensitivity& output = report.findings.sensitivity.outputs[aimed];
+    if (output.isConstant || output.indices.empty()) return {};
+    if (report.study.dimensions() < 2 || !carriesShares(report.study)) return {};
+    const auto most = std::ranges::max_element(output.indices, {},
+                                               [](const SobolIndex& index) { return index.total.value; });
+    if (!(most->total.error < mostErrorOfShare * most->total.value)) return {};
+    return static_cast<std::size_t>(most - output.indices.begin());
 }
 
 const SampledValue& aimedValue(const DesignReport& report, const DesignAim& aim, std::size_t design) {

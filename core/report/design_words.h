@@ -2,6 +2,8 @@
 // What a study of designs says in words.
 #pragma once
 
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -18,6 +20,13 @@ struct DesignRemark {
     Message text;
 };
 std::vector<DesignRemark> remarksOn(const DesignReport& report, const ReadingStyle& style = plainStyle());
+
+/// Whether a study has samples enough to say which share of a scatter a number has at all.
+bool carriesShares(const DesignStudy& study);
+
+/// Which uncertain number (as in OutputSensitivity) is worth measuring first for an output that is aimed at,
+/// by its number there: that of the largest share, once the samples carry it.
+std::optional<std::size_t> firstToMeasure(const DesignReport& report, std::size_t aimed);
 
 /// What an aim is about, of a design (from 0).
 const SampledValue& aimedValue(const DesignReport& report, const DesignAim& aim, std::size_t design);

@@ -3330,8 +3330,8 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>die Ziehungen</translation>
     </message>
     <message>
-        <source>For %1 measure &lt;b&gt;%2&lt;/b&gt; first: %3 of its scatter.</source>
-        <translation>Für %1 zuerst &lt;b&gt;%2&lt;/b&gt; messen: %3 der Streuung.</translation>
+        <source>For %1 measure &lt;b&gt;%2&lt;/b&gt; first: %3 % of its scatter.</source>
+        <translation>Für %1 zuerst &lt;b&gt;%2&lt;/b&gt; messen: %3&#xa0;% der Streuung.</translation>
     </message>
     <message>
         <source>Least %1 found of the robust best: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
@@ -8145,8 +8145,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 ist gewählt und unsicher: beides zugleich geht nur mit +-P% um die Wahl</translation>
     </message>
     <message>
-        <source>--keep-energy sets %1, and so does --choose %2; leave out one of them</source>
-        <translation>--keep-energy setzt %1, und --choose %2 auch; eines davon weglassen</translation>
+        <source>keeping the energy sets %1, and so does the choice of %2; leave out one of them</source>
+        <translation>die Energie zu halten setzt %1, und die Wahl von %2 auch; eines davon weglassen</translation>
     </message>
     <message>
         <source>thrust_margin is a study of all gaps by itself; aim at thrust</source>

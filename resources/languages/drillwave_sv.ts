@@ -3330,8 +3330,8 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>dragningarna</translation>
     </message>
     <message>
-        <source>For %1 measure &lt;b&gt;%2&lt;/b&gt; first: %3 of its scatter.</source>
-        <translation>För %1, mät &lt;b&gt;%2&lt;/b&gt; först: %3 av spridningen.</translation>
+        <source>For %1 measure &lt;b&gt;%2&lt;/b&gt; first: %3 % of its scatter.</source>
+        <translation>För %1, mät &lt;b&gt;%2&lt;/b&gt; först: %3&#xa0;% av spridningen.</translation>
     </message>
     <message>
         <source>Least %1 found of the robust best: &lt;b&gt;%2&lt;/b&gt;, at %3.</source>
@@ -8145,8 +8145,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 är både vald och osäker: bara +-P% kring valet är möjligt</translation>
     </message>
     <message>
-        <source>--keep-energy sets %1, and so does --choose %2; leave out one of them</source>
-        <translation>--keep-energy sätter %1, och det gör även --choose %2; utelämna en av dem</translation>
+        <source>keeping the energy sets %1, and so does the choice of %2; leave out one of them</source>
+        <translation>att behålla energin sätter %1, och det gör valet av %2 också; utelämna ett av dem</translation>
     </message>
     <message>
         <source>thrust_margin is a study of all gaps by itself; aim at thrust</source>

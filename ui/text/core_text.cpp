@@ -3,11 +3,19 @@
 
 #include <QCoreApplication>
 #include <string>
+#include <utility>
 
 #include "core/report/parameter_words.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
+namespace {
+
+Message titleOf(const Parameter& parameter) {
+    return titleMessage(parameter, shownSymbol(parameter.symbol).toStdString());
+}
+
+}  // namespace
 
 QString coreText(std::string_view text) {
     return text.empty() ? QString() : QCoreApplication::translate("core", std::string(text).c_str());
@@ -22,7 +30,16 @@ QString parameterLabel(const Parameter& parameter) {
 }
 
 QString parameterTitle(const Parameter& parameter) {
-    return (parameterLabel(parameter) + QLatin1Char(' ') + shownSymbol(parameter.symbol)).trimmed();
+    return translated(titleOf(parameter));
+}
+
+Message withTitles(Message message) {
+    if (message.isWords) {
+        const KeptParameter parameter = findParameter(message.pattern);
+        return parameter ? titleOf(*parameter) : message;
+    }
+    for (Message& argument : message.arguments) argument = withTitles(std::move(argument));
+    return message;
 }
 
 }  // namespace drillwave

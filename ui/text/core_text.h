@@ -7,6 +7,7 @@
 
 #include "core/model/parameter.h"
 #include "core/model/section_field.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -22,5 +23,8 @@ QString parameterLabel(const Parameter& parameter);
 
 /// Label and symbol, "stiffness k".
 QString parameterTitle(const Parameter& parameter);
+
+/// A sentence of the core about parameters with their titles in place of their keys, as the form has them.
+Message withTitles(Message message);
 
 }  // namespace drillwave

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "core/model/assignments.h"
 #include "core/study/design/constant_energy.h"
 #include "core/study/design/scenario_designs.h"
 #include "core/study/rows/axis_scenario.h"
+#include "core/text/message_list.h"
 
 namespace drillwave {
 
@@ -102,8 +104,9 @@ void checkKeys(const DesignStudy& study, const std::vector<NamedKey>& unread, Li
     for (const NamedKey& named : keys)
         if (scaled && named.isChosen && areRivals(named.key, scaled->key))
             lines.invalid(
-                {translatable("drillwave::Message",
-                              "--keep-energy sets %1, and so does --choose %2; leave out one of them"),
+                {translatable(
+                     "drillwave::Message",
+                     "keeping the energy sets %1, and so does the choice of %2; leave out one of them"),
                  {std::string(scaled->key), named.key}});
 }
 
@@ -127,14 +130,16 @@ void checkOutputs(const DesignStudy& study, Lines& lines) {
 Message at(const DesignStudy& study, std::uint64_t design, const Message& problem) {
     if (study.choices.empty()) return problem;
     const std::vector<double> values = study.choice(design);
-    std::string text;
+    Message places;
     for (std::size_t i = 0; i < values.size(); ++i) {
         const RowColumn column = study.choices[i].column();
-        text += (i == 0 ? "" : ", ") + std::string(study.choices[i].key()) + " = ";
+        std::string text;
         column.appendText(text, values[i]);
         if (column.unit && !column.unit->name.empty()) text += " " + std::string(column.unit->name);
+        places =
+            joined(std::move(places), "%1, %2", {"%1 = %2", {std::string(study.choices[i].key()), text}});
     }
-    return {translatable("drillwave::Message", "at %1: %2"), {text, problem}};
+    return {translatable("drillwave::Message", "at %1: %2"), {places, problem}};
 }
 
 /// A design must be a scenario, and take each uncertain number alone and all together at both ends: all

@@ -9,6 +9,7 @@
 #include "ui/pages/design/aim_rows.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
+#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
@@ -79,15 +80,15 @@ QString measureSentence(const DesignReport& report, const DesignUnits& units) {
     QStringList sentences;
     for (std::size_t o = 0; o < report.findings.sensitivity.outputs.size(); ++o) {
         const OutputSensitivity& output = report.findings.sensitivity.outputs[o];
-        if (output.isConstant || output.indices.empty() || study.dimensions() < 2) continue;
-        const auto most = std::ranges::max_element(output.indices, {},
-                                                   [](const SobolIndex& index) { return index.total.value; });
-        const auto i = static_cast<std::size_t>(most - output.indices.begin());
-        const QString name = i < study.uncertain.size() ? parameterName(*study.uncertain[i].parameter)
-                                                        : DesignCard::tr("the draws");
-        sentences << DesignCard::tr("For %1 measure <b>%2</b> first: %3 of its scatter.")
+        const std::optional<std::size_t> first = firstToMeasure(report, o);
+        if (!first) continue;
+        const QString name = *first < study.uncertain.size()
+                                 ? parameterName(*study.uncertain[*first].parameter)
+                                 : DesignCard::tr("the draws");
+        const double percent = std::round(100 * std::min(output.indices[*first].total.value, 1.0));
+        sentences << DesignCard::tr("For %1 measure <b>%2</b> first: %3 % of its scatter.")
                          .arg(outputName(*report.findings.aimed[o]), name,
-                              numberText(most->total.value, 2, units.locale()));
+                              numberText(percent, 3, units.locale()));
     }
     return sentences.join(QStringLiteral("<br>"));
 }
@@ -118,7 +119,7 @@ QString remarkText(const DesignRemark& remark) {
         return DesignCard::tr(
             "The scatter of the efficiency is nearly all that of γ; work of loading shows "
             "what wave and machine can do.");
-    return translated(remark.text).toHtmlEscaped();
+    return translated(withTitles(remark.text)).toHtmlEscaped();
 }
 
 QString loadLink(const QUrl& to, const QString& words) {

@@ -118,7 +118,7 @@ void addPareto(DesignPicture& picture, const DesignReport& report, const DesignU
 
 void addBars(DesignPicture& picture, const DesignReport& report) {
     const DesignStudy& study = report.study;
-    if (study.dimensions() < 2) return;
+    if (study.dimensions() < 2 || !carriesShares(study)) return;
     const Sensitivity& sensitivity = report.findings.sensitivity;
     for (std::size_t o = 0; o < sensitivity.outputs.size(); ++o) {
         DesignPicture::Bars bars{outputName(*report.findings.aimed[o]), {}};
@@ -127,7 +127,8 @@ void addBars(DesignPicture& picture, const DesignReport& report) {
             const bool isInput = i < study.uncertain.size();
             const SobolIndex& index = output.indices[i];
             bars.bars.append({isInput ? parameterName(*study.uncertain[i].parameter) : drillwave::tr("draws"),
-                              std::clamp(index.first.value, 0.0, 1.0), index.total.value});
+                              std::clamp(index.first.value, 0.0, 1.0),
+                              std::clamp(index.total.value, 0.0, 1.0)});
         }
         picture.bars.append(bars);
     }

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "core/model/parameter.h"
+#include "core/report/design_words.h"
 #include "core/study/design/constant_energy.h"
 #include "core/study/design/design_check.h"
 #include "core/study/design/design_study.h"
@@ -96,6 +97,7 @@ class TestDesignStudy : public QObject {
     void keptEnergiesAreEqual();
     void problemsAreToldTogether();
     void aStopEndsTheCheckOfDesigns();
+    void whatToMeasureIsSaidOnceTheSamplesCarryIt();
     void drawsNeedEveryCell();
 };
 
@@ -255,6 +257,27 @@ void TestDesignStudy::aStopEndsTheCheckOfDesigns() {
     std::stop_source stop;
     stop.request_stop();
     QVERIFY(problemsOf(study, stop.get_token()).empty());
+}
+
+// Of 16 samples each replicate has a variance of two points: a share of 2.3 was told with them.
+void TestDesignStudy::whatToMeasureIsSaidOnceTheSamplesCarryIt() {
+    DesignReport report;
+    report.study = studyOf(cases()[0].toObject());
+    report.study.draws.reset();
+    report.study.uncertain = {parseUncertain("bit_rock.gamma=0.1:0.3").input,
+                              parseUncertain("bit_rock.stiffness=50MN/m:150MN/m").input};
+    const auto ofShares = [](const Estimate& one, const Estimate& other) {
+        return OutputSensitivity{.indices = {{{0.1, 0.1}, one}, {{0.1, 0.1}, other}}};
+    };
+    report.findings.sensitivity.outputs = {ofShares({0.2, 0.05}, {0.6, 0.15}),
+                                           ofShares({0.2, 0.05}, {0.6, 0.25}),
+                                           {.isConstant = true, .indices = {}}};
+    report.study.samples = leastDesignSamples;
+    QCOMPARE(firstToMeasure(report, 0), std::optional<std::size_t>(1));
+    QVERIFY(!firstToMeasure(report, 1));
+    QVERIFY(!firstToMeasure(report, 2));
+    report.study.samples = 16;
+    QVERIFY(!firstToMeasure(report, 0));
 }
 
 void TestDesignStudy::drawsNeedEveryCell() {
