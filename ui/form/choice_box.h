@@ -6,15 +6,28 @@
 
 namespace drillwave {
 
-/// Takes the wheel only while it has the focus, so that the panel scrolls over it.
+/// Takes the wheel only while it has the focus, so that the panel scrolls over it. Its list is as wide as its
+/// entries, and a tooltip tells what is chosen where that is cut off.
 class ChoiceBox : public QComboBox {
     Q_OBJECT
 
   public:
     explicit ChoiceBox(QWidget* parent = nullptr);
 
+    /// As wide as what is chosen needs, where there is room; in a row that wraps, say.
+    void followText();
+    QSize sizeHint() const override;
+    void showPopup() override;
+
   protected:
+    bool event(QEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+
+  private:
+    int textWidth() const;
+    bool isCut() const;
+
+    bool m_followsText = false;
 };
 
 }  // namespace drillwave

@@ -5,11 +5,13 @@
 #include <QComboBox>
 #include <QGridLayout>
 #include <QGuiApplication>
+#include <QHelpEvent>
 #include <QLabel>
 #include <QSignalBlocker>
 #include <QStyleOptionComboBox>
 #include <QStylePainter>
 #include <QToolButton>
+#include <QToolTip>
 #include <algorithm>
 
 #include "ui/text/translation.h"
@@ -31,12 +33,18 @@ QString cellText(const ReadingCell& cell, const QLocale& locale, int digits) {
     return cell.label.isEmpty() ? number : cell.label + QLatin1Char(' ') + number;
 }
 
-// Ends a name for which there is no room with an ellipsis.
+// Ends a name for which there is no room with an ellipsis; the tooltip has all of it.
 class CurveChoice : public QComboBox {
   public:
     using QComboBox::QComboBox;
 
   protected:
+    bool event(QEvent* event) override {
+        if (event->type() != QEvent::ToolTip) return QComboBox::event(event);
+        QToolTip::showText(static_cast<QHelpEvent*>(event)->globalPos(),
+                           currentText() + QLatin1Char('\n') + toolTip(), this);
+        return true;
+    }
     void paintEvent(QPaintEvent* /*event*/) override {
         QStylePainter painter(this);
         QStyleOptionComboBox option;

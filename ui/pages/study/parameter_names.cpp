@@ -55,6 +55,7 @@ void chooseParameter(QComboBox& box, const KeptParameter& parameter) {
     const QSignalBlocker quiet(&box);
     const int found = parameter ? box.findData(fromView(parameter->key)) : -1;
     box.setCurrentIndex(found >= 0 ? found : 0);
+    box.updateGeometry();  // of another text
 }
 
 }  // namespace drillwave
