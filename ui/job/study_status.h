@@ -16,7 +16,7 @@
 namespace drillwave {
 
 /// "640/1500 · 2 s left" after that many seconds; "640 · 320/s" where nobody knows how many there will be.
-/// Only the count while there is too little to tell the rate.
+/// Only the count while there is too little to tell the rate, and where all that was thought of is done.
 QString progressText(const StudyProgress& progress, double seconds, const QLocale& locale);
 
 /// Shows the activity of the page on show while it runs for more than a moment, and what was reached of one

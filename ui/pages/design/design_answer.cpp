@@ -24,17 +24,20 @@ DesignAnswer answerDesign(const DesignStudy& asked, const StudyFeed<DesignAnswer
     }
     std::uint64_t wanted = 0;
     for (const DesignStudy& stage : stages) wanted += designSolves(stage);
-    std::uint64_t done = 0;
+    // The searches for worst cases take what they take: a stage counts no more than was thought of it, so
+    // that the count never goes back where the next one begins.
+    std::uint64_t done = 0, end = 0;
     const DesignWork work{.jobs = std::max(1, QThread::idealThreadCount()),
                           .stop = feed.stop,
                           .progress = [&](std::uint64_t more) {
-                              done = std::min(done + more, wanted);
+                              done = std::min(done + more, end);
                               feed.tell({done, wanted});
                           }};
-    std::uint64_t ended = 0;
     for (const DesignStudy& stage : stages) {
         const bool isFirst = &stage == &stages.front(), isLast = &stage == &stages.back();
         answer.report.study = stage;
+        done = end;
+        end += designSolves(stage);
         answer.report.findings = runDesign(stage, work, [&](const DesignFindings& soFar) {
             if (!isFirst || isLast) return;  // what is there says more
             answer.report.findings = soFar;
@@ -42,7 +45,6 @@ DesignAnswer answerDesign(const DesignStudy& asked, const StudyFeed<DesignAnswer
         });
         if (isLast || feed.stop.stop_requested()) break;
         feed.show(answer);
-        done = ended += designSolves(stage);
     }
     return answer;
 }
