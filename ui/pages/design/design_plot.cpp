@@ -316,6 +316,14 @@ void DesignPlot::restyle() {
         name->setFont(style.font);
         name->setColor(style.text);
     }
+    constexpr int leastSide = 50;  // of any rectangle of axes [px]
+    const double rows = m_barRect->axis(QCPAxis::atLeft)->range().size();
+    const int needed = m_barNames.isEmpty() ? 0 : int(std::ceil(rows * QFontMetricsF(style.font).height()));
+    m_barRect->setMinimumSize(leastSide, std::max(leastSide, needed));
+}
+
+int DesignPlot::barLines() const {
+    return m_barNames.isEmpty() ? 0 : int(std::ceil(m_barRect->axis(QCPAxis::atLeft)->range().size()));
 }
 
 void DesignPlot::setRanges() {

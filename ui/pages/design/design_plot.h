@@ -34,6 +34,8 @@ class DesignPlot : public StudyFrame {
     /// The design nearest to a click, in the coordinates of its rect; nothing where there is none near.
     std::optional<std::uint64_t> designAt(const QCPAxisRect* rect, QPointF coordinates) const;
     KeyPlaces keyPlaces() const override;
+    /// Lines of text that the Sobol indices take, one of each number and one of each output.
+    int barLines() const;
 
   private:
     void clear() override;
