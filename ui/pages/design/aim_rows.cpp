@@ -70,6 +70,8 @@ AimRow::AimRow(const QString& words, QWidget* parent)
     for (QWidget* each : std::initializer_list<QWidget*>{label, m_sense, m_output, m_statistic, m_remove})
         layout->addWidget(each);
     nameStatistics();
+    for (ChoiceBox* box : std::initializer_list<ChoiceBox*>{m_sense, m_output, m_statistic})
+        box->followText();
     connect(m_sense, &QComboBox::currentIndexChanged, this, [this] {
         nameStatistics();
         emit changed();
@@ -84,6 +86,7 @@ void AimRow::nameStatistics() {
     const Sense sense = m_sense->currentIndex() == 0 ? Sense::largest : Sense::least;
     for (int i = 0; i < m_statistic->count(); ++i)
         m_statistic->setItemText(i, statisticWords(statisticNamed(offeredStatistics[std::size_t(i)]), sense));
+    m_statistic->updateGeometry();
 }
 
 void AimRow::present(const Scenario& scenario) {
@@ -130,13 +133,17 @@ AimRows::AimRows(QWidget* parent)
 
 void AimRows::present(const Scenario& scenario) {
     m_scenario = scenario;
-    for (AimRow* row : rows()) row->present(scenario);
-    if (m_isChosen && !rows().empty()) return;
-    if (const std::vector<DesignAim> customary = customaryAims(scenario); customary != aims()) {
-        const QSignalBlocker quiet(this);
-        setAims(customary);
-        m_isChosen = false;
-    }
+    const std::vector<DesignAim> before = aims();
+    const bool canStay = m_isChosen && std::ranges::all_of(before, [&](const DesignAim& aim) {
+                             return aim.output->problem(scenario).isEmpty();
+                         });
+    const std::vector<DesignAim> wanted = canStay ? before : customaryAims(scenario);
+    const QSignalBlocker quiet(this);
+    if (wanted == before)
+        for (AimRow* row : rows()) row->present(scenario);
+    else
+        setAims(wanted);
+    m_isChosen = canStay;
 }
 
 std::vector<DesignAim> AimRows::aims() const {

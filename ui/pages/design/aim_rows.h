@@ -40,7 +40,8 @@ class AimRow : public QWidget {
     QToolButton* m_remove;
 };
 
-/// One to three aims; the first decides. The customary ones until the user chooses.
+/// One to three aims; the first decides. The customary ones until the user chooses, and again where the
+/// scenario does not have what was chosen.
 class AimRows : public QWidget {
     Q_OBJECT
 
@@ -48,6 +49,8 @@ class AimRows : public QWidget {
     explicit AimRows(QWidget* parent);
     /// Offers the results that the scenario has.
     void present(const Scenario& scenario);
+    /// The scenario that is presented next is another document: what was chosen of this one is of no concern.
+    void forget() { m_isChosen = false; }
     std::vector<DesignAim> aims() const;
     const std::vector<AimRow*>& rows() const { return m_rows.rows(); }
     void setAims(const std::vector<DesignAim>& aims);

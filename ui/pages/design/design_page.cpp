@@ -4,6 +4,7 @@
 #include <QBoxLayout>
 #include <QCheckBox>
 #include <QSignalBlocker>
+#include <algorithm>
 
 #include "core/archive/result_scenario.h"
 #include "core/model/scales.h"
@@ -17,6 +18,7 @@
 #include "ui/pages/study/command_text.h"
 #include "ui/pages/study/labelled_control.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -25,7 +27,8 @@ namespace {
 constexpr std::size_t mostChoicesOfPage = 2;
 constexpr int samplesOffered[] = {256, 1024, 4096, 16384, 65536};
 constexpr int cardCharacters = 16;
-constexpr int plotLinesOfDesigns = 30;  // two rows of axes, legend and readout
+constexpr int plotLinesOfDesigns = 30;   // two rows of axes, legend and readout
+constexpr int plotLinesBesideBars = 22;  // the same without the inside of the row below
 
 }  // namespace
 
@@ -43,6 +46,7 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
     connect(m_card, &DesignCard::designWanted, this,
             [this](std::uint64_t design) { load(valuesOf(design)); });
     connect(m_card, &DesignCard::worstWanted, this, &DesignPage::loadWorst);
+    connect(&document, &Document::replaced, this, &DesignPage::forget);
     connect(&document.units(), &UnitChoice::changed, this, [this] {
         if (isVisible()) present();
     });
@@ -81,6 +85,16 @@ QWidget* DesignPage::makeQuestions() {
     return questions;
 }
 
+// Another document begins with what is proposed for it.
+void DesignPage::forget() {
+    m_uncertain->forget();
+    m_choices->forget();
+    m_aims->forget();
+    const QSignalBlocker quiet(m_keepEnergy);
+    m_keepEnergy->setChecked(true);
+    m_customary = 0;
+}
+
 // As many samples as are customary for what is solved, until the user chooses.
 void DesignPage::followScenario() {
     const int customary = customarySamples(scenario());
@@ -97,12 +111,12 @@ DesignPage::Wish DesignPage::wish() const {
     QStringList problems;
     for (const std::string& text : m_uncertain->texts()) {
         ParsedUncertain parsed = parseUncertain(text);
-        if (!parsed.problem.isEmpty()) problems << translated(parsed.problem);
+        if (!parsed.problem.isEmpty()) problems << translated(withTitles(parsed.problem));
         study.uncertain.push_back(std::move(parsed.input));
     }
     for (const std::string& text : m_choices->texts()) {
         ParsedAxis parsed = parseAxis(text);
-        if (!parsed.problem.isEmpty()) problems << translated(parsed.problem);
+        if (!parsed.problem.isEmpty()) problems << translated(withTitles(parsed.problem));
         study.choices.push_back(std::move(parsed.axis));
     }
     if (!problems.isEmpty()) return {{}, problems.join(QLatin1Char('\n'))};
@@ -141,7 +155,7 @@ void DesignPage::present() {
     if (!answer) return;
     if (!answer->problems.empty()) {
         QStringList lines;
-        for (const Message& line : answer->problems) lines << translated(line);
+        for (const Message& line : answer->problems) lines << translated(withTitles(line));
         return refuse(lines.join(QLatin1Char('\n')));
     }
     if (!answer->hasBest()) {
@@ -149,7 +163,7 @@ void DesignPage::present() {
         Message reason;
         for (const DesignSamples& design : answer->report.findings.designs)
             if (reason.isEmpty()) reason = design.reason;
-        return refuse(tr("Too many of the samples have no answer: %1").arg(translated(reason)));
+        return refuse(tr("Too many of the samples have no answer: %1").arg(translated(withTitles(reason))));
     }
     const ShownUnits units = shownUnitsOf(answer->report.study.base);
     if (answer != m_shown || !(units == m_shownUnits)) {
@@ -178,6 +192,7 @@ void DesignPage::draw(const DesignAnswer& answer) {
     const DesignPicture picture = designPicture(answer.report, units);
     const bool wasMap = m_plot->isMap();
     m_plot->present(picture);
+    setLeastLines(std::max(plotLinesOfDesigns, plotLinesBesideBars + m_plot->barLines()));
     for (const QCPGraph* graph : m_plot->curves())
         plot()->setMeaning(graph, CurveMeaning::overParameter(picture.x.unit, picture.value.unit.unit));
     plot()->reader().setUsual(picture.map ? nullptr : m_plot->graphs()[picture.marked]);

@@ -49,6 +49,7 @@ class DesignPage : public StudyPage {
     Wish wish() const;
     QWidget* makeQuestions();
     QString inputProblem() const;
+    void forget();
     void followScenario();
     void draw(const DesignAnswer& answer);
     void refuse(const QString& why);

@@ -9,16 +9,19 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
+#include <array>
 #include <utility>
 
 #include "core/model/assignments.h"
 #include "core/model/scales.h"
+#include "core/model/section_choice.h"
 #include "core/study/design/uncertain_input.h"
 #include "ui/form/choice_box.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/design/density_mark.h"
 #include "ui/pages/study/flow_layout.h"
 #include "ui/pages/study/parameter_names.h"
+#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -38,6 +41,27 @@ std::vector<std::string_view> usualKeys(RangeUse use, const Scenario& scenario) 
                            : std::vector<std::string_view>{"tau"};
     if (isUncertain) return {"bit_rock.stiffness", "bit_rock.gamma", "bit_rock.gap"};
     return {"pulse.duration", "hammer.1.length", "rod.length", "hammer.velocity"};
+}
+
+/// What a designer chooses: neither the rock nor constants of steel.
+bool isOfDesign(const Parameter& parameter) {
+    if (parameter.section() == "bit_rock") return false;
+    return std::ranges::none_of(std::array{"youngs_modulus", "density", "yield_strength", "fatigue_strength"},
+                                [&](std::string_view end) { return parameter.key.ends_with(end); });
+}
+
+/// What can stand in a row, in the order in which it is proposed.
+std::vector<KeptParameter> proposable(RangeUse use, const Scenario& scenario) {
+    std::vector<KeptParameter> found;
+    for (const std::string_view key : usualKeys(use, scenario)) found.push_back(findParameter(key));
+    if (use == RangeUse::chosen && hasSections(scenario)) found.push_back(typicalSize(scenario));
+    const auto add = [&](const KeptParameter& parameter) {
+        if (use == RangeUse::uncertain || isOfDesign(*parameter)) found.push_back(parameter);
+    };
+    for (const Parameter& parameter : parameters())
+        if (parameter.scope != Scope::manyBlows) add(parameter);
+    for (const KeptParameter& parameter : variableSectionParameters(scenario)) add(parameter);
+    return found;
 }
 
 /// Half as much to half as much again; what is chosen in even steps.
@@ -73,6 +97,7 @@ RangeRow::RangeRow(RangeUse use, const UnitChoice& units, QWidget* parent)
     m_parameters->setAccessibleName(use == RangeUse::uncertain ? tr("Uncertain parameter")
                                                                : tr("Chosen parameter"));
     m_parameters->setMinimumContentsLength(nameLength);
+    m_parameters->followText();
     auto* layout = new FlowLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
@@ -98,6 +123,7 @@ void RangeRow::addKind() {
     m_kind->setObjectName(QStringLiteral("kind"));
     m_kind->setAccessibleName(tr("How it scatters"));
     m_kind->setMinimumContentsLength(kindLength);
+    m_kind->followText();
     for (const QString& kind : {tr("even"), tr("even in log"), tr("bell"), tr("bell in log")})
         m_kind->addItem(kind);
     m_kind->setToolTip(
@@ -207,7 +233,7 @@ QString RangeRow::take(double StudyRange::*end, double si) {
         const StudyRange before = std::exchange(m_range, range);
         const ParsedUncertain parsed = parseUncertain(text());
         m_range = before;
-        if (!parsed.problem.isEmpty()) return translated(parsed.problem);
+        if (!parsed.problem.isEmpty()) return translated(withTitles(parsed.problem));
     }
     m_range = range;
     follow();
@@ -291,23 +317,21 @@ QString RangeRows::problem() const {
     return {};
 }
 
-// The first of the usual ones that is not there, or of all that the scenario has; with at most so many rows
-// as there are, one is always left.
+// The first that is not there; with at most so many rows as there are, one is always left.
 StudyRange RangeRows::proposal() const {
     const auto isThere = [&](std::string_view key) {
         return std::ranges::any_of(rows(), [&](const RangeRow* row) {
             return row->range().parameter->key == key || areRivals(row->range().parameter->key, key);
         });
     };
-    for (const std::string_view key : usualKeys(m_use, m_scenario)) {
-        const KeptParameter parameter = findParameter(key);
-        if (parameter && parameter->applies(m_scenario) && !isThere(key))
+    const std::vector<std::string_view> usual = usualKeys(m_use, m_scenario);
+    const auto hasValue = [&](const Parameter& parameter) {  // a gap that is 0 is uncertain all the same
+        return std::ranges::find(usual, parameter.key) != usual.end() ||
+               parameter.value(m_scenario).value_or(0) > 0;
+    };
+    for (const KeptParameter& parameter : proposable(m_use, m_scenario))
+        if (parameter && parameter->applies(m_scenario) && !isThere(parameter->key) && hasValue(*parameter))
             return rangeOfHalf(*parameter, m_scenario, m_use);
-    }
-    for (const Parameter& parameter : parameters())
-        if (parameter.scope != Scope::manyBlows && parameter.applies(m_scenario) &&
-            parameter.value(m_scenario).value_or(0) > 0 && !isThere(parameter.key))
-            return rangeOfHalf(parameter, m_scenario, m_use);
     return {};
 }
 
@@ -316,7 +340,7 @@ void RangeRows::propose() {
     const QSignalBlocker quiet(this);
     m_rows.clear();
     const std::size_t usual = m_use == RangeUse::uncertain ? 3 : 1;
-    for (std::size_t i = 0; i < usual; ++i) add();
+    for (std::size_t i = 0; i < usual; ++i) append(proposal());
 }
 
 void RangeRows::add() {

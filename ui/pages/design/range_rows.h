@@ -84,6 +84,8 @@ class RangeRows : public QWidget {
 
     /// Offers what applies to the scenario, and proposes ranges the first time.
     void present(const Scenario& scenario);
+    /// The scenario that is presented next is another document, for which ranges are proposed anew.
+    void forget() { m_isProposed = false; }
     /// The texts of the rows.
     std::vector<std::string> texts() const;
     /// The first of those of the rows.

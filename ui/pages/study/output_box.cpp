@@ -13,6 +13,7 @@ OutputBox::OutputBox(QWidget* parent, OfferedOutputs offered) : ChoiceBox(parent
     setAccessibleName(tr("Result"));
     setToolTip(tr("Which result is shown"));
     connect(this, &QComboBox::currentIndexChanged, this, [this] {
+        m_isChosen = true;
         if (currentData().toString() == std::exchange(m_shown, currentData().toString())) return;
         emit changed();
     });
@@ -22,8 +23,7 @@ void OutputBox::present(const Scenario& scenario) {
     // What a scenario is first asked for follows it, what the user has chosen does not.
     const QString first = findOutput("efficiency_error")->concerns(scenario) ? QStringLiteral("efficiency")
                                                                              : QStringLiteral("cor");
-    const QString before = m_shown.isEmpty() || m_shown == m_first ? first : m_shown;
-    m_first = first;
+    const QString before = m_isChosen ? m_shown : first;
     {
         const QSignalBlocker quiet(this);
         clear();
@@ -33,8 +33,10 @@ void OutputBox::present(const Scenario& scenario) {
             addItem(outputName(output), fromView(output.name));
             setItemData(count() - 1, coreText(output.meaning), Qt::ToolTipRole);
         }
+        m_isChosen = m_isChosen && findData(before) >= 0;
         setCurrentIndex(std::max(0, findData(findData(before) < 0 ? first : before)));
     }
+    updateGeometry();  // of another text
     if (currentData().toString() != std::exchange(m_shown, currentData().toString())) emit changed();
 }
 
@@ -45,6 +47,7 @@ const Output& OutputBox::output() const {
 
 void OutputBox::setOutput(const Output& output) {
     setCurrentIndex(findData(fromView(output.name)));
+    m_isChosen = true;
 }
 
 QString outputName(const Output& output) {

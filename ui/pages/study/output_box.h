@@ -20,6 +20,7 @@ class OutputBox : public ChoiceBox {
     /// Offers what the scenario has; what is chosen stays where it has that, and is the first one otherwise.
     void present(const Scenario& scenario);
     const Output& output() const;
+    /// As if the user had chosen it. Requires that the scenario has it.
     void setOutput(const Output& output);
 
   signals:
@@ -29,7 +30,7 @@ class OutputBox : public ChoiceBox {
   private:
     OfferedOutputs m_offered;
     QString m_shown;
-    QString m_first;  // of the last scenario
+    bool m_isChosen = false;  // by the user, or by setOutput()
 };
 
 /// "peak force", "COR e": as a box or an axis calls it.

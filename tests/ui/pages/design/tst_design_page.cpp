@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page Design: the numbers of the command, rows that say what is not known, and designs in the hand.
+#include <QCheckBox>
+#include <QFontMetricsF>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -7,10 +9,15 @@
 #include <QProcess>
 #include <QSignalSpy>
 #include <QSpinBox>
+#include <QStyleOptionComboBox>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <algorithm>
+#include <mutex>
 
+#include "core/model/form_conversion.h"
+#include "core/model/section_choice.h"
 #include "core/study/design/constant_energy.h"
 #include "tests/support/program.h"
 #include "tests/support/window.h"
@@ -53,9 +60,25 @@ class TestDesignPage : public QObject {
     void rowsAreAddedAndRemoved();
     void aimsAreCustomaryUntilTheyAreChosen();
     void anotherFormHasOtherRows();
+    void anotherDocumentBeginsWithWhatIsProposedForIt();
+    void anAimThatTheScenarioNoLongerHasIsTheProposedOne();
+    void aMeasuredBlowHasADesignToChoose();
+    void parametersAreCalledAsInTheForm();
+    void aShareIsNeverMoreThanAll();
+    void barsHaveRoomForTheirNames();
+    void boxesAreAsWideAsWhatIsChosen();
+    void theCountOfSolvesNeverGoesBack();
     void aStudyOutOfSightIsStopped();
 
   private:
+    /// What the rows ask.
+    struct Asked {
+        std::vector<std::string> uncertain, choices;
+        std::vector<DesignAim> aims;
+        bool keepsEnergy;
+        bool operator==(const Asked&) const = default;
+    };
+    Asked asked() const;
     void open(const char* name);
     void showPage();
     bool isAnswered() const;
@@ -358,6 +381,167 @@ void TestDesignPage::anotherFormHasOtherRows() {
     QCOMPARE(std::string(rows("uncertain").rows()[0]->range().parameter->key), std::string("beta"));
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
     QVERIFY(m_page->answer()->hasBest());
+}
+
+TestDesignPage::Asked TestDesignPage::asked() const {
+    return {rows("uncertain").texts(), rows("choices").texts(), m_page->findChild<AimRows*>()->aims(),
+            m_page->findChild<QCheckBox*>(QStringLiteral("keepEnergy"))->isChecked()};
+}
+
+// The box of results had followed the string and back, and with that the aim counted as chosen.
+void TestDesignPage::anotherDocumentBeginsWithWhatIsProposedForIt() {
+    const char* const examples[] = {"t38_medium_rock", "t38_string", "t38_medium_rock", "t38_string"};
+    std::vector<Asked> alone;
+    for (const char* name : examples) {
+        open(name);
+        m_page->show();
+        QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+        alone.push_back(asked());
+    }
+    QVERIFY(alone[0].uncertain != alone[1].uncertain);
+    open(examples[0]);
+    m_page->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+    for (std::size_t i = 0; i < std::size(examples); ++i) {
+        QVERIFY(m_document->open(example(QString::fromLatin1(examples[i]))).isEmpty());
+        QCOMPARE(asked().aims.front().output->name, std::string_view("efficiency"));
+        QVERIFY(asked() == alone[i]);
+        // what is chosen by hand stays with an edit, and goes with the document
+        m_page->findChild<AimRows*>()->setAims(
+            {{Sense::largest, findOutput("cor"), {Statistic::Kind::mean}}});
+        m_page->findChild<QCheckBox*>(QStringLiteral("keepEnergy"))->setChecked(false);
+        m_document->assign(*findParameter("bit_rock.gamma"), 0.25, m_document->newGesture());
+        QCOMPARE(asked().aims.front().output->name, std::string_view("cor"));
+        QVERIFY(!asked().keepsEnergy);
+    }
+    // also where the page was out of sight meanwhile
+    m_page->hide();
+    QVERIFY(m_document->open(example(QString::fromLatin1(examples[0]))).isEmpty());
+    m_page->show();
+    QVERIFY(asked() == alone[0]);
+}
+
+void TestDesignPage::anAimThatTheScenarioNoLongerHasIsTheProposedOne() {
+    m_page->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+    m_page->findChild<AimRows*>()->setAims({{Sense::least, findOutput("thrust"), {Statistic::Kind::mean}}});
+    m_document->clear(*findParameter("drill.blow_frequency"), m_document->newGesture());
+    QVERIFY(asked().aims == customaryAims(m_document->scenario()));
+}
+
+void TestDesignPage::aMeasuredBlowHasADesignToChoose() {
+    open("t38_string");
+    m_page->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+    Scenario scenario = forcedStringOf(m_document->scenario()).scenario;
+    scenario.pulse.shape = PulseShape::table;
+    scenario.pulse.tablePoints = {{0, 0}, {50e-6, 200e3}, {200e-6, 100e3}, {250e-6, 0}};
+    QCOMPARE(m_document->useScenario(scenario, QStringLiteral("take a blow")), QString());
+    RangeRows& choices = rows("choices");
+    choices.add();
+    QCOMPARE(choices.rows().size(), std::size_t{2});
+    QCOMPARE(std::string(choices.rows()[0]->range().parameter->key),
+             std::string(typicalSize(m_document->scenario())->key));
+    const std::string_view second = choices.rows()[1]->range().parameter->key;
+    QVERIFY2(!second.ends_with("youngs_modulus") && !second.ends_with("density"), second.data());
+}
+
+void TestDesignPage::parametersAreCalledAsInTheForm() {
+    open("t38_string");
+    QVERIFY(m_document->assign(*findParameter("bit_rock.gap"), 0, m_document->newGesture()).isEmpty());
+    DesignStudy study;
+    study.base = m_document->scenario();
+    study.uncertain = {parseUncertain("bit_rock.stiffness=50MN/m:150MN/m").input};
+    study.choices = {parseAxis("hammer.1.length=0.2m:0.4m:2").axis};
+    study.aims = customaryAims(study.base);
+    DesignAnswer answer{.report = {.study = study, .findings = {}, .scenarioText = {}}, .problems = {}};
+    answer.report.study.samples = answer.wanted = leastDesignSamples;
+    answer.report.findings = runDesign(answer.report.study, {});
+    QVERIFY(answer.hasBest());
+    DesignCard card;
+    const auto unit = [](const Parameter& parameter) -> const Unit& { return parameter.displayUnit(); };
+    card.present(answer, DesignUnits(answer.report.study, ShownUnits(), unit, QLocale::c()));
+    const QString text = card.toPlainText();  // of two values either is an end
+    QVERIFY2(text.contains(QStringLiteral("end of length of hammer section 1: widen")), qPrintable(text));
+    QVERIFY2(!text.contains(QStringLiteral("hammer.1")), qPrintable(text));
+}
+
+void TestDesignPage::aShareIsNeverMoreThanAll() {
+    showPage();
+    DesignAnswer answer = *m_page->answer();
+    for (OutputSensitivity& output : answer.report.findings.sensitivity.outputs)
+        output.indices[1].total = {1.7, 0.1};
+    const auto unit = [](const Parameter& parameter) -> const Unit& { return parameter.displayUnit(); };
+    const DesignUnits units(answer.report.study, ShownUnits(), unit, QLocale::c());
+    DesignCard card;
+    card.present(answer, units);
+    QVERIFY2(card.toPlainText().contains(QStringLiteral("elasticity γ first: 100 % of its scatter")),
+             qPrintable(card.toPlainText()));
+    for (const DesignPicture::Bars& output : designPicture(answer.report, units).bars)
+        for (const SobolBar& bar : output.bars) QVERIFY(bar.total <= 1);
+    // of few samples there is neither advice nor a picture of it
+    answer.report.study.samples = firstSamples;
+    card.present(answer, units);
+    QVERIFY(!card.toPlainText().contains(QStringLiteral("of its scatter")));
+    QVERIFY(designPicture(answer.report, units).bars.isEmpty());
+}
+
+void TestDesignPage::barsHaveRoomForTheirNames() {
+    showPage();
+    m_page->resize(900, 500);
+    for (const int rowsOfRanges : {3, 6}) {
+        while (rows("uncertain").rows().size() < std::size_t(rowsOfRanges)) rows("uncertain").add();
+        QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
+        QCoreApplication::processEvents();
+        m_page->plot()->replot();
+        const QCPAxis* names = m_page->plot()->axisRects()[2]->axis(QCPAxis::atLeft);
+        const double row = std::abs(names->coordToPixel(-1) - names->coordToPixel(-2));
+        const double line = QFontMetricsF(names->tickLabelFont()).height();
+        QVERIFY2(row >= line, qPrintable(QStringLiteral("%1 px for %2 px").arg(row).arg(line)));
+    }
+}
+
+void TestDesignPage::boxesAreAsWideAsWhatIsChosen() {
+    open("t38_string");
+    m_page->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+    rows("choices").rows()[0]->setRange({findParameter("material.youngs_modulus"), 100e9, 200e9, false});
+    for (const QSize size : {QSize(700, 900), QSize(1100, 900)}) {
+        m_page->resize(size);
+        QCoreApplication::processEvents();
+        for (QWidget* group :
+             {static_cast<QWidget*>(&rows("uncertain")), static_cast<QWidget*>(&rows("choices")),
+              static_cast<QWidget*>(m_page->findChild<AimRows*>())})
+            for (QComboBox* box : group->findChildren<QComboBox*>()) {
+                QStyleOptionComboBox option;
+                option.initFrom(box);
+                option.subControls = QStyle::SC_All;
+                const int room =
+                    box->style()
+                        ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, box)
+                        .width();
+                QVERIFY2(room >= box->fontMetrics().horizontalAdvance(box->currentText()),
+                         qPrintable(box->currentText()));
+            }
+    }
+}
+
+void TestDesignPage::theCountOfSolvesNeverGoesBack() {
+    showPage();
+    DesignStudy study = m_page->answer()->report.study;
+    study.samples = 1024;
+    std::mutex lock;
+    std::vector<std::size_t> told;
+    const std::stop_source never;
+    const DesignAnswer answer = answerDesign(study, {never.get_token(),
+                                                     [&](const StudyProgress& progress) {
+                                                         const std::lock_guard guard(lock);
+                                                         told.push_back(progress.done);
+                                                     },
+                                                     [](const DesignAnswer&) {}});
+    QVERIFY(answer.isRefined());
+    QVERIFY(told.size() > 10);
+    QVERIFY(std::ranges::is_sorted(told));
 }
 
 void TestDesignPage::aStudyOutOfSightIsStopped() {
