@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ui/plot/label_places.h"
 #include "ui/plot/run_pen.h"
 
 namespace drillwave {
@@ -42,10 +43,6 @@ QVector<Place> together(const QVector<RunMark>& marks) {
     for (Place& place : places)
         if (place.letters.size() > 1) place.mark.title = place.letters.join(QStringLiteral(", "));
     return places;
-}
-
-QRectF rectOf(const QCPItemText& text) {
-    return QRectF(text.topLeft->pixelPosition(), text.bottomRight->pixelPosition()).normalized();
 }
 
 double overlap(const QRectF& rect, const QVector<QRectF>& others) {

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "ui/plot/curve_graph.h"
+#include "ui/plot/label_places.h"
 #include "ui/plot/legend_entries.h"
 #include "ui/text/number_text.h"
 
@@ -51,6 +52,11 @@ QPen penOf(const PlotStyle& style, Load line) {
     return pen;
 }
 
+/// Of the number of a mark: towards the middle of the rod.
+Qt::AlignmentFlag sideOf(const RodForce& largest) {
+    return largest.section < 0.2 ? Qt::AlignLeft : largest.section > 0.8 ? Qt::AlignRight : Qt::AlignHCenter;
+}
+
 /// Along the compression to the bit, and back along the tension: two lines.
 QSharedPointer<QCPCurveDataContainer> outlineOf(const RodCurves& curves) {
     QVector<QCPCurveData> points;
@@ -93,6 +99,7 @@ RodPlot::RodPlot(QCustomPlot* plot) : StudyFrame(plot) {
         wrapLegend(*m_legend, m_plot->width(), usualColumns);
         wrapLegend(*m_runLegend, m_plot->width(), mostColumns);
     });
+    connect(plot, &QCustomPlot::afterLayout, this, &RodPlot::placeNames);
     setStyle(PlotStyle::forPaper());
     showNothing({});
 }
@@ -240,12 +247,42 @@ void RodPlot::placeMarks() {
         const QPointF at(m_curves.position(largest), m_curves.stress(line, largest));
         mark.ring->position->setCoords(at);
         mark.number->position->setCoords(at);
-        const Qt::AlignmentFlag side = largest.section < 0.2   ? Qt::AlignLeft
-                                       : largest.section > 0.8 ? Qt::AlignRight
-                                                               : Qt::AlignHCenter;
-        mark.number->setPositionAlignment(side | (isTension(line) ? Qt::AlignBottom : Qt::AlignTop));
+        mark.number->setPositionAlignment(sideOf(largest) |
+                                          (isTension(line) ? Qt::AlignBottom : Qt::AlignTop));
     }
     followLegend();
+}
+
+// At any zoom and size: numbers beside their marks, outside of the curves where there is room, names of
+// strengths along their lines.
+void RodPlot::placeNames() {
+    QVector<PlacedLabel> labels;
+    QVector<QRectF> rings;
+    QVector<QPointF> points;
+    for (const Load line : loads) {
+        points += pointsAlong(*graph(line));
+        const Mark& mark = m_marks[static_cast<std::size_t>(line)];
+        if (mark.ring->visible()) {
+            QRectF ring({}, QSizeF(mark.ring->size(), mark.ring->size()));
+            ring.moveCenter(mark.ring->position->pixelPosition());
+            rings.append(ring);
+        }
+        if (!mark.number->visible()) continue;
+        PlacedLabel label{mark.number, {}};
+        const Qt::AlignmentFlag usual = sideOf(m_curves.largest(line));
+        const bool isAbove = isTension(line);
+        for (const Qt::AlignmentFlag beyond : {isAbove ? Qt::AlignBottom : Qt::AlignTop, Qt::AlignVCenter,
+                                               isAbove ? Qt::AlignTop : Qt::AlignBottom})
+            for (const Qt::AlignmentFlag side : {usual, Qt::AlignHCenter, Qt::AlignLeft, Qt::AlignRight})
+                if (beyond != Qt::AlignVCenter || side != Qt::AlignHCenter)
+                    label.places.append([number = mark.number, side, beyond] {
+                        number->setPositionAlignment(side | beyond);
+                    });
+        labels.append(label);
+    }
+    for (const StrengthLines& strength : m_strengths)
+        if (PlacedLabel label = strength.label(m_curves); !label.places.isEmpty()) labels.append(label);
+    placeLabels(labels, m_rect->rect(), rings, points);
 }
 
 // What is hidden by the legend has no mark either.

@@ -53,6 +53,7 @@ class RodPlot : public StudyFrame {
     void showSections();
     void styleSections();
     void placeMarks();
+    void placeNames();
     void followLegend();
     void nameNumbers();
     void summarize();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/rod/strength_lines.h"
 
+#include <algorithm>
+
 #include "ui/plot/axis_rect.h"
 #include "ui/text/translation.h"
 
@@ -81,17 +83,50 @@ void StrengthLines::place(const RodCurves& curves, const std::optional<double>& 
     m_name->position->setCoords(pulledAtRight ? 0 : 1, *value);
 }
 
+// Of those that have the strength.
+const RodStretch* StrengthLines::longest(const RodCurves& curves) const {
+    const auto strength = ofStretch();
+    const RodStretch* longest = nullptr;
+    for (const RodStretch& stretch : curves.string->stretches) {
+        if (!(stretch.*strength)) continue;
+        if (!longest || stretch.front - stretch.rear > 1.001 * (longest->front - longest->rear))
+            longest = &stretch;
+    }
+    return longest;
+}
+
+PlacedLabel StrengthLines::label(const RodCurves& curves) const {
+    PlacedLabel label{m_name, {}};
+    if (!m_name->visible()) return label;
+    const RodStretch* over = curves.string ? longest(curves) : nullptr;
+    const double length = curves.units.length.factor;
+    const double left = over ? over->rear * length : 0, right = over ? over->front * length : 1;
+    struct Side {
+        double share;
+        Qt::AlignmentFlag alignment;
+    };
+    // First where it is put without regard to the curves.
+    std::vector<Side> sides{{0, Qt::AlignLeft}, {0.5, Qt::AlignHCenter}, {1, Qt::AlignRight}};
+    std::ranges::stable_partition(
+        sides, [&](const Side& side) { return m_name->positionAlignment() & side.alignment; });
+    const double height = m_name->position->value();
+    for (const Qt::AlignmentFlag beside : {Qt::AlignBottom, Qt::AlignTop})
+        for (const Side& side : sides)
+            label.places.append(
+                [name = m_name, side, beside, height, x = left + side.share * (right - left)] {
+                    name->setPositionAlignment(side.alignment | beside);
+                    name->position->setCoords(x, height);
+                });
+    return label;
+}
+
 void StrengthLines::placeOverLongest(const RodCurves& curves, const StressText& stress) {
     place(curves, {}, stress);
     const auto strength = ofStretch();
-    const RodStretch* longest = nullptr;
-    bool differ = false;
-    for (const RodStretch& stretch : curves.string->stretches) {
-        if (!(stretch.*strength)) continue;
-        if (!longest) longest = &stretch;
-        differ = differ || stretch.*strength != longest->*strength;
-        if (stretch.front - stretch.rear > 1.001 * (longest->front - longest->rear)) longest = &stretch;
-    }
+    const RodStretch* longest = this->longest(curves);
+    const bool differ = std::ranges::any_of(curves.string->stretches, [&](const RodStretch& stretch) {
+        return stretch.*strength && stretch.*strength != longest->*strength;
+    });
     m_name->position->setTypeX(longest ? QCPItemPosition::ptPlotCoords : QCPItemPosition::ptAxisRectRatio);
     m_name->setVisible(longest);
     if (!longest) return;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "ui/pages/rod/rod_curves.h"
+#include "ui/plot/label_places.h"
 #include "ui/plot/plot_style.h"
 
 namespace drillwave {
@@ -35,12 +36,15 @@ class StrengthLines {
 
     /// Whether it is a strength of compression, too.
     bool isOfBoth() const { return m_kind == Kind::yield; }
+    /// The name with the places where it may stand beside its line; without any where it is not shown.
+    PlacedLabel label(const RodCurves& curves) const;
     /// All of them as they are shown.
     std::vector<double> values(const RodCurves& curves) const;
 
   private:
     std::optional<double> RodStretch::*ofStretch() const;
     void place(const RodCurves& curves, const std::optional<double>& value, const StressText& stress);
+    const RodStretch* longest(const RodCurves& curves) const;
     void placeOverLongest(const RodCurves& curves, const StressText& stress);
 
     Kind m_kind;
