@@ -1,13 +1,35 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/html_text.h"
 
+#include <algorithm>
+
 namespace drillwave {
 
 namespace {
 
+/// Letters of a word up to a place, or from it on.
+std::size_t lettersBefore(std::string_view text, std::size_t end) {
+    std::size_t count = 0;
+    while (count < end && text[end - count - 1] != ' ') ++count;
+    return count;
+}
+std::size_t lettersFrom(std::string_view text, std::size_t begin) {
+    return std::min(text.find(' ', begin), text.size()) - begin;
+}
+
+/// A line may end between two words, and not at a number, nor in "N s", nor at the blanks before a text.
+bool mayBreakAt(std::string_view text, std::size_t blank) {
+    constexpr std::size_t leastWord = 3;
+    const auto hasDigit = [](std::string_view word) { return word.find_first_of("0123456789") != word.npos; };
+    const std::size_t before = lettersBefore(text, blank), behind = lettersFrom(text, blank + 1);
+    return before >= leastWord && behind >= leastWord && !hasDigit(text.substr(blank - before, before)) &&
+           !hasDigit(text.substr(blank + 1, behind));
+}
+
 std::string unbroken(std::string_view text) {
     std::string result;
-    for (const char c : text) result += c == ' ' ? std::string("\u00a0") : std::string(1, c);
+    for (std::size_t i = 0; i < text.size(); ++i)
+        result += text[i] == ' ' && !mayBreakAt(text, i) ? std::string("\u00a0") : std::string(1, text[i]);
     return result;
 }
 
@@ -40,15 +62,21 @@ std::string htmlHead(std::string_view text) {
     return isWord ? "<th class=\"whole\">" + escapedHtml(text) + "</th>" : htmlElement("th", text);
 }
 
+std::string htmlHeads(const std::vector<std::string>& names) {
+    std::string html = "<thead><tr>";
+    for (const std::string& name : names) html += htmlHead(name);
+    return html + "</tr></thead>\n";
+}
+
 std::string htmlRows(const std::vector<std::vector<std::string>>& rows) {
     std::string html;
     for (const std::vector<std::string>& row : rows) {
-        const bool isHead = &row == &rows.front();
-        // A class as well: paper breaks words where no blank lets it.
-        html += isHead ? "<tr>" : "<tr class=\"whole\">";
-        for (const std::string& cell : row) {
-            html += isHead ? htmlHead(cell) : htmlElement("td", unbroken(cell));
+        if (&row == &rows.front()) {
+            html += htmlHeads(row);
+            continue;
         }
+        html += "<tr>";
+        for (const std::string& cell : row) html += htmlElement("td", unbroken(cell));
         html += "</tr>\n";
     }
     return html;

@@ -17,7 +17,11 @@ std::string htmlElement(std::string_view tag, std::string_view text);
 /// The head of a column; a word is not broken.
 std::string htmlHead(std::string_view text);
 
-/// Lines of a table, the first of which names the columns; the texts of the others are not broken.
+/// The line that names the columns of a table, which paper has again on every page.
+std::string htmlHeads(const std::vector<std::string>& names);
+
+/// Lines of a table, the first of which names the columns; in the others a number stays with what is beside
+/// it.
 std::string htmlRows(const std::vector<std::vector<std::string>>& rows);
 
 }  // namespace drillwave

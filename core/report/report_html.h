@@ -27,8 +27,8 @@ enum class ReportMedium {
     paper,   ///< the little HTML that QTextDocument knows; long scenarios are cut short
 };
 
-/// Lines of the scenario on paper, where there is room for so many.
-inline constexpr std::size_t mostPaperLines = 60;
+/// Lines of the scenario on paper: two pages of small ones.
+inline constexpr std::size_t mostPaperLines = 180;
 
 /// Title with the head of the report, what is to be done about the feed, the first of the pictures, verdict,
 /// alerts, results, studies, inputs with sources, the other pictures, scenario, and last how well it is

@@ -40,6 +40,8 @@ QByteArray reportPdf(const BlowReport& report, const std::vector<ReportPlot>& pl
     QPdfWriter writer(&buffer);
     writer.setTitle(QString::fromStdString(reportTitle(report, style)));
     writer.setCreator(fromView(reportMark));
+    writer.addFileAttachment(QStringLiteral("scenario.yaml"), QByteArray::fromStdString(report.scenarioText),
+                             QStringLiteral("application/yaml"));
     writer.setResolution(resolution);
     writer.setPageSize(QPageSize(QPageSize::A4));
     drawReportPages(report, plots, style, writer);

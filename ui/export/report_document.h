@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words and plots of the report on a blow, laid out on pages.
+#pragma once
+
+#include <QTextDocument>
+#include <vector>
+
+#include "ui/export/plot_images.h"
+
+class QPaintDevice;
+
+namespace drillwave {
+
+/// The text of reportHtml() for paper with the plots in it. No heading is parted from what it is about, no
+/// caption from its plot, and the head of a table is on each of its pages.
+class ReportDocument {
+  public:
+    /// For pages of that size in the units of the device. Plots and device must outlive the document.
+    ReportDocument(const BlowReport& report, const std::vector<ReportPlot>& plots, const ReadingStyle& style,
+                   QPaintDevice& device, const QSizeF& page);
+
+    const QTextDocument& text() const { return m_text; }
+    const QFont& font() const { return m_font; }
+    /// Draws a page with its corner at the origin.
+    void draw(QPainter& painter, int page);
+
+  private:
+    void keepTogether();
+
+    QFont m_font;
+    PlotImages m_images;
+    QTextDocument m_text;
+};
+
+}  // namespace drillwave
