@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/report_comparison.h"
 
+#include <algorithm>
+
 #include "core/model/blow_traits.h"
+#include "core/study/thrust/thrust_margins.h"
 #include "ui/export/paper_plots.h"
 #include "ui/pages/blow/blow_curves.h"
 #include "ui/pages/blow/measured_force.h"
 #include "ui/pages/compare/compare_table.h"
+#include "ui/runs/run_name.h"
 #include "ui/text/language.h"
 #include "ui/text/number_text.h"
 #include "ui/text/translation.h"
@@ -22,7 +26,28 @@ ReportCell cellOf(const CompareRow& row, std::size_t column, const QLocale& loca
     return {number ? numberText(*number, digits, locale).toStdString() : std::string(), number};
 }
 
+/// The title of a run; where others have its name too, with what distinguishes it from the blow of the
+/// report.
+QString titleOf(const Run& run, const RunList& runs, const Scenario& reported, const UnitChoice& units) {
+    if (std::ranges::count(runs, run.name, &Run::name) < 2) return run.title();
+    const QString changes = changeWords(reported, run.contents.scenario, units);
+    return changes.isEmpty() ? run.title() : QStringLiteral("%1 (%2)").arg(run.title(), changes);
+}
+
 }  // namespace
+
+RunList withMargins(const RunList& runs, const std::stop_token& stop) {
+    RunList known;
+    for (Run run : runs) {
+        if (run.isSolved() && !run.blow->widestNeed) {
+            auto blow = std::make_shared<SolvedBlow>(*run.blow);
+            addThrustMargin(*blow, stop);
+            run.blow = std::move(blow);
+        }
+        known.push_back(std::move(run));
+    }
+    return known;
+}
 
 ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const UnitChoice& units) {
     const PaperReader reader = PaperReader::of(units);
@@ -30,7 +55,9 @@ ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const Uni
     static_cast<Blow&>(own) = blow;
     std::vector<CompareColumn> columns{{tr("this report"), &blow.scenario, &own}};
     for (const Run& run : runs)
-        if (run.isSolved()) columns.push_back({run.title(), &run.contents.scenario, run.blow.get()});
+        if (run.isSolved())
+            columns.push_back(
+                {titleOf(run, runs, blow.scenario, units), &run.contents.scenario, run.blow.get()});
     if (columns.size() == 1) return {};
     const UnitSystem system = reader.unitsFor(blow.scenario).system;
     const auto tableNow = [&] { return compareTable(columns, 0, system, reader.chosen, units); };

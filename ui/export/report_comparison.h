@@ -2,12 +2,18 @@
 // The pinned runs, and what was measured, as a report has them beside its own blow.
 #pragma once
 
+#include <stop_token>
+
 #include "core/report/blow_report.h"
 #include "ui/runs/run.h"
 
 namespace drillwave {
 
 class UnitChoice;
+
+/// The same runs, of which those that are solved know the margin of their thrust as a report does: a study of
+/// all gaps each, not for the thread of the window.
+RunList withMargins(const RunList& runs, const std::stop_token& stop);
 
 /// What differs and the results of a solved blow, then of the runs that are solved, in the units of the
 /// window, as on the page Compare; empty without such runs.

@@ -21,12 +21,6 @@ namespace {
 
 constexpr std::size_t parts = 1000;  // of the progress
 
-BlowReport answer(const ScenarioDocument& document, const StudyFeed<BlowReport>& feed) {
-    return reportOn(document, feed.stop, [&](double done) {
-        feed.tell({static_cast<std::size_t>(done * parts), parts});
-    });
-}
-
 }  // namespace
 
 ReportWriter::ReportWriter(Document& document, Questions& questions, QWidget* window)
@@ -43,7 +37,7 @@ ReportWriter::ReportWriter(Document& document, Questions& questions, QWidget* wi
                                    "date for their head"))),
       m_printAction(newAction(QStringLiteral("printReport"), tr("&Print the report…"),
                               QKeySequence(Qt::CTRL | Qt::Key_P),
-                              tr("The report on paper: two to four pages of A4"))) {
+                              tr("The report on paper: two to five pages of A4"))) {
     connect(m_action, &QAction::triggered, this, &ReportWriter::write);
     connect(m_previewAction, &QAction::triggered, this, &ReportWriter::preview);
     connect(m_printAction, &QAction::triggered, this, &ReportWriter::print);
@@ -117,8 +111,11 @@ void ReportWriter::print() {
 
 void ReportWriter::begin(Use use) {
     m_use = std::move(use);
-    m_job.submit([document = m_document.contents()](const StudyFeed<BlowReport>& feed) {
-        return answer(document, feed);
+    m_job.submit([document = m_document.contents(), runs = m_runs](const StudyFeed<Answer>& feed) {
+        const auto tell = [&](double done) { feed.tell({static_cast<std::size_t>(done * parts), parts}); };
+        Answer answer{reportOn(document, feed.stop, tell), {}};
+        if (runs) answer.runs = withMargins(*runs, feed.stop);
+        return answer;
     });
     emit begun();
 }
@@ -128,10 +125,10 @@ void ReportWriter::follow() {
     const Use use = std::exchange(m_use, nullptr);
     if (m_job.state() == StudyState::failed) fail(m_job.problem());
     if (m_job.state() == StudyState::finished) {
-        BlowReport report = *m_job.value();
+        BlowReport report = m_job.value()->report;
         if (report.blow.isSolved()) {
             report.head = rememberedHead();
-            if (m_runs) report.others = comparisonWith(*m_runs, report.blow, m_document.units());
+            report.others = comparisonWith(m_job.value()->runs, report.blow, m_document.units());
             if (m_measured) addMeasured(report);
             use(report);
         } else {

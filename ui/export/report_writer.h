@@ -51,6 +51,10 @@ class ReportWriter : public QObject {
     void written(const QString& message);
 
   private:
+    struct Answer {
+        BlowReport report;
+        RunList runs;  ///< beside it, as they were when it was asked for
+    };
     using Use = std::function<void(const BlowReport&)>;
 
     QAction* newAction(const QString& name, const QString& text, const QKeySequence& keys,
@@ -75,7 +79,7 @@ class ReportWriter : public QObject {
     const MeasuredList* m_measured = nullptr;
     Use m_use;          // of the report on its way; empty without
     QString m_failure;  // what to say where there is none
-    StudyJob<BlowReport> m_job;
+    StudyJob<Answer> m_job;
 };
 
 }  // namespace drillwave

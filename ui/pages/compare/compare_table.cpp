@@ -99,6 +99,11 @@ ShownUnit unitOf(const Output& output, const ShownUnits& units, const Scales& ba
     return unit;
 }
 
+/// A margin is told as the verdicts tell it.
+ShownUnit inPercent() {
+    return {100, QStringLiteral("%"), false};
+}
+
 void addResults(CompareTable& table, const Columns& columns, UnitSystem system, const ChosenUnits& chosen) {
     const bool isPhysical = system != UnitSystem::dimensionless;
     const auto base = std::ranges::find_if(columns, [=](const CompareColumn& each) {
@@ -127,7 +132,7 @@ void addResults(CompareTable& table, const Columns& columns, UnitSystem system, 
                 row.ofString.push_back(!followsFromGroups(*each.scenario));
         const auto isThere = [](const std::optional<double>& number) { return number.has_value(); };
         if (std::ranges::none_of(row.numbers, isThere)) continue;
-        const ShownUnit unit = unitOf(output, units, scales, size);
+        const ShownUnit unit = output.needsThrustStudy() ? inPercent() : unitOf(output, units, scales, size);
         row.unit = unit.unit;
         for (std::optional<double>& number : row.numbers)
             if (number) *number *= unit.factor;
