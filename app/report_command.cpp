@@ -140,7 +140,7 @@ const Command& reportCommand() {
         .summary = "a page to hand over: inputs with sources, results, verdict, plots, the scenario",
         .details =
             "FILE.html holds everything in one file, its pictures and the scenario too, and can be run\n"
-            "again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on two to four pages of\n"
+            "again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on two to five pages of\n"
             "A4. DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has\n"
             "units, and those of `run --json`; the source of a value is the comment behind it in the file. "
             "Of a\n"

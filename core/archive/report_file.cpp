@@ -9,6 +9,7 @@
 #include "core/model/blow_traits.h"
 #include "core/model/law_parameter.h"
 #include "core/report/parameter_words.h"
+#include "core/text/printed_text.h"
 #include "core/yaml/law_reader.h"
 #include "core/yaml/preset_file.h"
 #include "core/yaml/preset_remarks.h"
@@ -127,11 +128,11 @@ std::string shownValue(const SavedValue& saved, const std::optional<Stated>& sta
     return typed.valid() && typed.si == saved.number ? stated->text : valueText(saved);
 }
 
-/// "t₀" for "t0".
-std::string printedSymbol(std::string_view symbol) {
-    const std::size_t zero = symbol.find('0');
-    if (zero == std::string_view::npos) return std::string(symbol);
-    return std::string(symbol.substr(0, zero)) + "₀" + std::string(symbol.substr(zero + 1));
+/// "half sine".
+std::string wordsOf(PulseShape shape) {
+    std::string words(name(shape));
+    std::ranges::replace(words, '_', ' ');
+    return words;
 }
 
 ReportInput inputOf(const Scenario& scenario, const SavedValue& saved, const ScenarioRemarks& remarks) {
@@ -141,10 +142,13 @@ ReportInput inputOf(const Scenario& scenario, const SavedValue& saved, const Sce
     if (!saved.parameter) {
         if (saved.key == "restrike") {
             input.label = translatable("drillwave::Message", "hammer may strike again");
+            input.word = scenario.drillString.hammer.restrike ? translatable("drillwave::Message", "yes")
+                                                              : translatable("drillwave::Message", "no");
             return input;
         }
         if (saved.key == lawKey) {
             input.label = translatable("drillwave::Message", "law of bit and rock");
+            input.word = Message::ofTable(phrase(scenario.bitRock.law));
             return input;
         }
         if (key == rockIndexingKey) {
@@ -154,13 +158,16 @@ ReportInput inputOf(const Scenario& scenario, const SavedValue& saved, const Sce
         const bool isFile = saved.key != "shape";
         input.label = isFile ? translatable("drillwave::Message", "table of the blow")
                              : translatable("drillwave::Message", "shape of the blow");
-        if (isFile) input.source = translatable("drillwave::Message", "its points are in the scenario");
+        if (isFile)
+            input.source = translatable("drillwave::Message", "its points are in the scenario");
+        else
+            input.word = Message::ofTable(wordsOf(scenario.pulse.shape));
         return input;
     }
     input.key = saved.parameter->key;
     input.si = saved.number;
     input.quantity = saved.parameter->quantity;
-    input.label = titleMessage(*saved.parameter, printedSymbol(saved.parameter->symbol));
+    input.label = titleMessage(*saved.parameter, printedWords(saved.parameter->symbol));
     return input;
 }
 

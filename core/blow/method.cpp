@@ -44,8 +44,20 @@ Message segmentsProblem() {
     return wholeNumberProblem(minimumSegments, maximumSegments);
 }
 
+Message nameMessage(Method method) {
+    switch (method) {
+        case Method::exact:
+            return translatable("drillwave::Message", "exact");
+        case Method::lattice:
+            return translatable("drillwave::Message", "lattice");
+        case Method::closedForm:
+            return translatable("drillwave::Message", "closed_form");
+    }
+    return {};
+}
+
 Message methodMessage(const MethodChoice& choice) {
-    const std::string method(name(choice.method));
+    const Message method = nameMessage(choice.method);
     if (choice.method != Method::lattice) return {translatable("drillwave::Message", "method %1"), {method}};
     return {translatable("drillwave::Message", "method %1, %2 segments"),
             {method, std::to_string(choice.lattice.segments)}};

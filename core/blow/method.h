@@ -27,6 +27,8 @@ enum class Method {
 /// "closed_form" and so on, as on the command line.
 std::string_view name(Method method);
 std::optional<Method> findMethod(std::string_view name);
+/// The name in a sentence, in English as it is asked for.
+Message nameMessage(Method method);
 /// All names, in the order of Method.
 std::span<const std::string_view> methodNames();
 /// Why a name is that of no method: "must be exact, lattice or closed_form"; empty when it is.

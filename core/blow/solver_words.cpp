@@ -16,12 +16,12 @@ SolverWords solverWords(const Blow& blow) {
     }
     const MethodChoice& choice = blow.method;
     const std::string key(name(choice.method)), remark = describe(choice);
-    const Message asked = methodMessage(choice);
+    const Message word = nameMessage(choice.method), asked = methodMessage(choice);
     if (choice.method != Method::lattice)
-        return {key, key, asked, remark, {translatable("drillwave::Message", "%1 pieces"), {count}}};
+        return {key, word, asked, remark, {translatable("drillwave::Message", "%1 pieces"), {count}}};
     return {key,
             {translatable("drillwave::Message", "%1 of %2 segments"),
-             {key, std::to_string(choice.lattice.segments)}},
+             {word, std::to_string(choice.lattice.segments)}},
             asked,
             remark,
             {translatable("drillwave::Message", "%1 steps"), {count}}};

@@ -98,13 +98,13 @@ Message residualWaves(const Alert& alert, const ReadingStyle& style) {
         return {translatable("drillwave::Message",
                              "The waves of a blow make only %1 round trips until the next blow, and "
                              "meet it undamped: penetration may swing by 10 % up or down with frequency "
-                             "times length; Drilling (command `drill`) follows it."),
-                {roundTrips}};
+                             "times length; %2 follows it."),
+                {roundTrips, drillingWords(style)}};
     return {translatable("drillwave::Message",
                          "The waves of a blow make only %1 round trips until the next blow, and meet "
                          "it undamped and nearly in step (close to %2): penetration may swing by 10 % up "
-                         "or down; Drilling (command `drill`) follows it."),
-            {roundTrips, whole(alert, "whole")}};
+                         "or down; %3 follows it."),
+            {roundTrips, whole(alert, "whole"), drillingWords(style)}};
 }
 
 Message lengthsRounded(const Alert& alert, const ReadingStyle& style) {

@@ -23,6 +23,7 @@ struct ReportInput {
     std::optional<double> si;               ///< of a number
     Message source;                         ///< where the value is from, never empty: "assumed typical"
     std::optional<Quantity> quantity = {};  ///< likewise, as the form of the scenario has it
+    Message word = {};                      ///< for people, of the name of a shape or a law; empty otherwise
     bool operator==(const ReportInput&) const = default;
 };
 

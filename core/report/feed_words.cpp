@@ -218,11 +218,17 @@ Message feedMeaning(Feed feed, const std::optional<GapAtBlow>& found, const Read
     const Message motion = found ? motionMessage(feed, *found, style) : Message();
     Message outside;
     if (feed == Feed::backInTime || feed == Feed::resting)
-        outside = translatable(
-            "drillwave::Message",
-            " Waves that the blow before has left are not in this; `drill` follows them. Whether it is too "
-            "much (friction, buckling, stalling of the rotation) is outside the model.");
+        outside = {translatable("drillwave::Message",
+                                " Waves that the blow before has left are not in this; %1 follows them. "
+                                "Whether it is too much (friction, buckling, stalling of the rotation) is "
+                                "outside the model."),
+                   {drillingWords(style)}};
     return {"%1%2%3", {feedAdvice(feed), motion, outside}};
+}
+
+Message drillingWords(const ReadingStyle& style) {
+    return style.isPrinted() ? Message(translatable("drillwave::Message", "the page \"Drilling\""))
+                             : Message(std::string("`drill`"));
 }
 
 std::string feedForceText(const FeedForce& feed, const ReadingStyle& style) {

@@ -28,6 +28,10 @@ const char* feedAdvice(Feed feed);
 Message feedMeaning(Feed feed, const std::optional<GapAtBlow>& found,
                     const ReadingStyle& style = plainStyle());
 
+/// What follows dampers and waves from blow to blow, in the middle of a sentence: the command, in print and
+/// in a window its page.
+Message drillingWords(const ReadingStyle& style);
+
 /// "installed thrust of 8 kN"; where an inclination is given, the effective force and its parts.
 std::string feedForceText(const FeedForce& feed, const ReadingStyle& style = plainStyle());
 

@@ -5,6 +5,7 @@
 
 #include "core/model/scales.h"
 #include "core/report/report_text.h"
+#include "core/text/printed_text.h"
 
 namespace drillwave {
 
@@ -26,7 +27,8 @@ class GapTable {
 
     void addHeading(const Message& title) {
         const auto over = [&](const char* output, const char* scale) {
-            return m_style.said(output) + (m_dimensional ? "" : scale);
+            const std::string multiple = m_style.isPrinted() ? printedWords(scale) : scale;
+            return m_style.said(output) + (m_dimensional ? "" : multiple);
         };
         m_grid.add({m_style.said(title), "e", over(translatable("drillwave::Message", "impulse"), "/I0"),
                     over(translatable("drillwave::Message", "peak force"), "/F0"),

@@ -16,6 +16,7 @@
 #include "core/report/report_numbers.h"
 #include "core/report/section_grid.h"
 #include "core/text/json.h"
+#include "core/text/printed_text.h"
 
 namespace drillwave {
 
@@ -42,25 +43,11 @@ constexpr std::string_view paperStyle =
     "p{margin-top:0;margin-bottom:4px}td,th{padding-right:12px;"
     "text-align:left}table.ruled{border-collapse:collapse;margin-bottom:3px}"
     "table.ruled td{border-bottom:0.5px solid #bbbbbb}table.ruled th{border-bottom:1px solid "
-    "#555555}th.whole,tr.whole "
-    "td{white-space:nowrap}p.decision{font-weight:600;margin-top:4px;margin-bottom:4px}p."
+    "#555555}th.whole{white-space:nowrap}p.decision{font-weight:600;margin-top:4px;margin-bottom:4px}p."
     "caption{font-size:7.5pt;margin-bottom:8px}pre{font-size:6.5pt;white-space:pre-"
     "wrap}";
 
 constexpr std::string_view recordBegin = "<script type=\"application/json\" id=\"drillwave-record\">\n";
-
-/// Microseconds and micrometres as print has them.
-std::string printedUnit(std::string text) {
-    for (const std::string_view unit : {" us", " um"})
-        if (text.ends_with(unit)) text.replace(text.size() - 2, 1, "µ");
-    return text;
-}
-
-std::vector<std::vector<std::string>> printedUnits(std::vector<std::vector<std::string>> rows) {
-    for (std::vector<std::string>& row : rows)
-        for (std::string& cell : row) cell = printedUnit(std::move(cell));
-    return rows;
-}
 
 /// A reason with a capital and a full stop; names such as e stay as they are.
 std::string sentence(std::string text) {
@@ -190,8 +177,8 @@ class Page {
 
     /// With the whole number behind the text on the screen, where there is one.
     std::string cell(const std::string& text, const std::optional<double>& number) const {
-        if (!number || !isScreen()) return htmlElement("td", printedUnit(text));
-        return "<td data-value=\"" + formatNumber(*number) + "\">" + escapedHtml(printedUnit(text)) + "</td>";
+        if (!number || !isScreen()) return htmlElement("td", text);
+        return "<td data-value=\"" + formatNumber(*number) + "\">" + escapedHtml(text) + "</td>";
     }
 
     /// With a rule below each line, of which paper has less room for.
@@ -203,19 +190,21 @@ class Page {
 
     std::string table(const std::string& id, const std::vector<Message>& titles,
                       const std::string& rows) const {
-        std::string head = "<tr>";
-        for (const Message& title : titles) head += htmlHead(said(title));
-        return tableOf(id, head + "</tr>\n" + rows);
+        std::vector<std::string> heads;
+        for (const Message& title : titles) heads.push_back(said(title));
+        return tableOf(id, htmlHeads(heads) + rows);
     }
 
     std::string row(const std::string& key, const std::string& cells) const {
         return (isScreen() ? "<tr data-key=\"" + escapedHtml(key) + "\">" : "<tr>") + cells + "</tr>\n";
     }
 
-    /// As the file has it, unless the reader has units of his own.
+    /// As the file has it, unless the reader has units of his own, and with the signs of print.
     std::string given(const ReportInput& input, const std::optional<Quantity>& quantity) const {
         constexpr int digits = 6;
-        const bool isRead = input.si && quantity && !m_style.keepsUnitsOfFile();
+        if (!input.word.isEmpty()) return said(input.word);
+        if (input.si && m_style.keepsUnitsOfFile()) return bounded(printedNumber(printedUnit(input.value)));
+        const bool isRead = input.si && quantity;
         return bounded(isRead ? m_style.quantity(*input.si, *quantity, digits) : input.value);
     }
 
@@ -368,11 +357,10 @@ class Page {
     std::string energies() const {
         if (!hasSections(blow().scenario)) return {};
         return heading(translatable("drillwave::Message", "Where the energy went")) +
-               tableOf(
-                   "energies",
-                   htmlRows(printedUnits(titled({"", said(translatable("drillwave::Message", "share of E₀")),
-                                                 said(translatable("drillwave::Message", "energy"))},
-                                                energyGrid(blow(), m_style).rows()))));
+               tableOf("energies",
+                       htmlRows(titled({"", said(translatable("drillwave::Message", "share of E₀")),
+                                        said(translatable("drillwave::Message", "energy"))},
+                                       energyGrid(blow(), m_style).rows())));
     }
 
     static std::vector<std::vector<std::string>> titled(std::vector<std::string> titles,
@@ -387,7 +375,7 @@ class Page {
         const std::size_t sections = rows.size() - 1;
         if (!isScreen()) rows.resize(std::min(sections, mostSectionsOnPaper) + 1);
         return heading(translatable("drillwave::Message", "Largest stresses of every section")) +
-               tableOf("stresses", htmlRows(printedUnits(std::move(rows)))) + rest(sections) +
+               tableOf("stresses", htmlRows(rows)) + rest(sections) +
                paragraph(translatable(
                    "drillwave::Message",
                    "Places are from the rear end of a section. What a joint reflects is the energy of the "
@@ -398,7 +386,7 @@ class Page {
     std::string thrust() const {
         if (!m_report.thrust) return {};
         return heading(translatable("drillwave::Message", "Needs of the thrust")) +
-               tableOf("thrust", htmlRows(printedUnits(needsGrid(*m_report.thrust, m_style).rows())));
+               tableOf("thrust", htmlRows(needsGrid(*m_report.thrust, m_style).rows()));
     }
 
     std::string gap() const {
@@ -407,7 +395,7 @@ class Page {
         if (!m_report.gap) return html + paragraph(sentence(said(m_report.gapProblem)));
         if (const Message remark = m_report.gap->periodRemark(m_style); !remark.isEmpty())
             html += paragraph(remark);
-        html += tableOf("gap", htmlRows(printedUnits(gapGrid(*m_report.gap, m_style).rows())));
+        html += tableOf("gap", htmlRows(gapGrid(*m_report.gap, m_style).rows()));
         for (const std::string& remark : gapRemarks(*m_report.gap, m_style))
             html += paragraph(bounded(sentence(remark), mostListColumns));
         return html;
@@ -418,13 +406,10 @@ class Page {
         if (isScreen())
             return title + "<pre id=\"scenario\">\n" + escapedHtml(m_report.scenarioText) + "</pre>\n";
         const PaperLines paper = linesOnPaper(m_report.scenarioText, m_paperLines, paperColumns);
-        if (paper.text.empty())
-            return title +
-                   paragraph(translatable("drillwave::Message", "The scenario is in the report as HTML."));
         std::string html = title + "<pre>" + escapedHtml(paper.text) + "</pre>\n";
         if (!paper.isWhole)
-            html += paragraph(
-                translatable("drillwave::Message", "The rest of the scenario is in the report as HTML."));
+            html += paragraph(translatable("drillwave::Message",
+                                           "The rest of the scenario is in the file attached to the PDF."));
         return html;
     }
 
@@ -450,7 +435,7 @@ class Page {
 
     const BlowReport& m_report;
     ReportMedium m_medium;
-    const ReadingStyle& m_style;
+    PrintedStyle m_style;
     std::size_t m_paperLines;
 };
 

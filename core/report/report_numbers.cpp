@@ -39,6 +39,7 @@ std::string multipleText(const Output& output, double value, const Blow& blow, c
             style.number(100 * value, 6) + " ± " + style.bound(100 * blow.summary.efficiencyError),
             blow.scenario, style);
     if (output.measure == Measure::error) return style.bound(std::abs(value));
+    if (output.needsThrustStudy() && style.isPrinted()) return style.signedPercent(value);
     if (output.measure == Measure::share || output.measure == Measure::energy)
         return shareText(style.number(100 * shareOrZero(output, value), reportDigits), blow.scenario, style);
     return style.number(value, reportDigits) + multipleUnit(output.measure, blow.scenario);
@@ -175,6 +176,8 @@ std::string siText(const Output& output, double value, const Blow& blow, const R
         case Measure::energy:
             return style.quantity(value * (blow.drivenEnergy() * blow.scales.energy), Quantity::energy,
                                   digits);
+        case Measure::speed:
+            return style.rate(inSi(output, value, blow), digits);
         default:
             return style.quantity(inSi(output, value, blow), output.quantity(), digits);
     }

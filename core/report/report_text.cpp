@@ -25,7 +25,7 @@ std::string groupsLine(const Scenario& scenario, const ReadingStyle& style) {
                        "  tau " + style.number(groups.tau) + "  delta " + style.number(groups.delta);
     if (followsFromGroups(scenario))
         line += "  " + style.said({translatable("drillwave::Message", "pulse %1"),
-                                   {std::string(name(scenario.pulse.shape))}});
+                                   {style.name(name(scenario.pulse.shape))}});
     return line + "\n";
 }
 

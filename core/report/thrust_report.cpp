@@ -40,9 +40,15 @@ double impulseOf(const ThrustReport& report) {
     return pulseImpulse(report.scenario) * report.study.transferred;
 }
 
+/// "5 kN ... 7 kN", in print "5 … 7 kN".
 std::string bracket(const ThrustNeed& need, const ReadingStyle& style) {
     const auto force = [&](double newton) { return style.quantity(newton, Quantity::force, 4); };
-    return force(need.thrust) + " ... " + force(need.thrustUndamped);
+    std::string least = force(need.thrust);
+    const std::string undamped = force(need.thrustUndamped);
+    if (!style.isPrinted()) return least + " ... " + undamped;
+    const std::string unit = " " + style.unitFor(need.thrust, Quantity::force).name;
+    if (least.ends_with(unit) && undamped.ends_with(unit)) least.resize(least.size() - unit.size());
+    return least + " … " + undamped;
 }
 
 std::string hertz(double frequency, const ReadingStyle& style) {
@@ -53,7 +59,8 @@ std::string hertz(double frequency, const ReadingStyle& style) {
 std::string gapText(const GapAtBlow& found, const ReadingStyle& style) {
     if (found.motion.kind == UndampedMotion::Kind::resting)
         return style.said(translatable("drillwave::Message", "none"));
-    return found.motion.stable ? style.quantity(found.gap, Quantity::length, 3) : "-";
+    if (!found.motion.stable) return style.isPrinted() ? "–" : "-";
+    return style.quantity(found.gap, Quantity::length, 3);
 }
 
 /// Not all of them before it is all of them.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/text/handy_text.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -43,7 +44,14 @@ ReadUnit ReadingStyle::unitFor(double si, Quantity quantity) const {
 }
 
 std::string ReadingStyle::quantity(double si, Quantity quantity, int digits, Rounding rounding) const {
-    const ReadUnit read = unitFor(si, quantity);
+    return inUnit(si, unitFor(si, quantity), digits, rounding);
+}
+
+std::string ReadingStyle::rate(double si, int digits) const {
+    return inUnit(si, rateUnit(si), digits, Rounding::nearest);
+}
+
+std::string ReadingStyle::inUnit(double si, const ReadUnit& read, int digits, Rounding rounding) const {
     const std::string text = withoutPower(*this, roundedTo(read.unit->fromSi(si), digits, rounding), digits);
     return read.name.empty() ? text : text + " " + read.name;
 }
@@ -63,6 +71,14 @@ std::string ReadingStyle::withDecimalSign(std::string cText) const {
 
 std::string ReadingStyle::signedPercent(double share) const {
     return (share < 0 ? "" : "+") + number(share * 100, 3) + " %";
+}
+
+std::string ReadingStyle::name(std::string_view name) const {
+    std::string words(name);
+    std::ranges::replace(words, '_', ' ');
+    std::string here = said(Message::ofTable(words));
+    // What is not in another language is what files have, but for the signs.
+    return here == words && !isPrinted() ? std::string(name) : here;
 }
 
 const ReadingStyle& plainStyle() {

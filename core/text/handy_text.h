@@ -4,6 +4,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "core/text/message.h"
 #include "core/text/number_text.h"
@@ -30,6 +31,11 @@ class ReadingStyle {
     virtual std::string number(double value, int digits = 6) const { return rounded(value, digits); }
     /// The unit of its customary family that needs the fewest zeros.
     virtual ReadUnit unitFor(double si, Quantity quantity) const;
+    /// The same of a rate of penetration, which drillers count in a minute.
+    virtual ReadUnit rateUnit(double si) const { return unitFor(si, Quantity::velocity); }
+    /// Whether texts stand in a window or on a page, for people alone: with the signs of print, and with
+    /// pages of the window where a terminal has commands.
+    virtual bool isPrinted() const { return false; }
     /// Whether values that a file gives stand in a table as the file has them.
     virtual bool keepsUnitsOfFile() const { return true; }
     /// Over a column of values with their units.
@@ -45,12 +51,19 @@ class ReadingStyle {
     /// It is rounded in that unit.
     std::string quantity(double si, Quantity quantity, int digits = 6,
                          Rounding rounding = Rounding::nearest) const;
+    /// A rate of penetration likewise.
+    std::string rate(double si, int digits = 6) const;
     /// A bound in two digits that are not less than it.
     std::string bound(double bound) const;
     /// A number that is written in the C locale, with the decimal sign of the reader.
     std::string withDecimalSign(std::string cText) const;
     /// A share as "+10.3 %" or "-5 %".
     std::string signedPercent(double share) const;
+    /// The name of a value of an enumeration, "half_sine", in the words of the reader: "half sine" in print.
+    std::string name(std::string_view name) const;
+
+  private:
+    std::string inUnit(double si, const ReadUnit& read, int digits, Rounding rounding) const;
 };
 
 /// That of the commands.

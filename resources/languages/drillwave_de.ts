@@ -5129,12 +5129,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Impedanz des Hammers ist größer als die der Stange: er schiebt in einer Treppe immer kleinerer Stufen, von der angenommen wird, dass sie weiterläuft, als wäre die Stange lang.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; Drilling (command `drill`) follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft: die Eindringung kann mit Frequenz mal Länge um 10&#xa0;% nach oben oder unten schwanken; Bohren (Befehl `drill`) verfolgt das.</translation>
+        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; %2 follows it.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft: die Eindringung kann mit Frequenz mal Länge um 10&#xa0;% nach oben oder unten schwanken; %2 verfolgt das.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped and nearly in step (close to %2): penetration may swing by 10 % up or down; Drilling (command `drill`) follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft und fast im Takt (nahe %2): die Eindringung kann um 10&#xa0;% nach oben oder unten schwanken; Bohren (Befehl `drill`) verfolgt das.</translation>
+        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped and nearly in step (close to %2): penetration may swing by 10 % up or down; %3 follows it.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft und fast im Takt (nahe %2): die Eindringung kann um 10&#xa0;% nach oben oder unten schwanken; %3 verfolgt das.</translation>
     </message>
     <message>
         <source>share but a cell of time of %1, which would take more work than is permitted</source>
@@ -5505,8 +5505,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Der volle Bohrfortschritt wird erreicht, und die Bohrkrone ruht vor jedem Schlag auf dem Gestein, auch wenn nichts den Rückprall dämpft.</translation>
     </message>
     <message>
-        <source> Waves that the blow before has left are not in this; `drill` follows them. Whether it is too much (friction, buckling, stalling of the rotation) is outside the model.</source>
-        <translation> Wellen, die der Schlag davor hinterlassen hat, sind darin nicht enthalten; `drill` verfolgt sie. Ob es zu viel ist (Reibung, Knicken, Stehenbleiben der Drehung), liegt außerhalb des Modells.</translation>
+        <source> Waves that the blow before has left are not in this; %1 follows them. Whether it is too much (friction, buckling, stalling of the rotation) is outside the model.</source>
+        <translation> Wellen, die der Schlag davor hinterlassen hat, sind darin nicht enthalten; %1 verfolgt sie. Ob es zu viel ist (Reibung, Knicken, Stehenbleiben der Drehung), liegt außerhalb des Modells.</translation>
     </message>
     <message>
         <source>this blow</source>
@@ -5945,12 +5945,32 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Szenario</translation>
     </message>
     <message>
-        <source>The scenario is in the report as HTML.</source>
-        <translation>Das Szenario steht im HTML-Bericht.</translation>
+        <source>the page &quot;Drilling&quot;</source>
+        <translation>die Seite „Bohren“</translation>
     </message>
     <message>
-        <source>The rest of the scenario is in the report as HTML.</source>
-        <translation>Der Rest des Szenarios steht im HTML-Bericht.</translation>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>lattice</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>closed_form</source>
+        <translation>geschlossene Form</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nein</translation>
+    </message>
+    <message>
+        <source>The rest of the scenario is in the file attached to the PDF.</source>
+        <translation>Der Rest des Szenarios steht in der Datei, die dem PDF angehängt ist.</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -10162,8 +10182,8 @@ Auf und Ab verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translation>
         <translation>Bericht &amp;drucken …</translation>
     </message>
     <message>
-        <source>The report on paper: two to four pages of A4</source>
-        <translation>Der Bericht auf Papier: zwei bis vier Seiten A4</translation>
+        <source>The report on paper: two to five pages of A4</source>
+        <translation>Der Bericht auf Papier: zwei bis fünf Seiten A4</translation>
     </message>
     <message>
         <source>Write the report</source>
@@ -10339,16 +10359,16 @@ Auf und Ab verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translation>
         <translation>eingeschlossene Fläche: %1</translation>
     </message>
     <message>
-        <source>Fm = %1</source>
-        <translation>Fm = %1</translation>
+        <source>Fₘ = %1</source>
+        <translation>Fₘ = %1</translation>
     </message>
     <message>
-        <source>Um = %1</source>
-        <translation>Um = %1</translation>
+        <source>Uₘ = %1</source>
+        <translation>Uₘ = %1</translation>
     </message>
     <message>
-        <source>Ur = %1</source>
-        <translation>Ur = %1</translation>
+        <source>Uᵣ = %1</source>
+        <translation>Uᵣ = %1</translation>
     </message>
     <message>
         <source>k = %1</source>
@@ -10359,8 +10379,8 @@ Auf und Ab verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translation>
         <translation>k/γ = %1</translation>
     </message>
     <message>
-        <source>Impact force against penetration. Loading along the slope k = %1 up to the peak, Fm = %2 at the penetration Um = %3; unloading along k/γ = %4; the penetration Ur = %5 stays. The enclosed area: %6.</source>
-        <translation>Stoßkraft über der Eindringung. Belastung entlang der Steigung k = %1 bis zur Spitze, Fm = %2 bei der Eindringung Um = %3; Entlastung entlang k/γ = %4; die Eindringung Ur = %5 bleibt. Die eingeschlossene Fläche: %6.</translation>
+        <source>Impact force against penetration. Loading along the slope k = %1 up to the peak, Fₘ = %2 at the penetration Uₘ = %3; unloading along k/γ = %4; the penetration Uᵣ = %5 stays. The enclosed area: %6.</source>
+        <translation>Stoßkraft über der Eindringung. Belastung entlang der Steigung k = %1 bis zur Spitze, Fₘ = %2 bei der Eindringung Uₘ = %3; Entlastung entlang k/γ = %4; die Eindringung Uᵣ = %5 bleibt. Die eingeschlossene Fläche: %6.</translation>
     </message>
     <message>
         <source> Behind its corners it loads along %1.</source>
@@ -11896,8 +11916,8 @@ flexion</translation>
         <translation>Schlagfrequenz, bei der die wirksame Kraft gerade das ist, was volle Eindringung braucht</translation>
     </message>
     <message>
-        <source>How far the bit is off the rock when the hammer strikes, if nothing damps the rebound; with a damper `drillwave drill` follows it</source>
-        <translation>Wie weit die Bohrkrone vom Gestein entfernt ist, wenn der Hammer schlägt und nichts den Rückprall dämpft; mit einem Dämpfer verfolgt das `drillwave drill`</translation>
+        <source>How far the bit is off the rock when the hammer strikes, if nothing damps the rebound; with a damper the page &quot;Drilling&quot; follows it</source>
+        <translation>Wie weit die Bohrkrone vom Gestein entfernt ist, wenn der Hammer schlägt und nichts den Rückprall dämpft; mit einem Dämpfer verfolgt das die Seite „Bohren“</translation>
     </message>
     <message>
         <source>What the effective force does between blows with this e</source>
@@ -12653,12 +12673,12 @@ pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json und, mit --plots,
     </message>
     <message>
         <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
-again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on two to four pages of
+again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on two to five pages of
 A4. DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has
 units, and those of `run --json`; the source of a value is the comment behind it in the file. Of a
 drill string also its sections, drawn to scale, with their largest stresses.</source>
         <translation>FILE.html enthält alles in einer Datei, auch die Bilder und das Szenario, und lässt sich neu
-rechnen: `drillwave run FILE.html`. FILE.pdf ist dasselbe zum Drucken, auf zwei bis vier Seiten A4.
+rechnen: `drillwave run FILE.html`. FILE.pdf ist dasselbe zum Drucken, auf zwei bis fünf Seiten A4.
 DIR bekommt beide, als report.html und report.pdf. Die Zahlen sind die von `run --json`, in
 SI-Einheiten, wo das Szenario Einheiten hat; die Quelle eines Werts ist der Kommentar dahinter in
 der Datei. Von einem Bohrstrang auch die Abschnitte, maßstäblich gezeichnet, mit ihren größten

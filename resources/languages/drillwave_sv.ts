@@ -5129,12 +5129,12 @@ en projektion av fler dimensioner</translation>
         <translation>Hammarens impedans är högre än stångens: den trycker i en trappa av allt mindre steg, som antas fortsätta som om stången vore lång.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; Drilling (command `drill`) follows it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det odämpade: inträngningen kan svänga 10&#xa0;% upp eller ned med frekvens gånger längd; Borrning (kommandot `drill`) följer det.</translation>
+        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; %2 follows it.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det odämpade: inträngningen kan svänga 10&#xa0;% upp eller ned med frekvens gånger längd; %2 följer det.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped and nearly in step (close to %2): penetration may swing by 10 % up or down; Drilling (command `drill`) follows it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det odämpade och nästan i takt (nära %2): inträngningen kan svänga 10&#xa0;% upp eller ned; Borrning (kommandot `drill`) följer det.</translation>
+        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped and nearly in step (close to %2): penetration may swing by 10 % up or down; %3 follows it.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det odämpade och nästan i takt (nära %2): inträngningen kan svänga 10&#xa0;% upp eller ned; %3 följer det.</translation>
     </message>
     <message>
         <source>share but a cell of time of %1, which would take more work than is permitted</source>
@@ -5505,8 +5505,8 @@ en projektion av fler dimensioner</translation>
         <translation>Det borrar i full takt, och borrkronan vilar på berget före varje slag även om inget dämpar studsen.</translation>
     </message>
     <message>
-        <source> Waves that the blow before has left are not in this; `drill` follows them. Whether it is too much (friction, buckling, stalling of the rotation) is outside the model.</source>
-        <translation> Vågor som slaget innan har lämnat är inte med i detta; `drill` följer dem. Frågan om matningen är för stor (friktion, knäckning, rotation som stannar) ligger utanför modellen.</translation>
+        <source> Waves that the blow before has left are not in this; %1 follows them. Whether it is too much (friction, buckling, stalling of the rotation) is outside the model.</source>
+        <translation> Vågor som slaget innan har lämnat är inte med i detta; %1 följer dem. Frågan om matningen är för stor (friktion, knäckning, rotation som stannar) ligger utanför modellen.</translation>
     </message>
     <message>
         <source>this blow</source>
@@ -5945,12 +5945,32 @@ en projektion av fler dimensioner</translation>
         <translation>Scenario</translation>
     </message>
     <message>
-        <source>The scenario is in the report as HTML.</source>
-        <translation>Scenariot står i rapporten som HTML.</translation>
+        <source>the page &quot;Drilling&quot;</source>
+        <translation>sidan ”Borrning”</translation>
     </message>
     <message>
-        <source>The rest of the scenario is in the report as HTML.</source>
-        <translation>Resten av scenariot står i rapporten som HTML.</translation>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>lattice</source>
+        <translation>gitter</translation>
+    </message>
+    <message>
+        <source>closed_form</source>
+        <translation>sluten form</translation>
+    </message>
+    <message>
+        <source>yes</source>
+        <translation>ja</translation>
+    </message>
+    <message>
+        <source>no</source>
+        <translation>nej</translation>
+    </message>
+    <message>
+        <source>The rest of the scenario is in the file attached to the PDF.</source>
+        <translation>Resten av scenariot står i filen som är bifogad till PDF:en.</translation>
     </message>
     <message>
         <source>Plots</source>
@@ -10162,8 +10182,8 @@ Upp och Ner flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Skriv &amp;ut rapporten…</translation>
     </message>
     <message>
-        <source>The report on paper: two to four pages of A4</source>
-        <translation>Rapporten på papper: två till fyra A4-sidor</translation>
+        <source>The report on paper: two to five pages of A4</source>
+        <translation>Rapporten på papper: två till fem A4-sidor</translation>
     </message>
     <message>
         <source>Write the report</source>
@@ -10339,16 +10359,16 @@ Upp och Ner flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>innesluten yta: %1</translation>
     </message>
     <message>
-        <source>Fm = %1</source>
-        <translation>Fm = %1</translation>
+        <source>Fₘ = %1</source>
+        <translation>Fₘ = %1</translation>
     </message>
     <message>
-        <source>Um = %1</source>
-        <translation>Um = %1</translation>
+        <source>Uₘ = %1</source>
+        <translation>Uₘ = %1</translation>
     </message>
     <message>
-        <source>Ur = %1</source>
-        <translation>Ur = %1</translation>
+        <source>Uᵣ = %1</source>
+        <translation>Uᵣ = %1</translation>
     </message>
     <message>
         <source>k = %1</source>
@@ -10359,8 +10379,8 @@ Upp och Ner flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>k/γ = %1</translation>
     </message>
     <message>
-        <source>Impact force against penetration. Loading along the slope k = %1 up to the peak, Fm = %2 at the penetration Um = %3; unloading along k/γ = %4; the penetration Ur = %5 stays. The enclosed area: %6.</source>
-        <translation>Stötkraft över inträngning. Belastning längs lutningen k = %1 upp till toppen, Fm = %2 vid inträngningen Um = %3; avlastning längs k/γ = %4; inträngningen Ur = %5 blir kvar. Den inneslutna ytan: %6.</translation>
+        <source>Impact force against penetration. Loading along the slope k = %1 up to the peak, Fₘ = %2 at the penetration Uₘ = %3; unloading along k/γ = %4; the penetration Uᵣ = %5 stays. The enclosed area: %6.</source>
+        <translation>Stötkraft över inträngning. Belastning längs lutningen k = %1 upp till toppen, Fₘ = %2 vid inträngningen Uₘ = %3; avlastning längs k/γ = %4; inträngningen Uᵣ = %5 blir kvar. Den inneslutna ytan: %6.</translation>
     </message>
     <message>
         <source> Behind its corners it loads along %1.</source>
@@ -11896,8 +11916,8 @@ i skarv</translation>
         <translation>Slagfrekvens vid vilken den verksamma kraften är just vad full inträngning behöver</translation>
     </message>
     <message>
-        <source>How far the bit is off the rock when the hammer strikes, if nothing damps the rebound; with a damper `drillwave drill` follows it</source>
-        <translation>Hur långt borrkronan är från berget när hammaren slår, om inget dämpar studsen; med en dämpare följer `drillwave drill` det</translation>
+        <source>How far the bit is off the rock when the hammer strikes, if nothing damps the rebound; with a damper the page &quot;Drilling&quot; follows it</source>
+        <translation>Hur långt borrkronan är från berget när hammaren slår, om inget dämpar studsen; med en dämpare följer sidan ”Borrning” det</translation>
     </message>
     <message>
         <source>What the effective force does between blows with this e</source>
@@ -12647,12 +12667,12 @@ pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json och, med --plots,
     </message>
     <message>
         <source>FILE.html holds everything in one file, its pictures and the scenario too, and can be run
-again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on two to four pages of
+again: `drillwave run FILE.html`. FILE.pdf is the same for printing, on two to five pages of
 A4. DIR gets both, as report.html and report.pdf. Numbers are in SI where the scenario has
 units, and those of `run --json`; the source of a value is the comment behind it in the file. Of a
 drill string also its sections, drawn to scale, with their largest stresses.</source>
         <translation>FILE.html innehåller allt i en enda fil, även bilder och scenario, och kan köras igen:
-`drillwave run FILE.html`. FILE.pdf är detsamma för utskrift, på två till fyra A4-sidor. DIR får
+`drillwave run FILE.html`. FILE.pdf är detsamma för utskrift, på två till fem A4-sidor. DIR får
 båda, som report.html och report.pdf. Talen är i SI-enheter där scenariot har enheter, och är de som
 `run --json` ger; källan till ett värde är kommentaren efter det i filen. För en borrsträng även
 dess sektioner, skalenligt ritade, med sina största spänningar.</translation>

@@ -45,8 +45,20 @@ std::string LocalStyle::number(double value, int digits) const {
 }
 
 ReadUnit LocalStyle::unitFor(double si, Quantity quantity) const {
+    return unitOf(kindOf(si, quantity), si, quantity);
+}
+
+ReadUnit LocalStyle::rateUnit(double si) const {
+    ReadUnit read = unitOf(UnitKind::rate, si, Quantity::velocity);
+    if (m_chosen.contains(UnitKind::rate) || m_system == UnitSystem::us) return read;
+    read.unit = &handyUnit(UnitKind::rate, std::abs(si), UnitSystem::si);
+    read.name = shownUnitName(read.unit->name).toStdString();
+    return read;
+}
+
+ReadUnit LocalStyle::unitOf(std::optional<UnitKind> kind, double si, Quantity quantity) const {
     ReadUnit read = ReadingStyle::unitFor(si, quantity);
-    if (const std::optional<UnitKind> kind = kindOf(si, quantity)) {
+    if (kind) {
         const auto own = m_chosen.find(*kind);
         if (own != m_chosen.end())
             read.unit = own->second;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QLocale>
+#include <optional>
 
 #include "core/text/handy_text.h"
 #include "ui/text/unit_kind.h"
@@ -23,12 +24,16 @@ class LocalStyle : public ReadingStyle {
 
     std::string number(double value, int digits) const override;
     ReadUnit unitFor(double si, Quantity quantity) const override;
+    ReadUnit rateUnit(double si) const override;
+    bool isPrinted() const override { return true; }
     bool keepsUnitsOfFile() const override { return false; }
     Message unitsTitle() const override;
     std::string patternFor(const std::string& english) const override;
     std::string language() const override;
 
   private:
+    ReadUnit unitOf(std::optional<UnitKind> kind, double si, Quantity quantity) const;
+
     QLocale m_locale;
     UnitSystem m_system;
     ChosenUnits m_chosen;

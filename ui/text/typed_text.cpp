@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/typed_text.h"
+#include "core/text/printed_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
 
@@ -136,11 +137,7 @@ QString localText(const QString& plain, const QLocale& locale) {
 }
 
 QString shownUnitName(std::string_view name) {
-    QString shown = fromView(name);
-    if (shown == QLatin1String("us") || shown == QLatin1String("um")) shown.replace(0, 1, u'µ');
-    if (shown == QLatin1String("deg")) return QStringLiteral("°");
-    return shown.replace(QLatin1String("^2"), QStringLiteral("²"))
-        .replace(QLatin1String("^3"), QStringLiteral("³"));
+    return QString::fromStdString(printedUnit(name));
 }
 
 }  // namespace drillwave

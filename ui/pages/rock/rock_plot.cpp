@@ -99,15 +99,15 @@ void RockPlot::nameNumbers(const RockCurve& curve) {
     const QString unloading = shown(curve.unloading, units.stiffness, locale);
     const QString energy = energyText(curve, locale);
     m_caption->setText(tr("enclosed area: %1").arg(energy));
-    m_peakNumbers = {tr("Fm = %1").arg(force), tr("Um = %1").arg(largest)};
+    m_peakNumbers = {tr("Fₘ = %1").arg(force), tr("Uₘ = %1").arg(largest)};
     m_peakName->setText(m_peakNumbers.join(QLatin1Char('\n')));
-    m_residualName->setText(tr("Ur = %1").arg(residual));
+    m_residualName->setText(tr("Uᵣ = %1").arg(residual));
     m_loadingName->setText(tr("k = %1").arg(loading));
     m_unloadingName->setText(tr("k/γ = %1").arg(unloading));
     const QStringList behind = m_lines->texts();
     m_summary =
-        tr("Impact force against penetration. Loading along the slope k = %1 up to the peak, Fm = %2 at "
-           "the penetration Um = %3; unloading along k/γ = %4; the penetration Ur = %5 stays. The "
+        tr("Impact force against penetration. Loading along the slope k = %1 up to the peak, Fₘ = %2 at "
+           "the penetration Uₘ = %3; unloading along k/γ = %4; the penetration Uᵣ = %5 stays. The "
            "enclosed area: %6.")
             .arg(loading, force, largest, unloading, residual, energy);
     if (!behind.isEmpty())

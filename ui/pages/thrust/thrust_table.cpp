@@ -57,7 +57,7 @@ ThrustTable::ThrustTable(QWidget* parent) : QTableWidget(rowsInAll, int(thrustCa
         tr("Effective force over what full penetration needs, less 1"),
         tr("Blow frequency at which the effective force is just what full penetration needs"),
         tr("How far the bit is off the rock when the hammer strikes, if nothing damps the rebound; with a "
-           "damper `drillwave drill` follows it"),
+           "damper the page \"Drilling\" follows it"),
         tr("What the effective force does between blows with this e")};
     for (int row = 0; row < rowsInAll; ++row) verticalHeaderItem(row)->setToolTip(meanings[row]);
     for (int row = 0; row < rowsInAll; ++row)

@@ -175,7 +175,7 @@ void TestRockPlot::anElasticRockKeepsNothing() {
 void TestRockPlot::numbersAreNamedInThePlot() {
     m_plot->present(solved({0.5, 0.1, 10, 0}).curve);
     const QString all = labels().join(QLatin1Char('|'));
-    for (const char* text : {"Fm = ", "Um = ", "Ur = ", "k = 0.5", "k/γ = 5", "d₀", "F₀"})
+    for (const char* text : {"Fₘ = ", "Uₘ = ", "Uᵣ = ", "k = 0.5", "k/γ = 5", "d₀", "F₀"})
         QVERIFY2(all.contains(QString::fromUtf8(text)), qPrintable(all));
     QVERIFY(m_plot->textSummary().contains(QStringLiteral("% of W")));
     QVERIFY(m_widget->xAxis->label().contains(QStringLiteral("penetration U / d₀")));
@@ -210,10 +210,10 @@ void TestRockPlot::theNumbersOfThePeakAreInViewInALowPlot() {
     const QCPItemText* peak = nullptr;
     for (int i = 0; i < m_widget->itemCount(); ++i)
         if (auto* text = qobject_cast<QCPItemText*>(m_widget->item(i));
-            text && text->text().startsWith(QStringLiteral("Fm = ")))
+            text && text->text().startsWith(QStringLiteral("Fₘ = ")))
             peak = text;
     QVERIFY(peak);
-    QVERIFY(peak->text().contains(QStringLiteral("Um = ")));
+    QVERIFY(peak->text().contains(QStringLiteral("Uₘ = ")));
     QVERIFY(peak->topLeft->pixelPosition().y() >= m_widget->axisRect()->top());
     QVERIFY(peak->left->pixelPosition().x() >= m_widget->axisRect()->left());
 }
