@@ -228,7 +228,7 @@ Message feedMeaning(Feed feed, const std::optional<GapAtBlow>& found, const Read
 
 Message drillingWords(const ReadingStyle& style) {
     return style.isPrinted() ? Message(translatable("drillwave::Message", "the page \"Drilling\""))
-                             : Message(std::string("`drill`"));
+                             : Message(translatable("drillwave::Message", "`drill`"));
 }
 
 std::string feedForceText(const FeedForce& feed, const ReadingStyle& style) {

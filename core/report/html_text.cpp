@@ -76,7 +76,12 @@ std::string htmlRows(const std::vector<std::vector<std::string>>& rows) {
             continue;
         }
         html += "<tr>";
-        for (const std::string& cell : row) html += htmlElement("td", unbroken(cell));
+        for (const std::string& cell : row) {
+            const std::string text = unbroken(cell);
+            // A class as well: paper breaks words where no blank lets it.
+            const bool isWhole = text.find(' ') == text.npos;
+            html += (isWhole ? "<td class=\"whole\">" : "<td>") + escapedHtml(text) + "</td>";
+        }
         html += "</tr>\n";
     }
     return html;

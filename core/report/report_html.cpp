@@ -43,7 +43,8 @@ constexpr std::string_view paperStyle =
     "p{margin-top:0;margin-bottom:4px}td,th{padding-right:12px;"
     "text-align:left}table.ruled{border-collapse:collapse;margin-bottom:3px}"
     "table.ruled td{border-bottom:0.5px solid #bbbbbb}table.ruled th{border-bottom:1px solid "
-    "#555555}th.whole{white-space:nowrap}p.decision{font-weight:600;margin-top:4px;margin-bottom:4px}p."
+    "#555555}th.whole,td.whole{white-space:nowrap}p.decision{font-weight:600;margin-top:4px;margin-bottom:"
+    "4px}p."
     "caption{font-size:7.5pt;margin-bottom:8px}pre{font-size:6.5pt;white-space:pre-"
     "wrap}";
 

@@ -5945,6 +5945,10 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Szenario</translation>
     </message>
     <message>
+        <source>`drill`</source>
+        <translation>`drill`</translation>
+    </message>
+    <message>
         <source>the page &quot;Drilling&quot;</source>
         <translation>die Seite „Bohren“</translation>
     </message>

@@ -5945,6 +5945,10 @@ en projektion av fler dimensioner</translation>
         <translation>Scenario</translation>
     </message>
     <message>
+        <source>`drill`</source>
+        <translation>`drill`</translation>
+    </message>
+    <message>
         <source>the page &quot;Drilling&quot;</source>
         <translation>sidan ”Borrning”</translation>
     </message>

@@ -2,14 +2,24 @@
 // The report in every language of the program: its words are translated, and those in its plots have room.
 #include <qcustomplot.h>
 
+#include <QAbstractTextDocumentLayout>
+#include <QBuffer>
+#include <QPdfWriter>
+#include <QTextBlock>
+#include <QTextFrame>
+#include <QTextLayout>
 #include <QtTest>
+#include <cmath>
 
 #include "core/archive/report_file.h"
 #include "core/text/languages.h"
 #include "core/yaml/examples.h"
+#include "ui/export/report_document.h"
 #include "ui/export/report_export.h"
 #include "ui/export/report_plots.h"
+#include "ui/plot/label_places.h"
 #include "ui/text/language.h"
+#include "ui/text/local_style.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/unit_choice.h"
 
@@ -76,6 +86,12 @@ class TestReportLanguage : public QObject {
   private slots:
     void wordsInPlotsHaveRoom_data() { addCases(); }
     void wordsInPlotsHaveRoom();
+    void nothingRunsOffAPageOrLosesItsHeading_data();
+    void nothingRunsOffAPageOrLosesItsHeading();
+    void numbersOfTheRodDoNotLieOnEachOther_data();
+    void numbersOfTheRodDoNotLieOnEachOther();
+    void pagesHaveTheSignsOfPrint_data();
+    void pagesHaveTheSignsOfPrint();
     void theReportSpeaksTheLanguageOfItsReader_data();
     void theReportSpeaksTheLanguageOfItsReader();
     void withoutALanguageItIsInEnglishWhateverIsSpoken();
@@ -94,6 +110,116 @@ void TestReportLanguage::wordsInPlotsHaveRoom() {
         QVERIFY(!svg.isEmpty());
         const QStringList found = cutOff(*plot.paper.plot);
         QVERIFY2(found.isEmpty(), qPrintable(found.join(QStringLiteral(" | "))));
+    }
+}
+
+void TestReportLanguage::nothingRunsOffAPageOrLosesItsHeading_data() {
+    QTest::addColumn<QString>("code");
+    for (const Language& language : languages) QTest::newRow(language.code.data()) << fromView(language.code);
+}
+
+// Begins with the mechanism: cells of words without a blank to break at, which were wider than the page.
+void TestReportLanguage::nothingRunsOffAPageOrLosesItsHeading() {
+    QFETCH(QString, code);
+    const Language& language = *findLanguage(code.toStdString());
+    const Spoken spoken(language);
+    const PaperReader reader = readerOf(language);
+    const LocalStyle style(reader.locale, reader.system, reader.chosen);
+    int tables = 0, headings = 0;
+    for (const Example& example : builtInExamples()) {
+        const BlowReport report = reportOf(example.name.c_str());
+        const std::vector<ReportPlot> plots = reportPlots(report, reader, {});
+        QBuffer buffer;
+        buffer.open(QIODevice::WriteOnly);
+        QPdfWriter writer(&buffer);
+        writer.setPageSize(QPageSize(QPageSize::A4));
+        writer.setPageMargins(QMarginsF(15, 15, 15, 15), QPageLayout::Millimeter);
+        ReportDocument document(report, plots, style, writer,
+                                {double(writer.width()), writer.height() * 0.94});
+        const QAbstractTextDocumentLayout& layout = *document.text().documentLayout();
+        const QSizeF page = document.text().pageSize();
+        const double rounding = writer.resolution() / 50.0;  // half a millimetre: margins are whole points
+        for (QTextBlock block = document.text().begin(); block.isValid(); block = block.next()) {
+            const QString about = QString::fromStdString(example.name) + u' ' + block.text();
+            for (int i = 0; i < block.layout()->lineCount(); ++i) {
+                const QTextLine line = block.layout()->lineAt(i);
+                const double end = layout.blockBoundingRect(block).left() + line.naturalTextRect().right();
+                QVERIFY2(end <= page.width() + rounding, qPrintable(about));
+            }
+            if (block.blockFormat().headingLevel() == 0 || !block.next().isValid()) continue;
+            const auto pageOf = [&](const QTextBlock& of) {
+                return std::floor((layout.blockBoundingRect(of).top() + of.layout()->lineAt(0).y()) /
+                                  page.height());
+            };
+            QVERIFY2(pageOf(block) == pageOf(block.next()), qPrintable(about));
+            ++headings;
+        }
+        for (QTextFrame* frame : document.text().rootFrame()->childFrames()) {
+            QVERIFY(layout.frameBoundingRect(frame).right() <= page.width() + rounding);
+            ++tables;
+        }
+    }
+    QVERIFY(tables > 50 && headings > 80);
+}
+
+void TestReportLanguage::numbersOfTheRodDoNotLieOnEachOther_data() {
+    QTest::addColumn<QByteArray>("example");
+    QTest::addColumn<double>("length");
+    QTest::addColumn<double>("bore");
+    QTest::addColumn<double>("stiffness");
+    QTest::addColumn<double>("gamma");
+    QTest::newRow("two peaks at one place")
+        << QByteArray("t38_medium_rock") << 4.27 << 0.012 << 160e6 << 0.25;
+    QTest::newRow("hard rock") << QByteArray("r32_hard_rock") << 4.2672 << 0.0 << 150e6 << 0.3;
+    QTest::newRow("as it is") << QByteArray("t38_medium_rock") << 3.66 << 0.0145 << 105e6 << 0.1;
+}
+
+void TestReportLanguage::numbersOfTheRodDoNotLieOnEachOther() {
+    QFETCH(QByteArray, example);
+    QFETCH(double, length);
+    QFETCH(double, bore);
+    QFETCH(double, stiffness);
+    QFETCH(double, gamma);
+    Scenario scenario = parseScenario(findExample(example.data())->text, example.data()).scenario;
+    scenario.rod.length = length;
+    if (bore > 0) scenario.rod.bore = bore;
+    scenario.bitRock.stiffness = stiffness;
+    scenario.bitRock.gamma = gamma;
+    const PaperPlot paper = rodPaperPlot(studyReport(scenario).blow, {}, {});
+    QVERIFY(!renderPlot(*paper.plot, {180, 84}, QStringLiteral("svg"), {}).isEmpty());
+    QVector<QRectF> found;
+    for (int i = 0; i < paper.plot->itemCount(); ++i)
+        if (auto* text = qobject_cast<QCPItemText*>(paper.plot->item(i)); text && text->visible())
+            if (text->text().contains(QStringLiteral("MPa"))) found << rectOf(*text);
+    QVERIFY(found.size() >= 4);
+    for (qsizetype i = 0; i < found.size(); ++i)
+        for (qsizetype j = 0; j < i; ++j) QVERIFY(!found[i].intersects(found[j]));
+}
+
+void TestReportLanguage::pagesHaveTheSignsOfPrint_data() {
+    QTest::addColumn<QString>("code");
+    for (const Language& language : languages) QTest::newRow(language.code.data()) << fromView(language.code);
+}
+
+void TestReportLanguage::pagesHaveTheSignsOfPrint() {
+    QFETCH(QString, code);
+    const Language& language = *findLanguage(code.toStdString());
+    const Spoken spoken(language);
+    static const QRegularExpression plain(
+        QStringLiteral("[0-9]e-[0-9]|\\^[23]|[0-9] u[sm]\\b|\\+-|\\.\\.\\.|\\bd0\\b|`drill"));
+    for (const char* example : {"t38_medium_rock", "t38_string", "paper_fig4b"}) {
+        const PaperReader reader = isEnglish(language) ? PaperReader() : readerOf(language);
+        QString page = QString::fromStdString(
+            drawReport(reportOf(example), {"report", {"html"}, {}}, reader).files.front().bytes);
+        page.remove(QRegularExpression(
+            QStringLiteral(
+                "<pre.*</pre>|<script.*</script>|<style.*</style>| src=\"[^\"]*\"|data-value=\"[^\"]*\""),
+            QRegularExpression::DotMatchesEverythingOption | QRegularExpression::InvertedGreedinessOption));
+        const QRegularExpressionMatch match = plain.match(page);
+        QVERIFY2(!match.hasMatch(), qPrintable(page.mid(match.capturedStart() - 60, 120)));
+        if (QLatin1String(example) != QLatin1String("t38_medium_rock")) continue;
+        QVERIFY(page.contains(QStringLiteral(" m/min</td>")));
+        QCOMPARE(page.contains(QStringLiteral(">rectangular<")), isEnglish(language));
     }
 }
 

@@ -183,7 +183,7 @@ void TestReportWriter::unitsAndNumbersAreThoseOfTheWindow() {
     for (const QString& text : absent)
         QVERIFY2(!words.contains(text), qPrintable(words.mid(words.indexOf(text) - 60, 120)));
     QVERIFY(page.contains(QStringLiteral("</h1>\n<p class=\"decision\">")));
-    QVERIFY(read(path("own.pdf")).count("/Type /Page\n") <= 4);
+    QVERIFY(read(path("own.pdf")).count("/Type /Page\n") <= 5);
 }
 
 // Begins with the mechanism: words without blanks between them, which were broken anywhere where a rounding
@@ -194,7 +194,7 @@ void TestReportWriter::cellsOfTablesAreNotBrokenOnPaper() {
     paper.setHtml(QString::fromStdString(reportHtml(report, {}, ReportMedium::paper)));
     int cells = 0;
     for (QTextBlock block = paper.begin(); block.isValid(); block = block.next()) {
-        if (!block.text().contains(QChar(QChar::Nbsp))) continue;
+        if (!block.text().contains(QChar(QChar::Nbsp)) || block.text().contains(u' ')) continue;
         QVERIFY2(block.blockFormat().nonBreakableLines(), qPrintable(block.text()));
         ++cells;
     }
@@ -242,7 +242,7 @@ void TestReportWriter::thePreviewHasThePagesAndKeepsTheHead() {
     QTRY_COMPARE_WITH_TIMEOUT(ended.size(), 1, 60000);
     auto* preview = window().findChild<ReportPreview*>();
     QVERIFY(preview && preview->isVisible());
-    QTRY_VERIFY(preview->pageCount() >= 2 && preview->pageCount() <= 4);
+    QTRY_VERIFY(preview->pageCount() >= 2 && preview->pageCount() <= 5);
     auto* customer = preview->findChild<QLineEdit*>(QStringLiteral("report/customer"));
     QVERIFY(customer);
     QTest::keyClicks(customer, QStringLiteral("Gruva AB"));
@@ -274,6 +274,12 @@ void TestReportWriter::pinnedRunsStandBesideTheBlow() {
     QVERIFY2(table.contains("<th>this report</th><th>A  "), page.mid(page.indexOf("runs-table"), 200));
     QVERIFY(table.contains("<td data-value=\"4.5\">4.5</td><td data-value=\"3.66\">3.66</td>"));
     QVERIFY(table.contains("<td data-value=\"" + QByteArray::fromStdString(formatNumber(before)) + "\">"));
+    // Both have the margin, of which the window knows that of its blow alone.
+    static const QRegularExpression margins(
+        QStringLiteral("margin of the thrust at every gap \\[%\\]</td><td data-value=\"[^\"]+\">[^<]+</td>"
+                       "<td data-value=\"10\\.29[^\"]*\">10\\.292</td>"));
+    QVERIFY2(margins.match(QString::fromUtf8(table)).hasMatch(),
+             table.mid(table.indexOf("margin of the thrust"), 250));
 }
 
 void TestReportWriter::whatWasMeasuredIsLaidOverTheCurves() {

@@ -80,7 +80,7 @@ void TestRockPage::thePathIsThereForEyesAndEars() {
     QCOMPARE(m_page->plot()->plottableCount(), 1);
     const QString description = m_page->plot()->accessibleDescription();
     for (const char* text : {"Fₘ = ", "Uₘ = ", "Uᵣ = ", "energy left in the rock", "J", "% of W"})
-        QVERIFY2(description.contains(QLatin1String(text)), qPrintable(description));
+        QVERIFY2(description.contains(QString::fromUtf8(text)), qPrintable(description));
     QVERIFY(!m_page->plot()->accessibleName().isEmpty());
 }
 
