@@ -4363,7 +4363,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
     </message>
     <message>
         <source>all gaps: mean %1, 5–95 % %2…%3</source>
-        <translation>alle Spalte: Mittel %1, 5–95 % %2…%3</translation>
+        <translation>alle Spalte: Mittel %1, 5–95&#xa0;% %2…%3</translation>
     </message>
     <message>
         <source> · e &gt; 1 at %1 of gaps</source>

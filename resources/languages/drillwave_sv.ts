@@ -4363,7 +4363,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
     </message>
     <message>
         <source>all gaps: mean %1, 5–95 % %2…%3</source>
-        <translation>alla spalter: medel %1, 5–95 % %2…%3</translation>
+        <translation>alla spalter: medel %1, 5–95&#xa0;% %2…%3</translation>
     </message>
     <message>
         <source> · e &gt; 1 at %1 of gaps</source>
