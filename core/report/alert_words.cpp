@@ -229,8 +229,7 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
         case AlertCode::stressAboveYield:
             return overload(alert, translatable("drillwave::Message", "would yield"), style);
         case AlertCode::stressAboveFatigue:
-            return overload(alert, translatable("drillwave::Message", "takes fatigue damage with every blow"),
-                            style);
+            return overload(alert, translatable("drillwave::Message", "is fatigued by every blow"), style);
         case AlertCode::residualWaves:
             return residualWaves(alert, style);
         case AlertCode::lengthsRounded:

@@ -5217,7 +5217,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>würde fließen</translation>
     </message>
     <message>
-        <source>takes fatigue damage with every blow</source>
+        <source>is fatigued by every blow</source>
         <translation>überschreitet mit jedem Schlag die Dauerfestigkeit</translation>
     </message>
     <message>

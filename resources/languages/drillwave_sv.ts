@@ -5217,7 +5217,7 @@ en projektion av fler dimensioner</translation>
         <translation>skulle flyta</translation>
     </message>
     <message>
-        <source>takes fatigue damage with every blow</source>
+        <source>is fatigued by every blow</source>
         <translation>överskrider utmattningsgränsen vid varje slag</translation>
     </message>
     <message>

@@ -122,17 +122,17 @@ const std::vector<Example>& examples() {
            {"place", 0.915, Quantity::length},
            {"time", 4e-3, Quantity::time},
            {"strength", 150e6, Quantity::stress}}},
-         "The rod takes fatigue damage with every blow: tension reaches 160 MPa, 915 mm from the hammer at 4 "
-         "ms, after the "
+         "The rod is fatigued by every blow: tension reaches 160 MPa, 915 mm from the hammer at 4 ms, after "
+         "the "
          "blow, in the waves left (which nothing damps here), against a strength of 150 MPa."},
         {{note, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.5}}},
          "The waves of a blow make only 4.5 round trips until the next blow, and meet it undamped: "
-         "penetration may swing by 10 % up or down with frequency times length; Drilling "
-         "(command `drill`) follows it."},
+         "penetration may swing by 10 % up or down with frequency times length; "
+         "`drill` follows it."},
         {{warning, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.06}, {"whole", 4}}},
          "The waves of a blow make only 4.06 round trips until the next blow, and meet it undamped and "
-         "nearly in step (close to 4): penetration may swing by 10 % up or down; Drilling "
-         "(command `drill`) follows it."},
+         "nearly in step (close to 4): penetration may swing by 10 % up or down; "
+         "`drill` follows it."},
         {{warning,
           AlertCode::stressAboveYield,
           "string.9.yield_strength",

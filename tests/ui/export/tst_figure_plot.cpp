@@ -65,7 +65,8 @@ void TestFigurePlot::axesAndCurvesAreNamedInSymbols() {
 
 void TestFigurePlot::theAxesCoverWhatIsDrawnAndNoMore() {
     const QStringList texts = test::svgTexts(drawFigure(sample(), QStringLiteral("svg")));
-    for (const char* tick : {"0.1", "10", "1.4", "-1"}) QVERIFY2(texts.contains(QLatin1String(tick)), tick);
+    for (const char* tick : {"0.1", "10", "1.4", "−1"})
+        QVERIFY2(texts.contains(QString::fromUtf8(tick)), tick);
     // The default range of an axis ends at 5; the curve that is not drawn lies at 900.
     for (const char* tick : {"5", "100", "900"}) QVERIFY2(!texts.contains(QLatin1String(tick)), tick);
 }

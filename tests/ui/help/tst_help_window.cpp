@@ -196,10 +196,10 @@ void TestHelpWindow::wordsOfTheWindowAreFoundInEveryLanguage_data() {
     QTest::newRow("thrust, sv") << "sv"
                                 << "matningskraft"
                                 << "thrust";
-    QTest::newRow("restitution, de") << "de" << QStringLiteral("Stoßzahl") << "COR";
+    QTest::newRow("restitution, de") << "de" << QStringLiteral("Stoßzahl") << "restitution";
     QTest::newRow("restitution, sv") << "sv"
                                      << "studstal"
-                                     << "COR";
+                                     << "restitution";
     QTest::newRow("stiffness, de") << "de"
                                    << "Steifigkeit"
                                    << "stiffness";
