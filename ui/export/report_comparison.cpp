@@ -18,12 +18,8 @@
 namespace drillwave {
 namespace {
 
-constexpr int digits = 5;
-
 ReportCell cellOf(const CompareRow& row, std::size_t column, const QLocale& locale) {
-    if (!row.hasNumbers()) return {row.words.value(static_cast<qsizetype>(column)).toStdString(), {}};
-    const std::optional<double>& number = row.numbers[column];
-    return {number ? numberText(*number, digits, locale).toStdString() : std::string(), number};
+    return {row.text(column, locale).toStdString(), row.hasNumbers() ? row.numbers[column] : std::nullopt};
 }
 
 /// The title of a run; where others have its name too, with what distinguishes it from the blow of the
@@ -53,11 +49,11 @@ ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const Uni
     const PaperReader reader = PaperReader::of(units);
     SolvedBlow own;
     static_cast<Blow&>(own) = blow;
-    std::vector<CompareColumn> columns{{tr("this report"), &blow.scenario, &own}};
+    std::vector<CompareColumn> columns{{tr("this report"), &blow.scenario, &own, blow.widestNeed}};
     for (const Run& run : runs)
         if (run.isSolved())
-            columns.push_back(
-                {titleOf(run, runs, blow.scenario, units), &run.contents.scenario, run.blow.get()});
+            columns.push_back({titleOf(run, runs, blow.scenario, units), &run.contents.scenario,
+                               run.blow.get(), run.blow->widestNeed});
     if (columns.size() == 1) return {};
     const UnitSystem system = reader.unitsFor(blow.scenario).system;
     const auto tableNow = [&] { return compareTable(columns, 0, system, reader.chosen, units); };

@@ -107,7 +107,7 @@ QString ResultRow::changeText(const SolvedBlow& blow, const SolvedBlow* referenc
     const std::optional<double> now = m_entry.number(blow, units);
     const std::optional<double> then = m_entry.number(*reference, units);
     if (!now || !then) return {};
-    return m_entry.change ? m_entry.change(*now, *then, blow) : percentText(*now, *then);
+    return m_entry.change ? m_entry.change(*now, *then, blow) : relativeText(*now, *then);
 }
 
 void ResultRow::presentChange(const SolvedBlow& blow, const SolvedBlow* reference,

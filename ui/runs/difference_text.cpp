@@ -10,10 +10,6 @@ namespace {
 
 constexpr double rounding = 1e-12;  // of results: a smaller difference is none
 
-QString withSign(double value, const QString& text) {
-    return value > 0 ? QLatin1Char('+') + text : text;
-}
-
 }  // namespace
 
 std::optional<double> relativeDifference(double value, double reference) {
@@ -22,7 +18,7 @@ std::optional<double> relativeDifference(double value, double reference) {
     return std::abs(relative) < rounding ? 0 : relative;
 }
 
-QString percentText(double value, double reference) {
+QString relativeText(double value, double reference) {
     constexpr double mostPercent = 10;  // as a share
     const std::optional<double> relative = relativeDifference(value, reference);
     if (!relative) return {};

@@ -12,7 +12,7 @@ std::optional<double> relativeDifference(double value, double reference);
 
 /// The relative difference: "+32 %", "−0.4 %", "±0 %", "≈0 %" below a hundredth; empty for nothing. Beyond a
 /// thousand percent of a positive reference as a factor, "×12.3".
-QString percentText(double value, double reference);
+QString relativeText(double value, double reference);
 
 /// "+0.2047", "−3.1", "±0".
 QString signedText(double difference, int digits = 4);

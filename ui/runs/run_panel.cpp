@@ -160,7 +160,7 @@ void RunPanel::fillRow(QTreeWidgetItem& row, const SolvedBlowPtr& blow, const Ru
     const SolvedBlowPtr& other = reference ? reference->blow : m_now;
     const bool isComparable = isSolved && other && other->fault.isEmpty() && other != blow;
     if (isComparable)
-        row.setText(change, percentText(blow->summary.cor, other->summary.cor));
+        row.setText(change, relativeText(blow->summary.cor, other->summary.cor));
     else if (row.text(change) != tr("ref."))
         row.setText(change, {});
 }

@@ -38,6 +38,10 @@ QString numberText(double value, int digits, const QLocale& locale) {
     return text.replace(QLatin1Char('-'), QStringLiteral("−"));
 }
 
+QString withSign(double value, const QString& text) {
+    return value > 0 ? QLatin1Char('+') + text : text;
+}
+
 QString percentText(double share, int digits, const QLocale& locale) {
     return numberText(100 * share, digits, locale) + QChar(QChar::Nbsp) + QLatin1Char('%');
 }

@@ -20,6 +20,9 @@ QLocale withoutGroups(QLocale locale);
 /// before the point up to a million, "12345", without group separators; "1.235·10⁷" and "1.235·10⁻⁵" beyond.
 QString numberText(double value, int digits, const QLocale& locale);
 
+/// The text of a number with its sign: "+" before that of a positive one.
+QString withSign(double value, const QString& text);
+
 /// A share of 1 in so many digits: "12.3 %".
 QString percentText(double share, int digits, const QLocale& locale);
 

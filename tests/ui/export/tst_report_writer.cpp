@@ -276,10 +276,10 @@ void TestReportWriter::pinnedRunsStandBesideTheBlow() {
     QVERIFY(table.contains("<td data-value=\"" + QByteArray::fromStdString(formatNumber(before)) + "\">"));
     // Both have the margin, of which the window knows that of its blow alone.
     static const QRegularExpression margins(
-        QStringLiteral("thrust margin \\[%\\]</td><td data-value=\"[^\"]+\">[^<]+</td>"
-                       "<td data-value=\"10\\.29[^\"]*\">10\\.292</td>"));
+        QStringLiteral("thrust margin at every gap \\[%\\]</td><td data-value=\"[^\"]+\">[^<]+</td>"
+                       "<td data-value=\"10\\.29[^\"]*\">\\+10\\.292</td>"));
     QVERIFY2(margins.match(QString::fromUtf8(table)).hasMatch(),
-             table.mid(table.indexOf("thrust margin"), 250));
+             table.mid(table.indexOf("thrust margin at every gap [%]"), 250));
 }
 
 void TestReportWriter::whatWasMeasuredIsLaidOverTheCurves() {

@@ -156,7 +156,7 @@ class TestResultPanel : public QObject {
         QCOMPARE(changeOf("Rebound: COR e"), QString());
         panel.setReference(before, "A  first");
         const auto percent = [](double value, double reference) {
-            return percentText(value, reference).replace(QChar(QChar::Nbsp), ' ');
+            return relativeText(value, reference).replace(QChar(QChar::Nbsp), ' ');
         };
         QVERIFY(now->summary.cor != before->summary.cor);
         QCOMPARE(changeOf("Rebound: COR e"), percent(now->summary.cor, before->summary.cor));

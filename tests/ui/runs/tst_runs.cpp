@@ -651,16 +651,16 @@ void TestRuns::everyRunHasAColourAndADashOfItsOwn() {
 }
 
 void TestRuns::differencesAreReadable() {
-    QCOMPARE(percentText(0.634, 0.4297), QString("+47.5 %").replace(' ', QChar::Nbsp));
-    QCOMPARE(percentText(-1, 1), QString("−200 %").replace(' ', QChar::Nbsp));
-    QCOMPARE(percentText(1, -2), QString("+150 %").replace(' ', QChar::Nbsp));
-    QCOMPARE(percentText(2, 2), QString("±0 %").replace(' ', QChar::Nbsp));
-    QCOMPARE(percentText(2.0001, 2), QString("≈0 %").replace(' ', QChar::Nbsp));
-    QCOMPARE(percentText(30, 2), QString("×15"));
-    QCOMPARE(percentText(30, 0), QString());
+    QCOMPARE(relativeText(0.634, 0.4297), QString("+47.5 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(relativeText(-1, 1), QString("−200 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(relativeText(1, -2), QString("+150 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(relativeText(2, 2), QString("±0 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(relativeText(2.0001, 2), QString("≈0 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(relativeText(30, 2), QString("×15"));
+    QCOMPARE(relativeText(30, 0), QString());
     // There is no factor between numbers of different signs.
-    QCOMPARE(percentText(60, -3), QString("+2100 %").replace(' ', QChar::Nbsp));
-    QCOMPARE(percentText(-60, 3), QString("−2100 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(relativeText(60, -3), QString("+2100 %").replace(' ', QChar::Nbsp));
+    QCOMPARE(relativeText(-60, 3), QString("−2100 %").replace(' ', QChar::Nbsp));
     QCOMPARE(signedText(-0.25), QString("−0.25"));
     QCOMPARE(signedText(0.25), QString("+0.25"));
 }

@@ -9,8 +9,6 @@
 namespace drillwave {
 namespace {
 
-constexpr int digits = 5;
-
 bool hasDifferences(const CompareTable& table, const CompareRow& row) {
     return table.titles.size() > 1 && row.kind == CompareRow::Kind::result;
 }
@@ -43,14 +41,14 @@ int CompareModel::columnCount(const QModelIndex& parent) const {
 
 QString CompareModel::text(const CompareRow& row, std::size_t column) const {
     if (row.kind == CompareRow::Kind::heading) return {};
-    if (!row.hasNumbers()) return row.words[static_cast<qsizetype>(column)];
-    const std::optional<double>& number = row.numbers[column];
-    const QString value = number ? numberText(*number, digits, QLocale()) : noNumber;
+    const QString told = row.text(column, QLocale());
+    if (!row.hasNumbers()) return told;
+    const QString value = told.isEmpty() ? noNumber : told;
     if (!hasDifferences(m_table, row)) return value;
     if (column == m_table.reference) return value + QLatin1Char('\n') + tr("reference");
     const std::optional<double> difference = row.difference(column, m_table.reference);
     if (!difference) return value + QLatin1Char('\n');
-    const QString share = percentText(*number, *row.numbers[m_table.reference]);
+    const QString share = relativeText(*row.numbers[column], *row.numbers[m_table.reference]);
     const bool isNone = row.relative(column, m_table.reference) == 0.0;  // less than rounding makes
     return value + QLatin1Char('\n') + signedText(isNone ? 0 : *difference) +
            (share.isEmpty() ? QString() : QStringLiteral("   ") + share);

@@ -15,6 +15,7 @@
 #include "ui/result/output_unit.h"
 #include "ui/runs/difference_text.h"
 #include "ui/text/core_text.h"
+#include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
 #include "ui/text/typed_text.h"
@@ -24,6 +25,8 @@ namespace drillwave {
 namespace {
 
 using Columns = std::vector<CompareColumn>;
+
+constexpr int digits = 5;
 
 bool isSolved(const CompareColumn& column) {
     return column.blow && column.blow->fault.isEmpty();
@@ -99,11 +102,6 @@ ShownUnit unitOf(const Output& output, const ShownUnits& units, const Scales& ba
     return unit;
 }
 
-/// A margin is told as the verdicts tell it.
-ShownUnit inPercent() {
-    return {100, QStringLiteral("%"), false};
-}
-
 void addResults(CompareTable& table, const Columns& columns, UnitSystem system, const ChosenUnits& chosen) {
     const bool isPhysical = system != UnitSystem::dimensionless;
     const auto base = std::ranges::find_if(columns, [=](const CompareColumn& each) {
@@ -114,6 +112,7 @@ void addResults(CompareTable& table, const Columns& columns, UnitSystem system, 
     const ShownUnits units = shownUnits(system, scales, chosen);
     for (const Output& output : outputs()) {
         if (output.measure == Measure::error || output.name == "efficiency") continue;  // that is rock_work
+        if (output.needsThrustStudy()) continue;                                        // of addMargins()
         CompareRow row{.kind = CompareRow::Kind::result,
                        .name = outputName(output),
                        .unit = {},
@@ -132,7 +131,7 @@ void addResults(CompareTable& table, const Columns& columns, UnitSystem system, 
                 row.ofString.push_back(!followsFromGroups(*each.scenario));
         const auto isThere = [](const std::optional<double>& number) { return number.has_value(); };
         if (std::ranges::none_of(row.numbers, isThere)) continue;
-        const ShownUnit unit = output.needsThrustStudy() ? inPercent() : unitOf(output, units, scales, size);
+        const ShownUnit unit = unitOf(output, units, scales, size);
         row.unit = unit.unit;
         for (std::optional<double>& number : row.numbers)
             if (number) *number *= unit.factor;
@@ -146,18 +145,20 @@ void addMargins(CompareTable& table, const Columns& columns, UnitSystem system, 
         columns, [](const CompareColumn& each) { return isSolved(each) && each.blow->feed; });
     if (system == UnitSystem::dimensionless || base == columns.end()) return;
     using Numbers = std::vector<std::optional<double>>;
-    Numbers ofBlow, needed, ofAllGaps;
+    Numbers ofBlow, needed, ofAllGaps, share;
     for (const CompareColumn& each : columns) {
         const bool isJudged = isSolved(each) && each.blow->feed;
         ofBlow.push_back(isJudged ? thrustMargin(*each.blow) : std::nullopt);
-        needed.push_back(isJudged ? each.everyGap : std::nullopt);
+        const bool isOfAllGaps = isJudged && each.widestNeed && each.widestNeed->ofAllGaps;
+        needed.push_back(isOfAllGaps ? std::optional(each.widestNeed->thrust) : std::nullopt);
         const bool isInstalled = ofBlow.back() && needed.back();
         ofAllGaps.push_back(isInstalled ? std::optional(*each.blow->feed->effective() - *needed.back())
                                         : std::nullopt);
+        share.push_back(isInstalled ? std::optional(*ofAllGaps.back() / *needed.back()) : std::nullopt);
     }
-    const ShownUnit unit = outputUnit(*findOutput("thrust"), shownUnits(system, base->blow->scales, chosen),
-                                      base->blow->feed->fullRate);
-    const auto add = [&](const QString& name, Numbers numbers) {
+    const ShownUnit force = outputUnit(*findOutput("thrust"), shownUnits(system, base->blow->scales, chosen),
+                                       base->blow->feed->fullRate);
+    const auto add = [&](const QString& name, Numbers numbers, const ShownUnit& unit, bool isSigned) {
         const auto isThere = [](const std::optional<double>& number) { return number.has_value(); };
         if (std::ranges::none_of(numbers, isThere)) return;
         for (std::optional<double>& number : numbers)
@@ -166,11 +167,13 @@ void addMargins(CompareTable& table, const Columns& columns, UnitSystem system, 
                               .name = name,
                               .unit = unit.unit,
                               .numbers = std::move(numbers),
-                              .words = {}});
+                              .words = {},
+                              .isSigned = isSigned});
     };
-    add(tr("thrust margin, this blow"), std::move(ofBlow));
-    add(tr("thrust needed at every gap"), std::move(needed));
-    add(tr("thrust margin at every gap"), std::move(ofAllGaps));
+    add(tr("thrust margin, this blow"), std::move(ofBlow), force, true);
+    add(tr("thrust needed at every gap"), std::move(needed), force, false);
+    add(tr("thrust margin at every gap"), std::move(ofAllGaps), force, true);
+    add(tr("thrust margin at every gap"), std::move(share), {100, QStringLiteral("%"), false}, true);
 }
 
 std::string cell(const QString& text, char separator) {
@@ -182,6 +185,14 @@ std::string cell(const std::optional<double>& number) {
 }
 
 }  // namespace
+
+QString CompareRow::text(std::size_t column, const QLocale& locale) const {
+    if (!hasNumbers()) return words.value(static_cast<qsizetype>(column));
+    const std::optional<double>& number = numbers[column];
+    if (!number) return {};
+    const QString text = numberText(*number, digits, locale);
+    return isSigned ? withSign(*number, text) : text;
+}
 
 std::optional<double> CompareRow::difference(std::size_t column, std::size_t reference) const {
     if (numbers.empty() || !numbers[column] || !numbers[reference]) return std::nullopt;

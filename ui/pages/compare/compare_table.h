@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QByteArray>
+#include <QLocale>
 #include <QStringList>
 #include <optional>
 #include <vector>
@@ -15,10 +16,10 @@ class UnitChoice;
 
 /// What stands side by side.
 struct CompareColumn {
-    QString title;                        ///< "now", "A  k 300 MN/m"
-    const Scenario* scenario;             ///< not nullptr
-    const SolvedBlow* blow;               ///< nullptr where there is none
-    std::optional<double> everyGap = {};  ///< the largest of its needs of thrust [N], where that is known
+    QString title;                              ///< "now", "A  k 300 MN/m"
+    const Scenario* scenario;                   ///< not nullptr
+    const SolvedBlow* blow;                     ///< nullptr where there is none
+    std::optional<WidestNeed> widestNeed = {};  ///< of its thrust, where that was studied
 };
 
 /// One quantity of all columns, in the units on show.
@@ -31,8 +32,11 @@ struct CompareRow {
     /// Where numbers are multiples of what rods and strings have of their own: whose each is. Only those of
     /// the same can be compared.
     std::vector<bool> ofString = {};
+    bool isSigned = false;  ///< a margin, which is told with its sign
 
     bool hasNumbers() const { return !numbers.empty(); }
+    /// The word, or the number to five digits; empty where the column has none.
+    QString text(std::size_t column, const QLocale& locale) const;
     /// number − that of the reference; nothing where one of them is missing.
     std::optional<double> difference(std::size_t column, std::size_t reference) const;
     /// The same by the size of the reference's.

@@ -27,11 +27,6 @@ QString shortName(ThrustCase which) {
     }
 }
 
-QString percent(double share) {
-    return QStringLiteral("%1%2 %").arg(share > 0 ? QStringLiteral("+") : QString(),
-                                        numberText(100 * share, 3, QLocale()));
-}
-
 QString gapText(const GapAtBlow& found, const ShownUnit& unit) {
     if (found.motion.kind == UndampedMotion::Kind::resting) return ThrustTable::tr("none");
     if (found.motion.kind == UndampedMotion::Kind::pushedBack) return noNumber;
@@ -90,7 +85,8 @@ void ThrustTable::present(const ThrustNeeds& needs, const ThrustUnits& units) {
                 QStringLiteral("%1 … %2").arg(numberText(need.thrust * units.force.factor, 4, locale),
                                               quantityText(need.thrustUndamped, units.force, locale)),
                 QStringLiteral("e = ") + numberText(need.cor.value, 4, locale));
-        setText(margin, which, need.margin ? percent(*need.margin) : QString());
+        setText(margin, which,
+                need.margin ? withSign(*need.margin, percentText(*need.margin, 3, locale)) : QString());
         setText(
             limit, which,
             need.frequencyLimit ? quantityText(*need.frequencyLimit, units.frequency, locale) : QString());

@@ -67,6 +67,7 @@ class TestComparePage : public QObject {
     void stringsHaveTheirResults();
     void multiplesOfOtherScalesAreNotCompared();
     void marginsOfTheThrustAreCompared();
+    void stringsHaveNoMarginAtEveryGap();
     void whatRoundingMakesIsNoDifference();
 
   private:
@@ -392,8 +393,30 @@ void TestComparePage::marginsOfTheThrustAreCompared() {
         QVERIFY(isShown("thrust needed at every gap", everywhere));
         QVERIFY(isShown("thrust margin at every gap", installed - everywhere));
     }
+    const CompareRow* margin = rowOf(m_page->table(), "thrust margin at every gap");
+    QVERIFY(*margin->numbers[1] > 0);  // and told with its sign
+    QCOMPARE(margin->text(1, QLocale::c()).front(), QChar('+'));
     m_page->setResult(solve(UnitSystem::dimensionless));
     QVERIFY(!rowOf(m_page->table(), "thrust margin, this blow"));
+}
+
+// Of a string only this blow and rigid rock are known, whatever its largest need is called elsewhere.
+void TestComparePage::stringsHaveNoMarginAtEveryGap() {
+    m_document->startFrom(findExample("r32_string")->text, "example");
+    const Blow blow = solveBlow(m_document->scenario(), {}, Detail::cor);
+    SolvedBlow solved;
+    static_cast<Blow&>(solved) = blow;
+    QVERIFY(blow.feed);
+    CompareColumn column{.title = "A", .scenario = &solved.scenario, .blow = &solved};
+    const UnitChoice units;
+    const auto names = [&](bool isOfAllGaps) {
+        column.widestNeed = WidestNeed{.thrust = 5e3, .ofAllGaps = isOfAllGaps};
+        QStringList all;
+        for (const CompareRow& row : compareTable({column}, 0, UnitSystem::si, {}, units).rows) all << row.name;
+        return all;
+    };
+    QVERIFY(names(true).contains("thrust needed at every gap"));
+    QVERIFY(!names(false).contains("thrust needed at every gap"));
 }
 
 void TestComparePage::whatRoundingMakesIsNoDifference() {
