@@ -93,7 +93,7 @@ std::vector<std::string> cellsOfRod(const SummaryLine& line, const Output& outpu
                                     const Blow& blow, const ReadingStyle& style) {
     std::vector<std::string> cells{labelOf(line, style)};
     if (output.isOnlySi()) {
-        const std::string text = style.quantity(value, output.quantity(), 4);
+        const std::string text = siText(output, value, blow, style, 4);
         cells.push_back(line.remark ? style.said({line.remark, {text}}) : text);
         return cells;
     }

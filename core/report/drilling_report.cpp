@@ -216,9 +216,12 @@ Message regimeWords(const DrillingResult& result, const ReadingStyle& style) {
                 {std::to_string(statistics.period)}};
     };
     if (!result.lyapunov) return regime();
-    std::string exponent = style.number(result.lyapunov->value, 3);
-    if (result.lyapunov->error) exponent += " +- " + style.number(*result.lyapunov->error, 2);
-    return {translatable("drillwave::Message", "%1; Lyapunov exponent %2 per blow"), {regime(), exponent}};
+    const std::string exponent = style.number(result.lyapunov->value, 3);
+    if (!result.lyapunov->error)
+        return {translatable("drillwave::Message", "%1; Lyapunov exponent %2 per blow"),
+                {regime(), exponent}};
+    return {translatable("drillwave::Message", "%1; Lyapunov exponent %2 +- %3 per blow"),
+            {regime(), exponent, style.number(*result.lyapunov->error, 2)}};
 }
 
 std::string drillingJson(const DrillingReport& report, OutputUnits units) {

@@ -66,8 +66,9 @@ std::string lawLine(const Scenario& scenario, const ReadingStyle& style) {
     if (!rock.corners.empty()) numbers += " " + cornersText(scenario, style);
     if (numbers.empty()) return numbers;
     return "  " +
-           style.said({translatable("drillwave::Message", "rock law %1"), {std::string(name(rock.law))}}) +
-           " " + numbers + "\n";
+           style.said(
+               {translatable("drillwave::Message", "rock: %1,"), {Message::ofTable(phrase(rock.law))}}) +
+           numbers + "\n";
 }
 
 std::string headingOf(const Scenario& scenario, const ReadingStyle& style) {

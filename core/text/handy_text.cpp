@@ -28,9 +28,9 @@ std::string ReadingStyle::said(const Message& message) const {
 
 ReadUnit ReadingStyle::unitFor(double si, Quantity quantity) const {
     // Of each quantity from the smallest on.
-    constexpr std::array<std::string_view, 20> handy{"us",  "ms",  "s",   "um",   "mm",   "m",   "N s",
-                                                     "N",   "kN",  "J",   "kJ",   "W",    "kW",  "kg",
-                                                     "MPa", "GPa", "N/m", "kN/m", "MN/m", "GN/m"};
+    constexpr std::array<std::string_view, 21> handy{"us",  "ms",  "s",   "um",  "mm",   "m",    "mm^2",
+                                                     "N s", "N",   "kN",  "J",   "kJ",   "W",    "kW",
+                                                     "kg",  "MPa", "GPa", "N/m", "kN/m", "MN/m", "GN/m"};
     const Unit* chosen = nullptr;
     for (const std::string_view name : handy) {
         const Unit* unit = findUnit(quantity, name);
@@ -41,6 +41,11 @@ ReadUnit ReadingStyle::unitFor(double si, Quantity quantity) const {
     }
     if (!chosen) chosen = &unitsOf(quantity).front();
     return {chosen, std::string(chosen->name)};
+}
+
+ReadUnit ReadingStyle::rateUnit(double /*si*/) const {
+    constexpr std::string_view name = "m/min";
+    return {findUnit(Quantity::velocity, name), std::string(name)};
 }
 
 std::string ReadingStyle::quantity(double si, Quantity quantity, int digits, Rounding rounding) const {
@@ -63,10 +68,11 @@ std::string ReadingStyle::bound(double bound) const {
 }
 
 std::string ReadingStyle::withDecimalSign(std::string cText) const {
-    const std::size_t point = cText.find('.');
-    if (point == std::string::npos) return cText;
     const std::string half = number(0.5, 1);  // "0.5", "0,5"
-    return cText.replace(point, 1, half.substr(1, half.size() - 2));
+    const std::string sign = half.substr(1, half.size() - 2);
+    for (std::size_t at = cText.find('.'); at != std::string::npos; at = cText.find('.', at + sign.size()))
+        cText.replace(at, 1, sign);
+    return cText;
 }
 
 std::string ReadingStyle::signedPercent(double share) const {

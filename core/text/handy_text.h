@@ -32,7 +32,7 @@ class ReadingStyle {
     /// The unit of its customary family that needs the fewest zeros.
     virtual ReadUnit unitFor(double si, Quantity quantity) const;
     /// The same of a rate of penetration, which drillers count in a minute.
-    virtual ReadUnit rateUnit(double si) const { return unitFor(si, Quantity::velocity); }
+    virtual ReadUnit rateUnit(double si) const;
     /// Whether texts stand in a window or on a page, for people alone: with the signs of print, and with
     /// pages of the window where a terminal has commands.
     virtual bool isPrinted() const { return false; }
@@ -55,7 +55,7 @@ class ReadingStyle {
     std::string rate(double si, int digits = 6) const;
     /// A bound in two digits that are not less than it.
     std::string bound(double bound) const;
-    /// A number that is written in the C locale, with the decimal sign of the reader.
+    /// Numbers that are written in the C locale, with the decimal sign of the reader.
     std::string withDecimalSign(std::string cText) const;
     /// A share as "+10.3 %" or "-5 %".
     std::string signedPercent(double share) const;

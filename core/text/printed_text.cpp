@@ -99,9 +99,7 @@ ReadUnit PrintedStyle::unitFor(double si, Quantity quantity) const {
 }
 
 ReadUnit PrintedStyle::rateUnit(double si) const {
-    if (m_reader.isPrinted()) return m_reader.rateUnit(si);
-    constexpr std::string_view name = "m/min";
-    return {findUnit(Quantity::velocity, name), std::string(name)};
+    return m_reader.rateUnit(si);
 }
 
 std::string PrintedStyle::patternFor(const std::string& english) const {
