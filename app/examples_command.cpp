@@ -37,11 +37,12 @@ std::vector<Example> chosenExamples(const Arguments& arguments) {
     return chosen;
 }
 
-void list(const std::vector<Example>& examples, OutputFile& out) {
+void list(const std::vector<Example>& examples, const ReadingStyle& style, OutputFile& out) {
     std::size_t width = 0;
     for (const Example& example : examples) width = std::max(width, example.name.size());
     for (const Example& example : examples)
-        out.write(example.name + std::string(width - example.name.size() + 2, ' ') + example.title + "\n");
+        out.write(example.name + std::string(width - example.name.size() + 2, ' ') +
+                  style.said(Message::ofTable(example.title)) + "\n");
 }
 
 /// As a stream of YAML documents.
@@ -77,7 +78,7 @@ ExitCode runExamples(const Arguments& arguments, const Drawing*) {
     if (directory)
         print(examples, out);
     else
-        list(examples, out);
+        list(examples, arguments.style(), out);
     out.commit();
     return ExitCode::done;
 }

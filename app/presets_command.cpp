@@ -56,12 +56,14 @@ class Listing {
 
     void add(std::string_view kind, const Message& use, const std::string& name,
              const std::string& description) {
-        const std::string all = lowerCase(std::string(kind) + "s\n" + name + "\n" + description);
+        const std::string inWords = m_style.said(Message::ofTable(name));
+        const std::string title = inWords == name ? name : name + " — " + inWords;
+        const std::string all = lowerCase(std::string(kind) + "s\n" + title + "\n" + description);
         const auto isThere = [&](const std::string& word) { return all.find(word) != std::string::npos; };
         if (!std::ranges::all_of(m_words, isThere)) return;
         if (kind != m_kind) m_text += (m_text.empty() ? "" : "\n") + m_style.said(use) + "\n";
         m_kind = kind;
-        m_text += "  " + name + "\n" + indented(description, 4);
+        m_text += "  " + title + "\n" + indented(description, 4);
     }
     const std::string& text() const { return m_text; }
 
@@ -80,9 +82,10 @@ ExitCode runPresets(const Arguments& arguments, const Drawing*) {
     Listing listing(search, arguments.style());
     for (const Preset& preset : file.presets)
         listing.add(name(preset.kind), {usePattern(preset.kind), {"--" + std::string(name(preset.kind))}},
-                    preset.name, description(preset));
+                    preset.name, description(preset, arguments.style()));
     for (const SectionPreset& preset : file.sectionPresets)
-        listing.add(name(preset.kind), usePattern(preset.kind), preset.name, description(preset));
+        listing.add(name(preset.kind), usePattern(preset.kind), preset.name,
+                    description(preset, arguments.style()));
     if (listing.text().empty() && !search.empty())
         throw CommandError(
             ExitCode::unsolvedOrFailed,

@@ -16,14 +16,20 @@ BitRock withCurve(const BitRock& rock, const Preset& preset) {
     return changed;
 }
 
-/// "corners, from 90 kN on slope 0.35, from 150 kN on slope 0.7".
-std::string curveText(const Preset& preset) {
-    std::string text(name(preset.law));
-    const Unit& kilonewton = *findUnit(Quantity::force, "kN");
+/// "a law with corners, from 90 kN on slope 0.35, from 150 kN on slope 0.7".
+std::string curveText(const Preset& preset, const ReadingStyle& style) {
+    std::string text = style.said(Message::ofTable(phrase(preset.law)));
     for (const RockCorner& corner : preset.corners)
-        text += ", from " + formatQuantity(corner.force, Quantity::force, kilonewton) + " on slope " +
-                formatNumber(corner.slope);
+        text +=
+            ", " + style.said({translatable("drillwave::Message", "from %1 on slope %2"),
+                               {style.quantity(corner.force, Quantity::force), style.number(corner.slope)}});
     return text;
+}
+
+/// "diameter: 38 mm — nominal".
+std::string valueLine(const Message& label, const std::string& value, const std::string& source,
+                      const ReadingStyle& style) {
+    return style.said(label) + ": " + value + " — " + style.said(Message::ofTable(source));
 }
 
 }  // namespace
@@ -59,15 +65,19 @@ bool matches(const Preset& preset, const Scenario& scenario) {
     return keepsMaterial && std::ranges::all_of(preset.values, isThere);
 }
 
-std::string description(const Preset& preset) {
+std::string description(const Preset& preset, const ReadingStyle& style) {
     std::string text;
-    if (preset.shape) text = "shape: " + std::string(name(*preset.shape)) + " — " + preset.shapeSource;
-    if (!preset.lawSource.empty()) text = "law: " + curveText(preset) + " — " + preset.lawSource;
+    if (preset.shape)
+        text = valueLine(translatable("drillwave::Message", "shape"), style.name(name(*preset.shape)),
+                         preset.shapeSource, style);
+    if (!preset.lawSource.empty())
+        text = valueLine(translatable("drillwave::Message", "loading curve"), curveText(preset, style),
+                         preset.lawSource, style);
     for (const PresetValue& value : preset.values) {
         const Parameter& parameter = *value.parameter;
         if (!text.empty()) text += '\n';
-        text += std::string(parameter.label) + ": " +
-                formatQuantity(value.si, parameter.quantity, parameter.displayUnit()) + " — " + value.source;
+        text += valueLine(Message::ofTable(parameter.label), style.quantity(value.si, parameter.quantity),
+                          value.source, style);
     }
     return text;
 }

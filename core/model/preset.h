@@ -10,6 +10,7 @@
 
 #include "core/model/parameter.h"
 #include "core/model/scenario.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
@@ -46,6 +47,6 @@ Scenario withPreset(Scenario scenario, const Preset& preset);
 bool matches(const Preset& preset, const Scenario& scenario);
 
 /// "diameter: 38 mm — nominal", one line for the shape or the law and for each value.
-std::string description(const Preset& preset);
+std::string description(const Preset& preset, const ReadingStyle& style);
 
 }  // namespace drillwave

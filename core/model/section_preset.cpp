@@ -16,13 +16,12 @@ std::string_view name(SectionPresetKind kind) {
     return names[kind];
 }
 
-std::string description(const SectionPreset& preset) {
+std::string description(const SectionPreset& preset, const ReadingStyle& style) {
     std::string text;
-    for (const Section& section : preset.sections) text += (text.empty() ? "" : ", ") + sizeText(section);
-    if (preset.velocity)
-        text +=
-            ", " + formatQuantity(*preset.velocity, Quantity::velocity, *findUnit(Quantity::velocity, "m/s"));
-    return text + " — " + preset.source;
+    for (const Section& section : preset.sections)
+        text += (text.empty() ? "" : ", ") + style.withDecimalSign(sizeText(section));
+    if (preset.velocity) text += ", " + style.quantity(*preset.velocity, Quantity::velocity);
+    return text + " — " + style.said(Message::ofTable(preset.source));
 }
 
 Hammer withPiston(Hammer hammer, const SectionPreset& piston) {

@@ -9,6 +9,7 @@
 
 #include "core/model/drill_string.h"
 #include "core/text/enum_names.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
@@ -29,7 +30,7 @@ struct SectionPreset {
 };
 
 /// "300 mm × 50 mm, 250 mm × 38 mm, 10 m/s — assumed".
-std::string description(const SectionPreset& preset);
+std::string description(const SectionPreset& preset, const ReadingStyle& style);
 
 /// The piston in place of the hammer's sections, and its velocity where it has one. Requires a piston.
 Hammer withPiston(Hammer hammer, const SectionPreset& piston);

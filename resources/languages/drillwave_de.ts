@@ -1749,6 +1749,770 @@ Trotzdem löschen?</translation>
         <source>stopped</source>
         <translation>angehalten</translation>
     </message>
+    <message>
+        <source>0.7 kg: Mitsubishi Materials, type 23, second hand; the shape assumed, so that it has that mass</source>
+        <translation>0,7 kg: Mitsubishi Materials, Typ 23, aus zweiter Hand; die Form so angenommen, dass sich diese Masse ergibt</translation>
+    </message>
+    <message>
+        <source>11 kW over 110 J (press release of 2005, second hand)</source>
+        <translation>11 kW durch 110 J (Pressemitteilung von 2005, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>110 J at 10 m/s (press release of 2005, second hand); uniform, its length and velocity assumed</source>
+        <translation>110 J bei 10 m/s (Pressemitteilung von 2005, aus zweiter Hand); gleichförmig, Länge und Geschwindigkeit angenommen</translation>
+    </message>
+    <message>
+        <source>200 J at 10 m/s: 12 kW at 60 Hz (brochure 9865 0024, second hand); uniform, its length and velocity assumed</source>
+        <translation>200 J bei 10 m/s: 12 kW bei 60 Hz (Prospekt 9865 0024, aus zweiter Hand); gleichförmig, Länge und Geschwindigkeit angenommen</translation>
+    </message>
+    <message>
+        <source>200 J at 10 m/s: of 180 to 220 J (specification of the HC drifters, second hand); uniform, its length and velocity assumed</source>
+        <translation>200 J bei 10 m/s: aus dem Bereich 180 bis 220 J (Datenblatt der HC-Bohrhämmer, aus zweiter Hand); gleichförmig, Länge und Geschwindigkeit angenommen</translation>
+    </message>
+    <message>
+        <source>25 mm across flats, less a flushing hole of 8.6 mm (Epiroc catalogue 9866 0424, Robit, second hand)</source>
+        <translation>Schlüsselweite 25 mm, abzüglich eines Spüllochs von 8,6 mm (Epiroc-Katalog 9866 0424, Robit, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>28 mm across flats, less a flushing hole of 8.8 mm (Sandvik, Robit catalogues, second hand)</source>
+        <translation>Schlüsselweite 28 mm, abzüglich eines Spüllochs von 8,8 mm (Kataloge von Sandvik und Robit, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>308 J at 10 m/s: 18.5 kW at 60 Hz (E&amp;MJ, Hydraulic drills hammer through: 18 to 19 kW); uniform, its length and velocity assumed</source>
+        <translation>308 J bei 10 m/s: 18,5 kW bei 60 Hz (E&amp;MJ, Hydraulic drills hammer through: 18 bis 19 kW); gleichförmig, Länge und Geschwindigkeit angenommen</translation>
+    </message>
+    <message>
+        <source>32 mm across flats, less a flushing hole of 9.6 mm (Epiroc, Sandvik, Robit catalogues, second hand)</source>
+        <translation>Schlüsselweite 32 mm, abzüglich eines Spüllochs von 9,6 mm (Kataloge von Epiroc, Sandvik und Robit, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>35 mm across flats, less a flushing hole of 9.5 mm (Epiroc, Sandvik, Robit catalogues, second hand)</source>
+        <translation>Schlüsselweite 35 mm, abzüglich eines Spüllochs von 9,5 mm (Kataloge von Epiroc, Sandvik und Robit, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>3500 blows a minute (Power &amp; Motion, Hydraulic valves make machines rock solid)</source>
+        <translation>3500 Schläge je Minute (Power &amp; Motion, Hydraulic valves make machines rock solid)</translation>
+    </message>
+    <message>
+        <source>380 J at 10 m/s: the most of 250 to 380 J (specification of the HC drifters, second hand); uniform, its length and velocity assumed</source>
+        <translation>380 J bei 10 m/s: der größte Wert von 250 bis 380 J (Datenblatt der HC-Bohrhämmer, aus zweiter Hand); gleichförmig, Länge und Geschwindigkeit angenommen</translation>
+    </message>
+    <message>
+        <source>380 to 390 mm, 3.1 to 3.3 kg, bore 10 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>380 bis 390 mm, 3,1 bis 3,3 kg, Bohrung 10 mm (Mitsubishi Materials, Top Hammer Tools 2024, aus zweiter Hand); als wäre es gleichförmig, der Durchmesser aus der Masse</translation>
+    </message>
+    <message>
+        <source>406 mm, 3.3 kg, bore 14 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>406 mm, 3,3 kg, Bohrung 14 mm (Mitsubishi Materials, Top Hammer Tools 2024, aus zweiter Hand); als wäre es gleichförmig, der Durchmesser aus der Masse</translation>
+    </message>
+    <message>
+        <source>41 x 160 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); bore assumed: that of the rod, the joint being full</source>
+        <translation>41 × 160 mm (Mitsubishi Materials, Top Hammer Tools 2024, aus zweiter Hand); Bohrung angenommen: die der Stange, da die Verbindung ausgefüllt ist</translation>
+    </message>
+    <message>
+        <source>435 mm, 4.7 to 5.0 kg, bore 9.6 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>435 mm, 4,7 bis 5,0 kg, Bohrung 9,6 mm (Mitsubishi Materials, Top Hammer Tools 2024, aus zweiter Hand); als wäre es gleichförmig, der Durchmesser aus der Masse</translation>
+    </message>
+    <message>
+        <source>447 mm, 5.0 kg, bore 14 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>447 mm, 5,0 kg, Bohrung 14 mm (Mitsubishi Materials, Top Hammer Tools 2024, aus zweiter Hand); als wäre es gleichförmig, der Durchmesser aus der Masse</translation>
+    </message>
+    <message>
+        <source>50 Hz with 5.5 kW, second hand</source>
+        <translation>50 Hz bei 5,5 kW, aus zweiter Hand</translation>
+    </message>
+    <message>
+        <source>54 x 170 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); bore assumed: that of the rod, the joint being full</source>
+        <translation>54 × 170 mm (Mitsubishi Materials, Top Hammer Tools 2024, aus zweiter Hand); Bohrung angenommen: die der Stange, da die Verbindung ausgefüllt ist</translation>
+    </message>
+    <message>
+        <source>55 x 190 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); bore assumed: that of the rod, the joint being full</source>
+        <translation>55 × 190 mm (Mitsubishi Materials, Top Hammer Tools 2024, aus zweiter Hand); Bohrung angenommen: die der Stange, da die Verbindung ausgefüllt ist</translation>
+    </message>
+    <message>
+        <source>605 mm, 9.3 kg, bore 11.3 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>605 mm, 9,3 kg, Bohrung 11,3 mm (Mitsubishi Materials, Top Hammer Tools 2024, aus zweiter Hand); als wäre es gleichförmig, der Durchmesser aus der Masse</translation>
+    </message>
+    <message>
+        <source>63 x 210 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); bore assumed: that of the rod, the joint being full</source>
+        <translation>63 × 210 mm (Mitsubishi Materials, Top Hammer Tools 2024, aus zweiter Hand); Bohrung angenommen: die der Stange, da die Verbindung ausgefüllt ist</translation>
+    </message>
+    <message>
+        <source>7.5 kW over 165 J (press release of 2005, second hand)</source>
+        <translation>7,5 kW durch 165 J (Pressemitteilung von 2005, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>72 x 235 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); bore assumed: that of the rod, the joint being full</source>
+        <translation>72 × 235 mm (Mitsubishi Materials, Top Hammer Tools 2024, aus zweiter Hand); Bohrung angenommen: die der Stange, da die Verbindung ausgefüllt ist</translation>
+    </message>
+    <message>
+        <source>770 mm, 13.1 to 14.3 kg, bore 6.6 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>770 mm, 13,1 bis 14,3 kg, Bohrung 6,6 mm (Mitsubishi Materials, Top Hammer Tools 2024, aus zweiter Hand); als wäre es gleichförmig, der Durchmesser aus der Masse</translation>
+    </message>
+    <message>
+        <source>790 mm, 14.8 kg, bore 11.3 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>790 mm, 14,8 kg, Bohrung 11,3 mm (Mitsubishi Materials, Top Hammer Tools 2024, aus zweiter Hand); als wäre es gleichförmig, der Durchmesser aus der Masse</translation>
+    </message>
+    <message>
+        <source>840 mm, 15.8 kg, bore 6.2 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>840 mm, 15,8 kg, Bohrung 6,2 mm (Mitsubishi Materials, Top Hammer Tools 2024, aus zweiter Hand); als wäre es gleichförmig, der Durchmesser aus der Masse</translation>
+    </message>
+    <message>
+        <source>A T38 string of three rods with its hammer. Look at the efficiency, which the couplings decide: each is of larger impedance than the rods and throws back part of every wave that passes, so that 0.50 of the energy of the hammer stays in the rock, where couplings as thin as the rod would leave 0.75. Then look at the largest tension.</source>
+        <translation>Ein T38-Strang aus drei Stangen mit seinem Hammer. Auf den Wirkungsgrad achten, über den die Kupplungsmuffen entscheiden: jede hat eine größere Impedanz als die Stangen und wirft einen Teil jeder durchlaufenden Welle zurück, so dass 0,50 der Energie des Hammers im Gestein bleibt, wo Muffen so dünn wie die Stange 0,75 ließen. Dann auf den größten Zug achten.</translation>
+    </message>
+    <message>
+        <source>A bench drilling string of five T51 rods. Look at the efficiency, 0.46 where three T38 rods have 0.50, and set string.repeat to fewer and to more rods: the first joints of a string cost more than the last.</source>
+        <translation>Ein Strang aus fünf T51-Stangen zum Strossenbohren. Auf den Wirkungsgrad achten, 0,46, wo drei T38-Stangen 0,50 haben, und string.repeat auf weniger und auf mehr Stangen setzen: die ersten Verbindungen eines Strangs kosten mehr als die letzten.</translation>
+    </message>
+    <message>
+        <source>A bench-drilling string in medium rock: the case to start from. Look at the energy and the thrust: three quarters of the blow stay in the rock, most of the rest runs to and fro in the rod as waves, and the rebound sets the feed force that the blows need. Drag the stiffness or the gap to see both change.</source>
+        <translation>Ein Strang zum Strossenbohren in mittelhartem Gestein: der Fall für den Anfang. Auf die Energie und den Andruck achten: drei Viertel des Schlags bleiben im Gestein, der größte Teil des Rests läuft als Wellen in der Stange hin und her, und der Rückprall bestimmt den Andruck, den die Schläge brauchen. Die Steifigkeit oder den Spalt ziehen, um zu sehen, wie sich beide ändern.</translation>
+    </message>
+    <message>
+        <source>A heavy string in soft rock, struck by an elastic piston a little stiffer than the rod. Look at the steps of the hammer blow, each as long as the piston&apos;s own round trip, and at the deep penetration: soft rock takes up the wave so slowly that the contact lasts longer than a round trip of the wave in the rod.</source>
+        <translation>Ein schwerer Strang in weichem Gestein, geschlagen von einem elastischen Kolben, der etwas steifer ist als die Stange. Auf die Stufen des Hammerschlags achten, jede so lang wie ein Hin- und Rücklauf im Kolben, und auf die tiefe Eindringung: weiches Gestein nimmt die Welle so langsam auf, dass der Kontakt länger dauert als ein Hin- und Rücklauf der Welle in der Stange.</translation>
+    </message>
+    <message>
+        <source>A light drifter on hard rock. Look at the peak force and at the thrust needed: stiff rock answers a short blow with a high, brief force and throws the string back harder than softer rock, so that more feed force is needed for each joule that stays in the rock. Compare with the T38 rod in medium rock.</source>
+        <translation>Ein leichter Bohrhammer auf hartem Gestein. Auf die Spitzenkraft und den nötigen Andruck achten: steifes Gestein beantwortet einen kurzen Schlag mit einer hohen, kurzen Kraft und wirft den Strang heftiger zurück als weicheres Gestein, so dass für jedes Joule, das im Gestein bleibt, mehr Andruck nötig ist. Mit der T38-Stange in mittelhartem Gestein vergleichen.</translation>
+    </message>
+    <message>
+        <source>A light drifter with one R32 rod on hard rock. Look at the velocity with which the hammer comes back: stiff rock and a short string return 11 % of its energy to it, where three T38 rods in softer rock return 2 %. Compare the efficiency of 0.67 with that of the T38 string.</source>
+        <translation>Ein leichter Bohrhammer mit einer R32-Stange auf hartem Gestein. Auf die Geschwindigkeit achten, mit der der Hammer zurückkommt: steifes Gestein und ein kurzer Strang geben ihm 11 % seiner Energie zurück, wo drei T38-Stangen in weicherem Gestein 2 % zurückgeben. Den Wirkungsgrad von 0,67 mit dem des T38-Strangs vergleichen.</translation>
+    </message>
+    <message>
+        <source>A rod without waves before the impact: it flies as a rigid body against the same spring as in Fig. 4 (a). Look at the single long contact and compare e = 0.990 with 1.401 there: the super rebound is the work of the pre-impact waves. The scales are those of Fig. 4, the unit of time being the t0 that gives tau = 10.</source>
+        <translation>Eine Stange ohne Wellen vor dem Stoß: sie fliegt als starrer Körper gegen dieselbe Feder wie in Abb. 4 (a). Auf den einen langen Kontakt achten und e = 0,990 mit 1,401 dort vergleichen: der Überrückprall ist das Werk der Wellen vor dem Stoß. Die Bezugsgrößen sind die von Abb. 4, wobei die Einheit der Zeit das t0 ist, das tau = 10 ergibt.</translation>
+    </message>
+    <message>
+        <source>BBC 54, BBC 120</source>
+        <translation>BBC 54, BBC 120</translation>
+    </message>
+    <message>
+        <source>BBE 57</source>
+        <translation>BBE 57</translation>
+    </message>
+    <message>
+        <source>COP 131EB</source>
+        <translation>COP 131EB</translation>
+    </message>
+    <message>
+        <source>COP 2160EX, COP 2560EX</source>
+        <translation>COP 2160EX, COP 2560EX</translation>
+    </message>
+    <message>
+        <source>COP 3038, COP 4038</source>
+        <translation>COP 3038, COP 4038</translation>
+    </message>
+    <message>
+        <source>COP 3060MEX</source>
+        <translation>COP 3060MEX</translation>
+    </message>
+    <message>
+        <source>COP 4050EX</source>
+        <translation>COP 4050EX</translation>
+    </message>
+    <message>
+        <source>COP 4050L</source>
+        <translation>COP 4050L</translation>
+    </message>
+    <message>
+        <source>Epiroc COP 1028</source>
+        <translation>Epiroc COP 1028</translation>
+    </message>
+    <message>
+        <source>Epiroc COP 1032</source>
+        <translation>Epiroc COP 1032</translation>
+    </message>
+    <message>
+        <source>Epiroc COP 1132</source>
+        <translation>Epiroc COP 1132</translation>
+    </message>
+    <message>
+        <source>Epiroc COP 1238K</source>
+        <translation>Epiroc COP 1238K</translation>
+    </message>
+    <message>
+        <source>Epiroc COP 1838</source>
+        <translation>Epiroc COP 1838</translation>
+    </message>
+    <message>
+        <source>Epiroc COP 628</source>
+        <translation>Epiroc COP 628</translation>
+    </message>
+    <message>
+        <source>Epiroc COP SC14</source>
+        <translation>Epiroc COP SC14</translation>
+    </message>
+    <message>
+        <source>Epiroc catalogue 9866 0424, second hand</source>
+        <translation>Epiroc-Katalog 9866 0424, aus zweiter Hand</translation>
+    </message>
+    <message>
+        <source>Epiroc catalogue 9866 0424, second hand; the weights of Robit and Sandvik agree within 2 %</source>
+        <translation>Epiroc-Katalog 9866 0424, aus zweiter Hand; die Gewichte von Robit und Sandvik stimmen auf 2 % überein</translation>
+    </message>
+    <message>
+        <source>Fig. 4 (a) of the paper, elastic spring</source>
+        <translation>Abb. 4 (a) der Veröffentlichung, elastische Feder</translation>
+    </message>
+    <message>
+        <source>Fig. 4 (b) of the paper, bilinear rock</source>
+        <translation>Abb. 4 (b) der Veröffentlichung, bilineares Gestein</translation>
+    </message>
+    <message>
+        <source>Fig. 8 of the paper, gap of the smallest rebound</source>
+        <translation>Abb. 8 der Veröffentlichung, Spalt des kleinsten Rückpralls</translation>
+    </message>
+    <message>
+        <source>GT60, round 60 mm</source>
+        <translation>GT60, rund 60 mm</translation>
+    </message>
+    <message>
+        <source>KLEMM KD 1011, 11.5 kg</source>
+        <translation>KLEMM KD 1011, 11,5 kg</translation>
+    </message>
+    <message>
+        <source>KLEMM KD 1215R, 14.3 kg</source>
+        <translation>KLEMM KD 1215R, 14,3 kg</translation>
+    </message>
+    <message>
+        <source>KLEMM KD 2117, 16.5 kg</source>
+        <translation>KLEMM KD 2117, 16,5 kg</translation>
+    </message>
+    <message>
+        <source>KLEMM KD 2524, 24 kg</source>
+        <translation>KLEMM KD 2524, 24 kg</translation>
+    </message>
+    <message>
+        <source>KLEMM KD 3428, 28 kg</source>
+        <translation>KLEMM KD 3428, 28 kg</translation>
+    </message>
+    <message>
+        <source>KLEMM KD 408, 6.8 kg</source>
+        <translation>KLEMM KD 408, 6,8 kg</translation>
+    </message>
+    <message>
+        <source>Mitsubishi R28, 160 mm</source>
+        <translation>Mitsubishi R28, 160 mm</translation>
+    </message>
+    <message>
+        <source>Mitsubishi R32, 45 mm</source>
+        <translation>Mitsubishi R32, 45 mm</translation>
+    </message>
+    <message>
+        <source>Mitsubishi R38, 170 mm</source>
+        <translation>Mitsubishi R38, 170 mm</translation>
+    </message>
+    <message>
+        <source>Mitsubishi T38, 190 mm</source>
+        <translation>Mitsubishi T38, 190 mm</translation>
+    </message>
+    <message>
+        <source>Mitsubishi T45, 210 mm</source>
+        <translation>Mitsubishi T45, 210 mm</translation>
+    </message>
+    <message>
+        <source>Mitsubishi T51, 235 mm</source>
+        <translation>Mitsubishi T51, 235 mm</translation>
+    </message>
+    <message>
+        <source>Montabert HC 110</source>
+        <translation>Montabert HC 110</translation>
+    </message>
+    <message>
+        <source>Montabert HC 25</source>
+        <translation>Montabert HC 25</translation>
+    </message>
+    <message>
+        <source>Montabert HC 28</source>
+        <translation>Montabert HC 28</translation>
+    </message>
+    <message>
+        <source>Montabert HC 50</source>
+        <translation>Montabert HC 50</translation>
+    </message>
+    <message>
+        <source>R25, hex 25 mm</source>
+        <translation>R25, Sechskant 25 mm</translation>
+    </message>
+    <message>
+        <source>R32 drifter, 42 and 34 mm</source>
+        <translation>R32-Bohrhammer, 42 und 34 mm</translation>
+    </message>
+    <message>
+        <source>R32 rod, hard rock</source>
+        <translation>R32-Stange, hartes Gestein</translation>
+    </message>
+    <message>
+        <source>R32 shank, 350 mm</source>
+        <translation>R32-Einsteckende, 350 mm</translation>
+    </message>
+    <message>
+        <source>R32 string, one rod, hard rock</source>
+        <translation>R32-Strang, eine Stange, hartes Gestein</translation>
+    </message>
+    <message>
+        <source>R32, 150 mm</source>
+        <translation>R32, 150 mm</translation>
+    </message>
+    <message>
+        <source>R32, 48 mm</source>
+        <translation>R32, 48 mm</translation>
+    </message>
+    <message>
+        <source>R32, hex 28 mm</source>
+        <translation>R32, Sechskant 28 mm</translation>
+    </message>
+    <message>
+        <source>R32, hex 32 mm</source>
+        <translation>R32, Sechskant 32 mm</translation>
+    </message>
+    <message>
+        <source>R32, round 32 mm</source>
+        <translation>R32, rund 32 mm</translation>
+    </message>
+    <message>
+        <source>R38, 170 mm</source>
+        <translation>R38, 170 mm</translation>
+    </message>
+    <message>
+        <source>Reference case, rod arriving without waves</source>
+        <translation>Referenzfall, Stange kommt ohne Wellen an</translation>
+    </message>
+    <message>
+        <source>Rock that yields: from 90 kN on it loads along a line of a third of the slope. Look at the rock, whose curve bends, and at the peak force, which stays low while the bit goes deeper; `--set bit_rock.law=bilinear` is the same rock without the corner.</source>
+        <translation>Gestein, das nachgibt: ab 90 kN verläuft die Belastung entlang einer Geraden mit einem Drittel der Steigung. Auf das Gestein achten, dessen Kurve abknickt, und auf die Spitzenkraft, die niedrig bleibt, während die Bohrkrone tiefer eindringt; `--set bit_rock.law=bilinear` ist dasselbe Gestein ohne die Ecke.</translation>
+    </message>
+    <message>
+        <source>Sandvik HL 820ST</source>
+        <translation>Sandvik HL 820ST</translation>
+    </message>
+    <message>
+        <source>Sandvik catalogue 2024, second hand</source>
+        <translation>Sandvik-Katalog 2024, aus zweiter Hand</translation>
+    </message>
+    <message>
+        <source>Sandvik catalogue 2024, second hand; the weights there are 7 % less; the rod of the R32 examples</source>
+        <translation>Sandvik-Katalog 2024, aus zweiter Hand; die Gewichte dort sind 7 % kleiner; die Stange der R32-Beispiele</translation>
+    </message>
+    <message>
+        <source>Sandvik, Robit catalogues, second hand; weights agree within 2 %</source>
+        <translation>Kataloge von Sandvik und Robit, aus zweiter Hand; die Gewichte stimmen auf 2 % überein</translation>
+    </message>
+    <message>
+        <source>T38 drifter, 50 and 38 mm</source>
+        <translation>T38-Bohrhammer, 50 und 38 mm</translation>
+    </message>
+    <message>
+        <source>T38 rod, medium rock</source>
+        <translation>T38-Stange, mittelhartes Gestein</translation>
+    </message>
+    <message>
+        <source>T38 rod, rock not measured</source>
+        <translation>T38-Stange, Gestein nicht gemessen</translation>
+    </message>
+    <message>
+        <source>T38 rod, rock that yields</source>
+        <translation>T38-Stange, nachgebendes Gestein</translation>
+    </message>
+    <message>
+        <source>T38 shank, 450 mm</source>
+        <translation>T38-Einsteckende, 450 mm</translation>
+    </message>
+    <message>
+        <source>T38 string, three rods</source>
+        <translation>T38-Strang, drei Stangen</translation>
+    </message>
+    <message>
+        <source>T38, 190 mm</source>
+        <translation>T38, 190 mm</translation>
+    </message>
+    <message>
+        <source>T38, 190 mm, worn</source>
+        <translation>T38, 190 mm, verschlissen</translation>
+    </message>
+    <message>
+        <source>T38, 76 mm</source>
+        <translation>T38, 76 mm</translation>
+    </message>
+    <message>
+        <source>T38, round 38 mm</source>
+        <translation>T38, rund 38 mm</translation>
+    </message>
+    <message>
+        <source>T38, round 39 mm</source>
+        <translation>T38, rund 39 mm</translation>
+    </message>
+    <message>
+        <source>T45, round 46 mm</source>
+        <translation>T45, rund 46 mm</translation>
+    </message>
+    <message>
+        <source>T51 bench drill, 62 and 52 mm</source>
+        <translation>T51-Bohrhammer zum Strossenbohren, 62 und 52 mm</translation>
+    </message>
+    <message>
+        <source>T51 rod, soft rock, piston blow</source>
+        <translation>T51-Stange, weiches Gestein, Kolbenschlag</translation>
+    </message>
+    <message>
+        <source>T51 shank, 550 mm</source>
+        <translation>T51-Einsteckende, 550 mm</translation>
+    </message>
+    <message>
+        <source>T51 string, five rods, bench drilling</source>
+        <translation>T51-Strang, fünf Stangen, Strossenbohren</translation>
+    </message>
+    <message>
+        <source>T51, 100 mm</source>
+        <translation>T51, 100 mm</translation>
+    </message>
+    <message>
+        <source>T51, 240 mm</source>
+        <translation>T51, 240 mm</translation>
+    </message>
+    <message>
+        <source>T51, round 52 mm</source>
+        <translation>T51, rund 52 mm</translation>
+    </message>
+    <message>
+        <source>TEI TE300</source>
+        <translation>TEI TE300</translation>
+    </message>
+    <message>
+        <source>The gap alone turns a super rebound into a weak one. Look at the first force peak: the front end crosses a gap of 0.521 d0 during the first half of the wave, which is reflected as if there were no rock, and only the second half meets the spring; the rest comes back a round trip later. So e falls from 1.401 to 0.842. Drag the gap towards 0 or 1 to see it rise again.</source>
+        <translation>Der Spalt allein macht aus einem Überrückprall einen schwachen Rückprall. Auf die erste Kraftspitze achten: das vordere Ende durchquert einen Spalt von 0,521 d0 während der ersten Hälfte der Welle, die reflektiert wird, als gäbe es kein Gestein, und erst die zweite Hälfte trifft die Feder; der Rest kommt einen Hin- und Rücklauf später zurück. So fällt e von 1,401 auf 0,842. Den Spalt gegen 0 oder 1 ziehen, um e wieder steigen zu sehen.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s elastic blow. Look at the two force peaks and the impulse: the incident wave gives the first peak, which alone would send the rod back as fast as it came (impulse 2, e = 1); the wave that comes back from the free rear end gives the second, which adds 0.4. So e = 1.401, a super rebound, although no energy was added.</source>
+        <translation>Der elastische Schlag der Veröffentlichung. Auf die beiden Kraftspitzen und den Kraftstoß achten: die einlaufende Welle ergibt die erste Spitze, die allein die Stange so schnell zurückschicken würde, wie sie kam (Kraftstoß 2, e = 1); die Welle, die vom freien hinteren Ende zurückkommt, ergibt die zweite, die 0,4 hinzufügt. So ist e = 1,401, ein Überrückprall, obwohl keine Energie zugeführt wurde.</translation>
+    </message>
+    <message>
+        <source>The same blow on rock that keeps most of the work done on it. Look at the force peaks: they rise as in Fig. 4 (a) but fall ten times faster (slope k/γ, γ = 0.1), so the rock pushes back for a shorter time and the rod rebounds slowly: e = 0.407. Three quarters of the work of the hammer stay in the rock.</source>
+        <translation>Derselbe Schlag auf Gestein, das den größten Teil der an ihm geleisteten Arbeit behält. Auf die Kraftspitzen achten: sie steigen wie in Abb. 4 (a), fallen aber zehnmal so schnell (Steigung k/γ, γ = 0,1), so dass das Gestein kürzer zurückdrückt und die Stange langsam zurückprallt: e = 0,407. Drei Viertel der Hammerarbeit bleiben im Gestein.</translation>
+    </message>
+    <message>
+        <source>Which blow for rock that nobody has measured? Look at the page Design: the blow that is best in this rock loses much in softer and springier rock, a longer one of the same energy less. The command is `drillwave design piston_for_unknown_rock --uncertain bit_rock.stiffness=50MN/m:250MN/m:log bit_rock.gamma=0.05:0.3 bit_rock.gap=0mm:1mm --choose pulse.duration=120us:400us:15 --keep-energy`.</source>
+        <translation>Welcher Schlag für Gestein, das niemand gemessen hat? Die Seite Auslegung ansehen: der Schlag, der in diesem Gestein am besten ist, verliert viel in weicherem und stärker federndem Gestein, ein längerer mit derselben Energie weniger. Der Befehl ist `drillwave design piston_for_unknown_rock --uncertain bit_rock.stiffness=50MN/m:250MN/m:log bit_rock.gamma=0.05:0.3 bit_rock.gap=0mm:1mm --choose pulse.duration=120us:400us:15 --keep-energy`.</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>assumed: 1.3 kg; bits of this thread are 43 to 76 mm wide</source>
+        <translation>angenommen: 1,3 kg; Bohrkronen mit diesem Gewinde haben 43 bis 76 mm Durchmesser</translation>
+    </message>
+    <message>
+        <source>assumed: 12.4 kg, 562 J; front about as thick as the shank</source>
+        <translation>angenommen: 12,4 kg, 562 J; vorn etwa so dick wie das Einsteckende</translation>
+    </message>
+    <message>
+        <source>assumed: 208 J a blow in steel</source>
+        <translation>angenommen: bei Stahl 208 J je Schlag</translation>
+    </message>
+    <message>
+        <source>assumed: 244 MPa in a round R32 rod</source>
+        <translation>angenommen: 244 MPa in einer runden R32-Stange</translation>
+    </message>
+    <message>
+        <source>assumed: 3.2 kg; bits of this thread are 64 to 89 mm wide</source>
+        <translation>angenommen: 3,2 kg; Bohrkronen mit diesem Gewinde haben 64 bis 89 mm Durchmesser</translation>
+    </message>
+    <message>
+        <source>assumed: 4.1 kg, 187 J; front about as thick as the shank</source>
+        <translation>angenommen: 4,1 kg, 187 J; vorn etwa so dick wie das Einsteckende</translation>
+    </message>
+    <message>
+        <source>assumed: 451 J a blow in steel</source>
+        <translation>angenommen: bei Stahl 451 J je Schlag</translation>
+    </message>
+    <message>
+        <source>assumed: 6.9 kg, 342 J; front about as thick as the shank</source>
+        <translation>angenommen: 6,9 kg, 342 J; vorn etwa so dick wie das Einsteckende</translation>
+    </message>
+    <message>
+        <source>assumed: 7.5 kg; bits of this thread are 89 to 127 mm wide</source>
+        <translation>angenommen: 7,5 kg; Bohrkronen mit diesem Gewinde haben 89 bis 127 mm Durchmesser</translation>
+    </message>
+    <message>
+        <source>assumed: a blow of about 200 us in steel</source>
+        <translation>angenommen: bei Stahl ein Schlag von etwa 200 us</translation>
+    </message>
+    <message>
+        <source>assumed: a little thicker than a T51 rod is in steel</source>
+        <translation>angenommen: bei Stahl etwas dicker als eine T51-Stange</translation>
+    </message>
+    <message>
+        <source>assumed: a stiff test stand</source>
+        <translation>angenommen: ein steifer Prüfstand</translation>
+    </message>
+    <message>
+        <source>assumed: about 10 kW of percussion</source>
+        <translation>angenommen: etwa 10 kW Schlagleistung</translation>
+    </message>
+    <message>
+        <source>assumed: about 12 kW of percussion</source>
+        <translation>angenommen: etwa 12 kW Schlagleistung</translation>
+    </message>
+    <message>
+        <source>assumed: about 20 kW of percussion</source>
+        <translation>angenommen: etwa 20 kW Schlagleistung</translation>
+    </message>
+    <message>
+        <source>assumed: about 4 kg at 10 m/s</source>
+        <translation>angenommen: etwa 4 kg bei 10 m/s</translation>
+    </message>
+    <message>
+        <source>assumed: about 4 kg on a T38 rod</source>
+        <translation>angenommen: etwa 4 kg auf einer T38-Stange</translation>
+    </message>
+    <message>
+        <source>assumed: about the cross-section of a T38 rod</source>
+        <translation>angenommen: etwa der Querschnitt einer T38-Stange</translation>
+    </message>
+    <message>
+        <source>assumed: as thick as a T38 rod is in steel, so that it is almost at rest after the first push</source>
+        <translation>angenommen: bei Stahl so dick wie eine T38-Stange, so dass er nach dem ersten Schub fast ruht</translation>
+    </message>
+    <message>
+        <source>assumed: beta = 0.27 with a T51 rod and a blow of 0.23 ms</source>
+        <translation>angenommen: beta = 0,27 mit einer T51-Stange und einem Schlag von 0,23 ms</translation>
+    </message>
+    <message>
+        <source>assumed: beta = 0.53 with a T38 rod (the paper: of the order of 1 in drilling)</source>
+        <translation>angenommen: beta = 0,53 mit einer T38-Stange (die Veröffentlichung: beim Bohren in der Größenordnung von 1)</translation>
+    </message>
+    <message>
+        <source>assumed: beta = 1.5 with an R32 rod (the paper: of the order of 1 in drilling)</source>
+        <translation>angenommen: beta = 1,5 mit einer R32-Stange (die Veröffentlichung: beim Bohren in der Größenordnung von 1)</translation>
+    </message>
+    <message>
+        <source>assumed: heat-treated drill steel</source>
+        <translation>angenommen: vergüteter Bohrstahl</translation>
+    </message>
+    <message>
+        <source>assumed: less than half of the yield strength, smooth rod, no corrosion</source>
+        <translation>angenommen: weniger als die halbe Streckgrenze, glatte Stange, keine Korrosion</translation>
+    </message>
+    <message>
+        <source>assumed: mean force 255 kN, 331 J a blow in a T38 rod</source>
+        <translation>angenommen: mittlere Kraft 255 kN, 331 J je Schlag in einer T38-Stange</translation>
+    </message>
+    <message>
+        <source>assumed: more elastic than the 0.1 the paper takes for drilling</source>
+        <translation>angenommen: elastischer als die 0,1, die die Veröffentlichung für das Bohren nimmt</translation>
+    </message>
+    <message>
+        <source>assumed: piston about as thick as the rod</source>
+        <translation>angenommen: Kolben etwa so dick wie die Stange</translation>
+    </message>
+    <message>
+        <source>assumed: piston of about 0.39 m</source>
+        <translation>angenommen: Kolben von etwa 0,39 m</translation>
+    </message>
+    <message>
+        <source>assumed: piston of about 0.52 m</source>
+        <translation>angenommen: Kolben von etwa 0,52 m</translation>
+    </message>
+    <message>
+        <source>assumed: the maker gives none</source>
+        <translation>angenommen: der Hersteller gibt keine an</translation>
+    </message>
+    <message>
+        <source>assumed: twice that of hard rock</source>
+        <translation>angenommen: das Doppelte des Werts für hartes Gestein</translation>
+    </message>
+    <message>
+        <source>assumed: uniform hammer</source>
+        <translation>angenommen: gleichförmiger Hammer</translation>
+    </message>
+    <message>
+        <source>assumed: usual</source>
+        <translation>angenommen: üblich</translation>
+    </message>
+    <message>
+        <source>brochure 9865 0009, second hand</source>
+        <translation>Prospekt 9865 0009, aus zweiter Hand</translation>
+    </message>
+    <message>
+        <source>brochure 9865 0122, second hand</source>
+        <translation>Prospekt 9865 0122, aus zweiter Hand</translation>
+    </message>
+    <message>
+        <source>elastic anvil</source>
+        <translation>elastischer Amboss</translation>
+    </message>
+    <message>
+        <source>hard rock</source>
+        <translation>hartes Gestein</translation>
+    </message>
+    <message>
+        <source>heavy drifter, piston</source>
+        <translation>schwerer Bohrhammer, Kolben</translation>
+    </message>
+    <message>
+        <source>hex 35 mm, T38 and R32</source>
+        <translation>Sechskant 35 mm, T38 und R32</translation>
+    </message>
+    <message>
+        <source>light drifter, short blow</source>
+        <translation>leichter Bohrhammer, kurzer Schlag</translation>
+    </message>
+    <message>
+        <source>linear elastic: what goes in comes out</source>
+        <translation>linear elastisch: was hineingeht, kommt wieder heraus</translation>
+    </message>
+    <message>
+        <source>mass: the maker&apos;s product range of 2025, second hand; uniform, its length and velocity assumed</source>
+        <translation>Masse: Lieferprogramm 2025 des Herstellers, aus zweiter Hand; gleichförmig, Länge und Geschwindigkeit angenommen</translation>
+    </message>
+    <message>
+        <source>medium drifter</source>
+        <translation>mittlerer Bohrhammer</translation>
+    </message>
+    <message>
+        <source>medium drifter, piston</source>
+        <translation>mittlerer Bohrhammer, Kolben</translation>
+    </message>
+    <message>
+        <source>medium rock</source>
+        <translation>mittelhartes Gestein</translation>
+    </message>
+    <message>
+        <source>model: hammer much shorter and thicker than the rod</source>
+        <translation>Modell: Hammer viel kürzer und dicker als die Stange</translation>
+    </message>
+    <message>
+        <source>narrow bore R32, round 32 mm</source>
+        <translation>R32 mit enger Bohrung, rund 32 mm</translation>
+    </message>
+    <message>
+        <source>nominal size of the thread; the rod of the T38 example</source>
+        <translation>Nennmaß des Gewindes; die Stange des T38-Beispiels</translation>
+    </message>
+    <message>
+        <source>nominal, from the name of the rod</source>
+        <translation>Nennmaß, aus dem Namen der Stange</translation>
+    </message>
+    <message>
+        <source>of 40 to 62.5 Hz (specification of the HC drifters, second hand)</source>
+        <translation>aus dem Bereich 40 bis 62,5 Hz (Datenblatt der HC-Bohrhämmer, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>of 47 to 55 Hz (specification of the HC drifters, second hand)</source>
+        <translation>aus dem Bereich 47 bis 55 Hz (Datenblatt der HC-Bohrhämmer, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>of 55 to 65 Hz (specification of the HC drifters, second hand)</source>
+        <translation>aus dem Bereich 55 bis 65 Hz (Datenblatt der HC-Bohrhämmer, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>rigid hammer</source>
+        <translation>starrer Hammer</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 110 J (press release of 2005, second hand)</source>
+        <translation>so dass ein Hammer aus Stahl bei 10 m/s mit 110 J schlägt (Pressemitteilung von 2005, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 117 J (specification of the HC drifters, second hand)</source>
+        <translation>so dass ein Hammer aus Stahl bei 10 m/s mit 117 J schlägt (Datenblatt der HC-Bohrhämmer, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 149 J: 110 foot-pounds (Power &amp; Motion, Hydraulic valves make machines rock solid)</source>
+        <translation>so dass ein Hammer aus Stahl bei 10 m/s mit 149 J schlägt: 110 foot-pounds (Power &amp; Motion, Hydraulic valves make machines rock solid)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 160 J (specification of the HC drifters, second hand)</source>
+        <translation>so dass ein Hammer aus Stahl bei 10 m/s mit 160 J schlägt (Datenblatt der HC-Bohrhämmer, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 165 J (press release of 2005, second hand)</source>
+        <translation>so dass ein Hammer aus Stahl bei 10 m/s mit 165 J schlägt (Pressemitteilung von 2005, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 175 J: 14 kW at 80 Hz (brochure 9865 0009, second hand)</source>
+        <translation>so dass ein Hammer aus Stahl bei 10 m/s mit 175 J schlägt: 14 kW bei 80 Hz (Prospekt 9865 0009, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 200 J: 12 kW at 60 Hz (brochure 9865 0024, second hand)</source>
+        <translation>so dass ein Hammer aus Stahl bei 10 m/s mit 200 J schlägt: 12 kW bei 60 Hz (Prospekt 9865 0024, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 200 J: of 180 to 220 J (specification of the HC drifters, second hand)</source>
+        <translation>so dass ein Hammer aus Stahl bei 10 m/s mit 200 J schlägt: aus dem Bereich 180 bis 220 J (Datenblatt der HC-Bohrhämmer, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 308 J: 18.5 kW at 60 Hz (E&amp;MJ, Hydraulic drills hammer through: 18 to 19 kW)</source>
+        <translation>so dass ein Hammer aus Stahl bei 10 m/s mit 308 J schlägt: 18,5 kW bei 60 Hz (E&amp;MJ, Hydraulic drills hammer through: 18 bis 19 kW)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 350 J: 21 kW (specification of the DL431, second hand) at 60 Hz, which is assumed</source>
+        <translation>so dass ein Hammer aus Stahl bei 10 m/s mit 350 J schlägt: 21 kW (Datenblatt des DL431, aus zweiter Hand) bei 60 Hz, die angenommen sind</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 380 J: the most of 250 to 380 J (specification of the HC drifters, second hand)</source>
+        <translation>so dass ein Hammer aus Stahl bei 10 m/s mit 380 J schlägt: der größte Wert von 250 bis 380 J (Datenblatt der HC-Bohrhämmer, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 60 J: 6 kW at 100 Hz (brochure 9865 0122, second hand)</source>
+        <translation>so dass ein Hammer aus Stahl bei 10 m/s mit 60 J schlägt: 6 kW bei 100 Hz (Prospekt 9865 0122, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>soft rock</source>
+        <translation>weiches Gestein</translation>
+    </message>
+    <message>
+        <source>steel, usual value</source>
+        <translation>Stahl, üblicher Wert</translation>
+    </message>
+    <message>
+        <source>that of the examples; loss assumed: a tight joint loses a few per cent, a worn one several times as much</source>
+        <translation>die der Beispiele; Verlust angenommen: eine feste Verbindung verliert wenige Prozent, eine verschlissene ein Mehrfaches davon</translation>
+    </message>
+    <message>
+        <source>the coupling of the T38 examples, 1 mm thicker than catalogues have it; bore assumed: that of the rod, the joint being full</source>
+        <translation>die Kupplungsmuffe der T38-Beispiele, 1 mm dicker als in Katalogen; Bohrung angenommen: die der Stange, da die Verbindung ausgefüllt ist</translation>
+    </message>
+    <message>
+        <source>the coupling of the T51 example, 5 mm longer than catalogues have it; bore assumed: that of the rod, the joint being full</source>
+        <translation>die Kupplungsmuffe des T51-Beispiels, 5 mm länger als in Katalogen; Bohrung angenommen: die der Stange, da die Verbindung ausgefüllt ist</translation>
+    </message>
+    <message>
+        <source>the least of 63 to 72 Hz (specification of the HC drifters, second hand)</source>
+        <translation>der kleinste Wert von 63 bis 72 Hz (Datenblatt der HC-Bohrhämmer, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>the most (E&amp;MJ, Hydraulic drills hammer through)</source>
+        <translation>der größte Wert (E&amp;MJ, Hydraulic drills hammer through)</translation>
+    </message>
+    <message>
+        <source>the most of 40 to 60 Hz (brochure 9865 0024, second hand)</source>
+        <translation>der größte Wert von 40 bis 60 Hz (Prospekt 9865 0024, aus zweiter Hand)</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s value for percussive drilling</source>
+        <translation>der Wert der Veröffentlichung für schlagendes Bohren</translation>
+    </message>
+    <message>
+        <source>uniform, 36 mm</source>
+        <translation>gleichförmig, 36 mm</translation>
+    </message>
+    <message>
+        <source>usual size in catalogues (45 x 150 mm); bore assumed: that of the rod, the joint being full</source>
+        <translation>übliche Größe in Katalogen (45 × 150 mm); Bohrung angenommen: die der Stange, da die Verbindung ausgefüllt ist</translation>
+    </message>
+    <message>
+        <source>usual size in catalogues (55 x 170 mm); bore assumed: that of the rod, the joint being full</source>
+        <translation>übliche Größe in Katalogen (55 × 170 mm); Bohrung angenommen: die der Stange, da die Verbindung ausgefüllt ist</translation>
+    </message>
+    <message>
+        <source>very hard rock</source>
+        <translation>sehr hartes Gestein</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -5349,6 +6113,10 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>%1; Ljapunow-Exponent %2 je Schlag</translation>
     </message>
     <message>
+        <source>%1; Lyapunov exponent %2 +- %3 per blow</source>
+        <translation>%1; Ljapunow-Exponent %2 +- %3 je Schlag</translation>
+    </message>
+    <message>
         <source>at none of the values</source>
         <translation>bei keinem der Werte</translation>
     </message>
@@ -7997,8 +8765,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>und %1 weitere</translation>
     </message>
     <message>
-        <source>rock law %1</source>
-        <translation>Gesetz des Gesteins %1</translation>
+        <source>rock: %1,</source>
+        <translation>Gestein: %1,</translation>
     </message>
     <message>
         <source>was solved by method %1 (%2)</source>
@@ -9325,6 +10093,18 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>%1 of blows like this one</source>
         <translation>%1 bei Schlägen wie diesem</translation>
+    </message>
+    <message>
+        <source>from %1 on slope %2</source>
+        <translation>ab %1 Steigung %2</translation>
+    </message>
+    <message>
+        <source>shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>loading curve</source>
+        <translation>Belastungskurve</translation>
     </message>
 </context>
 <context>
@@ -10701,10 +11481,6 @@ der verbleibenden Wellen: %4 und %5</translation>
 <context>
     <name>drillwave::ScanRects</name>
     <message>
-        <source>blows from contact [%]</source>
-        <translation>Schläge aus dem Kontakt [%]</translation>
-    </message>
-    <message>
         <source>blows from contact</source>
         <translation>Schläge aus dem Kontakt</translation>
     </message>
@@ -10731,6 +11507,10 @@ der verbleibenden Wellen: %4 und %5</translation>
     <message>
         <source>gap at the blow</source>
         <translation>Spalt beim Schlag</translation>
+    </message>
+    <message>
+        <source>from contact [%]</source>
+        <translation>aus dem Kontakt [%]</translation>
     </message>
 </context>
 <context>

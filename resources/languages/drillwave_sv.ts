@@ -1749,6 +1749,770 @@ Ta bort ändå?</translation>
         <source>stopped</source>
         <translation>stoppad</translation>
     </message>
+    <message>
+        <source>0.7 kg: Mitsubishi Materials, type 23, second hand; the shape assumed, so that it has that mass</source>
+        <translation>0,7 kg: Mitsubishi Materials, typ 23, i andra hand; formen antagen så att den har denna massa</translation>
+    </message>
+    <message>
+        <source>11 kW over 110 J (press release of 2005, second hand)</source>
+        <translation>11 kW genom 110 J (pressmeddelande från 2005, i andra hand)</translation>
+    </message>
+    <message>
+        <source>110 J at 10 m/s (press release of 2005, second hand); uniform, its length and velocity assumed</source>
+        <translation>110 J vid 10 m/s (pressmeddelande från 2005, i andra hand); likformig, dess längd och hastighet antagna</translation>
+    </message>
+    <message>
+        <source>200 J at 10 m/s: 12 kW at 60 Hz (brochure 9865 0024, second hand); uniform, its length and velocity assumed</source>
+        <translation>200 J vid 10 m/s: 12 kW vid 60 Hz (broschyr 9865 0024, i andra hand); likformig, dess längd och hastighet antagna</translation>
+    </message>
+    <message>
+        <source>200 J at 10 m/s: of 180 to 220 J (specification of the HC drifters, second hand); uniform, its length and velocity assumed</source>
+        <translation>200 J vid 10 m/s: inom 180 till 220 J (specifikation för HC-borrmaskinerna, i andra hand); likformig, dess längd och hastighet antagna</translation>
+    </message>
+    <message>
+        <source>25 mm across flats, less a flushing hole of 8.6 mm (Epiroc catalogue 9866 0424, Robit, second hand)</source>
+        <translation>nyckelvidd 25 mm, minus ett spolhål på 8,6 mm (Epirocs katalog 9866 0424, Robit, i andra hand)</translation>
+    </message>
+    <message>
+        <source>28 mm across flats, less a flushing hole of 8.8 mm (Sandvik, Robit catalogues, second hand)</source>
+        <translation>nyckelvidd 28 mm, minus ett spolhål på 8,8 mm (katalogerna från Sandvik och Robit, i andra hand)</translation>
+    </message>
+    <message>
+        <source>308 J at 10 m/s: 18.5 kW at 60 Hz (E&amp;MJ, Hydraulic drills hammer through: 18 to 19 kW); uniform, its length and velocity assumed</source>
+        <translation>308 J vid 10 m/s: 18,5 kW vid 60 Hz (E&amp;MJ, Hydraulic drills hammer through: 18 till 19 kW); likformig, dess längd och hastighet antagna</translation>
+    </message>
+    <message>
+        <source>32 mm across flats, less a flushing hole of 9.6 mm (Epiroc, Sandvik, Robit catalogues, second hand)</source>
+        <translation>nyckelvidd 32 mm, minus ett spolhål på 9,6 mm (katalogerna från Epiroc, Sandvik och Robit, i andra hand)</translation>
+    </message>
+    <message>
+        <source>35 mm across flats, less a flushing hole of 9.5 mm (Epiroc, Sandvik, Robit catalogues, second hand)</source>
+        <translation>nyckelvidd 35 mm, minus ett spolhål på 9,5 mm (katalogerna från Epiroc, Sandvik och Robit, i andra hand)</translation>
+    </message>
+    <message>
+        <source>3500 blows a minute (Power &amp; Motion, Hydraulic valves make machines rock solid)</source>
+        <translation>3500 slag per minut (Power &amp; Motion, Hydraulic valves make machines rock solid)</translation>
+    </message>
+    <message>
+        <source>380 J at 10 m/s: the most of 250 to 380 J (specification of the HC drifters, second hand); uniform, its length and velocity assumed</source>
+        <translation>380 J vid 10 m/s: det högsta av 250 till 380 J (specifikation för HC-borrmaskinerna, i andra hand); likformig, dess längd och hastighet antagna</translation>
+    </message>
+    <message>
+        <source>380 to 390 mm, 3.1 to 3.3 kg, bore 10 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>380 till 390 mm, 3,1 till 3,3 kg, spolhål 10 mm (Mitsubishi Materials, Top Hammer Tools 2024, i andra hand); som om likformig, diametern ur massan</translation>
+    </message>
+    <message>
+        <source>406 mm, 3.3 kg, bore 14 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>406 mm, 3,3 kg, spolhål 14 mm (Mitsubishi Materials, Top Hammer Tools 2024, i andra hand); som om likformig, diametern ur massan</translation>
+    </message>
+    <message>
+        <source>41 x 160 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); bore assumed: that of the rod, the joint being full</source>
+        <translation>41 × 160 mm (Mitsubishi Materials, Top Hammer Tools 2024, i andra hand); spolhålet antaget: stångens, eftersom skarven är utfylld</translation>
+    </message>
+    <message>
+        <source>435 mm, 4.7 to 5.0 kg, bore 9.6 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>435 mm, 4,7 till 5,0 kg, spolhål 9,6 mm (Mitsubishi Materials, Top Hammer Tools 2024, i andra hand); som om likformig, diametern ur massan</translation>
+    </message>
+    <message>
+        <source>447 mm, 5.0 kg, bore 14 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>447 mm, 5,0 kg, spolhål 14 mm (Mitsubishi Materials, Top Hammer Tools 2024, i andra hand); som om likformig, diametern ur massan</translation>
+    </message>
+    <message>
+        <source>50 Hz with 5.5 kW, second hand</source>
+        <translation>50 Hz vid 5,5 kW, i andra hand</translation>
+    </message>
+    <message>
+        <source>54 x 170 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); bore assumed: that of the rod, the joint being full</source>
+        <translation>54 × 170 mm (Mitsubishi Materials, Top Hammer Tools 2024, i andra hand); spolhålet antaget: stångens, eftersom skarven är utfylld</translation>
+    </message>
+    <message>
+        <source>55 x 190 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); bore assumed: that of the rod, the joint being full</source>
+        <translation>55 × 190 mm (Mitsubishi Materials, Top Hammer Tools 2024, i andra hand); spolhålet antaget: stångens, eftersom skarven är utfylld</translation>
+    </message>
+    <message>
+        <source>605 mm, 9.3 kg, bore 11.3 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>605 mm, 9,3 kg, spolhål 11,3 mm (Mitsubishi Materials, Top Hammer Tools 2024, i andra hand); som om likformig, diametern ur massan</translation>
+    </message>
+    <message>
+        <source>63 x 210 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); bore assumed: that of the rod, the joint being full</source>
+        <translation>63 × 210 mm (Mitsubishi Materials, Top Hammer Tools 2024, i andra hand); spolhålet antaget: stångens, eftersom skarven är utfylld</translation>
+    </message>
+    <message>
+        <source>7.5 kW over 165 J (press release of 2005, second hand)</source>
+        <translation>7,5 kW genom 165 J (pressmeddelande från 2005, i andra hand)</translation>
+    </message>
+    <message>
+        <source>72 x 235 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); bore assumed: that of the rod, the joint being full</source>
+        <translation>72 × 235 mm (Mitsubishi Materials, Top Hammer Tools 2024, i andra hand); spolhålet antaget: stångens, eftersom skarven är utfylld</translation>
+    </message>
+    <message>
+        <source>770 mm, 13.1 to 14.3 kg, bore 6.6 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>770 mm, 13,1 till 14,3 kg, spolhål 6,6 mm (Mitsubishi Materials, Top Hammer Tools 2024, i andra hand); som om likformig, diametern ur massan</translation>
+    </message>
+    <message>
+        <source>790 mm, 14.8 kg, bore 11.3 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>790 mm, 14,8 kg, spolhål 11,3 mm (Mitsubishi Materials, Top Hammer Tools 2024, i andra hand); som om likformig, diametern ur massan</translation>
+    </message>
+    <message>
+        <source>840 mm, 15.8 kg, bore 6.2 mm (Mitsubishi Materials, Top Hammer Tools 2024, second hand); as if uniform, the diameter from the mass</source>
+        <translation>840 mm, 15,8 kg, spolhål 6,2 mm (Mitsubishi Materials, Top Hammer Tools 2024, i andra hand); som om likformig, diametern ur massan</translation>
+    </message>
+    <message>
+        <source>A T38 string of three rods with its hammer. Look at the efficiency, which the couplings decide: each is of larger impedance than the rods and throws back part of every wave that passes, so that 0.50 of the energy of the hammer stays in the rock, where couplings as thin as the rod would leave 0.75. Then look at the largest tension.</source>
+        <translation>En T38-sträng med tre stänger och sin hammare. Se på verkningsgraden, som skarvhylsorna avgör: var och en har större impedans än stängerna och reflekterar en del av varje våg som passerar, så att 0,50 av hammarens energi stannar i berget, där skarvhylsor lika tunna som stången skulle lämna 0,75. Se sedan på det största draget.</translation>
+    </message>
+    <message>
+        <source>A bench drilling string of five T51 rods. Look at the efficiency, 0.46 where three T38 rods have 0.50, and set string.repeat to fewer and to more rods: the first joints of a string cost more than the last.</source>
+        <translation>En sträng för pallborrning med fem T51-stänger. Se på verkningsgraden, 0,46 där tre T38-stänger har 0,50, och sätt string.repeat till färre och till fler stänger: de första skarvarna i en sträng kostar mer än de sista.</translation>
+    </message>
+    <message>
+        <source>A bench-drilling string in medium rock: the case to start from. Look at the energy and the thrust: three quarters of the blow stay in the rock, most of the rest runs to and fro in the rod as waves, and the rebound sets the feed force that the blows need. Drag the stiffness or the gap to see both change.</source>
+        <translation>En sträng för pallborrning i medelhårt berg: fallet att börja med. Se på energin och matningskraften: tre fjärdedelar av slaget stannar i berget, det mesta av resten löper fram och åter i stången som vågor, och studsen bestämmer den matningskraft som slagen kräver. Dra i styvheten eller spalten för att se båda ändras.</translation>
+    </message>
+    <message>
+        <source>A heavy string in soft rock, struck by an elastic piston a little stiffer than the rod. Look at the steps of the hammer blow, each as long as the piston&apos;s own round trip, and at the deep penetration: soft rock takes up the wave so slowly that the contact lasts longer than a round trip of the wave in the rod.</source>
+        <translation>En tung sträng i mjukt berg, slagen av en elastisk kolv något styvare än stången. Se på hammarslagets steg, vart och ett lika långt som kolvens eget varv fram och åter, och på den djupa inträngningen: mjukt berg tar upp vågen så långsamt att kontakten varar längre än vågens varv fram och åter i stången.</translation>
+    </message>
+    <message>
+        <source>A light drifter on hard rock. Look at the peak force and at the thrust needed: stiff rock answers a short blow with a high, brief force and throws the string back harder than softer rock, so that more feed force is needed for each joule that stays in the rock. Compare with the T38 rod in medium rock.</source>
+        <translation>En lätt borrmaskin på hårt berg. Se på toppkraften och på matningskraften som krävs: styvt berg svarar på ett kort slag med en hög, kortvarig kraft och kastar tillbaka strängen hårdare än mjukare berg, så att det krävs mer matningskraft för varje joule som stannar i berget. Jämför med T38-stången i medelhårt berg.</translation>
+    </message>
+    <message>
+        <source>A light drifter with one R32 rod on hard rock. Look at the velocity with which the hammer comes back: stiff rock and a short string return 11 % of its energy to it, where three T38 rods in softer rock return 2 %. Compare the efficiency of 0.67 with that of the T38 string.</source>
+        <translation>En lätt borrmaskin med en R32-stång på hårt berg. Se på hastigheten med vilken hammaren kommer tillbaka: styvt berg och en kort sträng ger den tillbaka 11 % av dess energi, där tre T38-stänger i mjukare berg ger tillbaka 2 %. Jämför verkningsgraden 0,67 med T38-strängens.</translation>
+    </message>
+    <message>
+        <source>A rod without waves before the impact: it flies as a rigid body against the same spring as in Fig. 4 (a). Look at the single long contact and compare e = 0.990 with 1.401 there: the super rebound is the work of the pre-impact waves. The scales are those of Fig. 4, the unit of time being the t0 that gives tau = 10.</source>
+        <translation>En stång utan vågor före stöten: den flyger som en stel kropp mot samma fjäder som i fig. 4 (a). Se på den enda, långa kontakten och jämför e = 0,990 med 1,401 där: superstudsen är ett verk av vågorna före stöten. Skalorna är de i fig. 4, med det t0 som ger tau = 10 som tidsenhet.</translation>
+    </message>
+    <message>
+        <source>BBC 54, BBC 120</source>
+        <translation>BBC 54, BBC 120</translation>
+    </message>
+    <message>
+        <source>BBE 57</source>
+        <translation>BBE 57</translation>
+    </message>
+    <message>
+        <source>COP 131EB</source>
+        <translation>COP 131EB</translation>
+    </message>
+    <message>
+        <source>COP 2160EX, COP 2560EX</source>
+        <translation>COP 2160EX, COP 2560EX</translation>
+    </message>
+    <message>
+        <source>COP 3038, COP 4038</source>
+        <translation>COP 3038, COP 4038</translation>
+    </message>
+    <message>
+        <source>COP 3060MEX</source>
+        <translation>COP 3060MEX</translation>
+    </message>
+    <message>
+        <source>COP 4050EX</source>
+        <translation>COP 4050EX</translation>
+    </message>
+    <message>
+        <source>COP 4050L</source>
+        <translation>COP 4050L</translation>
+    </message>
+    <message>
+        <source>Epiroc COP 1028</source>
+        <translation>Epiroc COP 1028</translation>
+    </message>
+    <message>
+        <source>Epiroc COP 1032</source>
+        <translation>Epiroc COP 1032</translation>
+    </message>
+    <message>
+        <source>Epiroc COP 1132</source>
+        <translation>Epiroc COP 1132</translation>
+    </message>
+    <message>
+        <source>Epiroc COP 1238K</source>
+        <translation>Epiroc COP 1238K</translation>
+    </message>
+    <message>
+        <source>Epiroc COP 1838</source>
+        <translation>Epiroc COP 1838</translation>
+    </message>
+    <message>
+        <source>Epiroc COP 628</source>
+        <translation>Epiroc COP 628</translation>
+    </message>
+    <message>
+        <source>Epiroc COP SC14</source>
+        <translation>Epiroc COP SC14</translation>
+    </message>
+    <message>
+        <source>Epiroc catalogue 9866 0424, second hand</source>
+        <translation>Epirocs katalog 9866 0424, i andra hand</translation>
+    </message>
+    <message>
+        <source>Epiroc catalogue 9866 0424, second hand; the weights of Robit and Sandvik agree within 2 %</source>
+        <translation>Epirocs katalog 9866 0424, i andra hand; vikterna hos Robit och Sandvik stämmer överens inom 2 %</translation>
+    </message>
+    <message>
+        <source>Fig. 4 (a) of the paper, elastic spring</source>
+        <translation>Artikelns fig. 4 (a), elastisk fjäder</translation>
+    </message>
+    <message>
+        <source>Fig. 4 (b) of the paper, bilinear rock</source>
+        <translation>Artikelns fig. 4 (b), bilinjärt berg</translation>
+    </message>
+    <message>
+        <source>Fig. 8 of the paper, gap of the smallest rebound</source>
+        <translation>Artikelns fig. 8, spalten med den minsta studsen</translation>
+    </message>
+    <message>
+        <source>GT60, round 60 mm</source>
+        <translation>GT60, rund 60 mm</translation>
+    </message>
+    <message>
+        <source>KLEMM KD 1011, 11.5 kg</source>
+        <translation>KLEMM KD 1011, 11,5 kg</translation>
+    </message>
+    <message>
+        <source>KLEMM KD 1215R, 14.3 kg</source>
+        <translation>KLEMM KD 1215R, 14,3 kg</translation>
+    </message>
+    <message>
+        <source>KLEMM KD 2117, 16.5 kg</source>
+        <translation>KLEMM KD 2117, 16,5 kg</translation>
+    </message>
+    <message>
+        <source>KLEMM KD 2524, 24 kg</source>
+        <translation>KLEMM KD 2524, 24 kg</translation>
+    </message>
+    <message>
+        <source>KLEMM KD 3428, 28 kg</source>
+        <translation>KLEMM KD 3428, 28 kg</translation>
+    </message>
+    <message>
+        <source>KLEMM KD 408, 6.8 kg</source>
+        <translation>KLEMM KD 408, 6,8 kg</translation>
+    </message>
+    <message>
+        <source>Mitsubishi R28, 160 mm</source>
+        <translation>Mitsubishi R28, 160 mm</translation>
+    </message>
+    <message>
+        <source>Mitsubishi R32, 45 mm</source>
+        <translation>Mitsubishi R32, 45 mm</translation>
+    </message>
+    <message>
+        <source>Mitsubishi R38, 170 mm</source>
+        <translation>Mitsubishi R38, 170 mm</translation>
+    </message>
+    <message>
+        <source>Mitsubishi T38, 190 mm</source>
+        <translation>Mitsubishi T38, 190 mm</translation>
+    </message>
+    <message>
+        <source>Mitsubishi T45, 210 mm</source>
+        <translation>Mitsubishi T45, 210 mm</translation>
+    </message>
+    <message>
+        <source>Mitsubishi T51, 235 mm</source>
+        <translation>Mitsubishi T51, 235 mm</translation>
+    </message>
+    <message>
+        <source>Montabert HC 110</source>
+        <translation>Montabert HC 110</translation>
+    </message>
+    <message>
+        <source>Montabert HC 25</source>
+        <translation>Montabert HC 25</translation>
+    </message>
+    <message>
+        <source>Montabert HC 28</source>
+        <translation>Montabert HC 28</translation>
+    </message>
+    <message>
+        <source>Montabert HC 50</source>
+        <translation>Montabert HC 50</translation>
+    </message>
+    <message>
+        <source>R25, hex 25 mm</source>
+        <translation>R25, sexkant 25 mm</translation>
+    </message>
+    <message>
+        <source>R32 drifter, 42 and 34 mm</source>
+        <translation>R32-borrmaskin, 42 och 34 mm</translation>
+    </message>
+    <message>
+        <source>R32 rod, hard rock</source>
+        <translation>R32-stång, hårt berg</translation>
+    </message>
+    <message>
+        <source>R32 shank, 350 mm</source>
+        <translation>R32-nackadapter, 350 mm</translation>
+    </message>
+    <message>
+        <source>R32 string, one rod, hard rock</source>
+        <translation>R32-sträng, en stång, hårt berg</translation>
+    </message>
+    <message>
+        <source>R32, 150 mm</source>
+        <translation>R32, 150 mm</translation>
+    </message>
+    <message>
+        <source>R32, 48 mm</source>
+        <translation>R32, 48 mm</translation>
+    </message>
+    <message>
+        <source>R32, hex 28 mm</source>
+        <translation>R32, sexkant 28 mm</translation>
+    </message>
+    <message>
+        <source>R32, hex 32 mm</source>
+        <translation>R32, sexkant 32 mm</translation>
+    </message>
+    <message>
+        <source>R32, round 32 mm</source>
+        <translation>R32, rund 32 mm</translation>
+    </message>
+    <message>
+        <source>R38, 170 mm</source>
+        <translation>R38, 170 mm</translation>
+    </message>
+    <message>
+        <source>Reference case, rod arriving without waves</source>
+        <translation>Referensfall, stång som kommer fram utan vågor</translation>
+    </message>
+    <message>
+        <source>Rock that yields: from 90 kN on it loads along a line of a third of the slope. Look at the rock, whose curve bends, and at the peak force, which stays low while the bit goes deeper; `--set bit_rock.law=bilinear` is the same rock without the corner.</source>
+        <translation>Berg som ger efter: från 90 kN belastas det längs en linje med en tredjedel av lutningen. Se på berget, vars kurva böjer av, och på toppkraften, som förblir låg medan borrkronan går djupare; `--set bit_rock.law=bilinear` är samma berg utan hörnet.</translation>
+    </message>
+    <message>
+        <source>Sandvik HL 820ST</source>
+        <translation>Sandvik HL 820ST</translation>
+    </message>
+    <message>
+        <source>Sandvik catalogue 2024, second hand</source>
+        <translation>Sandviks katalog 2024, i andra hand</translation>
+    </message>
+    <message>
+        <source>Sandvik catalogue 2024, second hand; the weights there are 7 % less; the rod of the R32 examples</source>
+        <translation>Sandviks katalog 2024, i andra hand; vikterna där är 7 % lägre; stången i R32-exemplen</translation>
+    </message>
+    <message>
+        <source>Sandvik, Robit catalogues, second hand; weights agree within 2 %</source>
+        <translation>katalogerna från Sandvik och Robit, i andra hand; vikterna stämmer överens inom 2 %</translation>
+    </message>
+    <message>
+        <source>T38 drifter, 50 and 38 mm</source>
+        <translation>T38-borrmaskin, 50 och 38 mm</translation>
+    </message>
+    <message>
+        <source>T38 rod, medium rock</source>
+        <translation>T38-stång, medelhårt berg</translation>
+    </message>
+    <message>
+        <source>T38 rod, rock not measured</source>
+        <translation>T38-stång, berg som inte är uppmätt</translation>
+    </message>
+    <message>
+        <source>T38 rod, rock that yields</source>
+        <translation>T38-stång, berg som ger efter</translation>
+    </message>
+    <message>
+        <source>T38 shank, 450 mm</source>
+        <translation>T38-nackadapter, 450 mm</translation>
+    </message>
+    <message>
+        <source>T38 string, three rods</source>
+        <translation>T38-sträng, tre stänger</translation>
+    </message>
+    <message>
+        <source>T38, 190 mm</source>
+        <translation>T38, 190 mm</translation>
+    </message>
+    <message>
+        <source>T38, 190 mm, worn</source>
+        <translation>T38, 190 mm, sliten</translation>
+    </message>
+    <message>
+        <source>T38, 76 mm</source>
+        <translation>T38, 76 mm</translation>
+    </message>
+    <message>
+        <source>T38, round 38 mm</source>
+        <translation>T38, rund 38 mm</translation>
+    </message>
+    <message>
+        <source>T38, round 39 mm</source>
+        <translation>T38, rund 39 mm</translation>
+    </message>
+    <message>
+        <source>T45, round 46 mm</source>
+        <translation>T45, rund 46 mm</translation>
+    </message>
+    <message>
+        <source>T51 bench drill, 62 and 52 mm</source>
+        <translation>T51-borrmaskin för pallborrning, 62 och 52 mm</translation>
+    </message>
+    <message>
+        <source>T51 rod, soft rock, piston blow</source>
+        <translation>T51-stång, mjukt berg, kolvslag</translation>
+    </message>
+    <message>
+        <source>T51 shank, 550 mm</source>
+        <translation>T51-nackadapter, 550 mm</translation>
+    </message>
+    <message>
+        <source>T51 string, five rods, bench drilling</source>
+        <translation>T51-sträng, fem stänger, pallborrning</translation>
+    </message>
+    <message>
+        <source>T51, 100 mm</source>
+        <translation>T51, 100 mm</translation>
+    </message>
+    <message>
+        <source>T51, 240 mm</source>
+        <translation>T51, 240 mm</translation>
+    </message>
+    <message>
+        <source>T51, round 52 mm</source>
+        <translation>T51, rund 52 mm</translation>
+    </message>
+    <message>
+        <source>TEI TE300</source>
+        <translation>TEI TE300</translation>
+    </message>
+    <message>
+        <source>The gap alone turns a super rebound into a weak one. Look at the first force peak: the front end crosses a gap of 0.521 d0 during the first half of the wave, which is reflected as if there were no rock, and only the second half meets the spring; the rest comes back a round trip later. So e falls from 1.401 to 0.842. Drag the gap towards 0 or 1 to see it rise again.</source>
+        <translation>Spalten ensam gör en superstuds till en svag studs. Se på den första krafttoppen: framänden passerar en spalt på 0,521 d0 under vågens första hälft, som reflekteras som om det inte fanns något berg, och först den andra hälften möter fjädern; resten kommer tillbaka ett varv fram och åter senare. Därför faller e från 1,401 till 0,842. Dra spalten mot 0 eller 1 för att se det stiga igen.</translation>
+    </message>
+    <message>
+        <source>The paper&apos;s elastic blow. Look at the two force peaks and the impulse: the incident wave gives the first peak, which alone would send the rod back as fast as it came (impulse 2, e = 1); the wave that comes back from the free rear end gives the second, which adds 0.4. So e = 1.401, a super rebound, although no energy was added.</source>
+        <translation>Artikelns elastiska slag. Se på de två krafttopparna och impulsen: den infallande vågen ger den första toppen, som ensam skulle skicka tillbaka stången lika fort som den kom (impuls 2, e = 1); vågen som kommer tillbaka från den fria bakänden ger den andra, som lägger till 0,4. Därför är e = 1,401, en superstuds, fast ingen energi har tillförts.</translation>
+    </message>
+    <message>
+        <source>The same blow on rock that keeps most of the work done on it. Look at the force peaks: they rise as in Fig. 4 (a) but fall ten times faster (slope k/γ, γ = 0.1), so the rock pushes back for a shorter time and the rod rebounds slowly: e = 0.407. Three quarters of the work of the hammer stay in the rock.</source>
+        <translation>Samma slag på berg som behåller det mesta av det arbete som uträttas på det. Se på krafttopparna: de stiger som i fig. 4 (a) men faller tio gånger snabbare (lutning k/γ, γ = 0,1), så att berget trycker tillbaka under en kortare tid och stången studsar långsamt: e = 0,407. Tre fjärdedelar av hammarens arbete stannar i berget.</translation>
+    </message>
+    <message>
+        <source>Which blow for rock that nobody has measured? Look at the page Design: the blow that is best in this rock loses much in softer and springier rock, a longer one of the same energy less. The command is `drillwave design piston_for_unknown_rock --uncertain bit_rock.stiffness=50MN/m:250MN/m:log bit_rock.gamma=0.05:0.3 bit_rock.gap=0mm:1mm --choose pulse.duration=120us:400us:15 --keep-energy`.</source>
+        <translation>Vilket slag för berg som ingen har mätt? Se på sidan Konstruktion: det slag som är bäst i detta berg förlorar mycket i mjukare och mer fjädrande berg, ett längre med samma energi mindre. Kommandot är `drillwave design piston_for_unknown_rock --uncertain bit_rock.stiffness=50MN/m:250MN/m:log bit_rock.gamma=0.05:0.3 bit_rock.gap=0mm:1mm --choose pulse.duration=120us:400us:15 --keep-energy`.</translation>
+    </message>
+    <message>
+        <source>assumed</source>
+        <translation>antaget</translation>
+    </message>
+    <message>
+        <source>assumed: 1.3 kg; bits of this thread are 43 to 76 mm wide</source>
+        <translation>antaget: 1,3 kg; borrkronor med denna gänga är 43 till 76 mm breda</translation>
+    </message>
+    <message>
+        <source>assumed: 12.4 kg, 562 J; front about as thick as the shank</source>
+        <translation>antaget: 12,4 kg, 562 J; främre delen ungefär lika tjock som nacken</translation>
+    </message>
+    <message>
+        <source>assumed: 208 J a blow in steel</source>
+        <translation>antaget: 208 J per slag i stål</translation>
+    </message>
+    <message>
+        <source>assumed: 244 MPa in a round R32 rod</source>
+        <translation>antaget: 244 MPa i en rund R32-stång</translation>
+    </message>
+    <message>
+        <source>assumed: 3.2 kg; bits of this thread are 64 to 89 mm wide</source>
+        <translation>antaget: 3,2 kg; borrkronor med denna gänga är 64 till 89 mm breda</translation>
+    </message>
+    <message>
+        <source>assumed: 4.1 kg, 187 J; front about as thick as the shank</source>
+        <translation>antaget: 4,1 kg, 187 J; främre delen ungefär lika tjock som nacken</translation>
+    </message>
+    <message>
+        <source>assumed: 451 J a blow in steel</source>
+        <translation>antaget: 451 J per slag i stål</translation>
+    </message>
+    <message>
+        <source>assumed: 6.9 kg, 342 J; front about as thick as the shank</source>
+        <translation>antaget: 6,9 kg, 342 J; främre delen ungefär lika tjock som nacken</translation>
+    </message>
+    <message>
+        <source>assumed: 7.5 kg; bits of this thread are 89 to 127 mm wide</source>
+        <translation>antaget: 7,5 kg; borrkronor med denna gänga är 89 till 127 mm breda</translation>
+    </message>
+    <message>
+        <source>assumed: a blow of about 200 us in steel</source>
+        <translation>antaget: ett slag på omkring 200 us i stål</translation>
+    </message>
+    <message>
+        <source>assumed: a little thicker than a T51 rod is in steel</source>
+        <translation>antaget: något tjockare än en T51-stång räknad i stål</translation>
+    </message>
+    <message>
+        <source>assumed: a stiff test stand</source>
+        <translation>antaget: en styv provbänk</translation>
+    </message>
+    <message>
+        <source>assumed: about 10 kW of percussion</source>
+        <translation>antaget: omkring 10 kW slageffekt</translation>
+    </message>
+    <message>
+        <source>assumed: about 12 kW of percussion</source>
+        <translation>antaget: omkring 12 kW slageffekt</translation>
+    </message>
+    <message>
+        <source>assumed: about 20 kW of percussion</source>
+        <translation>antaget: omkring 20 kW slageffekt</translation>
+    </message>
+    <message>
+        <source>assumed: about 4 kg at 10 m/s</source>
+        <translation>antaget: omkring 4 kg vid 10 m/s</translation>
+    </message>
+    <message>
+        <source>assumed: about 4 kg on a T38 rod</source>
+        <translation>antaget: omkring 4 kg mot en T38-stång</translation>
+    </message>
+    <message>
+        <source>assumed: about the cross-section of a T38 rod</source>
+        <translation>antaget: ungefär en T38-stångs tvärsnittsarea</translation>
+    </message>
+    <message>
+        <source>assumed: as thick as a T38 rod is in steel, so that it is almost at rest after the first push</source>
+        <translation>antaget: lika tjock som en T38-stång räknad i stål, så att den är nästan i vila efter den första knuffen</translation>
+    </message>
+    <message>
+        <source>assumed: beta = 0.27 with a T51 rod and a blow of 0.23 ms</source>
+        <translation>antaget: beta = 0,27 med en T51-stång och ett slag på 0,23 ms</translation>
+    </message>
+    <message>
+        <source>assumed: beta = 0.53 with a T38 rod (the paper: of the order of 1 in drilling)</source>
+        <translation>antaget: beta = 0,53 med en T38-stång (artikeln: av storleksordningen 1 vid borrning)</translation>
+    </message>
+    <message>
+        <source>assumed: beta = 1.5 with an R32 rod (the paper: of the order of 1 in drilling)</source>
+        <translation>antaget: beta = 1,5 med en R32-stång (artikeln: av storleksordningen 1 vid borrning)</translation>
+    </message>
+    <message>
+        <source>assumed: heat-treated drill steel</source>
+        <translation>antaget: värmebehandlat borrstål</translation>
+    </message>
+    <message>
+        <source>assumed: less than half of the yield strength, smooth rod, no corrosion</source>
+        <translation>antaget: mindre än halva sträckgränsen, slät stång, ingen korrosion</translation>
+    </message>
+    <message>
+        <source>assumed: mean force 255 kN, 331 J a blow in a T38 rod</source>
+        <translation>antaget: medelkraft 255 kN, 331 J per slag i en T38-stång</translation>
+    </message>
+    <message>
+        <source>assumed: more elastic than the 0.1 the paper takes for drilling</source>
+        <translation>antaget: mer elastiskt än de 0,1 som artikeln räknar med för borrning</translation>
+    </message>
+    <message>
+        <source>assumed: piston about as thick as the rod</source>
+        <translation>antaget: kolv ungefär lika tjock som stången</translation>
+    </message>
+    <message>
+        <source>assumed: piston of about 0.39 m</source>
+        <translation>antaget: kolv på omkring 0,39 m</translation>
+    </message>
+    <message>
+        <source>assumed: piston of about 0.52 m</source>
+        <translation>antaget: kolv på omkring 0,52 m</translation>
+    </message>
+    <message>
+        <source>assumed: the maker gives none</source>
+        <translation>antaget: tillverkaren anger ingen</translation>
+    </message>
+    <message>
+        <source>assumed: twice that of hard rock</source>
+        <translation>antaget: dubbelt så mycket som för hårt berg</translation>
+    </message>
+    <message>
+        <source>assumed: uniform hammer</source>
+        <translation>antaget: likformig hammare</translation>
+    </message>
+    <message>
+        <source>assumed: usual</source>
+        <translation>antaget: vanligt</translation>
+    </message>
+    <message>
+        <source>brochure 9865 0009, second hand</source>
+        <translation>broschyr 9865 0009, i andra hand</translation>
+    </message>
+    <message>
+        <source>brochure 9865 0122, second hand</source>
+        <translation>broschyr 9865 0122, i andra hand</translation>
+    </message>
+    <message>
+        <source>elastic anvil</source>
+        <translation>elastiskt städ</translation>
+    </message>
+    <message>
+        <source>hard rock</source>
+        <translation>hårt berg</translation>
+    </message>
+    <message>
+        <source>heavy drifter, piston</source>
+        <translation>tung borrmaskin, kolv</translation>
+    </message>
+    <message>
+        <source>hex 35 mm, T38 and R32</source>
+        <translation>sexkant 35 mm, T38 och R32</translation>
+    </message>
+    <message>
+        <source>light drifter, short blow</source>
+        <translation>lätt borrmaskin, kort slag</translation>
+    </message>
+    <message>
+        <source>linear elastic: what goes in comes out</source>
+        <translation>linjärt elastiskt: det som går in kommer ut</translation>
+    </message>
+    <message>
+        <source>mass: the maker&apos;s product range of 2025, second hand; uniform, its length and velocity assumed</source>
+        <translation>massa: tillverkarens produktprogram 2025, i andra hand; likformig, dess längd och hastighet antagna</translation>
+    </message>
+    <message>
+        <source>medium drifter</source>
+        <translation>medeltung borrmaskin</translation>
+    </message>
+    <message>
+        <source>medium drifter, piston</source>
+        <translation>medeltung borrmaskin, kolv</translation>
+    </message>
+    <message>
+        <source>medium rock</source>
+        <translation>medelhårt berg</translation>
+    </message>
+    <message>
+        <source>model: hammer much shorter and thicker than the rod</source>
+        <translation>modell: hammare mycket kortare och tjockare än stången</translation>
+    </message>
+    <message>
+        <source>narrow bore R32, round 32 mm</source>
+        <translation>R32 med smalt spolhål, rund 32 mm</translation>
+    </message>
+    <message>
+        <source>nominal size of the thread; the rod of the T38 example</source>
+        <translation>gängans nominella mått; stången i T38-exemplet</translation>
+    </message>
+    <message>
+        <source>nominal, from the name of the rod</source>
+        <translation>nominellt, ur stångens namn</translation>
+    </message>
+    <message>
+        <source>of 40 to 62.5 Hz (specification of the HC drifters, second hand)</source>
+        <translation>inom 40 till 62,5 Hz (specifikation för HC-borrmaskinerna, i andra hand)</translation>
+    </message>
+    <message>
+        <source>of 47 to 55 Hz (specification of the HC drifters, second hand)</source>
+        <translation>inom 47 till 55 Hz (specifikation för HC-borrmaskinerna, i andra hand)</translation>
+    </message>
+    <message>
+        <source>of 55 to 65 Hz (specification of the HC drifters, second hand)</source>
+        <translation>inom 55 till 65 Hz (specifikation för HC-borrmaskinerna, i andra hand)</translation>
+    </message>
+    <message>
+        <source>rigid hammer</source>
+        <translation>stel hammare</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 110 J (press release of 2005, second hand)</source>
+        <translation>så att ett slag av en stålkolv vid 10 m/s har 110 J (pressmeddelande från 2005, i andra hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 117 J (specification of the HC drifters, second hand)</source>
+        <translation>så att ett slag av en stålkolv vid 10 m/s har 117 J (specifikation för HC-borrmaskinerna, i andra hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 149 J: 110 foot-pounds (Power &amp; Motion, Hydraulic valves make machines rock solid)</source>
+        <translation>så att ett slag av en stålkolv vid 10 m/s har 149 J: 110 fotpund (Power &amp; Motion, Hydraulic valves make machines rock solid)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 160 J (specification of the HC drifters, second hand)</source>
+        <translation>så att ett slag av en stålkolv vid 10 m/s har 160 J (specifikation för HC-borrmaskinerna, i andra hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 165 J (press release of 2005, second hand)</source>
+        <translation>så att ett slag av en stålkolv vid 10 m/s har 165 J (pressmeddelande från 2005, i andra hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 175 J: 14 kW at 80 Hz (brochure 9865 0009, second hand)</source>
+        <translation>så att ett slag av en stålkolv vid 10 m/s har 175 J: 14 kW vid 80 Hz (broschyr 9865 0009, i andra hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 200 J: 12 kW at 60 Hz (brochure 9865 0024, second hand)</source>
+        <translation>så att ett slag av en stålkolv vid 10 m/s har 200 J: 12 kW vid 60 Hz (broschyr 9865 0024, i andra hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 200 J: of 180 to 220 J (specification of the HC drifters, second hand)</source>
+        <translation>så att ett slag av en stålkolv vid 10 m/s har 200 J: inom 180 till 220 J (specifikation för HC-borrmaskinerna, i andra hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 308 J: 18.5 kW at 60 Hz (E&amp;MJ, Hydraulic drills hammer through: 18 to 19 kW)</source>
+        <translation>så att ett slag av en stålkolv vid 10 m/s har 308 J: 18,5 kW vid 60 Hz (E&amp;MJ, Hydraulic drills hammer through: 18 till 19 kW)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 350 J: 21 kW (specification of the DL431, second hand) at 60 Hz, which is assumed</source>
+        <translation>så att ett slag av en stålkolv vid 10 m/s har 350 J: 21 kW (specifikation för DL431, i andra hand) vid 60 Hz, som är antaget</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 380 J: the most of 250 to 380 J (specification of the HC drifters, second hand)</source>
+        <translation>så att ett slag av en stålkolv vid 10 m/s har 380 J: det högsta av 250 till 380 J (specifikation för HC-borrmaskinerna, i andra hand)</translation>
+    </message>
+    <message>
+        <source>so that a blow of steel at 10 m/s has 60 J: 6 kW at 100 Hz (brochure 9865 0122, second hand)</source>
+        <translation>så att ett slag av en stålkolv vid 10 m/s har 60 J: 6 kW vid 100 Hz (broschyr 9865 0122, i andra hand)</translation>
+    </message>
+    <message>
+        <source>soft rock</source>
+        <translation>mjukt berg</translation>
+    </message>
+    <message>
+        <source>steel, usual value</source>
+        <translation>stål, vanligt värde</translation>
+    </message>
+    <message>
+        <source>that of the examples; loss assumed: a tight joint loses a few per cent, a worn one several times as much</source>
+        <translation>den i exemplen; förlusten antagen: en väl åtdragen skarv förlorar några procent, en sliten flera gånger så mycket</translation>
+    </message>
+    <message>
+        <source>the coupling of the T38 examples, 1 mm thicker than catalogues have it; bore assumed: that of the rod, the joint being full</source>
+        <translation>skarvhylsan i T38-exemplen, 1 mm tjockare än i katalogerna; spolhålet antaget: stångens, eftersom skarven är utfylld</translation>
+    </message>
+    <message>
+        <source>the coupling of the T51 example, 5 mm longer than catalogues have it; bore assumed: that of the rod, the joint being full</source>
+        <translation>skarvhylsan i T51-exemplet, 5 mm längre än i katalogerna; spolhålet antaget: stångens, eftersom skarven är utfylld</translation>
+    </message>
+    <message>
+        <source>the least of 63 to 72 Hz (specification of the HC drifters, second hand)</source>
+        <translation>det lägsta av 63 till 72 Hz (specifikation för HC-borrmaskinerna, i andra hand)</translation>
+    </message>
+    <message>
+        <source>the most (E&amp;MJ, Hydraulic drills hammer through)</source>
+        <translation>det högsta (E&amp;MJ, Hydraulic drills hammer through)</translation>
+    </message>
+    <message>
+        <source>the most of 40 to 60 Hz (brochure 9865 0024, second hand)</source>
+        <translation>det högsta av 40 till 60 Hz (broschyr 9865 0024, i andra hand)</translation>
+    </message>
+    <message>
+        <source>the paper&apos;s value for percussive drilling</source>
+        <translation>artikelns värde för slående borrning</translation>
+    </message>
+    <message>
+        <source>uniform, 36 mm</source>
+        <translation>likformig, 36 mm</translation>
+    </message>
+    <message>
+        <source>usual size in catalogues (45 x 150 mm); bore assumed: that of the rod, the joint being full</source>
+        <translation>vanligt mått i kataloger (45 × 150 mm); spolhålet antaget: stångens, eftersom skarven är utfylld</translation>
+    </message>
+    <message>
+        <source>usual size in catalogues (55 x 170 mm); bore assumed: that of the rod, the joint being full</source>
+        <translation>vanligt mått i kataloger (55 × 170 mm); spolhålet antaget: stångens, eftersom skarven är utfylld</translation>
+    </message>
+    <message>
+        <source>very hard rock</source>
+        <translation>mycket hårt berg</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -5349,6 +6113,10 @@ en projektion av fler dimensioner</translation>
         <translation>%1; Ljapunovexponent %2 per slag</translation>
     </message>
     <message>
+        <source>%1; Lyapunov exponent %2 +- %3 per blow</source>
+        <translation>%1; Ljapunovexponent %2 +- %3 per slag</translation>
+    </message>
+    <message>
         <source>at none of the values</source>
         <translation>vid inget av värdena</translation>
     </message>
@@ -7997,8 +8765,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>och %1 till</translation>
     </message>
     <message>
-        <source>rock law %1</source>
-        <translation>bergets lag %1</translation>
+        <source>rock: %1,</source>
+        <translation>berg: %1,</translation>
     </message>
     <message>
         <source>was solved by method %1 (%2)</source>
@@ -9325,6 +10093,18 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>%1 of blows like this one</source>
         <translation>%1 vid slag som detta</translation>
+    </message>
+    <message>
+        <source>from %1 on slope %2</source>
+        <translation>från %1 lutning %2</translation>
+    </message>
+    <message>
+        <source>shape</source>
+        <translation>form</translation>
+    </message>
+    <message>
+        <source>loading curve</source>
+        <translation>belastningskurva</translation>
     </message>
 </context>
 <context>
@@ -10701,10 +11481,6 @@ av de kvarvarande vågorna: %4 och %5</translation>
 <context>
     <name>drillwave::ScanRects</name>
     <message>
-        <source>blows from contact [%]</source>
-        <translation>slag från kontakt [%]</translation>
-    </message>
-    <message>
         <source>blows from contact</source>
         <translation>slag från kontakt</translation>
     </message>
@@ -10731,6 +11507,10 @@ av de kvarvarande vågorna: %4 och %5</translation>
     <message>
         <source>gap at the blow</source>
         <translation>spalt vid slaget</translation>
+    </message>
+    <message>
+        <source>from contact [%]</source>
+        <translation>från kontakt [%]</translation>
     </message>
 </context>
 <context>

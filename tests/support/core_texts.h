@@ -13,6 +13,8 @@
 #include "core/report/accuracy_columns.h"
 #include "core/report/feed_words.h"
 #include "core/study/drilling/drilling_record.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/preset_file.h"
 
 namespace drillwave::test {
 
@@ -54,6 +56,20 @@ inline std::set<std::string> coreTexts() {
     for (const RockLaw law : allValues<RockLaw>) add(phrase(law));
     for (const auto& column : accuracyColumns) add(column.title);
     for (const auto& column : stringAccuracyColumns) add(column.title);
+    for (const Example& example : builtInExamples()) {
+        add(example.title);
+        add(example.explanation);
+    }
+    for (const Preset& preset : builtInPresets()) {
+        add(preset.name);
+        add(preset.shapeSource);
+        add(preset.lawSource);
+        for (const PresetValue& value : preset.values) add(value.source);
+    }
+    for (const SectionPreset& preset : builtInSectionPresets()) {
+        add(preset.name);
+        add(preset.source);
+    }
     texts.erase(std::string());
     return texts;
 }

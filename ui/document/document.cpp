@@ -330,8 +330,7 @@ QString Document::applyPreset(const Preset& preset) {
     try {
         const std::string text = writeWithPreset({changed, m_text, m_source.source}, preset);
         emit presetTaken();
-        pushContents(std::move(changed), text,
-                     tr("take the preset %1").arg(QString::fromStdString(preset.name)));
+        pushContents(std::move(changed), text, tr("take the preset %1").arg(coreText(preset.name)));
     } catch (const ScenarioError& error) {
         return translated(error);
     }

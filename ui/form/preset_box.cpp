@@ -6,14 +6,15 @@
 #include <QFileInfo>
 #include <QUrl>
 
+#include "ui/text/core_text.h"
+#include "ui/text/local_style.h"
+
 namespace drillwave {
 namespace {
 
-QString htmlDescription(const Preset& preset) {
+QString htmlText(const QString& description) {
     return QStringLiteral("<p>%1</p>")
-        .arg(QString::fromStdString(description(preset))
-                 .toHtmlEscaped()
-                 .replace(u'\n', QStringLiteral("<br>")));
+        .arg(QString(description).toHtmlEscaped().replace(u'\n', QStringLiteral("<br>")));
 }
 
 // An ampersand in a name is no mnemonic.
@@ -46,11 +47,15 @@ void PresetBox::present(const Scenario& scenario) {
             tr("Presets are physical values, and this scenario is given by its dimensionless groups alone. "
                "File ▸ New begins one in physical values.");
     else if (preset)
-        help = htmlDescription(*preset);
-    setItemText(0, preset ? QString::fromStdString(preset->name) : physical ? tr("custom") : tr("none"));
+        help = describe(*preset);
+    setItemText(0, preset ? coreText(preset->name) : physical ? tr("custom") : tr("none"));
     setEnabled(physical);
-    setToolTip(help);
-    setAccessibleDescription(preset ? QString::fromStdString(description(*preset)) : help);
+    setToolTip(preset ? htmlText(help) : help);
+    setAccessibleDescription(help);
+}
+
+QString PresetBox::describe(const Preset& preset) const {
+    return QString::fromStdString(description(preset, LocalStyle::of(m_document.units())));
 }
 
 QMenu* PresetBox::menu() {
@@ -89,11 +94,11 @@ void PresetBox::addPresets(QMenu* menu, const PresetSource& source) {
     if (!source.path.isEmpty()) menu->addSection(menuText(QFileInfo(source.path).fileName()));
     for (const Preset& preset : source.presets) {
         if (preset.kind != m_kind) continue;
-        QAction* action = menu->addAction(menuText(QString::fromStdString(preset.name)), this,
-                                          [this, preset] { take(preset); });
+        QAction* action =
+            menu->addAction(menuText(coreText(preset.name)), this, [this, preset] { take(preset); });
         action->setCheckable(true);
         action->setChecked(matches(preset, m_document.scenario()));
-        action->setToolTip(htmlDescription(preset));
+        action->setToolTip(htmlText(describe(preset)));
     }
     if (!source.path.isEmpty() && m_library.wasAdded(source.path))
         menu->addAction(tr("Remove these from the list"), this, [this, path = source.path] {

@@ -34,6 +34,7 @@ class PresetBox : public ChoiceBox {
     void libraryChanged();
 
   private:
+    QString describe(const Preset& preset) const;
     void fillMenu();
     void addPresets(QMenu* menu, const PresetSource& source);
     void addProblem(const PresetSource& source);

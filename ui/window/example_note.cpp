@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/example_note.h"
 
+#include "ui/text/core_text.h"
 #include "ui/text/settings.h"
 
 namespace drillwave {
@@ -24,7 +25,7 @@ ExampleNote::ExampleNote(QWidget* parent) : Notice(Tone::information, parent), m
 }
 
 void ExampleNote::set(const Example& example) {
-    m_explanation = QString::fromStdString(example.explanation);
+    m_explanation = coreText(example.explanation);
     say(m_explanation);
     m_action->setEnabled(true);
     m_action->setChecked(true);

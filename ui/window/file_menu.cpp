@@ -6,6 +6,7 @@
 
 #include "core/archive/result_scenario.h"
 #include "core/study/paper/figures.h"
+#include "ui/text/core_text.h"
 #include "ui/text/settings.h"
 #include "ui/window/figure_dialog.h"
 
@@ -99,8 +100,8 @@ void FileMenu::addExamples() {
     menu->setToolTipsVisible(true);
     for (const Example& example : builtInExamples()) {
         QAction* action =
-            menu->addAction(fromUtf8(example.title), this, [this, &example] { openExample(example); });
-        action->setToolTip(QStringLiteral("<p>%1</p>").arg(fromUtf8(example.explanation).toHtmlEscaped()));
+            menu->addAction(coreText(example.title), this, [this, &example] { openExample(example); });
+        action->setToolTip(QStringLiteral("<p>%1</p>").arg(coreText(example.explanation).toHtmlEscaped()));
     }
     menu->addSeparator();
     addFigures(*menu->addMenu(tr("&Figures of the paper")));

@@ -125,7 +125,7 @@ void TestPresetFile::everyBuiltInPresetGivesAValidScenario() {
     for (const Alert& alert : alertsFor(scenario))
         QVERIFY2(alert.code != AlertCode::implausibleValue, alertText(alert).c_str());
     QVERIFY(matches(each, scenario));
-    QVERIFY(!description(each).empty());
+    QVERIFY(!description(each, plainStyle()).empty());
     // No two presets of a kind are the same under two names.
     QCOMPARE(std::ranges::count_if(
                  builtInPresets(),
@@ -212,7 +212,7 @@ void TestPresetFile::aFileOfTheUserIsRead() {
     QCOMPARE(presets[1].values.back().parameter->key, std::string_view("drill.blow_frequency"));
     QCOMPARE(presets[1].values.back().si, 50.0);
     QCOMPARE(presets[2].values.front().source, std::string("fitted"));
-    QVERIFY(description(presets[2]).starts_with("stiffness: 120 MN/m — fitted"));
+    QVERIFY(description(presets[2], plainStyle()).starts_with("stiffness: 120 MN/m — fitted"));
     QVERIFY(parsePresets("drillwave_presets: 1\n", "").presets.empty());
 }
 
@@ -225,10 +225,10 @@ void TestPresetFile::aRockHasItsLoadingCurve() {
     QCOMPARE(corners.bitRock.corners[1].force, 150e3);
     QCOMPARE(corners.bitRock.corners[1].slope, 0.2);
     QVERIFY(validate(corners).empty());
-    QCOMPARE(
-        description(layers),
-        std::string("law: corners, from 90 kN on slope 0.35, from 150 kN on slope 0.2 — drop test; corners: "
-                    "fitted\nstiffness: 250 MN/m — fitted\nelasticity: 0.15 — fitted"));
+    QCOMPARE(description(layers, plainStyle()),
+             std::string("loading curve: a law with corners, from 90 kN on slope 0.35, from 150 kN on slope "
+                         "0.2 — drop test; corners: "
+                         "fitted\nstiffness: 250 MN/m — fitted\nelasticity: 0.15 — fitted"));
     // From one law to another nothing of the first is left.
     const Scenario power = withPreset(corners, powder);
     QVERIFY(power.bitRock.law == RockLaw::power && power.bitRock.corners.empty());
@@ -378,7 +378,7 @@ void TestPresetFile::everyPieceOfAStringFitsIntoOne() {
             QVERIFY2(alert.code != AlertCode::implausibleValue, alertText(alert).c_str());
         QVERIFY2(each.source.size() > 4, each.name.c_str());
         QVERIFY2(names.insert(each.name).second, each.name.c_str());
-        QVERIFY(description(each).find(each.source) != std::string::npos);
+        QVERIFY(description(each, plainStyle()).find(each.source) != std::string::npos);
         ++count[each.kind];
     }
     for (const SectionPresetKind kind : sectionPresetKinds) QVERIFY(count[kind] >= 3);
@@ -402,7 +402,8 @@ couplings:
     QCOMPARE(*read[0].velocity, 9.0);
     QCOMPARE(read[0].sections.size(), std::size_t(2));
     QCOMPARE(read[1].sections[0].loss, 0.02);
-    QCOMPARE(description(read[0]), std::string("300 mm × 50 mm, 250 mm × 38 mm, 9 m/s — data sheet"));
+    QCOMPARE(description(read[0], plainStyle()),
+             std::string("300 mm × 50 mm, 250 mm × 38 mm, 9 m/s — data sheet"));
     for (const auto& [from, to, reason] : std::vector<std::tuple<std::string, std::string, std::string>>{
              {"bore: 40 mm", "bore: 60 mm", "couplings"},
              {"source: measured, ", "", "mine.yaml:10"},

@@ -70,17 +70,12 @@ bool isNameless(const QString& word) {
     return names.contains(word);
 }
 
-/// Titles, names and explanations of scenarios and presets: data, as files have them.
+/// Titles and names of scenarios and sections: data, as files have them.
 const QStringList& data() {
     static const QStringList texts = [] {
         QStringList all;
         for (const Example& example : builtInExamples())
-            all << QString::fromStdString(example.explanation) << QString::fromStdString(example.title)
-                << QString::fromStdString(example.name);
-        for (const Preset& preset : builtInPresets())
-            all << QString::fromStdString(description(preset)) << QString::fromStdString(preset.name);
-        for (const SectionPreset& preset : builtInSectionPresets())
-            all << QString::fromStdString(description(preset)) << QString::fromStdString(preset.name);
+            all << QString::fromStdString(example.title) << QString::fromStdString(example.name);
         all << QStringLiteral("T38 rod") << QStringLiteral("shank adapter") << QStringLiteral("coupling");
         for (const char* name : {"bit skirt", "bit head", "adapter", "rod"}) all << QString::fromLatin1(name);
         std::ranges::sort(all, std::ranges::greater(), &QString::size);

@@ -13,7 +13,9 @@
 #include "core/model/section_pieces.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
+#include "ui/text/core_text.h"
 #include "ui/text/field_text.h"
+#include "ui/text/local_style.h"
 #include "ui/text/typed_text.h"
 
 namespace drillwave {
@@ -148,16 +150,16 @@ void StringEdits::addPresets() {
                                                               newMenu(tr("Adapters")),
                                                               newMenu(tr("Couplings")), newMenu(tr("Bits"))};
     const Material& material = m_document.scenario().drillString.material;
+    const LocalStyle style = LocalStyle::of(m_document.units());
     for (const PresetSource& source : m_presets.sources()) {
         for (const Preset& preset : source.presets)
             if (preset.kind == PresetKind::rod)
-                addChoice(*rods, QString::fromStdString(preset.name),
-                          QString::fromStdString(description(preset)),
+                addChoice(*rods, coreText(preset.name), QString::fromStdString(description(preset, style)),
                           adding({sectionOf(withPreset({}, preset).rod, material)}));
         for (const SectionPreset& preset : source.sectionPresets) {
             const bool isHammer = preset.kind == SectionPresetKind::piston;
-            addChoice(*menus[static_cast<std::size_t>(preset.kind)], QString::fromStdString(preset.name),
-                      QString::fromStdString(description(preset)),
+            addChoice(*menus[static_cast<std::size_t>(preset.kind)], coreText(preset.name),
+                      QString::fromStdString(description(preset, style)),
                       isHammer ? std::function<void()>([this, preset] { useHammer(preset); })
                                : adding(preset.sections, endOf(preset.kind)));
         }
@@ -168,7 +170,7 @@ void StringEdits::addExamples() {
     m_addMenu->addSection(tr("From the example strings"));
     for (const Example& example : builtInExamples()) {
         if (!example.ofString) continue;
-        QMenu* menu = m_addMenu->addMenu(QString::fromStdString(example.title));
+        QMenu* menu = m_addMenu->addMenu(coreText(example.title));
         for (const StringRow& row :
              stringRows(parseScenario(example.text, example.name).scenario.drillString))
             addChoice(*menu, describe(row.section, m_document.units()), {},

@@ -6,6 +6,7 @@
 
 #include "core/model/assignments.h"
 #include "core/model/validation.h"
+#include "ui/text/core_text.h"
 
 namespace drillwave {
 namespace {
@@ -41,7 +42,7 @@ std::vector<PresetPlace> presetPlaces(std::span<const Preset> presets, const Par
         const std::optional<Scenario> with = taken(preset, scenario);
         if (!with || !parameter.applies(*with)) continue;
         if (const auto si = parameter.value(*with))
-            places.push_back({QString::fromStdString(preset.name), *si});
+            places.push_back({coreText(preset.name), *si});
     }
     std::ranges::stable_sort(places, {}, &PresetPlace::si);
     std::vector<PresetPlace> joined;
@@ -67,7 +68,7 @@ std::vector<PresetPoint> presetPoints(std::span<const Preset> presets, const Par
         const std::optional<Scenario> with = taken(preset, scenario);
         if (!with || !x.applies(*with) || !y.applies(*with)) continue;
         const auto atX = x.value(*with), atY = y.value(*with);
-        if (atX && atY) points.push_back({QString::fromStdString(preset.name), *atX, *atY});
+        if (atX && atY) points.push_back({coreText(preset.name), *atX, *atY});
     }
     return points;
 }
