@@ -36,7 +36,7 @@ ScanRects::ScanRects(QCustomPlot& plot, QCPLegend& legend, QObject* parent)
     QCPAxis *left = m_rates->axis(QCPAxis::atLeft), *right = m_rates->axis(QCPAxis::atRight);
     right->setVisible(true);
     right->setTickLabels(true);
-    right->setLabel(tr("blows from contact [%]"));
+    right->setLabel(tr("from contact [%]"));  // blows, as the legend has them
     right->ticker()->setTickCount(fewTicksOfScan);
     m_low = add(m_rates, left, {}, false);
     m_high = add(m_rates, left, {}, false);

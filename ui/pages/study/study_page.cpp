@@ -22,7 +22,7 @@ namespace drillwave {
 namespace {
 
 constexpr int patienceMilliseconds = 150;      // as with a blow that is not solved yet
-constexpr double mostOfWindowForWords = 0.09;  // of its height
+constexpr double mostOfWindowForWords = 0.15;  // of its height
 constexpr int plotLines = 17;                  // with legend, axes and table
 
 }  // namespace
