@@ -33,6 +33,7 @@ const Preset& presetNamed(const std::vector<Preset>& presets, PresetKind kind, c
         if (preset.kind != kind) continue;
         if (lowerCase(preset.name) == lowerCase(wanted)) return preset;
         names.push_back(preset.name);
+        names.push_back(std::string_view(preset.name).substr(0, preset.name.find(',')));  // is enough, too
         if (wanted.empty() || !lowerCase(preset.name).starts_with(lowerCase(wanted))) continue;
         beginning = &preset;
         candidates += (candidates.empty() ? "`" : ", `") + preset.name + "`";

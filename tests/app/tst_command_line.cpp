@@ -250,6 +250,8 @@ void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {
         << QStringList{"run", drill, "--rock", "medium rok"} << 2 << "did you mean `medium rock`?";
     QTest::newRow("preset of several names")
         << QStringList{"run", drill, "--rod", "T38"} << 2 << "`T38, round 38 mm`, `T38, round 39 mm`";
+    QTest::newRow("preset with another number")
+        << QStringList{"run", drill, "--rod", "T52"} << 2 << "did you mean `T51`?";
     QTest::newRow("preset for groups")
         << QStringList{"run", paper, "--rod", "T51"} << 2 << "presets need a scenario in physical units";
     QTest::newRow("presets of nothing")
