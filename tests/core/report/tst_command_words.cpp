@@ -170,10 +170,10 @@ Scenario scenarioOf(const Example& example) {
     return parseScenario(example.text, example.name).scenario;
 }
 
-/// What is called the same in every language: keys, outputs, methods, shapes and laws, units, and the
+/// What is called the same in every language: keys, outputs, methods, shapes, units, and the
 /// sections of who wrote the scenario.
 QStringList namesOf(const CommandText& text, const Scenario& scenario) {
-    QStringList names{"beta", "gamma", "tau", "delta", "cor", "separation_time", "MPa", "GPa"};
+    QStringList names{"beta", "gamma", "tau", "delta", "cor", "separation_time", "MPa", "GPa", "min"};
     const auto add = [&](std::string_view words) {
         names << wordsOf(QString::fromUtf8(words.data(), qsizetype(words.size())));
     };
@@ -183,7 +183,6 @@ QStringList namesOf(const CommandText& text, const Scenario& scenario) {
     for (const std::string_view method : methodNames()) add(method);
     add(methodOfStrings);
     for (const PulseShape shape : allValues<PulseShape>) add(name(shape));
-    for (const RockLaw law : allValues<RockLaw>) add(name(law));
     return names;
 }
 

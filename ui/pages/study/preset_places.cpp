@@ -41,8 +41,7 @@ std::vector<PresetPlace> presetPlaces(std::span<const Preset> presets, const Par
         if (!sets(preset, parameter)) continue;
         const std::optional<Scenario> with = taken(preset, scenario);
         if (!with || !parameter.applies(*with)) continue;
-        if (const auto si = parameter.value(*with))
-            places.push_back({coreText(preset.name), *si});
+        if (const auto si = parameter.value(*with)) places.push_back({coreText(preset.name), *si});
     }
     std::ranges::stable_sort(places, {}, &PresetPlace::si);
     std::vector<PresetPlace> joined;

@@ -412,7 +412,8 @@ void TestComparePage::stringsHaveNoMarginAtEveryGap() {
     const auto names = [&](bool isOfAllGaps) {
         column.widestNeed = WidestNeed{.thrust = 5e3, .ofAllGaps = isOfAllGaps};
         QStringList all;
-        for (const CompareRow& row : compareTable({column}, 0, UnitSystem::si, {}, units).rows) all << row.name;
+        for (const CompareRow& row : compareTable({column}, 0, UnitSystem::si, {}, units).rows)
+            all << row.name;
         return all;
     };
     QVERIFY(names(true).contains("thrust needed at every gap"));
