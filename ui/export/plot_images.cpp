@@ -15,11 +15,18 @@ const ReportPlot* PlotImages::find(const QTextFormat& format) const {
     return found == m_plots.end() ? nullptr : &*found;
 }
 
+Millimetres PlotImages::sizeOf(const ReportPlot& plot) const {
+    constexpr double low = 60;  // [mm]: labels would not have room
+    const Millimetres& size = plot.paper.size;
+    return {size.width, std::max(std::min(size.height, low), m_height * size.height)};
+}
+
 QSizeF PlotImages::intrinsicSize(QTextDocument* /*document*/, int /*position*/, const QTextFormat& format) {
     constexpr double millimetresPerInch = 25.4;
     const ReportPlot* plot = find(format);
     if (!plot) return {};
-    return QSizeF(plot->paper.size.width, plot->paper.size.height) / millimetresPerInch * m_unit;
+    const Millimetres size = sizeOf(*plot);
+    return QSizeF(size.width, size.height) / millimetresPerInch * m_unit;
 }
 
 void PlotImages::drawObject(QPainter* painter, const QRectF& place, QTextDocument* /*document*/,
@@ -29,7 +36,7 @@ void PlotImages::drawObject(QPainter* painter, const QRectF& place, QTextDocumen
     painter->save();
     painter->translate(place.topLeft());
     painter->scale(m_unit / layoutDpi, m_unit / layoutDpi);
-    paintPlot(*plot->paper.plot, *static_cast<QCPPainter*>(painter), plot->paper.size);
+    paintPlot(*plot->paper.plot, *static_cast<QCPPainter*>(painter), sizeOf(*plot));
     painter->restore();
 }
 

@@ -21,6 +21,9 @@ class PlotImages : public QObject, public QTextObjectInterface {
     /// `unit` is that of the layout of the text [1/in]. The plots must outlive the images.
     PlotImages(const std::vector<ReportPlot>& plots, int unit) : m_plots(plots), m_unit(unit) {}
 
+    /// High plots are so much lower than they would be, as wide as they are; a text that has them is to be
+    /// laid out anew.
+    void setHeight(double share) { m_height = share; }
     /// The page that is drawn: plots of other pages are left out, as a plot does not heed clips.
     void setPage(const QRectF& page) { m_page = page; }
 
@@ -30,9 +33,11 @@ class PlotImages : public QObject, public QTextObjectInterface {
 
   private:
     const ReportPlot* find(const QTextFormat& format) const;
+    Millimetres sizeOf(const ReportPlot& plot) const;
 
     const std::vector<ReportPlot>& m_plots;
     int m_unit;
+    double m_height = 1;
     QRectF m_page;
 };
 

@@ -17,6 +17,12 @@ namespace {
 
 constexpr double pointSize = 7.5;
 
+void setBreak(const QTextBlock& block, QTextFormat::PageBreakFlags policy) {
+    QTextBlockFormat format = block.blockFormat();
+    format.setPageBreakPolicy(policy);
+    QTextCursor(block).setBlockFormat(format);
+}
+
 }  // namespace
 
 ReportDocument::ReportDocument(const BlowReport& report, const std::vector<ReportPlot>& plots,
@@ -32,6 +38,47 @@ ReportDocument::ReportDocument(const BlowReport& report, const std::vector<Repor
     m_text.setHtml(QString::fromStdString(reportHtml(report, pictures, ReportMedium::paper, style)));
     m_text.setPageSize(page);
     keepTogether();
+    saveLastPage();
+}
+
+void ReportDocument::layOut(double plotHeight, Ending place) {
+    for (const int position : m_broken) setBreak(m_text.findBlock(position), QTextFormat::PageBreak_Auto);
+    m_broken.clear();
+    m_images.setHeight(plotHeight);
+    m_text.setPageSize(m_text.pageSize());  // lays all of it out anew
+    if (place == Ending::ownPage) breakBefore(ending());
+    keepTogether();
+}
+
+double ReportDocument::shareOfLastPage() const {
+    const double end = m_text.documentLayout()->blockBoundingRect(m_text.lastBlock()).bottom();
+    return end / m_text.pageSize().height() - (m_text.pageCount() - 1);
+}
+
+QTextBlock ReportDocument::ending() const {
+    QTextBlock block = m_text.lastBlock();
+    for (int headings = 0; headings < 2 && block != m_text.begin();) {
+        block = block.previous();
+        headings += block.blockFormat().headingLevel() > 0;
+    }
+    return block;
+}
+
+void ReportDocument::saveLastPage() {
+    constexpr double enough = 0.5;  // of it
+    const int pages = m_text.pageCount();
+    if (pages == 1 || shareOfLastPage() >= enough) return;
+    for (const double height : {0.94, 0.88, 0.82}) {
+        layOut(height, Ending::inFlow);
+        if (m_text.pageCount() < pages) return;
+    }
+    layOut(1, Ending::ownPage);
+}
+
+void ReportDocument::breakBefore(const QTextBlock& heading) {
+    setBreak(heading, QTextFormat::PageBreak_AlwaysBefore);
+    m_broken.push_back(heading.position());
+    m_text.setPageSize(m_text.pageSize());  // lays all of it out anew
 }
 
 void ReportDocument::keepTogether() {
@@ -49,10 +96,7 @@ void ReportDocument::keepTogether() {
         if (std::floor(place + foot) == std::floor(place) &&
             std::floor(pages(block.next())) == std::floor(place))
             continue;
-        QTextBlockFormat format = block.blockFormat();
-        format.setPageBreakPolicy(QTextFormat::PageBreak_AlwaysBefore);
-        QTextCursor(block).setBlockFormat(format);
-        m_text.setPageSize(size);  // lays all of it out anew
+        breakBefore(block);
     }
 }
 

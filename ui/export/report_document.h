@@ -12,7 +12,8 @@ class QPaintDevice;
 namespace drillwave {
 
 /// The text of reportHtml() for paper with the plots in it. No heading is parted from what it is about, no
-/// caption from its plot, and the head of a table is on each of its pages.
+/// caption from its plot, the head of a table is on each of its pages, and plots are lower where that saves a
+/// last page of a few lines.
 class ReportDocument {
   public:
     /// For pages of that size in the units of the device. Plots and device must outlive the document.
@@ -25,11 +26,22 @@ class ReportDocument {
     void draw(QPainter& painter, int page);
 
   private:
+    /// What is behind the pictures, scenario and errors of the solution: where it fits, or on a page of its
+    /// own.
+    enum class Ending { inFlow, ownPage };
+
+    void layOut(double plotHeight, Ending place);
+    /// The heading that begins it.
+    QTextBlock ending() const;
+    void breakBefore(const QTextBlock& heading);
     void keepTogether();
+    void saveLastPage();
+    double shareOfLastPage() const;
 
     QFont m_font;
     PlotImages m_images;
     QTextDocument m_text;
+    std::vector<int> m_broken;  // positions of headings that begin a page
 };
 
 }  // namespace drillwave
