@@ -152,6 +152,8 @@ class Delivery {
         if (isThere(m_folder) && !isFolder(m_folder)) return failed(notMade(m_folder, reasonOf(ENOTDIR)));
         const std::string around = isFolder(m_folder) ? m_folder : parentOf(m_folder);
         mendFolder(around);
+        // Where a run died that had just made the folder, and had not cleaned up around it.
+        if (around == m_folder) mendFolder(parentOf(m_folder));
         FolderEnd end = prepare(around);
         if (end.isWritten()) end = place();
         if (end.isWritten()) m_parents.keep();

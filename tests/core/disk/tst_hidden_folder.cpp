@@ -55,6 +55,7 @@ class TestHiddenFolder : public QObject {
     void theNextWriterMendsFirst();
     void aRunThatDiesBeforeItBeginsLeavesNothing();
     void whatDiesBetweenItsStepsGoesToo();
+    void aRunThatDiesOnceItHasMadeTheFolderLeavesNothing();
     void aLivingRunIsLeftAlone();
     void makersAndMendersDoNotMeet();
 
@@ -128,6 +129,23 @@ void TestHiddenFolder::aRunThatDiesBeforeItBeginsLeavesNothing() {
     mendFolder(folder);
     QCOMPARE(contents(m_place->path()), QStringList{"rows"});
     QCOMPARE(bytes("rows"), QByteArray("old"));
+}
+
+// A folder is made by giving the hidden one its name, with what else was hidden left around it.
+void TestHiddenFolder::aRunThatDiesOnceItHasMadeTheFolderLeavesNothing() {
+    const std::string around = m_place->path().toStdString(), folder = path("results");
+    die([&] {
+        HiddenFolder hidden;
+        if (hidden.make(around) != 0) std::_Exit(1);
+        replaceFile(hidden.newFile("rows"), "first");
+        std::rename(hidden.newFolder().c_str(), folder.c_str());
+        ::kill(::getpid(), SIGKILL);
+    });
+    QCOMPARE(contents(m_place->path()).size(), 2);
+    const FolderFiles next{.files = {{"rows", "next"}}, .outdated = {}};
+    QVERIFY(writeWholeFolder(folder, next, ExistingFiles::replaced).isWritten());
+    QCOMPARE(contents(m_place->path()), QStringList{"results"});
+    QCOMPARE(bytes("results/rows"), QByteArray("next"));
 }
 
 void TestHiddenFolder::aLivingRunIsLeftAlone() {
