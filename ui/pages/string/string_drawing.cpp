@@ -69,6 +69,12 @@ double StringDrawing::totalLength() const {
     return chain.empty() ? 0 : chain.back().start + m_model.rows()[chain.back().row].section.length;
 }
 
+double StringDrawing::hammerLength() const {
+    for (const ChainSection& section : m_model.chain())
+        if (!m_model.rows()[section.row].spot.inHammer) return section.start;
+    return totalLength();
+}
+
 double StringDrawing::largestDiameter() const {
     double largest = 0;
     for (const StringRow& row : m_model.rows())
@@ -221,9 +227,7 @@ void StringDrawing::drawMarks(QPainter& painter) const {
     const QRectF rock(whole.right(), whole.top() - 4, groundWidth, whole.height() + 8);
     painter.fillRect(rock, QBrush(ink, Qt::DiagCrossPattern));
     painter.drawLine(rock.topLeft(), rock.bottomLeft());
-    std::size_t face = 0;
-    while (face < m_model.chain().size() && m_model.rows()[m_model.chain()[face].row].spot.inHammer) ++face;
-    const double x = face < m_model.chain().size() ? sectionRect(face).left() : whole.right();
+    const double x = whole.left() + hammerLength() / totalLength() * whole.width();
     painter.setPen(QPen(ink, 1.6));
     painter.drawLine(QPointF(x, whole.top() - 6), QPointF(x, whole.bottom() + 2));
     const double line = fontMetrics().lineSpacing();
@@ -235,18 +239,21 @@ void StringDrawing::drawMarks(QPainter& painter) const {
                      Qt::AlignLeft | Qt::AlignVCenter, tr("string"));
 }
 
+// From the shank, as places of stresses are told.
 void StringDrawing::drawRuler(QPainter& painter) const {
     const QRectF whole = area();
     const Unit& unit = m_units.unitFor(UnitKind::length, 1);
-    const double length = unit.fromSi(totalLength());
+    const double length = unit.fromSi(totalLength()), before = unit.fromSi(hammerLength());
     if (!(length > 0)) return;
     const double y = whole.bottom() + 9;
     const double step = tickStep(length);
     painter.setPen(QPen(palette().color(QPalette::Text), 1));
     painter.drawLine(QPointF(whole.left(), y), QPointF(whole.right(), y));
     const double line = fontMetrics().lineSpacing();
-    for (int i = 0; i * step <= length * (1 + 1e-9); ++i) {
-        const double x = whole.left() + i * step / length * whole.width();
+    constexpr double rounding = 1e-9;
+    const int first = -static_cast<int>(before / step + rounding);
+    for (int i = first; i * step <= (length - before) * (1 + rounding); ++i) {
+        const double x = whole.left() + (before + i * step) / length * whole.width();
         painter.drawLine(QPointF(x, y), QPointF(x, y + 4));
         const QString text = numberText(i * step, 4, QLocale());
         const QString named = i == 0 ? text + QLatin1Char(' ') + shownUnitName(unit.name) : text;

@@ -47,6 +47,7 @@ class StringDrawing : public QWidget {
 
   private:
     double totalLength() const;
+    double hammerLength() const;
     double largestDiameter() const;
     QRectF area() const;
     double wordsHeight() const;
