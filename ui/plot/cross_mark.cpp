@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/cross_mark.h"
 
+#include "ui/plot/overlay.h"
+
 namespace drillwave {
 
 void CrossMark::addLines(QCPAxisRect& rect) {
@@ -38,7 +40,7 @@ void CrossMark::hide() {
 }
 
 void CrossMark::redraw() {
-    m_plot.layer(QStringLiteral("overlay"))->replot();
+    redrawOverlay(m_plot);
 }
 
 void CrossMark::setStyle(const PlotStyle& style) {

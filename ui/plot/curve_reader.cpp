@@ -8,6 +8,7 @@
 #include "ui/plot/curve_names.h"
 #include "ui/plot/hover_mark.h"
 #include "ui/plot/legend_entries.h"
+#include "ui/plot/overlay.h"
 #include "ui/text/settings.h"
 
 namespace drillwave {
@@ -48,7 +49,7 @@ void CurveReader::place(PlotCursor cursor, std::optional<double> x) {
     if (position(cursor) == x) return;
     m_cursors.place(cursor, x);
     if (cursor != PlotCursor::time) read();
-    m_plot.layer(QStringLiteral("overlay"))->replot();
+    redrawOverlay(m_plot);
 }
 
 void CurveReader::clear() {

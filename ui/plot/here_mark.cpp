@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plot/here_mark.h"
 
+#include "ui/plot/overlay.h"
+
 namespace drillwave {
 
 HereMark::HereMark(QCustomPlot* plot, QCPAxis* x, QCPAxis* y)
@@ -35,8 +37,7 @@ void HereMark::setPlace(std::optional<double> x, std::optional<double> y) {
         m_line->point2->setCoords(*x, 1);
     }
     if (x && y) m_ring->position->setCoords(*x, *y);
-    QCPLayer* layer = m_line->layer();
-    if (layer->mode() == QCPLayer::lmBuffered) layer->replot();
+    redrawOverlay(*m_line->parentPlot());
 }
 
 void HereMark::setStyle(const PlotStyle& style) {

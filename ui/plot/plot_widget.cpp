@@ -11,6 +11,7 @@
 
 #include "ui/plot/axis_view.h"
 #include "ui/plot/legend_entries.h"
+#include "ui/plot/overlay.h"
 #include "ui/plot/plot_keys.h"
 #include "ui/plot/plot_menu.h"
 #include "ui/text/language.h"
@@ -117,7 +118,7 @@ void PlotWidget::markPoint(const std::optional<CurvePoint>& point) {
         m_hover.show(*point->curve->keyAxis()->axisRect(), point->pixel, words(*point));
     else if (!m_hover.hide())
         return;
-    layer(QStringLiteral("overlay"))->replot();
+    redrawOverlay(*this);
 }
 
 QString PlotWidget::words(const CurvePoint& point) const {

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/plot/overlay.h"
+
 namespace drillwave {
 namespace {
 
@@ -63,8 +65,7 @@ void MapCrosshair::setPlace(const std::optional<QPointF>& place) {
         }
         for (QCPItemTracer* ring : {m_halo, m_ring}) ring->position->setCoords(*place);
     }
-    QCPLayer* layer = m_ring->layer();
-    if (layer->mode() == QCPLayer::lmBuffered && m_plot->isVisible()) layer->replot();
+    redrawOverlay(*m_plot);
 }
 
 void MapCrosshair::setStyle(const PlotStyle& style) {

@@ -7,6 +7,7 @@
 #include <QVBoxLayout>
 
 #include "ui/pages/rock/rock_plot.h"
+#include "ui/plot/overlay.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/number_text.h"
 
@@ -41,7 +42,7 @@ RockPage::RockPage(Observation& observation, QWidget* parent)
     m_plot->setNaming([this] { m_rock->name(); });
     connect(&observation, &Observation::timeChanged, this, [this] {
         showTime();
-        m_plot->layer(QStringLiteral("overlay"))->replot();
+        redrawOverlay(*m_plot);
     });
     connect(fitButton, &QPushButton::clicked, this, &PlotPage::fit);
     showTime();

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ui/plot/overlay.h"
+
 namespace drillwave {
 namespace {
 
@@ -66,7 +68,7 @@ void PictureCursors::setTime(double t) {
 }
 
 void PictureCursors::redraw() {
-    if (m_plot->isVisible()) m_plot->layer(QStringLiteral("overlay"))->replot();
+    redrawOverlay(*m_plot);
 }
 
 double PictureCursors::sectionPixel() const {

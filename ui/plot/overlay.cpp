@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plot/overlay.h"
+
+#include <qcustomplot.h>
+
+namespace drillwave {
+
+void redrawOverlay(QCustomPlot& plot) {
+    QCPLayer& layer = *plot.layer(QStringLiteral("overlay"));
+    // On paper it is drawn with all others, and before a plot was drawn once there is nothing to draw it
+    // into.
+    if (layer.mode() == QCPLayer::lmBuffered && plot.replotTime(true) > 0) layer.replot();
+}
+
+}  // namespace drillwave
