@@ -21,10 +21,6 @@ constexpr std::string_view dimensionlessStart =
     "dimensionless: {beta: 0.5, gamma: 1, tau: 10, delta: 0}\n"
     "pulse: {shape: rectangular}\n";
 
-QString fromUtf8(const std::string& text) {
-    return QString::fromStdString(text);
-}
-
 bool isScenarioName(const QString& path) {
     const QString suffix = QFileInfo(path).suffix().toLower();
     return QStringList{QStringLiteral("yaml"), QStringLiteral("yml"), QStringLiteral("json")}.contains(
@@ -127,7 +123,7 @@ void FileMenu::addFigures(QMenu& menu) {
 
 void FileMenu::openExample(const Example& example) {
     if (!mayDiscard()) return;
-    const QString problem = m_document.startFrom(example.text, fromUtf8(example.name));
+    const QString problem = m_document.startFrom(example.text, QString::fromStdString(example.name));
     if (succeeded(tr("The example cannot be opened."), problem)) emit exampleOpened(example);
 }
 
