@@ -61,7 +61,7 @@ void readAims(const Arguments& arguments, DesignStudy& study, DesignFaults& faul
     const bool isGiven = !words.empty();
     for (const std::string& word : arguments.operands())
         if (isAimWord(word)) words.push_back(word);
-    if (words.size() > 0 && !isGiven)
+    if (!words.empty() && !isGiven)
         return faults.add(ExitCode::usage, {translatable("drillwave::Message", "`%1`: write --aim before it"),
                                             {shortened(words.front())}});
     for (const std::string& word : words) addAim(study, word, faults);

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <condition_variable>
 #include <cstdio>
 #include <mutex>
@@ -15,7 +16,7 @@ namespace drillwave {
 namespace {
 
 std::string duration(double seconds) {
-    const auto whole = static_cast<std::uint64_t>(std::min(seconds, 1e9) + 0.5);
+    const auto whole = std::llround(std::min(seconds, 1e9));
     if (whole < 60) return std::to_string(whole) + " s";
     if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
     return std::to_string(whole / 3600) + " h " + std::to_string(whole / 60 % 60) + " min";

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/disk/hidden_folder.h"
 
-#include <stdlib.h>  // mkdtemp() is POSIX
+#include <stdlib.h>  // NOLINT(modernize-deprecated-headers): mkdtemp() is POSIX
 #include <unistd.h>
 
 #include <cassert>

@@ -144,7 +144,7 @@ KeptParameter inFormOf(const Scenario& scenario, const Parameter& parameter) {
 std::vector<KeptParameter> numbersInScales(const Scenario& scenario) {
     std::vector<KeptParameter> numbers;
     for (const Parameter& parameter : lawParameters().numbersInScales)
-        if (parameter.applies(scenario)) numbers.push_back(parameter);
+        if (parameter.applies(scenario)) numbers.emplace_back(parameter);
     return numbers;
 }
 

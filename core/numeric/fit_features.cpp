@@ -76,7 +76,7 @@ FitExtreme extremeOf(Segments segments, Extreme which) {
     const double sign = which == Extreme::largest ? 1 : -1;
     std::size_t where = 0;
     bool atStart = true;
-    double best = -INFINITY, bound = -INFINITY, opposite = INFINITY;
+    double opposite = std::numeric_limits<double>::infinity(), best = -opposite, bound = -opposite;
     for (std::size_t i = 0; i < segments.size(); ++i)
         for (const bool start : {true, false}) {
             const double value = sign * (start ? segments[i].first : segments[i].last);

@@ -23,7 +23,7 @@ struct MonotoneSegment {
     double lower() const { return first < last ? first : last; }
     double upper() const { return first < last ? last : first; }
     /// Where a value from lower() to upper() is taken.
-    double placeOf(double value) const;
+    double placeOf(double wanted) const;
 };
 
 /// Ascending; places without an answer are left out. The pieces must outlive the segments.

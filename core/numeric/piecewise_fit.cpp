@@ -279,7 +279,7 @@ PiecewiseFit Builder::build(std::span<const double> cuts) {
         }
         FitSample b = solve(cut);
         refine(a, b);
-        a = std::move(b);
+        a = b;
     }
     return std::move(m_fit);
 }

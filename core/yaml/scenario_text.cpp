@@ -140,10 +140,10 @@ void addIndexing(std::vector<SavedValue>& values, const Scenario& scenario) {
 /// The sections of a file, in order, that are no lists.
 std::vector<std::string_view> plainSections(const Scenario& scenario) {
     std::vector<std::string_view> sections;
-    if (!hasSections(scenario)) sections.push_back(hasUnits(scenario) ? "rod" : "dimensionless");
-    if (isForced(scenario)) sections.push_back("pulse");
-    if (hasUnits(scenario) || scenario.bitRock.law != RockLaw::bilinear) sections.push_back("bit_rock");
-    sections.push_back("drill");
+    if (!hasSections(scenario)) sections.emplace_back(hasUnits(scenario) ? "rod" : "dimensionless");
+    if (isForced(scenario)) sections.emplace_back("pulse");
+    if (hasUnits(scenario) || scenario.bitRock.law != RockLaw::bilinear) sections.emplace_back("bit_rock");
+    sections.emplace_back("drill");
     return sections;
 }
 

@@ -30,7 +30,7 @@ class ListReader {
 
     void readPreset(const YamlNode& item) {
         std::vector<std::string_view> known{"name", "source", "sections"};
-        if (m_kind == SectionPresetKind::piston) known.push_back("velocity");
+        if (m_kind == SectionPresetKind::piston) known.emplace_back("velocity");
         const YamlEntries entries = m_reader.entriesOf(item, m_key, known);
         SectionPreset preset;
         preset.kind = m_kind;

@@ -32,7 +32,7 @@ void UnitButton::paintEvent(QPaintEvent* /*event*/) {
     const QRect inside = rect().adjusted(margin, 0, -margin, 0);
     painter.drawItemText(inside, Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(), text(),
                          QPalette::ButtonText);
-    QStyleOption arrow = option;
+    QStyleOption arrow = static_cast<const QStyleOption&>(option);
     arrow.rect = QRect(inside.right() - menuArrowSize + 1, (height() - menuArrowSize) / 2, menuArrowSize,
                        menuArrowSize);
     painter.drawPrimitive(QStyle::PE_IndicatorArrowDown, arrow);

@@ -49,7 +49,6 @@ ImportDialog::ImportDialog(const QString& path, ImportUse use, const Document& d
     : QDialog(parent),
       m_path(path),
       m_document(document),
-      m_use(nullptr),
       m_name(new QLineEdit(QFileInfo(path).completeBaseName(), this)),
       m_table(new TableFields(this)),
       m_signal(new SignalFields(document.units(), this)),

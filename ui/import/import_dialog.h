@@ -69,7 +69,7 @@ class ImportDialog : public QDialog {
     QString m_path;
     QString m_unreadable;
     const Document& m_document;
-    ChoiceBox* m_use;
+    ChoiceBox* m_use = nullptr;
     QLineEdit* m_name;
     TableFields* m_table;
     SignalFields* m_signal;

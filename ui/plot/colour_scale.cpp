@@ -84,7 +84,7 @@ const ColourScale& ColourScale::ramp() {
 QRgb ColourScale::colour(double share) const {
     if (std::isnan(share)) return 0;
     const double place = coloursPerSide * (1 + std::clamp(share, -1.0, 1.0));
-    return m_colours[static_cast<std::size_t>(place + 0.5)];
+    return m_colours[static_cast<std::size_t>(std::lround(place))];
 }
 
 QCPColorGradient ColourScale::gradient() const {

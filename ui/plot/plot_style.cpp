@@ -5,6 +5,7 @@
 
 #include <QFontInfo>
 #include <algorithm>
+#include <cmath>
 #include <typeinfo>
 
 #include "ui/plot/number_ticks.h"
@@ -14,7 +15,7 @@ namespace drillwave {
 namespace {
 
 QColor blend(const QColor& from, const QColor& to, double share) {
-    const auto mix = [share](int a, int b) { return static_cast<int>(a + (b - a) * share + 0.5); };
+    const auto mix = [share](int a, int b) { return static_cast<int>(std::lround(a + (b - a) * share)); };
     return QColor(mix(from.red(), to.red()), mix(from.green(), to.green()), mix(from.blue(), to.blue()));
 }
 

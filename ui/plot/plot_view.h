@@ -35,7 +35,7 @@ class PlotView {
     void dragTo(QPointF to);
     void endDrag() { m_dragged.clear(); }
     /// Shows what is in a box of the active rect.
-    void zoomTo(const QRect& box);
+    void zoomTo(const QRect& drawn);
 
     /// A step of its own: linear or logarithmic; a horizontal axis together with those of `stacked`, when it
     /// is one of theirs.

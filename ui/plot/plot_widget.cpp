@@ -107,10 +107,10 @@ void PlotWidget::resizeEvent(QResizeEvent* event) {
     m_reader.placeBar();
 }
 
-void PlotWidget::setMeaning(const QCPAbstractPlottable* curve, CurveMeaning meaning) {
+void PlotWidget::setMeaning(const QCPAbstractPlottable* curve, const CurveMeaning& meaning) {
     if (!m_meanings.contains(curve))
         connect(curve, &QObject::destroyed, this, [this, curve] { m_meanings.remove(curve); });
-    m_meanings.insert(curve, std::move(meaning));
+    m_meanings.insert(curve, meaning);
 }
 
 void PlotWidget::markPoint(const std::optional<CurvePoint>& point) {

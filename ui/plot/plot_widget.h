@@ -53,7 +53,7 @@ class PlotWidget : public QCustomPlot {
 
     /// What a curve of this plot stands for: units for all that is read from it, and where there are such the
     /// exact functions behind its points. Set it again with every result; forgotten with the curve.
-    void setMeaning(const QCPAbstractPlottable* curve, CurveMeaning meaning);
+    void setMeaning(const QCPAbstractPlottable* curve, const CurveMeaning& meaning);
     /// The cursors, and what they read.
     CurveReader& reader() { return m_reader; }
     CursorMover& mover() { return m_mover; }

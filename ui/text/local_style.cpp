@@ -33,8 +33,8 @@ std::optional<UnitKind> kindOf(double si, Quantity quantity) {
 
 }  // namespace
 
-LocalStyle::LocalStyle(QLocale locale, UnitSystem system, ChosenUnits chosen)
-    : m_locale(std::move(locale)), m_system(system), m_chosen(std::move(chosen)) {}
+LocalStyle::LocalStyle(const QLocale& locale, UnitSystem system, ChosenUnits chosen)
+    : m_locale(locale), m_system(system), m_chosen(std::move(chosen)) {}
 
 LocalStyle LocalStyle::of(const UnitChoice& units) {
     return {QLocale(), units.physicalSystem(), units.chosen()};

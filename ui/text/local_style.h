@@ -17,7 +17,7 @@ class UnitChoice;
 class LocalStyle : public ReadingStyle {
   public:
     /// `system` is taken as SI where it is dimensionless: what is told in sentences has no other unit.
-    LocalStyle(QLocale locale, UnitSystem system, ChosenUnits chosen);
+    LocalStyle(const QLocale& locale, UnitSystem system, ChosenUnits chosen);
 
     /// Of the one at the window as it is now: QLocale() and what is chosen there.
     static LocalStyle of(const UnitChoice& units);

@@ -7,7 +7,8 @@
 
 namespace drillwave {
 
-BlowGhost::BlowGhost(Document& document, ScenarioPanel& panel, PageTabs& pages, Shown shown, QObject* parent)
+BlowGhost::BlowGhost(Document& document, ScenarioPanel& panel, PageTabs& pages, const Shown& shown,
+                     QObject* parent)
     : QObject(parent), m_pages(pages) {
     connect(&panel, &ScenarioPanel::dragStarted, this, [this, shown] { set(shown()); });
     connect(&panel, &ScenarioPanel::dragEnded, this, [this] { set(nullptr); });

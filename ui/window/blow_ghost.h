@@ -22,7 +22,7 @@ class BlowGhost : public QObject {
     using Shown = std::function<SolvedBlowPtr()>;
 
     /// `shown` tells what is on show; all of them must outlive it.
-    BlowGhost(Document& document, ScenarioPanel& panel, PageTabs& pages, Shown shown, QObject* parent);
+    BlowGhost(Document& document, ScenarioPanel& panel, PageTabs& pages, const Shown& shown, QObject* parent);
 
   private:
     /// What a preset leaves of the case before it.

@@ -17,8 +17,7 @@ constexpr double mostOfWindow = 0.09;  // of its height: five lines of usual typ
 
 }  // namespace
 
-Notice::Notice(Tone tone, QWidget* parent)
-    : QFrame(parent), m_layout(new QHBoxLayout(this)), m_text(nullptr) {
+Notice::Notice(Tone tone, QWidget* parent) : QFrame(parent), m_layout(new QHBoxLayout(this)) {
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
     setBackgroundRole(QPalette::Base);

@@ -34,7 +34,7 @@ class Notice : public QFrame {
 
   private:
     QHBoxLayout* m_layout;
-    ScrolledLabel* m_text;
+    ScrolledLabel* m_text = nullptr;
 };
 
 }  // namespace drillwave

@@ -50,9 +50,9 @@ class PointSolver {
     const std::vector<SweepAxis>& m_axes;
 };
 
-/// Fills the open pieces of an output with straight ones between solved points, ascending, which hold all of
+/// Fills the open pieces of output i with straight ones between solved points, ascending, which hold all of
 /// openPointsOf().
-void fillPieces(CurveLine& line, std::size_t output, std::span<const double> points,
+void fillPieces(CurveLine& line, std::size_t i, std::span<const double> points,
                 std::span<const LinePoint> solved);
 
 }  // namespace drillwave

@@ -160,9 +160,9 @@ void checkDesign(const DesignStudy& study, std::uint64_t design, AxisScenario& c
     }
     if (!fits) return;
     const std::vector<SweepAxis> axes = uncertainAxes(study, scenario);
-    for (std::size_t a = 0; a < axes.size(); ++a)
-        for (const double end : axes[a].list) {
-            const std::vector<SweepAxis> alone{axes[a]};
+    for (const SweepAxis& axis : axes)
+        for (const double end : axis.list) {
+            const std::vector<SweepAxis> alone{axis};
             AxisScenario scene(scenario, alone);
             scene.set(std::vector{end});
             if (scene.obstacle()) lines.invalid(at(study, design, scene.obstacle()->text));

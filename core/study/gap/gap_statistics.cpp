@@ -78,7 +78,7 @@ class ValueDistribution {
 
   private:
     double valueAt(double share) const {
-        double low = INFINITY, high = -INFINITY;
+        double low = std::numeric_limits<double>::infinity(), high = -low;
         for (std::size_t i = 0; i < m_segments.size(); ++i) {
             if (m_masses[i] <= 0) continue;
             low = std::min(low, m_segments[i].lower());

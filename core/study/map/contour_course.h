@@ -41,7 +41,7 @@ class GridNodes {
 struct GridEdge {
     std::size_t i = 0, j = 0;
     bool isAlongX = true;
-    auto operator<=>(const GridEdge&) const = default;
+    auto operator<=>(const GridEdge&) const = default;  // NOLINT(modernize-use-nullptr): its 0
 };
 
 /// The square that begins at a node, with those of its edges that the contour crosses: two, or all four.

@@ -35,6 +35,7 @@ struct ExponentialSum {
 
     ExponentialSum() {}
     ExponentialSum(const ExponentialSum& other) { *this = other; }
+    // NOLINTNEXTLINE(bugprone-unhandled-self-assignment): every member is a value
     ExponentialSum& operator=(const ExponentialSum& other) {
         length = other.length;
         c0 = other.c0;

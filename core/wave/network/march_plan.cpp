@@ -96,7 +96,8 @@ void MarchPlan::foresee() {
         shortest = std::min(shortest, static_cast<double>(count) * parts);
     }
     const double steps = limitTime() / m_grid.cell * parts;
-    const double ofNode = (m_wants.forces ? workOfForces : 1) + static_cast<double>(workOfBlock) / shortest;
+    const double ofNode =
+        static_cast<double>(m_wants.forces ? workOfForces : 1) + static_cast<double>(workOfBlock) / shortest;
     m_foreseen = {steps * static_cast<double>(sections() + 1) * ofNode, held};
 }
 

@@ -112,7 +112,7 @@ BlowCurves blowCurves(const Blow& blow, const ShownUnits& units, double section,
     curves.units = units;
     curves.section = section;
     for (GraphData* each : {&curves.sectionForce, &curves.force, &curves.faceForce, &curves.impulse,
-                            &curves.momentum, &curves.laterWaves[0], &curves.laterWaves[1]})
+                            &curves.momentum, &curves.laterWaves.front(), &curves.laterWaves.back()})
         *each = GraphData::create();
     curves.waves.fill(GraphData::create());
     namePlace(curves, blow.scenario.drillString);

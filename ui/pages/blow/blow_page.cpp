@@ -194,21 +194,21 @@ void BlowPage::carryCursors() {
 }
 
 void BlowPage::setMeanings() {
-    BlowMeanings meanings = blowMeanings(m_blow);
+    const BlowMeanings meanings = blowMeanings(m_blow);
     CurveMeaning ofRuns;
     ofRuns.xUnit = meanings.force.xUnit;
     ofRuns.yUnit = meanings.force.yUnit;
     for (QCPGraph* run : m_plots->forcesOfRuns()) m_plot->setMeaning(run, ofRuns);
     for (int i = 0; i < BlowCurves::waveCount; ++i)
-        m_plot->setMeaning(m_plots->waveGraph(i), std::move(meanings.waves[static_cast<std::size_t>(i)]));
+        m_plot->setMeaning(m_plots->waveGraph(i), meanings.waves[static_cast<std::size_t>(i)]);
     for (std::size_t i = 0; i < meanings.laterWaves.size(); ++i)
-        m_plot->setMeaning(m_plots->laterGraph(static_cast<int>(i)), std::move(meanings.laterWaves[i]));
-    m_plot->setMeaning(m_plots->sectionForceGraph(), std::move(meanings.sectionForce));
-    m_plot->setMeaning(m_plots->forceGraph(), std::move(meanings.force));
-    m_plot->setMeaning(m_plots->closedFormGraph(), std::move(meanings.closedForm));
-    m_plot->setMeaning(m_plots->faceForceGraph(), std::move(meanings.faceForce));
-    m_plot->setMeaning(m_plots->impulseGraph(), std::move(meanings.impulse));
-    m_plot->setMeaning(m_plots->momentumGraph(), std::move(meanings.momentum));
+        m_plot->setMeaning(m_plots->laterGraph(static_cast<int>(i)), meanings.laterWaves[i]);
+    m_plot->setMeaning(m_plots->sectionForceGraph(), meanings.sectionForce);
+    m_plot->setMeaning(m_plots->forceGraph(), meanings.force);
+    m_plot->setMeaning(m_plots->closedFormGraph(), meanings.closedForm);
+    m_plot->setMeaning(m_plots->faceForceGraph(), meanings.faceForce);
+    m_plot->setMeaning(m_plots->impulseGraph(), meanings.impulse);
+    m_plot->setMeaning(m_plots->momentumGraph(), meanings.momentum);
 }
 
 void BlowPage::follow(MeasuredList& measured, const UnitChoice& units) {

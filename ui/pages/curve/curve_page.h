@@ -77,7 +77,7 @@ class CurvePage : public StudyPage {
     OutputColumn column() const;
     void takeGoal();
     void showGoal();
-    std::optional<double> askedGoal(const OutputColumn& column) const;
+    std::optional<double> askedGoal(const OutputColumn& of) const;
     Wish wish() const;
     StudyFamily askedFamily() const;
     std::optional<double> hereOf(const KeptParameter& parameter) const;

@@ -66,8 +66,8 @@ struct DesignPicture {
 class DesignUnits {
   public:
     DesignUnits(const DesignStudy& study, const ShownUnits& units,
-                std::function<const Unit&(const Parameter&)> fieldUnit, QLocale locale)
-        : m_study(&study), m_units(units), m_fieldUnit(std::move(fieldUnit)), m_locale(std::move(locale)) {}
+                std::function<const Unit&(const Parameter&)> fieldUnit, const QLocale& locale)
+        : m_study(&study), m_units(units), m_fieldUnit(std::move(fieldUnit)), m_locale(locale) {}
 
     AimedOutput of(const Output& output, double size) const;
     ShownUnit of(const Parameter& parameter) const;

@@ -146,7 +146,7 @@ void GapPlot::setFramesVisible(bool visible) {
 
 // 5 %, mean and 95 %, through both rects.
 void GapPlot::showSpread() {
-    const bool isShown = m_picture.curve && m_picture.marks.size() > 0;
+    const bool isShown = m_picture.curve && !m_picture.marks.empty();
     const GapSpread& spread = m_picture.spread;
     const double values[] = {spread.quantiles.front().value, spread.mean.value,
                              spread.quantiles.back().value};

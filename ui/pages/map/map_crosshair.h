@@ -37,13 +37,13 @@ class MapCrosshair : public QObject {
 
   private:
     enum class Part { none, x, y, both };
-    Part partAt(QPointF pixel) const;
+    Part partAt(QPointF at) const;
     QPointF pixel() const;
     bool press(const QMouseEvent& event);
     bool move(const QMouseEvent& event);
     bool release();
     bool step(const QKeyEvent& event);
-    void moveTo(QPointF pixel);
+    void moveTo(QPointF to);
 
     QCustomPlot* m_plot;
     QCPAxisRect* m_map;

@@ -47,7 +47,7 @@ void StrengthLines::showSteps(const RodCurves& curves) {
     const std::vector<RodStretch>& stretches = curves.string->stretches;
     const double length = curves.units.length.factor;
     const auto strength = ofStretch();
-    for (std::size_t from = 0, to; from < stretches.size(); from = to) {
+    for (std::size_t from = 0, to = 0; from < stretches.size(); from = to) {
         for (to = from + 1; to < stretches.size() && stretches[to].*strength == stretches[from].*strength;)
             ++to;
         if (!(stretches[from].*strength)) continue;
