@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Sourced by run and test: installs what is missing on Debian 12, or says which command would; shows how far a build is.
+# Sourced by run, test and check-package: installs what is missing on Debian 12, or says which command would; shows how far a build is.
 
 build_packages=(g++ cmake ninja-build qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools libqcustomplot-dev libboost-dev
     libeigen3-dev libyaml-cpp-dev libgl-dev fonts-dejavu-core)
@@ -25,14 +25,14 @@ missing_of() {
 }
 
 # Installs what the packages for building and testing need that is missing: as root, or through sudo where that asks for
-# no password. Both commands name all of it, so that an administrator is asked once. A machine that has what this
+# no password. All commands name what building and testing need, so that an administrator is asked once. A machine that has what this
 # command needs, the packages given, needs no network.
 require_packages() {
     local needed missing as_root=()
     require_proc
     mapfile -t needed < <(missing_of "$@")
     [ ${#needed[@]} -gt 0 ] || return 0
-    mapfile -t missing < <(missing_of "${build_packages[@]}" "${test_packages[@]}")
+    mapfile -t missing < <(missing_of "${build_packages[@]}" "${test_packages[@]}" "$@" | awk '!seen[$0]++')
 
     local install=(apt-get install -y --no-install-recommends "${missing[@]}")
     if [ "$(id -u)" -ne 0 ]; then

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// packaging/run, test and check-package on a bare system, whose commands are stood in for: what they ask for,
-// show and leave behind.
+// The scripts of packaging/ on a bare system, whose commands are stood in for: what they ask for, show and
+// leave behind.
 #include <QtTest>
 
 #include <QDir>
@@ -19,7 +19,8 @@ class BareSystem {
     BareSystem() {
         for (const char* folder : {"bin", "tmp", "repo/packaging", "repo/build/release/app"})
             QDir(m_folder.path()).mkpath(folder);
-        for (const char* name : {"run", "test", "check-package", "dependencies.sh"})
+        for (const char* name :
+             {"run", "test", "check-package", "check-sources", "bare_system.sh", "dependencies.sh"})
             put(QStringLiteral("repo/packaging/") + name,
                 read(QStringLiteral(DRILLWAVE_SOURCE_DIR "/packaging/") + name));
         put("repo/build/release/app/drillwave", "#!/bin/sh\nexit 0\n");
@@ -43,7 +44,10 @@ class BareSystem {
 
     Finished packagingRun(const QProcessEnvironment& more = {}) const { return packaging("run", more); }
     Finished packagingTest(const QProcessEnvironment& more = {}) const { return packaging("test", more); }
-    Finished packagingCheck() const { return packaging("check-package", {}); }
+    Finished packagingCheck(const QStringList& words = {}) const {
+        return packaging("check-package", {}, words);
+    }
+    Finished sourcesCheck() const { return packaging("check-sources", {}); }
 
     /// In place of a command, a script of bash.
     void standIn(const char* command, const QByteArray& script) const {
@@ -56,7 +60,8 @@ class BareSystem {
     }
 
   private:
-    Finished packaging(const QString& command, const QProcessEnvironment& more) const {
+    Finished packaging(const QString& command, const QProcessEnvironment& more,
+                       const QStringList& words = {}) const {
         QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
         for (const char* name : {"DISPLAY", "WAYLAND_DISPLAY", "LOCPATH", "LC_ALL"}) environment.remove(name);
         environment.insert(more);
@@ -65,7 +70,7 @@ class BareSystem {
         environment.insert("BARE", m_folder.path());
         QProcess process;
         process.setProcessEnvironment(environment);
-        process.start(m_folder.filePath("repo/packaging/") + command, QStringList());
+        process.start(m_folder.filePath("repo/packaging/") + command, words);
         if (!process.waitForFinished(60000)) return {};
         return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
     }
@@ -144,23 +149,50 @@ class TestPackaging : public QObject {
     void aSystemOfItsOwnNeedsRoot() {
         const BareSystem system;
         system.standIn("id", "echo 1000\n");
-        const Finished finished = system.packagingCheck();
-        QCOMPARE(finished.exitCode, 1);
-        QVERIFY2(finished.error.contains("needs root"), finished.error);
-        QCOMPARE(finished.error.count('\n'), 1);
-        QVERIFY2(finished.out.isEmpty(), finished.out);
+        for (const Finished& finished : {system.packagingCheck(), system.sourcesCheck()}) {
+            QCOMPARE(finished.exitCode, 1);
+            QVERIFY2(finished.error.contains("needs root"), finished.error);
+            QCOMPARE(finished.error.count('\n'), 1);
+            QVERIFY2(finished.out.isEmpty(), finished.out);
+        }
     }
 
     void aSystemThatCannotBeMadeIsToldAndLeavesNothing() {
         const BareSystem system;
         system.standIn("id", "echo 0\n");
-        for (const char* tool : {"dpkg-shlibdeps", "file", "lintian"}) system.standIn(tool, "");
+        for (const char* tool : {"dpkg-shlibdeps", "file", "git", "lintian"}) system.standIn(tool, "");
         system.standIn("cpack", "mkdir -p ${@: -1} && touch ${@: -1}/drillwave_1.deb\n");
         system.standIn("debootstrap", "echo 'E: no such mirror'; exit 1\n");
         const Finished finished = system.packagingCheck();
         QCOMPARE(finished.exitCode, 1);
         QVERIFY2(finished.error.endsWith("packaging/check-package: E: no such mirror\n"), finished.error);
+        const Finished sources = system.sourcesCheck();
+        QCOMPARE(sources.exitCode, 1);
+        QVERIFY2(sources.error.endsWith("packaging/check-sources: E: no such mirror\n"), sources.error);
         QCOMPARE(system.leftBehind(), QStringList());
+    }
+
+    void whatOneCommandNeedsMoreIsInstalledToo() {
+        const BareSystem system;
+        for (const char* tool : {"dpkg-shlibdeps", "file", "lintian", "dpkg-deb", "timeout"})
+            system.standIn(tool, "");
+        system.standIn("cpack", "mkdir -p ${@: -1} && touch ${@: -1}/drillwave_1.deb\n");
+        const Finished finished = system.packagingCheck({"--unpacked"});
+        QCOMPARE(finished.exitCode, 1);  // nothing is in these packages
+        QVERIFY2(finished.out.contains("unpacked:\n  FAILED  a blow"), finished.out);
+        QVERIFY2(finished.error.endsWith("what FAILED above\n"), finished.error);
+        QVERIFY2(system.calls().contains(" locales dpkg-dev file"), system.calls());
+        QCOMPARE(system.leftBehind(), QStringList());
+    }
+
+    void wordsThatACheckDoesNotKnowAreRefused() {
+        const BareSystem system;
+        system.standIn("id", "echo 0\n");
+        for (const Finished& finished :
+             {system.packagingCheck({"--unpakced"}), system.packagingCheck({"a", "b"})}) {
+            QCOMPARE(finished.exitCode, 2);
+            QVERIFY2(finished.error.contains("--unpacked"), finished.error);
+        }
     }
 
     void whatIsMissingIsNamedWhereNothingIsMounted() {
