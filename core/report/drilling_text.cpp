@@ -73,9 +73,9 @@ std::string motionLines(const DrillingResult& result, const ReadingStyle& style)
                         result.units.length() * result.frequencyUsed;
     return labelled(rateLabel,
                     {translatable("drillwave::Message",
-                                  "up to %1 m/min: an upper limit, all rock under the bit gives way and "
+                                  "up to %1: an upper limit, all rock under the bit gives way and "
                                   "cuttings vanish"),
-                     {style.number(60 * rate, 4)}},
+                     {style.rate(rate, 4)}},
                     style) +
            labelled(shareLabel,
                     {translatable("drillwave::Message", "%1 of the blows begin on the rock"),

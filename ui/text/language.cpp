@@ -4,6 +4,7 @@
 #include <QCoreApplication>
 #include <QLibraryInfo>
 #include <QLocale>
+#include <QPointer>
 
 #include "ui/text/settings.h"
 #include "ui/text/shown_text.h"
@@ -73,12 +74,17 @@ QString Catalogue::translate(const char* context, const char* source, const char
 }
 
 void speak(const Language& language) {
+    // They take themselves away where another language was spoken before.
+    static QPointer<QTranslator> ofQt, ours;
+    delete ofQt;
+    delete ours;
     // That of Qt goes first, so that what ours has of its texts is found before.
-    auto* ofQt = new QTranslator(qApp);
+    ofQt = new QTranslator(qApp);
     if (ofQt->load(QStringLiteral("qtbase_") + codeOf(language),
                    QLibraryInfo::path(QLibraryInfo::TranslationsPath)))
         QCoreApplication::installTranslator(ofQt);
-    QCoreApplication::installTranslator(new Catalogue(language, qApp));
+    ours = new Catalogue(language, qApp);
+    QCoreApplication::installTranslator(ours);
     spoken = &language;
 }
 
