@@ -36,7 +36,7 @@ std::string line(const std::string& left, std::string_view right, std::size_t wi
 
 std::string chapterList() {
     std::string list;
-    for (const Chapter& chapter : manualChapters()) list += (list.empty() ? "" : ", ") + chapter.name;
+    for (const std::string& name : chapterNames()) list += (list.empty() ? "" : ", ") + name;
     return list;
 }
 

@@ -26,12 +26,6 @@ std::vector<std::string> commandNames() {
     return names;
 }
 
-std::vector<std::string> chapterNames() {
-    std::vector<std::string> names;
-    for (const Chapter& chapter : manualChapters()) names.push_back(chapter.name);
-    return names;
-}
-
 std::vector<std::string> resultNames() {
     std::vector<std::string> names;
     for (const auto table : {outputs(), drillOutputs()})
@@ -53,8 +47,9 @@ std::string numberOf(std::string_view word) {
 }
 
 /// Of a chapter, all of it or a section: "theory", "theory 3", "theory §3.1".
-std::string chapterText(std::span<const std::string> words, std::size_t width) {
-    const Chapter* chapter = findChapter(words[0]);
+std::string chapterText(std::span<const Chapter> manual, std::span<const std::string> words,
+                        std::size_t width) {
+    const Chapter* chapter = findChapter(manual, words[0]);
     if (!chapter) return {};
     const std::vector<ManualBlock> blocks = readMarkdown(chapter->text);
     if (words.size() == 1) return plainText(blocks, width);
@@ -75,14 +70,16 @@ std::string chapterText(std::span<const std::string> words, std::size_t width) {
 }
 
 /// Of a number, an output or a word, by its name, or by its symbol.
-std::string referenceText(std::string_view name, std::size_t width) {
+std::string referenceText(std::string_view name, std::size_t width, const ReadingStyle& style) {
     std::vector<std::string> entries;
-    if (const KeptParameter parameter = findParameter(name)) entries.push_back(referenceOf(*parameter));
-    if (const WordParameter* word = findWordParameter(name)) entries.push_back(referenceOf(*word));
-    if (const Output* output = findOutput(name)) entries.push_back(referenceOf(*output));
-    if (const SectionField* field = findSectionField(name)) entries.push_back(referenceOf(*field));
+    if (const KeptParameter parameter = findParameter(name))
+        entries.push_back(referenceOf(*parameter, style));
+    if (const WordParameter* word = findWordParameter(name)) entries.push_back(referenceOf(*word, style));
+    if (const Output* output = findOutput(name)) entries.push_back(referenceOf(*output, style));
+    if (const SectionField* field = findSectionField(name)) entries.push_back(referenceOf(*field, style));
     for (const Parameter& parameter : parameters())
-        if (!parameter.symbol.empty() && parameter.symbol == name) entries.push_back(referenceOf(parameter));
+        if (!parameter.symbol.empty() && parameter.symbol == name)
+            entries.push_back(referenceOf(parameter, style));
     std::string text;
     for (const std::string& entry : entries) text += (text.empty() ? "" : "\n") + markdownText(entry, width);
     return text;
@@ -96,9 +93,9 @@ bool isNamedBy(const std::vector<std::string>& row, std::string_view name) {
 }
 
 /// The rows of tables whose first cell names it, each under the heading it stands below.
-std::string rowText(std::string_view name, std::size_t width) {
+std::string rowText(std::span<const Chapter> manual, std::string_view name, std::size_t width) {
     std::string text;
-    for (const Chapter& chapter : manualChapters()) {
+    for (const Chapter& chapter : manual) {
         std::string heading;
         for (const ManualBlock& block : readMarkdown(chapter.text)) {
             if (block.kind == Kind::heading) heading = block.text;
@@ -160,9 +157,10 @@ std::string topicText(std::span<const std::string> words, std::size_t width, con
     };
     if (words.size() == 1)
         if (const Command* command = findCommand(name)) add(commandHelp(*command, style));
-    add(chapterText(words, width));
-    if (words.size() == 1) add(referenceText(name, width));
-    if (words.size() == 1 && text.empty()) add(rowText(name, width));
+    const std::vector<Chapter> manual = manualChapters(style);
+    add(chapterText(manual, words, width));
+    if (words.size() == 1) add(referenceText(name, width, style));
+    if (words.size() == 1 && text.empty()) add(rowText(manual, name, width));
     if (!text.empty()) return text;
     const std::string near = nearest(name);
     if (near.empty())

@@ -92,7 +92,9 @@ int printHelp(std::span<const std::string> words, const ReadingStyle& style) {
     if (words.empty() || asksForHelp(words)) return print(programHelp(style));
     refuseMore(words, 2);
     if (words.front() == "help" || words.front() == "version") return print(programHelp(style));
-    if (words.size() > 1 && !findChapter(words.front())) refuseMore(words, 1);
+    const std::vector<std::string> chapters = chapterNames();
+    if (words.size() > 1 && std::ranges::find(chapters, words.front()) == chapters.end())
+        refuseMore(words, 1);
     return print(topicText(words, readableWidth(), style));
 }
 

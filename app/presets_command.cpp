@@ -56,8 +56,7 @@ class Listing {
 
     void add(std::string_view kind, const Message& use, const std::string& name,
              const std::string& description) {
-        const std::string inWords = m_style.said(Message::ofTable(name));
-        const std::string title = inWords == name ? name : name + " — " + inWords;
+        const std::string title = nameFor(name, m_style);
         const std::string all = lowerCase(std::string(kind) + "s\n" + title + "\n" + description);
         const auto isThere = [&](const std::string& word) { return all.find(word) != std::string::npos; };
         if (!std::ranges::all_of(m_words, isThere)) return;

@@ -256,9 +256,9 @@ constexpr auto drillTable = std::to_array<Output>({
                       "how fast motions part, per blow; above 0 single blows are no result; takes a second "
                       "march",
                       Measure::number, "Lyapunov exponent"),
-    row<&D::thrustNumber>("drill_thrust_number", "phi, feed force over mean reaction of the blows",
+    row<&D::thrustNumber>("drill_thrust_number", "feed force over mean reaction of the blows, phi",
                           Measure::number, "thrust number"),
-    row<&D::roundTrips>("drill_round_trips", "n_b, round trips of a wave from blow to blow", Measure::number,
+    row<&D::roundTrips>("drill_round_trips", "round trips of a wave from blow to blow, n_b", Measure::number,
                         "round trips from blow to blow"),
     row<&D::momentumResidual>("drill_momentum_residual",
                               "error of the balance of momentum of all blows, over what the feed gave",

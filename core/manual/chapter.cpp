@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <utility>
-#include <vector>
 
 #include "core/manual/manual_texts.h"
 #include "core/manual/reference.h"
@@ -13,16 +12,13 @@ namespace {
 
 // The references stand behind the pages that tell how files and commands are written.
 constexpr std::string_view beforeReferences = "commands";
+constexpr std::string_view parameterChapter = "parameters", outputChapter = "outputs";
 
-std::vector<Chapter> allChapters() {
-    std::vector<Chapter> chapters;
-    for (const ManualText& page : manualTexts) {
-        chapters.push_back(chapterOf(page.name, std::string(page.text)));
-        if (page.name != beforeReferences) continue;
-        chapters.push_back(chapterOf("parameters", parameterReference()));
-        chapters.push_back(chapterOf("outputs", outputReference()));
-    }
-    return chapters;
+// Of a page, in that language where there is such a one: "de/tutorial".
+std::string_view pageIn(std::string_view language, const ManualText& page) {
+    const std::string translated = std::string(language) + "/" + std::string(page.name);
+    const auto* const found = std::ranges::find(translatedTexts, translated, &ManualText::name);
+    return found == translatedTexts.end() ? page.text : found->text;
 }
 
 }  // namespace
@@ -34,13 +30,29 @@ Chapter chapterOf(std::string_view name, std::string text) {
     return {std::string(name), std::move(title), std::move(text)};
 }
 
-std::span<const Chapter> manualChapters() {
-    static const std::vector<Chapter> chapters = allChapters();
+std::vector<std::string> chapterNames() {
+    std::vector<std::string> names;
+    for (const ManualText& page : manualTexts) {
+        names.emplace_back(page.name);
+        if (page.name == beforeReferences)
+            names.insert(names.end(), {std::string(parameterChapter), std::string(outputChapter)});
+    }
+    return names;
+}
+
+std::vector<Chapter> manualChapters(const ReadingStyle& style) {
+    std::vector<Chapter> chapters;
+    for (const std::string& name : chapterNames()) {
+        const auto* const page = std::ranges::find(manualTexts, name, &ManualText::name);
+        chapters.push_back(chapterOf(name, page != manualTexts.end()
+                                               ? std::string(pageIn(style.language(), *page))
+                                           : name == parameterChapter ? parameterReference(style)
+                                                                      : outputReference(style)));
+    }
     return chapters;
 }
 
-const Chapter* findChapter(std::string_view name) {
-    const auto chapters = manualChapters();
+const Chapter* findChapter(std::span<const Chapter> chapters, std::string_view name) {
     const auto found = std::ranges::find(chapters, name, &Chapter::name);
     return found == chapters.end() ? nullptr : &*found;
 }

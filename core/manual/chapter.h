@@ -6,21 +6,27 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
+
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
 /// A page of the manual.
 struct Chapter {
-    std::string name;   ///< "theory": its file, and the word that cites it
+    std::string name;   ///< "theory": its file, and the word that cites it in every language
     std::string title;  ///< its first heading
     std::string text;   ///< all of it, in Markdown
 };
 
-/// All of them, in the order of a list of contents.
-std::span<const Chapter> manualChapters();
+/// The names of all of them, in the order of a list of contents.
+std::vector<std::string> chapterNames();
+
+/// All of them in that order, in the language of a reader; pages that are not translated are in English.
+std::vector<Chapter> manualChapters(const ReadingStyle& style);
 
 /// The one of that name, or nullptr.
-const Chapter* findChapter(std::string_view name);
+const Chapter* findChapter(std::span<const Chapter> chapters, std::string_view name);
 
 /// A chapter of that text, whose first line is its heading.
 Chapter chapterOf(std::string_view name, std::string text);

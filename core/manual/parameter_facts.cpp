@@ -4,8 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
-#include "core/text/handy_text.h"
+#include "core/report/parameter_words.h"
 #include "core/text/number_text.h"
 #include "core/yaml/preset_file.h"
 
@@ -19,117 +20,138 @@ std::string withUnit(const std::string& number, const Unit& unit) {
     return unit.name.empty() ? number : number + " " + std::string(unit.name);
 }
 
-std::string usualText(const Range& range, const Unit& unit) {
-    return rounded(unit.fromSi(range.low)) + " – " + withUnit(rounded(unit.fromSi(range.high)), unit);
+std::string usualText(const Range& range, const Unit& unit, const ReadingStyle& style) {
+    return style.number(unit.fromSi(range.low)) + " – " +
+           withUnit(style.number(unit.fromSi(range.high)), unit);
 }
 
-std::string hardText(const Range& range, Quantity quantity) {
+// "(0, 1]"; where a decimal comma stands in it, "(0; 0,5]".
+std::string endsText(const Range& range, const ReadingStyle& style) {
+    std::string ends = style.withDecimalSign(range.ends());
+    if (ends != range.ends()) ends.replace(ends.find(", "), 1, ";");
+    return ends;
+}
+
+Message rangeMessage(const Range& range, const ReadingStyle& style) {
+    if (std::isfinite(range.high))
+        return {translatable("drillwave::Message", "in %1"), {endsText(range, style)}};
+    return {range.lowOpen ? translatable("drillwave::Message", "greater than %1")
+                          : translatable("drillwave::Message", "at least %1"),
+            {style.withDecimalSign(formatNumber(range.low))}};
+}
+
+Message hardMessage(const Range& range, Quantity quantity, const ReadingStyle& style) {
     const Unit& si = unitsOf(quantity).front();
-    if (!std::isfinite(range.high) || si.name.empty()) return range.text();
-    if (quantity == Quantity::angle) return withUnit(range.text(), si);
-    const std::string high = inHandyUnit(range.high, quantity);
-    return range.lowOpen ? "greater than 0, at most " + high
-                         : inHandyUnit(range.low, quantity) + " – " + high;
+    if (!std::isfinite(range.high) || si.name.empty()) return rangeMessage(range, style);
+    if (quantity == Quantity::angle) return {"%1 %2", {rangeMessage(range, style), std::string(si.name)}};
+    const std::string high = style.quantity(range.high, quantity);
+    if (range.lowOpen) return {translatable("drillwave::Message", "greater than 0, at most %1"), {high}};
+    return style.quantity(range.low, quantity) + " – " + high;
 }
 
-std::string presenceText(Presence presence, std::string_view rival) {
-    const std::string other = "`" + std::string(rival) + "`";
+Message presenceMessage(Presence presence, std::string_view rival) {
     switch (presence) {
         case Presence::required:
-            return "required";
+            return translatable("drillwave::Message", "required");
         case Presence::either:
-            return rival.empty() ? "required, or what stands in its place" : "required, or " + other;
+            if (rival.empty())
+                return translatable("drillwave::Message", "required, or what stands in its place");
+            return {translatable("drillwave::Message", "required, or `%1`"), {std::string(rival)}};
         case Presence::assumed:
         case Presence::unusual:
-            return "may be left out: the program then assumes a value";
+            return translatable("drillwave::Message", "may be left out: the program then assumes a value");
         case Presence::optional:
-            return "may be left out";
+            return translatable("drillwave::Message", "may be left out");
     }
     return {};
 }
 
-std::string conditionText(Scope scope) {
+Message conditionMessage(Scope scope) {
     switch (scope) {
         case Scope::all:
         case Scope::section:
             return {};
         case Scope::withUnits:
-            return "scenarios in physical units";
+            return translatable("drillwave::Message", "scenarios in physical units");
         case Scope::withoutUnits:
-            return "dimensionless scenarios";
+            return translatable("drillwave::Message", "dimensionless scenarios");
         case Scope::manyBlows:
-            return "scenarios in physical units, for many blows: one alone does not depend on it";
+            return translatable(
+                "drillwave::Message",
+                "scenarios in physical units, for many blows: one alone does not depend on it");
         case Scope::string:
-            return "drill strings";
+            return translatable("drillwave::Message", "drill strings");
         case Scope::hammer:
-            return "drill strings that a hammer strikes";
+            return translatable("drillwave::Message", "drill strings that a hammer strikes");
         case Scope::uniformRod:
-            return "uniform rods, with units and without";
+            return translatable("drillwave::Message", "uniform rods, with units and without");
         case Scope::dimensional:
-            return "uniform rods in physical units";
+            return translatable("drillwave::Message", "uniform rods in physical units");
         case Scope::withoutArea:
-            return "uniform rods in physical units, given by their diameter";
+            return translatable("drillwave::Message",
+                                "uniform rods in physical units, given by their diameter");
         case Scope::givenPulse:
-            return "hammer forces in physical units, but those of a piston or a table";
+            return translatable("drillwave::Message",
+                                "hammer forces in physical units, but those of a piston or a table");
         case Scope::trapezoid:
-            return "hammer forces of the shape `trapezoid`";
+            return translatable("drillwave::Message", "hammer forces of the shape `trapezoid`");
         case Scope::pistonInSi:
-            return "hammer forces of the shape `piston`, in physical units";
+            return translatable("drillwave::Message",
+                                "hammer forces of the shape `piston`, in physical units");
         case Scope::pistonByRatio:
-            return "hammer forces of the shape `piston`, dimensionless";
+            return translatable("drillwave::Message", "hammer forces of the shape `piston`, dimensionless");
     }
     return {};
 }
 
 template <class Row>
-ParameterFacts commonFacts(const Row& row) {
+ParameterFacts commonFacts(const Row& row, const Message& label, const ReadingStyle& style) {
+    std::string title = style.said(label);
+    if (!row.symbol.empty()) title += " " + std::string(row.symbol);
     return {.key = std::string(row.key),
-            .label = std::string(row.label),
-            .symbol = std::string(row.symbol),
-            .meaning = std::string(row.meaning),
+            .title = std::move(title),
+            .meaning = style.patternFor(std::string(row.meaning)),
             .unit = std::string(row.unit),
-            .range = hardText(row.hard, row.quantity),
-            .usual = usualText(row.plausible, row.displayUnit()),
+            .range = style.said(hardMessage(row.hard, row.quantity, style)),
+            .usual = usualText(row.plausible, row.displayUnit(), style),
             .presence = {},
             .condition = {}};
 }
 
 }  // namespace
 
-ParameterFacts factsOf(const Parameter& parameter) {
-    ParameterFacts facts = commonFacts(parameter);
-    if (parameter.rules.wholeNumber) facts.range = "a whole number " + facts.range;
-    facts.presence = presenceText(parameter.rules.presence, parameter.rules.rival);
+ParameterFacts factsOf(const Parameter& parameter, const ReadingStyle& style) {
+    ParameterFacts facts = commonFacts(parameter, labelMessage(parameter), style);
+    if (parameter.rules.wholeNumber)
+        facts.range = style.said({translatable("drillwave::Message", "a whole number %1"), {facts.range}});
+    facts.presence = style.said(presenceMessage(parameter.rules.presence, parameter.rules.rival));
     const std::optional<RockLaw> law = parameter.rules.law;
-    facts.condition =
-        law ? "rock with `law: " + std::string(name(*law)) + "`" : conditionText(parameter.scope);
+    facts.condition = style.said(
+        law ? Message(translatable("drillwave::Message", "rock with `law: %1`"), {std::string(name(*law))})
+            : conditionMessage(parameter.scope));
     return facts;
 }
 
-ParameterFacts factsOf(const SectionField& field) {
-    ParameterFacts facts = commonFacts(field);
-    facts.presence = presenceText(field.presence, {});
+ParameterFacts factsOf(const SectionField& field, const ReadingStyle& style) {
+    ParameterFacts facts = commonFacts(field, Message::ofTable(field.label), style);
+    facts.presence = style.said(presenceMessage(field.presence, {}));
     return facts;
 }
 
-std::string titleOf(const ParameterFacts& facts) {
-    return facts.symbol.empty() ? facts.label : facts.label + " " + facts.symbol;
-}
-
-std::vector<std::string> presetValues(const Parameter& parameter) {
+std::vector<std::string> presetValues(const Parameter& parameter, const ReadingStyle& style) {
     std::map<double, std::map<std::string, std::string>> values;  // by source: names of presets
     for (const Preset& preset : builtInPresets())
         for (const PresetValue& value : preset.values)
             if (value.parameter->key == parameter.key) {
-                std::string& names = values[value.si][value.source];
-                names += (names.empty() ? "" : "; ") + preset.name;
+                std::string& names = values[value.si][style.patternFor(value.source)];
+                names += (names.empty() ? "" : "; ") + nameFor(preset.name, style);
             }
     if (values.empty()) return {};
     const Unit& unit = parameter.displayUnit();
-    const auto text = [&](double si) { return withUnit(rounded(unit.fromSi(si)), unit); };
+    const auto text = [&](double si) { return withUnit(style.number(unit.fromSi(si)), unit); };
     if (values.size() > mostPresetValues)
-        return {text(values.begin()->first) + " to " + text(values.rbegin()->first) +
-                ", of `drillwave presets`"};
+        return {style.said({translatable("drillwave::Message", "%1 to %2, of `drillwave presets`"),
+                            {text(values.begin()->first), text(values.rbegin()->first)}})};
     std::vector<std::string> lines;
     for (const auto& [si, sources] : values)
         for (const auto& [source, names] : sources)

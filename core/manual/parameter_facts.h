@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the tables say of a number of a scenario, in words: for the reference, the tooltips and `help`.
+// What the tables say of a number of a scenario, in the words of a reader: for the reference and `help`.
 #pragma once
 
 #include <string>
@@ -7,14 +7,14 @@
 
 #include "core/model/parameter.h"
 #include "core/model/section_field.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
 /// One row of a table of numbers.
 struct ParameterFacts {
     std::string key;        ///< "bit_rock.gamma"; of sections "string.NAME.length"
-    std::string label;      ///< "elasticity"
-    std::string symbol;     ///< "γ", may be empty
+    std::string title;      ///< "elasticity γ"
     std::string meaning;    ///< a sentence without its end
     std::string unit;       ///< customary, may be empty
     std::string range;      ///< "greater than 0", "in (0, 1]"
@@ -23,14 +23,11 @@ struct ParameterFacts {
     std::string condition;  ///< of which scenarios it is, likewise; empty where of all
 };
 
-ParameterFacts factsOf(const Parameter& parameter);
-ParameterFacts factsOf(const SectionField& field);
-
-/// "elasticity γ".
-std::string titleOf(const ParameterFacts& facts);
+ParameterFacts factsOf(const Parameter& parameter, const ReadingStyle& style);
+ParameterFacts factsOf(const SectionField& field, const ReadingStyle& style);
 
 /// Values that the built-in presets give it, each with who has it and where it is from, or from where to
 /// where where they are many; empty where none gives it.
-std::vector<std::string> presetValues(const Parameter& parameter);
+std::vector<std::string> presetValues(const Parameter& parameter, const ReadingStyle& style);
 
 }  // namespace drillwave

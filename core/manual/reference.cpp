@@ -18,95 +18,126 @@ std::string heading(std::string_view name, std::string_view title) {
     return "### " + code(name) + ": " + std::string(title) + "\n\n";
 }
 
-std::string item(std::string_view label, std::string_view text) {
-    return text.empty() ? std::string() : "- " + std::string(label) + ": " + std::string(text) + "\n";
+std::string section(const Message& title, const ReadingStyle& style) {
+    return "\n## " + style.said(title) + "\n";
 }
 
-std::string capitalised(std::string_view text) {
-    std::string shown(text);
-    if (!shown.empty() && shown.front() >= 'a' && shown.front() <= 'z') shown.front() -= 'a' - 'A';
-    return shown;
+std::string item(const Message& label, std::string_view text, const ReadingStyle& style) {
+    return text.empty() ? std::string() : "- " + style.said(label) + ": " + std::string(text) + "\n";
 }
 
-std::string entry(const ParameterFacts& facts, const std::vector<std::string>& values) {
-    std::string text = heading(facts.key, titleOf(facts)) + facts.meaning + ".\n\n";
-    text += item("unit", facts.unit) + item("range", facts.range) + item("usual", facts.usual);
-    for (const std::string& value : values) text += item("preset", value);
-    return text + item("of", facts.condition) + item("in files", facts.presence);
+std::string sentence(std::string_view meaning, const ReadingStyle& style) {
+    std::string shown = style.patternFor(std::string(meaning));
+    constexpr char twoBytes =
+        '\xc3';  // of "ä" and "å", whose capitals are as far from them as those of ASCII
+    const std::size_t first = shown.starts_with(twoBytes) ? 1 : 0;
+    const auto letter = static_cast<unsigned char>(shown.size() > first ? shown[first] : 0);
+    if (first == 0 ? letter >= 'a' && letter <= 'z' : letter >= 0xa0 && letter <= 0xbe)
+        shown[first] = static_cast<char>(letter - ('a' - 'A'));
+    return shown + ".";
+}
+
+std::string entry(const ParameterFacts& facts, const std::vector<std::string>& values,
+                  const ReadingStyle& style) {
+    std::string text = heading(facts.key, facts.title) + facts.meaning + ".\n\n";
+    text += item(translatable("drillwave::Message", "unit"), facts.unit, style) +
+            item(translatable("drillwave::Message", "range"), facts.range, style) +
+            item(translatable("drillwave::Message", "usual"), facts.usual, style);
+    for (const std::string& value : values)
+        text += item(translatable("drillwave::Message", "preset"), value, style);
+    return text + item(translatable("drillwave::Message", "of"), facts.condition, style) +
+           item(translatable("drillwave::Message", "in files"), facts.presence, style);
+}
+
+// What has a word, or true and false, for its value.
+std::string wordEntry(std::string_view key, const Message& meaning, std::string_view values,
+                      const ReadingStyle& style) {
+    return heading(key, style.said(translatable("drillwave::Message", "a word"))) + style.said(meaning) +
+           ".\n\n" + item(translatable("drillwave::Message", "one of"), values, style);
 }
 
 // Of the key of a parameter, as files have it.
-std::string_view sectionTitle(std::string_view section) {
-    if (section == "rod") return "Rod";
-    if (section == "pulse") return "Hammer force";
-    if (section == "material") return "Material of a drill string";
-    if (section == "hammer") return "Hammer of a drill string";
-    if (section == "bit_rock") return "Bit and rock";
-    if (section == "drill") return "Drill";
-    if (section == "groups") return "Groups";
-    return "Drill string";
+Message sectionTitle(std::string_view section) {
+    if (section == "rod") return translatable("drillwave::Message", "Rod");
+    if (section == "pulse") return translatable("drillwave::Message", "Hammer force");
+    if (section == "material") return translatable("drillwave::Message", "Material of a drill string");
+    if (section == "hammer") return translatable("drillwave::Message", "Hammer of a drill string");
+    if (section == "bit_rock") return translatable("drillwave::Message", "Bit and rock");
+    if (section == "drill") return translatable("drillwave::Message", "Drill");
+    if (section == "groups") return translatable("drillwave::Message", "Groups");
+    return translatable("drillwave::Message", "Drill string");
 }
 
-std::string_view meaningOf(const WordParameter& parameter) {
-    if (parameter.key == pulseShapeKey) return "Shape of the hammer force (files §1.1)";
-    if (parameter.key == rockLawKey) return "Loading curve of bit and rock (files §1.4)";
-    return "Whether every blow meets `fresh` rock or the `same` crater (drilling §4)";
+Message meaningOf(const WordParameter& parameter) {
+    if (parameter.key == pulseShapeKey)
+        return translatable("drillwave::Message", "Shape of the hammer force (files §1.1)");
+    if (parameter.key == rockLawKey)
+        return translatable("drillwave::Message", "Loading curve of bit and rock (files §1.4)");
+    return translatable("drillwave::Message",
+                        "Whether every blow meets `fresh` rock or the `same` crater (drilling §4)");
 }
 
-std::string_view ownersOf(OutputOf of) {
-    switch (of) {
+Message ownersOf(const Output& output) {
+    if (output.needsDrilling())
+        return translatable("drillwave::Message", "many blows under a feed (drilling)");
+    switch (output.of) {
         case OutputOf::anyBlow:
-            return "every blow";
+            return translatable("drillwave::Message", "every blow");
         case OutputOf::uniformRod:
-            return "uniform rods";
+            return translatable("drillwave::Message", "uniform rods");
         case OutputOf::drillString:
-            return "drill strings";
+            return translatable("drillwave::Message", "drill strings");
         case OutputOf::hammer:
-            return "drill strings that a hammer strikes";
+            return translatable("drillwave::Message", "drill strings that a hammer strikes");
         case OutputOf::elasticFaces:
-            return "drill strings whose faces have a stiffness";
+            return translatable("drillwave::Message", "drill strings whose faces have a stiffness");
     }
     return {};
 }
 
 // What is told by its key in every scenario, with those that words set.
-std::string lawEntries() {
+std::string lawEntries(const ReadingStyle& style) {
     std::string text;
     for (const std::string_view key : {"bit_rock.corner.1.force", "bit_rock.corner.1.slope"})
-        text += "\n" + referenceOf(*findParameter(key));
+        text += "\n" + referenceOf(*findParameter(key), style);
     return text;
 }
 
 }  // namespace
 
-std::string referenceOf(const Parameter& parameter) {
-    return entry(factsOf(parameter), presetValues(parameter));
+std::string referenceOf(const Parameter& parameter, const ReadingStyle& style) {
+    return entry(factsOf(parameter, style), presetValues(parameter, style), style);
 }
 
-std::string referenceOf(const SectionField& field) {
-    ParameterFacts facts = factsOf(field);
+std::string referenceOf(const SectionField& field, const ReadingStyle& style) {
+    ParameterFacts facts = factsOf(field, style);
     facts.key = "string.NAME." + facts.key;
-    return entry(facts, {});
+    return entry(facts, {}, style);
 }
 
-std::string referenceOf(const WordParameter& parameter) {
-    return heading(parameter.key, "a word") + std::string(meaningOf(parameter)) + ".\n\n" +
-           item("one of", parameter.list());
+std::string referenceOf(const WordParameter& parameter, const ReadingStyle& style) {
+    return wordEntry(parameter.key, meaningOf(parameter), parameter.list(), style);
 }
 
-std::string referenceOf(const Output& output) {
-    std::string text = heading(output.name, output.title) + capitalised(output.meaning) + ".";
-    if (!output.note.empty()) text += " In the window: " + std::string(output.note) + ".";
+std::string referenceOf(const Output& output, const ReadingStyle& style) {
+    std::string text =
+        heading(output.name, style.patternFor(std::string(output.title))) + sentence(output.meaning, style);
+    if (!output.note.empty())
+        text += " " + style.said({translatable("drillwave::Message", "In the window: %1."),
+                                  {Message::ofTable(output.note)}});
     text += "\n\n";
-    const bool isPlain = scaleName(output) == noUnit && siName(output) == noUnit;
-    text += isPlain ? "- a plain number\n"
-                    : item("multiple of", scaleName(output)) + item("in SI", siName(output));
-    return text +
-           item("of", output.needsDrilling() ? "many blows under a feed (drilling)" : ownersOf(output.of));
+    const std::string scale =
+        output.isOnlySi() ? style.said(translatable("drillwave::Message", "nothing: it is there in SI only"))
+                          : std::string(scaleName(output));
+    if (scale == noUnit && siName(output) == noUnit)
+        text += "- " + style.said(translatable("drillwave::Message", "a plain number")) + "\n";
+    else
+        text += item(translatable("drillwave::Message", "multiple of"), scale, style) +
+                item(translatable("drillwave::Message", "in SI"), siName(output), style);
+    return text + item(translatable("drillwave::Message", "of"), style.said(ownersOf(output)), style);
 }
 
 std::string_view scaleName(const Output& output) {
-    if (output.isOnlySi()) return "SI only";
     const std::string_view name = multipleName(output.measure, Scenario());
     return name.empty() || output.measure == Measure::work ? noUnit : name;
 }
@@ -116,44 +147,53 @@ std::string_view siName(const Output& output) {
     return unit.empty() ? noUnit : unit;
 }
 
-std::string parameterReference() {
-    std::string text =
-        "# Parameters\n\nEvery number of a scenario: in files, behind `--set`, as axis of a study, as a "
-        "field of "
-        "the window. This chapter is written by the program from the table it works with. Outside its "
-        "range a value is refused, outside the usual one it is remarked on; what presets give is a starting "
-        "point, with its source. How files are written: files §1.\n";
-    std::string_view section;
+std::string parameterReference(const ReadingStyle& style) {
+    std::string text = "# " + style.said(translatable("drillwave::Message", "Parameters")) + "\n\n";
+    text += style.said(translatable(
+                "drillwave::Message",
+                "Every number of a scenario: in files, behind `--set`, as axis of a study, as a field of the "
+                "window. This chapter is written by the program from the table it works with. Outside its "
+                "range a value is refused, outside the usual one it is remarked on; what presets give is a "
+                "starting point, with its source. How files are written: files §1.")) +
+            "\n";
+    std::string last;
     for (const Parameter& parameter : parameters()) {
-        const std::string_view title = sectionTitle(parameter.section());
-        if (title != section) text += "\n## " + std::string(title) + "\n";
-        section = title;
-        text += "\n" + referenceOf(parameter);
+        const std::string title = section(sectionTitle(parameter.section()), style);
+        if (title != last) text += title;
+        last = title;
+        text += "\n" + referenceOf(parameter, style);
     }
-    text += "\n## Corners of the loading curve\n\nUp to 64 of them, by their place.\n" + lawEntries();
-    text +=
-        "\n## Sections of a drill string\n\nNAME is the name of sections, or the place of one from 1; of the "
-        "hammer "
-        "`hammer.1.length` (files §1.3).\n";
-    for (const SectionField& field : sectionFields()) text += "\n" + referenceOf(field);
-    text += "\n## Words\n";
-    for (const WordParameter& parameter : wordParameters()) text += "\n" + referenceOf(parameter);
-    return text + "\n" + heading(restrikeKey, "a word") +
-           "Whether the hammer stays there to be hit again; without it the hammer is withdrawn after the "
-           "first "
-           "separation.\n\n" +
-           item("one of", "true, false");
+    text += section(translatable("drillwave::Message", "Corners of the loading curve"), style) + "\n" +
+            style.said(translatable("drillwave::Message", "Up to 64 of them, by their place.")) + "\n" +
+            lawEntries(style);
+    text += section(translatable("drillwave::Message", "Sections of a drill string"), style) + "\n" +
+            style.said(translatable("drillwave::Message",
+                                    "NAME is the name of sections, or the place of one from 1; of the hammer "
+                                    "`hammer.1.length` (files §1.3).")) +
+            "\n";
+    for (const SectionField& field : sectionFields()) text += "\n" + referenceOf(field, style);
+    text += section(translatable("drillwave::Message", "Words"), style);
+    for (const WordParameter& parameter : wordParameters()) text += "\n" + referenceOf(parameter, style);
+    return text + "\n" +
+           wordEntry(restrikeKey,
+                     translatable("drillwave::Message",
+                                  "Whether the hammer stays there to be hit again; without it the hammer is "
+                                  "withdrawn after the first separation"),
+                     "true, false", style);
 }
 
-std::string outputReference() {
-    std::string text =
-        "# Outputs\n\nEvery result: a key of JSON, a column of CSV files, a name for `--outputs`, a row of "
-        "the "
-        "window. This chapter is written by the program from the table it works with. Scales are those of "
-        "theory §2; of a drill string W0 and W are its energy E0, I0 its momentum p0.\n\n## One blow\n";
-    for (const Output& output : outputs()) text += "\n" + referenceOf(output);
-    text += "\n## Many blows under a feed\n";
-    for (const Output& output : drillOutputs()) text += "\n" + referenceOf(output);
+std::string outputReference(const ReadingStyle& style) {
+    std::string text = "# " + style.said(translatable("drillwave::Message", "Outputs")) + "\n\n";
+    text += style.said(translatable(
+                "drillwave::Message",
+                "Every result: a key of JSON, a column of CSV files, a name for `--outputs`, a row of the "
+                "window. This chapter is written by the program from the table it works with. Scales are "
+                "those of theory §2; of a drill string W0 and W are the energy E0 of its hammer, I0 the "
+                "momentum p0.")) +
+            "\n" + section(translatable("drillwave::Message", "One blow"), style);
+    for (const Output& output : outputs()) text += "\n" + referenceOf(output, style);
+    text += section(translatable("drillwave::Message", "Many blows under a feed"), style);
+    for (const Output& output : drillOutputs()) text += "\n" + referenceOf(output, style);
     return text;
 }
 

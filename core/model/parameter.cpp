@@ -19,11 +19,6 @@ std::string Range::ends() const {
     return (lowOpen ? "(" : "[") + formatNumber(low) + ", " + formatNumber(high) + (highOpen ? ")" : "]");
 }
 
-std::string Range::text() const {
-    if (std::isfinite(high)) return "in " + ends();
-    return (lowOpen ? "greater than " : "at least ") + formatNumber(low);
-}
-
 bool Parameter::applies(const Scenario& scenario) const {
     if (rules.law && scenario.bitRock.law != *rules.law) return false;
     const PulseShape shape = scenario.pulse.shape;

@@ -24,8 +24,6 @@ struct Range {
     const char* whyNotMore = "";  ///< why there is an upper end, for messages; may be empty
     bool highOpen = false;
     bool contains(double value) const;
-    /// "in (0, 1]", "greater than 0", "at least 0", for messages.
-    std::string text() const;
     /// "(0, 1]", of a range with an upper end.
     std::string ends() const;
     /// Why a value (SI, finite or not) is outside: "must be in (0, 1]", with the SI unit where it has one;

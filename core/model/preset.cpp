@@ -65,6 +65,11 @@ bool matches(const Preset& preset, const Scenario& scenario) {
     return keepsMaterial && std::ranges::all_of(preset.values, isThere);
 }
 
+std::string nameFor(const std::string& name, const ReadingStyle& style) {
+    const std::string translated = style.patternFor(name);
+    return translated == name ? name : name + " — " + translated;
+}
+
 std::string description(const Preset& preset, const ReadingStyle& style) {
     std::string text;
     if (preset.shape)

@@ -46,6 +46,10 @@ Scenario withPreset(Scenario scenario, const Preset& preset);
 /// Whether taking the preset would change nothing; never where it cannot be taken.
 bool matches(const Preset& preset, const Scenario& scenario);
 
+/// "soft rock — weiches Gestein": the name of a preset, as commands take it, and what it is to a reader in
+/// another language.
+std::string nameFor(const std::string& name, const ReadingStyle& style);
+
 /// "diameter: 38 mm — nominal", one line for the shape or the law and for each value.
 std::string description(const Preset& preset, const ReadingStyle& style);
 

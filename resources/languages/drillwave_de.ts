@@ -815,7 +815,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>Gap over 2 I0/Z; in a dimensional scenario it moves the gap</source>
-        <translation>Spalt durch 2 I0/Z; in einem Szenario mit Einheiten verstellt sie den Spalt</translation>
+        <translation>Kennzahl des Spalts d/(2 I0/Z); in einem Szenario mit Einheiten verstellt sie den Spalt</translation>
     </message>
     <message>
         <source>How often the sections of the first repeat of the string follow one another</source>
@@ -891,7 +891,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>Of the scatter of the intervals</source>
-        <translation>Der Streuung der Abstände</translation>
+        <translation>Für die Streuung der Abstände zwischen den Schlägen</translation>
     </message>
     <message>
         <source>Outer diameter at the end towards the rock of a cone, whose `diameter` is that of its rear end; the bore is constant</source>
@@ -911,7 +911,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>Penetration that stays times the blow frequency: an upper limit, which indexing, flushing and a bit off the rock do not reach, of blows that begin with a rod at rest; waves that are left may add to it (Drilling)</source>
-        <translation>Bleibende Eindringung mal Schlagfrequenz: eine obere Grenze, die Umsetzen, Spülung und eine abgehobene Bohrkrone nicht erreichen lassen, von Schlägen, die mit einer Stange in Ruhe beginnen; verbliebene Wellen können dazu beitragen (Bohren)</translation>
+        <translation>Bleibende Eindringung mal Schlagfrequenz: eine obere Grenze für Schläge, die mit einer ruhenden Stange beginnen; wegen Umsetzen, Spülung und abgehobener Bohrkrone wird sie nicht erreicht, verbliebene Wellen können dazu beitragen (Bohren)</translation>
     </message>
     <message>
         <source>Share of its energy that runs to and fro in the hammer</source>
@@ -1167,7 +1167,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>efficiency, and what the hammer takes back with it, of a drill string</source>
-        <translation>Wirkungsgrad und was der Hammer davon zurücknimmt, eines Bohrstrangs</translation>
+        <translation>Wirkungsgrad und was der Hammer an Energie mit zurücknimmt, bei einem Bohrstrang</translation>
     </message>
     <message>
         <source>elasticity</source>
@@ -1455,7 +1455,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>momentum of the string after the blow, towards the rock, over that of the hammer</source>
-        <translation>Impuls des Strangs nach dem Schlag, zum Gestein, durch den des Hammers</translation>
+        <translation>Impuls des Strangs nach dem Schlag, zum Gestein hin, durch den des Hammers</translation>
     </message>
     <message>
         <source>momentum residual</source>
@@ -1879,7 +1879,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>A light drifter with one R32 rod on hard rock. Look at the velocity with which the hammer comes back: stiff rock and a short string return 11 % of its energy to it, where three T38 rods in softer rock return 2 %. Compare the efficiency of 0.67 with that of the T38 string.</source>
-        <translation>Ein leichter Bohrhammer mit einer R32-Stange auf hartem Gestein. Auf die Geschwindigkeit achten, mit der der Hammer zurückkommt: steifes Gestein und ein kurzer Strang geben ihm 11 % seiner Energie zurück, wo drei T38-Stangen in weicherem Gestein 2 % zurückgeben. Den Wirkungsgrad von 0,67 mit dem des T38-Strangs vergleichen.</translation>
+        <translation>Ein leichter Bohrhammer mit einer R32-Stange auf hartem Gestein. Auf die Geschwindigkeit achten, mit der der Hammer zurückkommt: steifes Gestein und ein kurzer Strang geben ihm 11&#xa0;% seiner Energie zurück, wo drei T38-Stangen in weicherem Gestein 2&#xa0;% zurückgeben. Den Wirkungsgrad von 0,67 mit dem des T38-Strangs vergleichen.</translation>
     </message>
     <message>
         <source>A rod without waves before the impact: it flies as a rigid body against the same spring as in Fig. 4 (a). Look at the single long contact and compare e = 0.990 with 1.401 there: the super rebound is the work of the pre-impact waves. The scales are those of Fig. 4, the unit of time being the t0 that gives tau = 10.</source>
@@ -1951,7 +1951,7 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>Epiroc catalogue 9866 0424, second hand; the weights of Robit and Sandvik agree within 2 %</source>
-        <translation>Epiroc-Katalog 9866 0424, aus zweiter Hand; die Gewichte von Robit und Sandvik stimmen auf 2 % überein</translation>
+        <translation>Epiroc-Katalog 9866 0424, aus zweiter Hand; die Gewichte von Robit und Sandvik stimmen auf 2&#xa0;% überein</translation>
     </message>
     <message>
         <source>Fig. 4 (a) of the paper, elastic spring</source>
@@ -2095,11 +2095,11 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>Sandvik catalogue 2024, second hand; the weights there are 7 % less; the rod of the R32 examples</source>
-        <translation>Sandvik-Katalog 2024, aus zweiter Hand; die Gewichte dort sind 7 % kleiner; die Stange der R32-Beispiele</translation>
+        <translation>Sandvik-Katalog 2024, aus zweiter Hand; die Gewichte dort sind 7&#xa0;% kleiner; die Stange der R32-Beispiele</translation>
     </message>
     <message>
         <source>Sandvik, Robit catalogues, second hand; weights agree within 2 %</source>
-        <translation>Kataloge von Sandvik und Robit, aus zweiter Hand; die Gewichte stimmen auf 2 % überein</translation>
+        <translation>Kataloge von Sandvik und Robit, aus zweiter Hand; die Gewichte stimmen auf 2&#xa0;% überein</translation>
     </message>
     <message>
         <source>T38 drifter, 50 and 38 mm</source>
@@ -2512,6 +2512,154 @@ Trotzdem löschen?</translation>
     <message>
         <source>very hard rock</source>
         <translation>sehr hartes Gestein</translation>
+    </message>
+    <message>
+        <source>5 % of the gaps</source>
+        <translation>5 % der Spalte</translation>
+    </message>
+    <message>
+        <source>95 % of the gaps</source>
+        <translation>95 % der Spalte</translation>
+    </message>
+    <message>
+        <source>Lyapunov exponent</source>
+        <translation>Ljapunow-Exponent</translation>
+    </message>
+    <message>
+        <source>blows after which the motion repeats, 1 to 16; 0 where it does not</source>
+        <translation>Schläge, nach denen sich die Bewegung wiederholt, 1 bis 16; 0, wo sie das nicht tut</translation>
+    </message>
+    <message>
+        <source>blows that begin on the rock</source>
+        <translation>Schläge, die auf dem Gestein beginnen</translation>
+    </message>
+    <message>
+        <source>contacts of a blow</source>
+        <translation>Kontakte je Schlag</translation>
+    </message>
+    <message>
+        <source>contacts of a blow, mean</source>
+        <translation>Kontakte je Schlag, im Mittel</translation>
+    </message>
+    <message>
+        <source>deviation of the gap</source>
+        <translation>Streuung des Spalts</translation>
+    </message>
+    <message>
+        <source>error of the balance of energy of all blows, over the hammer work</source>
+        <translation>Fehler der Energiebilanz aller Schläge, Anteil an der Hammerarbeit</translation>
+    </message>
+    <message>
+        <source>error of the balance of momentum of all blows, over what the feed gave</source>
+        <translation>Fehler der Impulsbilanz aller Schläge, Anteil an dem, was der Vorschub gab</translation>
+    </message>
+    <message>
+        <source>error of the energy of many blows</source>
+        <translation>Fehler der Energie vieler Schläge</translation>
+    </message>
+    <message>
+        <source>error of the mean penetration</source>
+        <translation>Fehler der mittleren Eindringung</translation>
+    </message>
+    <message>
+        <source>error of the momentum of many blows</source>
+        <translation>Fehler des Impulses vieler Schläge</translation>
+    </message>
+    <message>
+        <source>gap that 5 % of the blows are below</source>
+        <translation>Spalt, unter dem 5&#xa0;% der Schläge liegen</translation>
+    </message>
+    <message>
+        <source>gap that 95 % of the blows are below</source>
+        <translation>Spalt, unter dem 95&#xa0;% der Schläge liegen</translation>
+    </message>
+    <message>
+        <source>gap that half of the blows are below</source>
+        <translation>Spalt, unter dem die Hälfte der Schläge liegt</translation>
+    </message>
+    <message>
+        <source>how fast motions part, per blow; above 0 single blows are no result; takes a second march</source>
+        <translation>wie schnell Bewegungen auseinanderlaufen, je Schlag; über 0 zählt nur die Statistik; braucht eine zweite Rechnung</translation>
+    </message>
+    <message>
+        <source>its 95 % error; takes a second march with other cells</source>
+        <translation>ihr Fehler zu 95&#xa0;%; braucht eine zweite Rechnung mit anderen Zellen</translation>
+    </message>
+    <message>
+        <source>largest force of the damper</source>
+        <translation>größte Kraft des Dämpfers</translation>
+    </message>
+    <message>
+        <source>mean gap at the blow</source>
+        <translation>mittlerer Spalt beim Schlag</translation>
+    </message>
+    <message>
+        <source>mean gap at the blow, of many blows under a feed (drill)</source>
+        <translation>mittlerer Spalt beim Schlag, über viele Schläge unter einem Vorschub (drill)</translation>
+    </message>
+    <message>
+        <source>mean impulse on the rock</source>
+        <translation>mittlerer Kraftstoß auf das Gestein</translation>
+    </message>
+    <message>
+        <source>mean impulse on the rock: feed force over frequency</source>
+        <translation>mittlerer Kraftstoß auf das Gestein: Andruck durch Frequenz</translation>
+    </message>
+    <message>
+        <source>mean of the largest forces on the rock</source>
+        <translation>Mittel der größten Kräfte auf das Gestein</translation>
+    </message>
+    <message>
+        <source>mean peak force</source>
+        <translation>mittlere Spitzenkraft</translation>
+    </message>
+    <message>
+        <source>mean penetration of a blow</source>
+        <translation>mittlere Eindringung je Schlag</translation>
+    </message>
+    <message>
+        <source>mean penetration of a blow: an upper limit</source>
+        <translation>mittlere Eindringung eines Schlags: eine obere Grenze</translation>
+    </message>
+    <message>
+        <source>mean penetration times blow frequency, m/s: an upper limit</source>
+        <translation>mittlere Eindringung mal Schlagfrequenz, m/s: eine obere Grenze</translation>
+    </message>
+    <message>
+        <source>median of the gaps</source>
+        <translation>Median der Spalte</translation>
+    </message>
+    <message>
+        <source>round trips of a wave from blow to blow, n_b</source>
+        <translation>Hin- und Rückläufe einer Welle von Schlag zu Schlag, n_b</translation>
+    </message>
+    <message>
+        <source>penetration rate of many blows</source>
+        <translation>Bohrfortschritt vieler Schläge</translation>
+    </message>
+    <message>
+        <source>period of the motion</source>
+        <translation>Periode der Bewegung</translation>
+    </message>
+    <message>
+        <source>feed force over mean reaction of the blows, phi</source>
+        <translation>Andruck durch mittlere Reaktion der Schläge, phi</translation>
+    </message>
+    <message>
+        <source>round trips from blow to blow</source>
+        <translation>Hin- und Rückläufe von Schlag zu Schlag</translation>
+    </message>
+    <message>
+        <source>share of blows that begin within 0.01 d0 of the rock</source>
+        <translation>Anteil der Schläge, die höchstens 0,01 d0 vom Gestein entfernt beginnen</translation>
+    </message>
+    <message>
+        <source>standard deviation of that gap</source>
+        <translation>Standardabweichung dieses Spalts</translation>
+    </message>
+    <message>
+        <source>thrust number</source>
+        <translation>Andruckzahl</translation>
     </message>
 </context>
 <context>
@@ -4139,11 +4287,11 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>Where all is as in the file, the robust best has %1&#xa0;% less.</source>
-        <translation>Wo alles wie in der Datei ist, hat die robuste beste %1&#xa0;% weniger.</translation>
+        <translation>Wo alles wie in der Datei ist, hat die robusteste %1&#xa0;% weniger.</translation>
     </message>
     <message>
         <source>Where all is as in the file, the robust best has %1&#xa0;% more.</source>
-        <translation>Wo alles wie in der Datei ist, hat die robuste beste %1&#xa0;% mehr.</translation>
+        <translation>Wo alles wie in der Datei ist, hat die robusteste %1&#xa0;% mehr.</translation>
     </message>
 </context>
 <context>
@@ -5426,8 +5574,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Sprache ab dem nächsten Start: %1.</translation>
     </message>
     <message>
-        <source>Close the window and start Drillwave again. Numbers stay as the system writes them; files and the manual are in English.</source>
-        <translation>Das Fenster schließen und Drillwave neu starten. Zahlen bleiben, wie das System sie schreibt; Dateien und das Handbuch sind auf Englisch.</translation>
+        <source>Close the window and start Drillwave again. Numbers stay as the system writes them; files and some chapters of the manual are in English.</source>
+        <translation>Das Fenster schließen und Drillwave neu starten. Zahlen bleiben, wie das System sie schreibt; Dateien und einige Kapitel des Handbuchs sind auf Englisch.</translation>
     </message>
 </context>
 <context>
@@ -5784,7 +5932,7 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>Added to the times of the measured curve; Up and Down move it</source>
-        <translation>Kommt zu den Zeiten der gemessenen Kurve hinzu; Auf und Ab verschieben sie</translation>
+        <translation>Kommt zu den Zeiten der gemessenen Kurve hinzu; Hoch und Runter verschieben sie</translation>
     </message>
     <message>
         <source>Shift it to where it fits the computed curve best</source>
@@ -8557,8 +8705,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Kraftstoß auf das Gestein</translation>
     </message>
     <message>
-        <source>up to %1 m/min: an upper limit, all rock under the bit gives way and cuttings vanish</source>
-        <translation>bis %1 m/min: obere Grenze, alles Gestein unter der Krone gibt nach, Bohrklein verschwindet</translation>
+        <source>up to %1: an upper limit, all rock under the bit gives way and cuttings vanish</source>
+        <translation>bis %1: obere Grenze, alles Gestein unter der Krone gibt nach, Bohrklein verschwindet</translation>
     </message>
     <message>
         <source>%1 of the blows begin on the rock</source>
@@ -10106,6 +10254,254 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>loading curve</source>
         <translation>Belastungskurve</translation>
     </message>
+    <message>
+        <source>in %1</source>
+        <translation>in %1</translation>
+    </message>
+    <message>
+        <source>greater than %1</source>
+        <translation>größer als %1</translation>
+    </message>
+    <message>
+        <source>greater than 0, at most %1</source>
+        <translation>größer als 0, höchstens %1</translation>
+    </message>
+    <message>
+        <source>required</source>
+        <translation>erforderlich</translation>
+    </message>
+    <message>
+        <source>required, or what stands in its place</source>
+        <translation>erforderlich, oder was an seiner Stelle steht</translation>
+    </message>
+    <message>
+        <source>required, or `%1`</source>
+        <translation>erforderlich, oder `%1`</translation>
+    </message>
+    <message>
+        <source>may be left out: the program then assumes a value</source>
+        <translation>kann wegbleiben: das Programm nimmt dann einen Wert an</translation>
+    </message>
+    <message>
+        <source>may be left out</source>
+        <translation>kann wegbleiben</translation>
+    </message>
+    <message>
+        <source>scenarios in physical units</source>
+        <translation>Szenarien in physikalischen Einheiten</translation>
+    </message>
+    <message>
+        <source>dimensionless scenarios</source>
+        <translation>dimensionslose Szenarien</translation>
+    </message>
+    <message>
+        <source>scenarios in physical units, for many blows: one alone does not depend on it</source>
+        <translation>Szenarien in physikalischen Einheiten, für viele Schläge: ein einzelner hängt nicht davon ab</translation>
+    </message>
+    <message>
+        <source>drill strings</source>
+        <translation>Bohrstränge</translation>
+    </message>
+    <message>
+        <source>drill strings that a hammer strikes</source>
+        <translation>Bohrstränge, auf die ein Hammer schlägt</translation>
+    </message>
+    <message>
+        <source>uniform rods, with units and without</source>
+        <translation>gleichförmige Stangen, mit Einheiten und ohne</translation>
+    </message>
+    <message>
+        <source>uniform rods in physical units</source>
+        <translation>gleichförmige Stangen in physikalischen Einheiten</translation>
+    </message>
+    <message>
+        <source>uniform rods in physical units, given by their diameter</source>
+        <translation>gleichförmige Stangen in physikalischen Einheiten, gegeben durch ihren Durchmesser</translation>
+    </message>
+    <message>
+        <source>hammer forces in physical units, but those of a piston or a table</source>
+        <translation>Hammerkräfte in physikalischen Einheiten, außer denen eines Kolbens oder einer Tabelle</translation>
+    </message>
+    <message>
+        <source>hammer forces of the shape `trapezoid`</source>
+        <translation>Hammerkräfte der Form `trapezoid`</translation>
+    </message>
+    <message>
+        <source>hammer forces of the shape `piston`, in physical units</source>
+        <translation>Hammerkräfte der Form `piston`, in physikalischen Einheiten</translation>
+    </message>
+    <message>
+        <source>hammer forces of the shape `piston`, dimensionless</source>
+        <translation>Hammerkräfte der Form `piston`, dimensionslos</translation>
+    </message>
+    <message>
+        <source>a whole number %1</source>
+        <translation>eine ganze Zahl %1</translation>
+    </message>
+    <message>
+        <source>rock with `law: %1`</source>
+        <translation>Gestein mit `law: %1`</translation>
+    </message>
+    <message>
+        <source>%1 to %2, of `drillwave presets`</source>
+        <translation>%1 bis %2, aus `drillwave presets`</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>usual</source>
+        <translation>üblich</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>Voreinstellung</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>gilt für</translation>
+    </message>
+    <message>
+        <source>in files</source>
+        <translation>in Dateien</translation>
+    </message>
+    <message>
+        <source>a word</source>
+        <translation>ein Wort</translation>
+    </message>
+    <message>
+        <source>one of</source>
+        <translation>eines von</translation>
+    </message>
+    <message>
+        <source>Rod</source>
+        <translation>Stange</translation>
+    </message>
+    <message>
+        <source>Hammer force</source>
+        <translation>Hammerkraft</translation>
+    </message>
+    <message>
+        <source>Material of a drill string</source>
+        <translation>Werkstoff eines Bohrstrangs</translation>
+    </message>
+    <message>
+        <source>Hammer of a drill string</source>
+        <translation>Hammer eines Bohrstrangs</translation>
+    </message>
+    <message>
+        <source>Bit and rock</source>
+        <translation>Bohrkrone und Gestein</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Kennzahlen</translation>
+    </message>
+    <message>
+        <source>Drill string</source>
+        <translation>Bohrstrang</translation>
+    </message>
+    <message>
+        <source>Shape of the hammer force (files §1.1)</source>
+        <translation>Form der Hammerkraft (files §1.1)</translation>
+    </message>
+    <message>
+        <source>Loading curve of bit and rock (files §1.4)</source>
+        <translation>Belastungskurve von Bohrkrone und Gestein (files §1.4)</translation>
+    </message>
+    <message>
+        <source>Whether every blow meets `fresh` rock or the `same` crater (drilling §4)</source>
+        <translation>Ob jeder Schlag auf unberührtes Gestein trifft (`fresh`) oder auf denselben Krater (`same`; drilling §4)</translation>
+    </message>
+    <message>
+        <source>many blows under a feed (drilling)</source>
+        <translation>viele Schläge unter einem Vorschub (drilling)</translation>
+    </message>
+    <message>
+        <source>every blow</source>
+        <translation>jeden Schlag</translation>
+    </message>
+    <message>
+        <source>uniform rods</source>
+        <translation>gleichförmige Stangen</translation>
+    </message>
+    <message>
+        <source>drill strings whose faces have a stiffness</source>
+        <translation>Bohrstränge, deren Schlagflächen eine Steifigkeit haben</translation>
+    </message>
+    <message>
+        <source>In the window: %1.</source>
+        <translation>Im Fenster: %1.</translation>
+    </message>
+    <message>
+        <source>nothing: it is there in SI only</source>
+        <translation>nichts: das gibt es nur in SI</translation>
+    </message>
+    <message>
+        <source>a plain number</source>
+        <translation>eine reine Zahl</translation>
+    </message>
+    <message>
+        <source>multiple of</source>
+        <translation>Vielfaches von</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parameter</translation>
+    </message>
+    <message>
+        <source>Every number of a scenario: in files, behind `--set`, as axis of a study, as a field of the window. This chapter is written by the program from the table it works with. Outside its range a value is refused, outside the usual one it is remarked on; what presets give is a starting point, with its source. How files are written: files §1.</source>
+        <translation>Jede Zahl eines Szenarios: in Dateien, hinter `--set`, als Achse einer Studie, als Feld im Fenster. Dieses Kapitel schreibt das Programm aus der Tabelle, mit der es arbeitet. Außerhalb seines Bereichs wird ein Wert abgelehnt, außerhalb des üblichen gibt es einen Hinweis; was Voreinstellungen geben, ist ein Ausgangspunkt, mit seiner Quelle. Wie Dateien geschrieben werden: files §1.</translation>
+    </message>
+    <message>
+        <source>Corners of the loading curve</source>
+        <translation>Ecken der Belastungskurve</translation>
+    </message>
+    <message>
+        <source>Up to 64 of them, by their place.</source>
+        <translation>Bis zu 64 davon, nach ihrer Reihenfolge gezählt.</translation>
+    </message>
+    <message>
+        <source>Sections of a drill string</source>
+        <translation>Abschnitte eines Bohrstrangs</translation>
+    </message>
+    <message>
+        <source>NAME is the name of sections, or the place of one from 1; of the hammer `hammer.1.length` (files §1.3).</source>
+        <translation>NAME ist der Name von Abschnitten oder die Stelle eines Abschnitts, von 1 an; beim Hammer `hammer.1.length` (files §1.3).</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Wörter</translation>
+    </message>
+    <message>
+        <source>Whether the hammer stays there to be hit again; without it the hammer is withdrawn after the first separation</source>
+        <translation>Ob der Hammer dableibt und wieder getroffen werden kann; sonst wird er nach der ersten Trennung zurückgezogen</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Ergebnisse</translation>
+    </message>
+    <message>
+        <source>Every result: a key of JSON, a column of CSV files, a name for `--outputs`, a row of the window. This chapter is written by the program from the table it works with. Scales are those of theory §2; of a drill string W0 and W are the energy E0 of its hammer, I0 the momentum p0.</source>
+        <translation>Jedes Ergebnis: ein Schlüssel in JSON, eine Spalte in CSV-Dateien, ein Name für `--outputs`, eine Zeile im Fenster. Dieses Kapitel schreibt das Programm aus der Tabelle, mit der es arbeitet. Die Bezugsgrößen sind die von theory §2; bei einem Bohrstrang sind W0 und W die Energie E0 seines Hammers, I0 dessen Impuls p0.</translation>
+    </message>
+    <message>
+        <source>One blow</source>
+        <translation>Ein Schlag</translation>
+    </message>
+    <message>
+        <source>Many blows under a feed</source>
+        <translation>Viele Schläge unter einem Vorschub</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -10372,7 +10768,7 @@ Jene, die hier nicht in der Liste sind, gingen verloren.</translation>
         <source>
 Up and Down move it by 0.01, Page Up and Page Down by 0.1.</source>
         <translation>
-Auf und Ab verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translation>
+Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translation>
     </message>
 </context>
 <context>
@@ -13658,15 +14054,15 @@ des Fensters eingesetzt werden.</translation>
     </message>
     <message>
         <source>how fast motions part, per blow; above 0 single blows are no result; takes a second march</source>
-        <translation>wie schnell Bewegungen auseinanderlaufen; über 0 unregelmäßig; zweite Rechnung</translation>
+        <translation>wie schnell Bewegungen auseinanderlaufen, je Schlag; über 0 zählt nur die Statistik; braucht eine zweite Rechnung</translation>
     </message>
     <message>
-        <source>phi, feed force over mean reaction of the blows</source>
-        <translation>phi, Andruck durch mittlere Reaktion der Schläge</translation>
+        <source>feed force over mean reaction of the blows, phi</source>
+        <translation>Andruck durch mittlere Reaktion der Schläge, phi</translation>
     </message>
     <message>
-        <source>n_b, round trips of a wave from blow to blow</source>
-        <translation>n_b, Hin- und Rückläufe einer Welle von Schlag zu Schlag</translation>
+        <source>round trips of a wave from blow to blow, n_b</source>
+        <translation>Hin- und Rückläufe einer Welle von Schlag zu Schlag, n_b</translation>
     </message>
     <message>
         <source>error of the balance of momentum of all blows, over what the feed gave</source>

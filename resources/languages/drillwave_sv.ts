@@ -528,7 +528,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>Space</source>
-        <translation>Blanksteg</translation>
+        <translation>Mellanslag</translation>
     </message>
     <message>
         <source>Tab</source>
@@ -815,7 +815,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>Gap over 2 I0/Z; in a dimensional scenario it moves the gap</source>
-        <translation>Spalt genom 2 I0/Z; i ett scenario med enheter flyttar det spalten</translation>
+        <translation>Spalt genom 2 I0/Z; i ett scenario med enheter ändrar talet spalten</translation>
     </message>
     <message>
         <source>How often the sections of the first repeat of the string follow one another</source>
@@ -891,7 +891,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>Of the scatter of the intervals</source>
-        <translation>För intervallens spridning</translation>
+        <translation>För slumptalen i intervallens spridning</translation>
     </message>
     <message>
         <source>Outer diameter at the end towards the rock of a cone, whose `diameter` is that of its rear end; the bore is constant</source>
@@ -915,11 +915,11 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>Share of its energy that runs to and fro in the hammer</source>
-        <translation>Andel av dess energi som löper fram och åter i hammaren</translation>
+        <translation>Andel av hammarens energi som löper fram och åter i den</translation>
     </message>
     <message>
         <source>Share of its energy with which the hammer moves after the blow</source>
-        <translation>Andel av dess energi med vilken hammaren rör sig efter slaget</translation>
+        <translation>Andel av hammarens energi som den rör sig med efter slaget</translation>
     </message>
     <message>
         <source>Share of the energy of a wave that is lost in the joint at the end towards the rock</source>
@@ -963,7 +963,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>Stiffness group k t0/Z; in a dimensional scenario it moves the stiffness</source>
-        <translation>Styvhetstal k t0/Z; i ett scenario med enheter flyttar det styvheten</translation>
+        <translation>Styvhetstal k t0/Z; i ett scenario med enheter ändrar talet styvheten</translation>
     </message>
     <message>
         <source>Stiffness of bit and rock in primary loading</source>
@@ -1019,11 +1019,11 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>Time until when the blow of a drill string is followed; to its end if not given</source>
-        <translation>Tid till vilken en borrsträngs slag följs; till dess slut om inte angiven</translation>
+        <translation>Tid till vilken en borrsträngs slag följs; till slagets slut om inte angiven</translation>
     </message>
     <message>
         <source>Transit time of the rod over t0; in a dimensional scenario it moves the rod length</source>
-        <translation>Stångens gångtid genom t0; i ett scenario med enheter flyttar det stångens längd</translation>
+        <translation>Stångens gångtid genom t0; i ett scenario med enheter ändrar talet stångens längd</translation>
     </message>
     <message>
         <source>Velocity of the elastic hammer when it hits the rod</source>
@@ -1039,7 +1039,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>What all the shares together miss</source>
-        <translation>Vad alla andelar tillsammans missar</translation>
+        <translation>Vad som fattas när alla andelar läggs ihop</translation>
     </message>
     <message>
         <source>Work of the hammer on the rod</source>
@@ -1311,7 +1311,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>hammer leaves</source>
-        <translation>hammaren lämnar</translation>
+        <translation>hammaren släpper</translation>
     </message>
     <message>
         <source>hammer length</source>
@@ -1879,7 +1879,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>A light drifter with one R32 rod on hard rock. Look at the velocity with which the hammer comes back: stiff rock and a short string return 11 % of its energy to it, where three T38 rods in softer rock return 2 %. Compare the efficiency of 0.67 with that of the T38 string.</source>
-        <translation>En lätt borrmaskin med en R32-stång på hårt berg. Se på hastigheten med vilken hammaren kommer tillbaka: styvt berg och en kort sträng ger den tillbaka 11 % av dess energi, där tre T38-stänger i mjukare berg ger tillbaka 2 %. Jämför verkningsgraden 0,67 med T38-strängens.</translation>
+        <translation>En lätt borrmaskin med en R32-stång på hårt berg. Se på hastigheten med vilken hammaren kommer tillbaka: styvt berg och en kort sträng ger den tillbaka 11&#xa0;% av dess energi, där tre T38-stänger i mjukare berg ger tillbaka 2&#xa0;%. Jämför verkningsgraden 0,67 med T38-strängens.</translation>
     </message>
     <message>
         <source>A rod without waves before the impact: it flies as a rigid body against the same spring as in Fig. 4 (a). Look at the single long contact and compare e = 0.990 with 1.401 there: the super rebound is the work of the pre-impact waves. The scales are those of Fig. 4, the unit of time being the t0 that gives tau = 10.</source>
@@ -1951,7 +1951,7 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>Epiroc catalogue 9866 0424, second hand; the weights of Robit and Sandvik agree within 2 %</source>
-        <translation>Epirocs katalog 9866 0424, i andra hand; vikterna hos Robit och Sandvik stämmer överens inom 2 %</translation>
+        <translation>Epirocs katalog 9866 0424, i andra hand; vikterna hos Robit och Sandvik stämmer överens inom 2&#xa0;%</translation>
     </message>
     <message>
         <source>Fig. 4 (a) of the paper, elastic spring</source>
@@ -2095,11 +2095,11 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>Sandvik catalogue 2024, second hand; the weights there are 7 % less; the rod of the R32 examples</source>
-        <translation>Sandviks katalog 2024, i andra hand; vikterna där är 7 % lägre; stången i R32-exemplen</translation>
+        <translation>Sandviks katalog 2024, i andra hand; vikterna där är 7&#xa0;% lägre; stången i R32-exemplen</translation>
     </message>
     <message>
         <source>Sandvik, Robit catalogues, second hand; weights agree within 2 %</source>
-        <translation>katalogerna från Sandvik och Robit, i andra hand; vikterna stämmer överens inom 2 %</translation>
+        <translation>katalogerna från Sandvik och Robit, i andra hand; vikterna stämmer överens inom 2&#xa0;%</translation>
     </message>
     <message>
         <source>T38 drifter, 50 and 38 mm</source>
@@ -2512,6 +2512,154 @@ Ta bort ändå?</translation>
     <message>
         <source>very hard rock</source>
         <translation>mycket hårt berg</translation>
+    </message>
+    <message>
+        <source>5 % of the gaps</source>
+        <translation>5 % av spalterna</translation>
+    </message>
+    <message>
+        <source>95 % of the gaps</source>
+        <translation>95 % av spalterna</translation>
+    </message>
+    <message>
+        <source>Lyapunov exponent</source>
+        <translation>Ljapunovexponent</translation>
+    </message>
+    <message>
+        <source>blows after which the motion repeats, 1 to 16; 0 where it does not</source>
+        <translation>antal slag efter vilka rörelsen upprepas, 1 till 16; 0 där den inte gör det</translation>
+    </message>
+    <message>
+        <source>blows that begin on the rock</source>
+        <translation>slag som börjar på berget</translation>
+    </message>
+    <message>
+        <source>contacts of a blow</source>
+        <translation>kontakter per slag</translation>
+    </message>
+    <message>
+        <source>contacts of a blow, mean</source>
+        <translation>kontakter per slag, medelvärde</translation>
+    </message>
+    <message>
+        <source>deviation of the gap</source>
+        <translation>spaltens standardavvikelse</translation>
+    </message>
+    <message>
+        <source>error of the balance of energy of all blows, over the hammer work</source>
+        <translation>fel i energibalansen för alla slag, genom hammarens arbete</translation>
+    </message>
+    <message>
+        <source>error of the balance of momentum of all blows, over what the feed gave</source>
+        <translation>fel i rörelsemängdens balans för alla slag, genom vad matningen gav</translation>
+    </message>
+    <message>
+        <source>error of the energy of many blows</source>
+        <translation>fel i energin över många slag</translation>
+    </message>
+    <message>
+        <source>error of the mean penetration</source>
+        <translation>fel i medelinträngningen</translation>
+    </message>
+    <message>
+        <source>error of the momentum of many blows</source>
+        <translation>fel i rörelsemängden över många slag</translation>
+    </message>
+    <message>
+        <source>gap that 5 % of the blows are below</source>
+        <translation>spalt som 5&#xa0;% av slagen ligger under</translation>
+    </message>
+    <message>
+        <source>gap that 95 % of the blows are below</source>
+        <translation>spalt som 95&#xa0;% av slagen ligger under</translation>
+    </message>
+    <message>
+        <source>gap that half of the blows are below</source>
+        <translation>spalt som hälften av slagen ligger under</translation>
+    </message>
+    <message>
+        <source>how fast motions part, per blow; above 0 single blows are no result; takes a second march</source>
+        <translation>rörelsers divergens per slag; över 0 är enstaka slag inget resultat; två beräkningar</translation>
+    </message>
+    <message>
+        <source>its 95 % error; takes a second march with other cells</source>
+        <translation>medelinträngningens 95&#xa0;%-fel; kräver ännu en beräkning med andra celler</translation>
+    </message>
+    <message>
+        <source>largest force of the damper</source>
+        <translation>dämparens största kraft</translation>
+    </message>
+    <message>
+        <source>mean gap at the blow</source>
+        <translation>medelspalt vid slaget</translation>
+    </message>
+    <message>
+        <source>mean gap at the blow, of many blows under a feed (drill)</source>
+        <translation>medelspalt vid slaget, över många slag under en matning (drill)</translation>
+    </message>
+    <message>
+        <source>mean impulse on the rock</source>
+        <translation>medelimpuls på berget</translation>
+    </message>
+    <message>
+        <source>mean impulse on the rock: feed force over frequency</source>
+        <translation>medelimpuls på berget: matningskraft genom frekvens</translation>
+    </message>
+    <message>
+        <source>mean of the largest forces on the rock</source>
+        <translation>medelvärde av de största krafterna på berget</translation>
+    </message>
+    <message>
+        <source>mean peak force</source>
+        <translation>medel av toppkraften</translation>
+    </message>
+    <message>
+        <source>mean penetration of a blow</source>
+        <translation>medelinträngning per slag</translation>
+    </message>
+    <message>
+        <source>mean penetration of a blow: an upper limit</source>
+        <translation>medelinträngning per slag: en övre gräns</translation>
+    </message>
+    <message>
+        <source>mean penetration times blow frequency, m/s: an upper limit</source>
+        <translation>medelinträngning gånger slagfrekvens, m/s: en övre gräns</translation>
+    </message>
+    <message>
+        <source>median of the gaps</source>
+        <translation>median av spalterna</translation>
+    </message>
+    <message>
+        <source>round trips of a wave from blow to blow, n_b</source>
+        <translation>en vågs varv fram och åter från slag till slag, n_b</translation>
+    </message>
+    <message>
+        <source>penetration rate of many blows</source>
+        <translation>borrsjunkning över många slag</translation>
+    </message>
+    <message>
+        <source>period of the motion</source>
+        <translation>rörelsens period</translation>
+    </message>
+    <message>
+        <source>feed force over mean reaction of the blows, phi</source>
+        <translation>matningskraft genom slagens medelreaktion, phi</translation>
+    </message>
+    <message>
+        <source>round trips from blow to blow</source>
+        <translation>varv fram och åter från slag till slag</translation>
+    </message>
+    <message>
+        <source>share of blows that begin within 0.01 d0 of the rock</source>
+        <translation>andel slag som börjar inom 0,01 d0 från berget</translation>
+    </message>
+    <message>
+        <source>standard deviation of that gap</source>
+        <translation>standardavvikelse för spalten vid slaget</translation>
+    </message>
+    <message>
+        <source>thrust number</source>
+        <translation>matningstal</translation>
     </message>
 </context>
 <context>
@@ -4139,11 +4287,11 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>Where all is as in the file, the robust best has %1&#xa0;% less.</source>
-        <translation>Där allt är som i filen har den robust bästa %1&#xa0;% mindre.</translation>
+        <translation>Där allt är som i filen har den robustaste %1&#xa0;% mindre.</translation>
     </message>
     <message>
         <source>Where all is as in the file, the robust best has %1&#xa0;% more.</source>
-        <translation>Där allt är som i filen har den robust bästa %1&#xa0;% mer.</translation>
+        <translation>Där allt är som i filen har den robustaste %1&#xa0;% mer.</translation>
     </message>
 </context>
 <context>
@@ -5426,8 +5574,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Språk från nästa start: %1.</translation>
     </message>
     <message>
-        <source>Close the window and start Drillwave again. Numbers stay as the system writes them; files and the manual are in English.</source>
-        <translation>Stäng fönstret och starta Drillwave igen. Tal skrivs som systemet skriver dem; filer och handboken är på engelska.</translation>
+        <source>Close the window and start Drillwave again. Numbers stay as the system writes them; files and some chapters of the manual are in English.</source>
+        <translation>Stäng fönstret och starta Drillwave igen. Tal skrivs som systemet skriver dem; filer och några kapitel i handboken är på engelska.</translation>
     </message>
 </context>
 <context>
@@ -5693,7 +5841,7 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     </message>
     <message>
         <source> · %1 of %2 points not solved (hatched)</source>
-        <translation> · %1 av %2 punkter inte lösta (streckade)</translation>
+        <translation> · %1 av %2 punkter inte lösta (skrafferade)</translation>
     </message>
 </context>
 <context>
@@ -5784,7 +5932,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>Added to the times of the measured curve; Up and Down move it</source>
-        <translation>Läggs till den uppmätta kurvans tider; Upp och Ner flyttar den</translation>
+        <translation>Läggs till den uppmätta kurvans tider; Upp och Ned flyttar den</translation>
     </message>
     <message>
         <source>Shift it to where it fits the computed curve best</source>
@@ -6326,7 +6474,7 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>slope behind corner %1</source>
-        <translation>lutning bakom hörn %1</translation>
+        <translation>lutning efter hörn %1</translation>
     </message>
     <message>
         <source>hammer %1</source>
@@ -8182,7 +8330,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>hammer leaves</source>
-        <translation>hammaren lämnar</translation>
+        <translation>hammaren släpper</translation>
     </message>
     <message>
         <source>hammer rebound</source>
@@ -8557,8 +8705,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>impuls på berget</translation>
     </message>
     <message>
-        <source>up to %1 m/min: an upper limit, all rock under the bit gives way and cuttings vanish</source>
-        <translation>upp till %1 m/min: en övre gräns, allt berg under borrkronan ger efter och borrkaxet försvinner</translation>
+        <source>up to %1: an upper limit, all rock under the bit gives way and cuttings vanish</source>
+        <translation>upp till %1: en övre gräns, allt berg under borrkronan ger efter och borrkaxet försvinner</translation>
     </message>
     <message>
         <source>%1 of the blows begin on the rock</source>
@@ -10106,6 +10254,254 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>loading curve</source>
         <translation>belastningskurva</translation>
     </message>
+    <message>
+        <source>in %1</source>
+        <translation>i %1</translation>
+    </message>
+    <message>
+        <source>greater than %1</source>
+        <translation>större än %1</translation>
+    </message>
+    <message>
+        <source>greater than 0, at most %1</source>
+        <translation>större än 0, högst %1</translation>
+    </message>
+    <message>
+        <source>required</source>
+        <translation>krävs</translation>
+    </message>
+    <message>
+        <source>required, or what stands in its place</source>
+        <translation>krävs, eller det som står i dess ställe</translation>
+    </message>
+    <message>
+        <source>required, or `%1`</source>
+        <translation>krävs, eller `%1`</translation>
+    </message>
+    <message>
+        <source>may be left out: the program then assumes a value</source>
+        <translation>får utelämnas: programmet antar då ett värde</translation>
+    </message>
+    <message>
+        <source>may be left out</source>
+        <translation>får utelämnas</translation>
+    </message>
+    <message>
+        <source>scenarios in physical units</source>
+        <translation>scenarier i fysikaliska enheter</translation>
+    </message>
+    <message>
+        <source>dimensionless scenarios</source>
+        <translation>dimensionslösa scenarier</translation>
+    </message>
+    <message>
+        <source>scenarios in physical units, for many blows: one alone does not depend on it</source>
+        <translation>scenarier i fysikaliska enheter, vid många slag: ett enstaka slag beror inte på det</translation>
+    </message>
+    <message>
+        <source>drill strings</source>
+        <translation>borrsträngar</translation>
+    </message>
+    <message>
+        <source>drill strings that a hammer strikes</source>
+        <translation>borrsträngar som en hammare slår på</translation>
+    </message>
+    <message>
+        <source>uniform rods, with units and without</source>
+        <translation>likformiga stänger, med enheter och utan</translation>
+    </message>
+    <message>
+        <source>uniform rods in physical units</source>
+        <translation>likformiga stänger i fysikaliska enheter</translation>
+    </message>
+    <message>
+        <source>uniform rods in physical units, given by their diameter</source>
+        <translation>likformiga stänger i fysikaliska enheter, givna av sin diameter</translation>
+    </message>
+    <message>
+        <source>hammer forces in physical units, but those of a piston or a table</source>
+        <translation>hammarkrafter i fysikaliska enheter, utom en kolvs eller en tabells</translation>
+    </message>
+    <message>
+        <source>hammer forces of the shape `trapezoid`</source>
+        <translation>hammarkrafter av formen `trapezoid`</translation>
+    </message>
+    <message>
+        <source>hammer forces of the shape `piston`, in physical units</source>
+        <translation>hammarkrafter av formen `piston`, i fysikaliska enheter</translation>
+    </message>
+    <message>
+        <source>hammer forces of the shape `piston`, dimensionless</source>
+        <translation>hammarkrafter av formen `piston`, dimensionslösa</translation>
+    </message>
+    <message>
+        <source>a whole number %1</source>
+        <translation>ett heltal %1</translation>
+    </message>
+    <message>
+        <source>rock with `law: %1`</source>
+        <translation>berg med `law: %1`</translation>
+    </message>
+    <message>
+        <source>%1 to %2, of `drillwave presets`</source>
+        <translation>%1 till %2, ur `drillwave presets`</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>enhet</translation>
+    </message>
+    <message>
+        <source>range</source>
+        <translation>område</translation>
+    </message>
+    <message>
+        <source>usual</source>
+        <translation>vanligt</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>förval</translation>
+    </message>
+    <message>
+        <source>of</source>
+        <translation>gäller</translation>
+    </message>
+    <message>
+        <source>in files</source>
+        <translation>i filer</translation>
+    </message>
+    <message>
+        <source>a word</source>
+        <translation>ett ord</translation>
+    </message>
+    <message>
+        <source>one of</source>
+        <translation>ett av</translation>
+    </message>
+    <message>
+        <source>Rod</source>
+        <translation>Stång</translation>
+    </message>
+    <message>
+        <source>Hammer force</source>
+        <translation>Hammarkraft</translation>
+    </message>
+    <message>
+        <source>Material of a drill string</source>
+        <translation>En borrsträngs material</translation>
+    </message>
+    <message>
+        <source>Hammer of a drill string</source>
+        <translation>En borrsträngs hammare</translation>
+    </message>
+    <message>
+        <source>Bit and rock</source>
+        <translation>Borrkrona och berg</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation>Borrning</translation>
+    </message>
+    <message>
+        <source>Groups</source>
+        <translation>Dimensionslösa tal</translation>
+    </message>
+    <message>
+        <source>Drill string</source>
+        <translation>Borrsträng</translation>
+    </message>
+    <message>
+        <source>Shape of the hammer force (files §1.1)</source>
+        <translation>Hammarkraftens form (files §1.1)</translation>
+    </message>
+    <message>
+        <source>Loading curve of bit and rock (files §1.4)</source>
+        <translation>Belastningskurva för borrkrona och berg (files §1.4)</translation>
+    </message>
+    <message>
+        <source>Whether every blow meets `fresh` rock or the `same` crater (drilling §4)</source>
+        <translation>Om varje slag möter orört berg (`fresh`) eller samma krater (`same`; drilling §4)</translation>
+    </message>
+    <message>
+        <source>many blows under a feed (drilling)</source>
+        <translation>många slag under en matning (drilling)</translation>
+    </message>
+    <message>
+        <source>every blow</source>
+        <translation>alla slag</translation>
+    </message>
+    <message>
+        <source>uniform rods</source>
+        <translation>likformiga stänger</translation>
+    </message>
+    <message>
+        <source>drill strings whose faces have a stiffness</source>
+        <translation>borrsträngar vars ändytor har en styvhet</translation>
+    </message>
+    <message>
+        <source>In the window: %1.</source>
+        <translation>I fönstret: %1.</translation>
+    </message>
+    <message>
+        <source>nothing: it is there in SI only</source>
+        <translation>inget: det finns bara i SI</translation>
+    </message>
+    <message>
+        <source>a plain number</source>
+        <translation>ett rent tal</translation>
+    </message>
+    <message>
+        <source>multiple of</source>
+        <translation>multipel av</translation>
+    </message>
+    <message>
+        <source>Parameters</source>
+        <translation>Parametrar</translation>
+    </message>
+    <message>
+        <source>Every number of a scenario: in files, behind `--set`, as axis of a study, as a field of the window. This chapter is written by the program from the table it works with. Outside its range a value is refused, outside the usual one it is remarked on; what presets give is a starting point, with its source. How files are written: files §1.</source>
+        <translation>Alla tal i ett scenario: i filer, efter `--set`, som axel i en studie, som fält i fönstret. Programmet skriver detta kapitel ur den tabell som det arbetar med. Utanför sitt område avvisas ett värde, utanför det vanliga påpekas det; vad förval ger är en utgångspunkt, med sin källa. Hur filer skrivs: files §1.</translation>
+    </message>
+    <message>
+        <source>Corners of the loading curve</source>
+        <translation>Belastningskurvans hörn</translation>
+    </message>
+    <message>
+        <source>Up to 64 of them, by their place.</source>
+        <translation>Upp till 64 av dem, numrerade efter sin plats.</translation>
+    </message>
+    <message>
+        <source>Sections of a drill string</source>
+        <translation>En borrsträngs sektioner</translation>
+    </message>
+    <message>
+        <source>NAME is the name of sections, or the place of one from 1; of the hammer `hammer.1.length` (files §1.3).</source>
+        <translation>NAME är namnet på sektioner, eller numret på en av dem, från 1; för hammaren `hammer.1.length` (files §1.3).</translation>
+    </message>
+    <message>
+        <source>Words</source>
+        <translation>Ord</translation>
+    </message>
+    <message>
+        <source>Whether the hammer stays there to be hit again; without it the hammer is withdrawn after the first separation</source>
+        <translation>Om hammaren stannar kvar och kan träffas igen; annars tas den bort efter den första separationen</translation>
+    </message>
+    <message>
+        <source>Outputs</source>
+        <translation>Resultat</translation>
+    </message>
+    <message>
+        <source>Every result: a key of JSON, a column of CSV files, a name for `--outputs`, a row of the window. This chapter is written by the program from the table it works with. Scales are those of theory §2; of a drill string W0 and W are the energy E0 of its hammer, I0 the momentum p0.</source>
+        <translation>Alla resultat: en nyckel i JSON, en kolumn i CSV-filer, ett namn för `--outputs`, en rad i fönstret. Programmet skriver detta kapitel ur den tabell som det arbetar med. Referensstorheterna är de i theory §2; för en borrsträng är W0 och W energin E0, I0 rörelsemängden p0.</translation>
+    </message>
+    <message>
+        <source>One blow</source>
+        <translation>Ett slag</translation>
+    </message>
+    <message>
+        <source>Many blows under a feed</source>
+        <translation>Många slag under en matning</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -10372,7 +10768,7 @@ De som inte finns i listan här skulle gå förlorade.</translation>
         <source>
 Up and Down move it by 0.01, Page Up and Page Down by 0.1.</source>
         <translation>
-Upp och Ner flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
+Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     </message>
 </context>
 <context>
@@ -11408,7 +11804,7 @@ av de kvarvarande vågorna: %4 och %5</translation>
     </message>
     <message>
         <source>Ticked runs are drawn over the plots. F2 renames, Del removes, the menu key or a right click has the rest</source>
-        <translation>Förbockade körningar ritas över diagrammen. F2 byter namn, Del tar bort, menytangenten eller ett högerklick har resten</translation>
+        <translation>Förbockade körningar ritas över diagrammen. F2 byter namn, Delete tar bort, menytangenten eller ett högerklick har resten</translation>
     </message>
     <message>
         <source>run</source>
@@ -13617,7 +14013,7 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
     </message>
     <message>
         <source>its 95 % error; takes a second march with other cells</source>
-        <translation>dess 95&#xa0;%-fel; kräver ännu en beräkning med andra celler</translation>
+        <translation>medelinträngningens 95&#xa0;%-fel; kräver ännu en beräkning med andra celler</translation>
     </message>
     <message>
         <source>mean penetration times blow frequency, m/s: an upper limit</source>
@@ -13649,15 +14045,15 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
     </message>
     <message>
         <source>how fast motions part, per blow; above 0 single blows are no result; takes a second march</source>
-        <translation>rörelsers divergens per slag; över 0 är enstaka slag inget resultat; 2 beräkningar</translation>
+        <translation>rörelsers divergens per slag; över 0 är enstaka slag inget resultat; två beräkningar</translation>
     </message>
     <message>
-        <source>phi, feed force over mean reaction of the blows</source>
-        <translation>phi, matningskraft genom slagens medelreaktion</translation>
+        <source>feed force over mean reaction of the blows, phi</source>
+        <translation>matningskraft genom slagens medelreaktion, phi</translation>
     </message>
     <message>
-        <source>n_b, round trips of a wave from blow to blow</source>
-        <translation>n_b, en vågs varv fram och åter från slag till slag</translation>
+        <source>round trips of a wave from blow to blow, n_b</source>
+        <translation>en vågs varv fram och åter från slag till slag, n_b</translation>
     </message>
     <message>
         <source>error of the balance of momentum of all blows, over what the feed gave</source>

@@ -50,6 +50,10 @@ inline std::set<std::string> coreTexts() {
         add(output.meaning);
         if (output.label().empty()) addName(output.name);
     }
+    for (const Output& output : drillOutputs()) {
+        add(output.title);
+        add(output.meaning);
+    }
     for (const Feed feed : allValues<Feed>) add(feedWord(feed));
     for (const DrillingOutcome outcome : allValues<DrillingOutcome>) add(name(outcome));
     for (const PulseShape shape : allValues<PulseShape>) addName(name(shape));

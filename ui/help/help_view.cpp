@@ -16,7 +16,8 @@ namespace {
 constexpr int leastZoom = 60, mostZoom = 300;  // [%]
 constexpr int wheelStep = 10;                  // [%]
 constexpr qreal margin = 12;                   // [px]
-const QString pictureFolder = QStringLiteral("../screenshots/");
+const QString pictureFolder =
+    QStringLiteral("../screenshots/");  // translated chapters stand in a folder more
 
 }  // namespace
 
@@ -145,8 +146,8 @@ void HelpView::setZoom(int percent) {
 // Pictures are as wide as the text at most.
 QVariant HelpView::loadResource(int type, const QUrl& name) {
     const QString path = name.toString();
-    if (type != QTextDocument::ImageResource || !path.startsWith(pictureFolder)) return {};
-    QImage picture(QStringLiteral(":/manual/screenshots/") + path.mid(pictureFolder.size()));
+    if (type != QTextDocument::ImageResource || !path.contains(pictureFolder)) return {};
+    QImage picture(QStringLiteral(":/manual/screenshots/") + path.section(pictureFolder, -1));
     const qreal pixels = devicePixelRatioF();
     const int width = int((viewport()->width() - 2 * margin) * pixels);
     if (picture.width() > width && width > 0)

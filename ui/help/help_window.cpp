@@ -21,7 +21,7 @@ const QString zoomKey = QStringLiteral("help/zoom");
 constexpr QSize usualSize{820, 760};
 constexpr int sideWidth = 220, leastSide = 120, leastView = 240;  // [px]
 constexpr int usualZoom = 100, zoomStep = 10;                     // [%]
-constexpr int placeRole = Qt::UserRole;
+constexpr int placeRole = Qt::UserRole, wordsRole = placeRole + 1;
 
 QTreeWidgetItem* contentsItem(const QString& text, const ManualPlace& place) {
     auto* item = new QTreeWidgetItem({text});
@@ -142,27 +142,30 @@ void HelpWindow::fillContents() {
 
 void HelpWindow::find(const QString& typed) {
     const QStringList words = soughtWords(typed);
-    m_sought = words;
-    QList<ManualHit> found = m_sections.find(words);
-    // The manual is in English; whoever reads the window in another language has its words.
-    if (found.isEmpty() && !words.isEmpty())
-        for (const QString& english : englishOf(typed, spokenLanguage())) {
-            m_sought = soughtWords(english);
-            found = m_sections.find(m_sought);
-            if (!found.isEmpty()) break;
-        }
     m_hits->clear();
-    for (const ManualHit& hit : found) {
-        const QString title = hit.heading == hit.chapter ? hit.chapter : hit.chapter + u'\n' + hit.heading;
-        auto* item = new QListWidgetItem(hit.excerpt.isEmpty() ? title : title + u'\n' + hit.excerpt, m_hits);
-        item->setData(placeRole, urlOf(hit.place));
+    const QList<ManualHit> found = m_sections.find(words);
+    for (const ManualHit& hit : found) addHit(hit, words);
+    // Some chapters are in English; whoever reads the window in another language has its words.
+    for (const QString& english : englishOf(typed, spokenLanguage())) {
+        const QStringList others = soughtWords(english);
+        const QList<ManualHit> more = m_sections.find(others);
+        for (const ManualHit& hit : more)
+            if (std::ranges::find(found, hit.place, &ManualHit::place) == found.end()) addHit(hit, others);
+        if (!more.isEmpty()) break;
     }
     if (!words.isEmpty() && m_hits->count() == 0) {
         auto* none = new QListWidgetItem(tr("No section has all of these words."), m_hits);
         none->setFlags(Qt::NoItemFlags);
     }
     m_side->setCurrentWidget(words.isEmpty() ? static_cast<QWidget*>(m_contents) : m_hits);
-    m_view->mark(m_sought);
+    m_view->mark(words);
+}
+
+void HelpWindow::addHit(const ManualHit& hit, const QStringList& words) {
+    const QString title = hit.heading == hit.chapter ? hit.chapter : hit.chapter + u'\n' + hit.heading;
+    auto* item = new QListWidgetItem(hit.excerpt.isEmpty() ? title : title + u'\n' + hit.excerpt, m_hits);
+    item->setData(placeRole, urlOf(hit.place));
+    item->setData(wordsRole, words);
 }
 
 void HelpWindow::openHit(QListWidgetItem* item) {
@@ -170,7 +173,7 @@ void HelpWindow::openHit(QListWidgetItem* item) {
     if (place.chapter.isEmpty()) return;
     m_hits->setCurrentItem(item);
     m_view->go(place);
-    m_view->mark(m_sought);
+    m_view->mark(item->data(wordsRole).toStringList());
 }
 
 // The chapter on show is the one that is open in the contents.

@@ -39,6 +39,7 @@ class HelpWindow : public QWidget {
     void fillContents();
     void addAction(const QString& text, const QList<QKeySequence>& keys, const std::function<void()>& does);
     void find(const QString& typed);
+    void addHit(const ManualHit& hit, const QStringList& words);
     void openHit(QListWidgetItem* item);
     void follow(const ManualPlace& place);
     void leave();
@@ -47,7 +48,6 @@ class HelpWindow : public QWidget {
     ManualBook m_book;
     ManualSearch m_sections{m_book};
     QLineEdit* m_search;
-    QStringList m_sought;  // by the search, in the language of the manual
     QTreeWidget* m_contents;
     QListWidget* m_hits;
     QStackedWidget* m_side;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/manual/inline_text.h"
+#include "core/text/language_style.h"
 
 namespace drillwave {
 namespace {
@@ -31,8 +32,8 @@ BookChapter bookChapter(const Chapter& chapter) {
 
 }  // namespace
 
-ManualBook::ManualBook() {
-    for (const Chapter& chapter : manualChapters()) m_chapters.append(bookChapter(chapter));
+ManualBook::ManualBook(const Language& language) {
+    for (const Chapter& chapter : manualChapters(styleOf(language))) m_chapters.append(bookChapter(chapter));
 }
 
 const BookChapter* ManualBook::find(const QString& name) const {
@@ -50,10 +51,9 @@ bool ManualBook::has(const ManualPlace& place) const {
 }
 
 void ManualBook::append(const QString& name, const QString& markdown) {
-    const Chapter* written = findChapter(name.toStdString());
     const auto found = std::ranges::find(m_chapters, name, &BookChapter::name);
-    if (!written || found == m_chapters.end()) return;
-    *found = bookChapter({written->name, written->title, written->text + "\n" + markdown.toStdString()});
+    if (found == m_chapters.end()) return;
+    *found = bookChapter(chapterOf(name.toStdString(), (found->markdown + u'\n' + markdown).toStdString()));
 }
 
 }  // namespace drillwave

@@ -8,6 +8,7 @@
 
 #include "core/manual/chapter.h"
 #include "core/manual/markdown.h"
+#include "core/text/languages.h"
 #include "ui/help/manual_place.h"
 
 namespace drillwave {
@@ -26,10 +27,10 @@ struct BookChapter {
     QStringList equations;    ///< "(T1)", those that stand in it
 };
 
-/// The chapters of core, with what a window adds to them.
+/// The chapters of core in a language, with what a window adds to them.
 class ManualBook {
   public:
-    ManualBook();
+    explicit ManualBook(const Language& language);
 
     /// In the order of a list of contents.
     const QList<BookChapter>& chapters() const { return m_chapters; }

@@ -9,6 +9,12 @@
 namespace drillwave {
 namespace {
 
+// What stands between two citations of one chapter.
+bool goesOn(const QString& between) {
+    static const QRegularExpression comma(QStringLiteral("^(, | %1 )$").arg(QStringView(andWords)));
+    return comma.match(between).hasMatch();
+}
+
 // "theory §3", and "§3" alone, which is of this chapter or, behind "theory §1 and", of that one.
 void addSections(const QString& line, const QString& chapter, const ManualBook& book,
                  QList<ManualLink>& links) {
@@ -21,10 +27,9 @@ void addSections(const QString& line, const QString& chapter, const ManualBook& 
         const bool isNamed = book.find(match.captured(1));
         const qsizetype begin = match.capturedStart(isNamed ? 0 : 2);
         const QString between = end < 0 ? QString() : line.mid(end, begin - end);
-        const bool goesOn = between == QStringLiteral(", ") || between == QStringLiteral(" and ");
         if (isNamed)
             last = match.captured(1);
-        else if (!goesOn)
+        else if (!goesOn(between))
             last = chapter;
         end = match.capturedEnd();
         const ManualPlace to{last, match.captured(2)};

@@ -25,7 +25,8 @@ ManualPlace placeOf(const QUrl& url) {
 
 bool isHeading(const QString& shown, const QString& meant) {
     if (shown == meant || shown.startsWith(meant + u' ') || shown.startsWith(meant + u':')) return true;
-    static const QRegularExpression number(QStringLiteral("^§[0-9.]+ ")), between(QStringLiteral(", | and "));
+    static const QRegularExpression number(QStringLiteral("^§[0-9.]+ ")),
+        between(QStringLiteral(", | %1 ").arg(QStringView(andWords)));
     return QString(shown).remove(number).split(between).contains(meant);
 }
 

@@ -20,6 +20,9 @@ QUrl urlOf(const ManualPlace& place);
 /// No chapter where it is no such link.
 ManualPlace placeOf(const QUrl& url);
 
+/// "and", as the languages of the manual have it, in a regular expression.
+inline constexpr char16_t andWords[] = u"(?:and|und|och)";
+
 /// Whether a heading, as it is shown, is the one that is meant: "§4.2 sweep and table" by "§4.2" and by
 /// "table", "rod.length: length L" by "rod.length".
 bool isHeading(const QString& shown, const QString& meant);

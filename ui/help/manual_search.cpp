@@ -54,6 +54,7 @@ QStringList soughtWords(const QString& typed) {
 
 QStringList englishOf(const QString& words, const Language& language) {
     constexpr qsizetype mostWords = 4;
+    if (words.trimmed().isEmpty()) return {};
     const QRegularExpression asWords(
         QStringLiteral("\\b") + QRegularExpression::escape(words.simplified()) + QStringLiteral("\\b"),
         QRegularExpression::CaseInsensitiveOption | QRegularExpression::UseUnicodePropertiesOption);

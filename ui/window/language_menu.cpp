@@ -35,7 +35,7 @@ void LanguageMenu::choose(const Language* language) {
     m_questions.tell(
         m_window, Questions::Tone::information, tr("Language from the next start on: %1.").arg(name),
         tr("Close the window and start Drillwave again. Numbers stay as the system writes them; files "
-           "and the manual are in English."));
+           "and some chapters of the manual are in English."));
 }
 
 }  // namespace drillwave

@@ -23,7 +23,8 @@ void addRows(const QMenu& menu, QStringList& rows) {
         if (const QMenu* below = action->menu()) addRows(*below, rows);
         if (action->shortcut().isEmpty()) continue;
         QStringList keys;
-        for (const QKeySequence& each : action->shortcuts()) keys.append(each.toString());
+        for (const QKeySequence& each : action->shortcuts())
+            keys.append(each.toString(QKeySequence::NativeText));
         QString text = action->text().remove(u'&');
         rows.append(
             QStringLiteral("| %1 | %2 |").arg(keys.join(QStringLiteral(", ")), text.replace(u'|', u'/')));
@@ -52,7 +53,6 @@ ManualPlace ManualHelp::here() const {
     const ManualPlace place = topicOf(m_window->focusWidget());
     if (!place.chapter.isEmpty()) return place;
     // "Compare (2)"
-    const EnglishTexts english;  // as the manual is
     return {QStringLiteral("window"), m_pages.current().title().section(QStringLiteral(" ("), 0, 0)};
 }
 
@@ -69,7 +69,7 @@ void ManualHelp::showAt(const ManualPlace& place) {
 
 HelpWindow& ManualHelp::help() {
     if (m_help) return *m_help;
-    ManualBook book;
+    ManualBook book(spokenLanguage());
     book.append(QStringLiteral("keys"), shortcutTables(*m_window->menuBar()));
     m_help = new HelpWindow(std::move(book), m_window);
     return *m_help;

@@ -9,6 +9,7 @@
 #include "tests/support/window_fixture.h"
 #include "ui/help/help_topic.h"
 #include "ui/help/help_window.h"
+#include "ui/text/language.h"
 #include "ui/window/manual_help.h"
 #include "ui/window/page_tabs.h"
 
@@ -20,11 +21,16 @@ class TestManualHelp : public QObject, WindowFixture {
 
   private slots:
     void init() { start(); }
-    void cleanup() { m_window.reset(); }
+    void cleanup() {
+        m_window.reset();
+        speak(languages[0]);
+    }
 
     void f1InAFieldOpensItsParameter();
     void f1OnAPageOpensWhatThePageShows();
+    void everyPageHasASection_data();
     void everyPageHasASection();
+    void theManualSpeaksTheLanguageOfTheWindow();
     void partsOfTheWindowHaveTheirSections();
     void theManualStaysWhileOneWorks();
     void theManualIsThereAgainWhereItWasLeft();
@@ -54,8 +60,19 @@ void TestManualHelp::f1OnAPageOpensWhatThePageShows() {
     QCOMPARE(view().textCursor().block().text(), QStringLiteral("§4 Blow"));
 }
 
+void TestManualHelp::everyPageHasASection_data() {
+    QTest::addColumn<QString>("code");
+    for (const Language& language : languages)
+        QTest::newRow(language.code.data()) << QString::fromLatin1(language.code.data());
+}
+
 void TestManualHelp::everyPageHasASection() {
-    const ManualBook book;
+    QFETCH(QString, code);
+    const Language& language = *findLanguage(code.toStdString());
+    const ManualBook book(language);
+    speak(language);
+    m_window.reset();
+    makeWindow(exactSolve());
     auto& pages = part<PageTabs>(window());
     for (const char* example : {"t38_medium_rock", "t38_string"}) {
         window().openExample(*findExample(example));
@@ -69,8 +86,37 @@ void TestManualHelp::everyPageHasASection() {
     }
 }
 
+void TestManualHelp::theManualSpeaksTheLanguageOfTheWindow() {
+    speak(*findLanguage("de"));
+    m_window.reset();
+    makeWindow(exactSolve());
+    part<PageTabs>(window()).current().setFocus();
+    part<PageTabs>(window()).setFocus();
+    pressF1();
+    QCOMPARE(view().textCursor().block().text(), QStringLiteral("§4 Schlag"));
+    field("bit_rock.gamma").setFocus();
+    pressF1();
+    QVERIFY(view().textCursor().block().text().startsWith(QStringLiteral("bit_rock.gamma: Elastizität")));
+    manual().showAt({QStringLiteral("keys")});
+    QVERIFY(view().toPlainText().contains(QStringLiteral("Strg+Z")));
+    QVERIFY(!view().toPlainText().contains(QStringLiteral("Ctrl+")));
+    // Words of the window lead to the chapters that are in English, too, behind those of its language.
+    HelpWindow& help = *manual().helpWindow();
+    help.search().setText(QStringLiteral("Andruck"));
+    QListWidgetItem* inEnglish = nullptr;
+    for (int i = help.hits().count() - 1; i >= 0; --i)
+        if (help.hits().item(i)->text().startsWith(QStringLiteral("Theory"))) inEnglish = help.hits().item(i);
+    QVERIFY(help.hits().item(0)->text().contains(QStringLiteral("Andruck")));
+    QVERIFY(inEnglish);
+    emit help.hits().itemActivated(inEnglish);
+    QCOMPARE(view().place().chapter, QStringLiteral("theory"));
+    const QList<QTextEdit::ExtraSelection> marks = view().extraSelections();
+    QVERIFY(!marks.isEmpty());
+    QCOMPARE(marks.first().cursor.selectedText().toLower(), QStringLiteral("thrust"));
+}
+
 void TestManualHelp::partsOfTheWindowHaveTheirSections() {
-    const ManualBook book;
+    const ManualBook book(languages[0]);
     int parts = 0;
     for (const QWidget* each : window().findChildren<QWidget*>()) {
         const QString topic = each->property(helpTopicProperty).toString();
