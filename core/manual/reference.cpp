@@ -18,6 +18,10 @@ std::string heading(std::string_view name, std::string_view title) {
     return "### " + code(name) + ": " + std::string(title) + "\n\n";
 }
 
+std::string chapterHead(const Message& title, const Message& whatItHas, const ReadingStyle& style) {
+    return "# " + style.said(title) + "\n\n" + style.said(whatItHas) + "\n";
+}
+
 std::string section(const Message& title, const ReadingStyle& style) {
     return "\n## " + style.said(title) + "\n";
 }
@@ -148,14 +152,15 @@ std::string_view siName(const Output& output) {
 }
 
 std::string parameterReference(const ReadingStyle& style) {
-    std::string text = "# " + style.said(translatable("drillwave::Message", "Parameters")) + "\n\n";
-    text += style.said(translatable(
-                "drillwave::Message",
-                "Every number of a scenario: in files, behind `--set`, as axis of a study, as a field of the "
-                "window. This chapter is written by the program from the table it works with. Outside its "
-                "range a value is refused, outside the usual one it is remarked on; what presets give is a "
-                "starting point, with its source. How files are written: files §1.")) +
-            "\n";
+    std::string text = chapterHead(
+        translatable("drillwave::Message", "Parameters"),
+        translatable(
+            "drillwave::Message",
+            "Every number of a scenario: in files, behind `--set`, as axis of a study, as a field of the "
+            "window. This chapter is written by the program from the table it works with. Outside its "
+            "range a value is refused, outside the usual one it is remarked on; what presets give is a "
+            "starting point, with its source. How files are written: files §1."),
+        style);
     std::string last;
     for (const Parameter& parameter : parameters()) {
         const std::string title = section(sectionTitle(parameter.section()), style);
@@ -183,14 +188,16 @@ std::string parameterReference(const ReadingStyle& style) {
 }
 
 std::string outputReference(const ReadingStyle& style) {
-    std::string text = "# " + style.said(translatable("drillwave::Message", "Outputs")) + "\n\n";
-    text += style.said(translatable(
-                "drillwave::Message",
-                "Every result: a key of JSON, a column of CSV files, a name for `--outputs`, a row of the "
-                "window. This chapter is written by the program from the table it works with. Scales are "
-                "those of theory §2; of a drill string W0 and W are the energy E0 of its hammer, I0 the "
-                "momentum p0.")) +
-            "\n" + section(translatable("drillwave::Message", "One blow"), style);
+    std::string text = chapterHead(
+        translatable("drillwave::Message", "Outputs"),
+        translatable(
+            "drillwave::Message",
+            "Every result: a key of JSON, a column of CSV files, a name for `--outputs`, a row of the "
+            "window. This chapter is written by the program from the table it works with. Scales are "
+            "those of theory §2; of a drill string W0 and W are the energy E0 of its hammer, I0 the "
+            "momentum p0."),
+        style);
+    text += section(translatable("drillwave::Message", "One blow"), style);
     for (const Output& output : outputs()) text += "\n" + referenceOf(output, style);
     text += section(translatable("drillwave::Message", "Many blows under a feed"), style);
     for (const Output& output : drillOutputs()) text += "\n" + referenceOf(output, style);
