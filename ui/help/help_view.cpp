@@ -83,7 +83,7 @@ void HelpView::showChapter() {
     QTextOption option = made->defaultTextOption();
     option.setWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);  // nothing is wider than the view
     made->setDefaultTextOption(option);
-    setChapter(*made, *chapter, m_book, palette());
+    setChapter(*made, *chapter, m_book, viewport()->width() - 2 * margin, palette());
     // The first one belongs to the base class, which deletes it.
     const std::unique_ptr<QTextDocument> before(document()->parent() == this ? document() : nullptr);
     setDocument(made);
@@ -163,8 +163,11 @@ void HelpView::changeEvent(QEvent* event) {
 
 void HelpView::resizeEvent(QResizeEvent* event) {
     QTextBrowser::resizeEvent(event);
-    const bool hasPictures = m_book.find(m_shown) && m_book.find(m_shown)->markdown.contains(pictureFolder);
-    if (hasPictures && event->oldSize().width() != event->size().width()) m_laterLayout.start(0);
+    // Pictures and tables are as wide as there is room.
+    const BookChapter* chapter = m_book.find(m_shown);
+    const bool hasWide = chapter && (chapter->markdown.contains(pictureFolder) ||
+                                     chapter->markdown.contains(QStringLiteral("\n|")));
+    if (hasWide && event->oldSize().width() != event->size().width()) m_laterLayout.start(0);
 }
 
 void HelpView::wheelEvent(QWheelEvent* event) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/help/manual_document.h"
 
+#include <QFontMetricsF>
 #include <QRegularExpression>
 #include <QTextBlock>
 #include <QTextFrame>
@@ -106,10 +107,11 @@ void layOut(const QTextBlock& block, QTextCursor& cursor, const ManualColours& c
     cursor.setBlockFormat(format);
 }
 
-// By the words in them: each column as wide as its longest word at least, the rest by how much they say.
-QList<QTextLength> columnWidths(const QTextTable& table) {
-    constexpr qsizetype line = 90, longestWord = 18, longestText = 60;  // characters
-    static const QRegularExpression blank(QStringLiteral("\\s"));
+// By the words in them: each column as wide as its longest word at least, the rest of a line of so many
+// characters by how much they say. A key may go on in the next line at its dots.
+QList<QTextLength> columnWidths(const QTextTable& table, qsizetype line) {
+    constexpr qsizetype longestWord = 15, longestText = 60, sides = 3;  // characters
+    static const QRegularExpression blank(QStringLiteral("[\\s.]"));
     QList<qsizetype> words, texts;
     qsizetype allWords = 0, allTexts = 0;
     for (int column = 0; column < table.columns(); ++column) {
@@ -117,9 +119,10 @@ QList<QTextLength> columnWidths(const QTextTable& table) {
         for (int row = 0; row < table.rows(); ++row) {
             const QString cell = table.cellAt(row, column).firstCursorPosition().block().text();
             text = std::max(text, cell.size());
-            for (const QString& each : cell.split(blank)) word = std::max(word, each.size());
+            const qsizetype bold = row == 0 ? 2 : 0;  // which is wider
+            for (const QString& each : cell.split(blank)) word = std::max(word, each.size() + bold);
         }
-        words.append(std::min(word, longestWord) + 2);
+        words.append(std::min(word, longestWord) + sides);
         texts.append(std::min(text, longestText));
         allWords += words.last();
         allTexts += texts.last();
@@ -133,7 +136,7 @@ QList<QTextLength> columnWidths(const QTextTable& table) {
     return widths;
 }
 
-void layOut(QTextTable& table, const ManualColours& colours) {
+void layOut(QTextTable& table, const ManualColours& colours, qsizetype line) {
     QTextTableFormat format = table.format();
     format.setBorder(1);
     format.setBorderCollapse(true);
@@ -144,7 +147,7 @@ void layOut(QTextTable& table, const ManualColours& colours) {
     format.setTopMargin(narrowGap);
     format.setBottomMargin(usualGap);
     format.setWidth(QTextLength(QTextLength::PercentageLength, tableWidth));
-    format.setColumnWidthConstraints(columnWidths(table));
+    format.setColumnWidthConstraints(columnWidths(table, line));
     table.setFormat(format);
     for (int column = 0; column < table.columns(); ++column) {
         QTextTableCell cell = table.cellAt(0, column);
@@ -166,8 +169,9 @@ ManualColours manualColours(const QPalette& palette) {
             .markedText = Qt::black};
 }
 
-void setChapter(QTextDocument& document, const BookChapter& chapter, const ManualBook& book,
+void setChapter(QTextDocument& document, const BookChapter& chapter, const ManualBook& book, qreal width,
                 const QPalette& palette) {
+    const auto charactersOfLine = qsizetype(width / QFontMetricsF(document.defaultFont()).averageCharWidth());
     const ManualColours colours = manualColours(palette);
     document.setMarkdown(withNarrowFormulas(chapter.markdown), QTextDocument::MarkdownDialectGitHub);
     QTextCursor cursor(&document);
@@ -185,7 +189,7 @@ void setChapter(QTextDocument& document, const BookChapter& chapter, const Manua
     }
     cursor.endEditBlock();
     for (QTextFrame* frame : document.rootFrame()->childFrames())
-        if (auto* table = qobject_cast<QTextTable*>(frame)) layOut(*table, colours);
+        if (auto* table = qobject_cast<QTextTable*>(frame)) layOut(*table, colours, charactersOfLine);
 }
 
 QTextBlock blockOf(const QTextDocument& document, const QString& heading) {

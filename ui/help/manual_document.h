@@ -19,8 +19,9 @@ struct ManualColours {
 };
 ManualColours manualColours(const QPalette& palette);
 
-/// Fills a document with a chapter: links where places and names are told, tables with lines, code set apart.
-void setChapter(QTextDocument& document, const BookChapter& chapter, const ManualBook& book,
+/// Fills a document with a chapter, in lines of so many pixels: links where places and names are told, tables
+// with lines, code set apart.
+void setChapter(QTextDocument& document, const BookChapter& chapter, const ManualBook& book, qreal width,
                 const QPalette& palette);
 
 /// The block of a heading or of an equation; the first one where there is none, or nothing is meant.

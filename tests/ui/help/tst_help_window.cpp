@@ -92,7 +92,7 @@ void TestHelpWindow::everyHeadingOfTheContentsIsFound() {
     const ManualBook book(languages[0]);
     for (const BookChapter& chapter : book.chapters()) {
         QTextDocument document;
-        setChapter(document, chapter, book, QApplication::palette());
+        setChapter(document, chapter, book, 600, QApplication::palette());
         for (const BookChapter::Heading& heading : chapter.headings) {
             if (heading.level == 1) continue;
             QCOMPARE(blockOf(document, heading.text).text(), heading.text);
