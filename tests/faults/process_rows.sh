@@ -88,7 +88,7 @@ try_signal() {
         attempt
         expect "the next run is not done" ended_with 0
         expect "the next run leaves something else" is_set "$command" new
-    elif ended_with 129 143 && says_nothing; then
+    elif ended_with 129 130 143 && says_nothing; then
         # Hardly more than loaded, nothing of the program was there yet to hear it: on a busy machine for long.
         expect "does not hear a signal" test $listens = no -a $delay -lt $((20 + lasts[$command] * 3 / 4))
         expect "is not done, but files have changed" is_set "$command" "$before"
