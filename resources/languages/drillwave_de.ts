@@ -2515,11 +2515,11 @@ Trotzdem löschen?</translation>
     </message>
     <message>
         <source>5 % of the gaps</source>
-        <translation>5 % der Spalte</translation>
+        <translation>5&#xa0;% der Spalte</translation>
     </message>
     <message>
         <source>95 % of the gaps</source>
-        <translation>95 % der Spalte</translation>
+        <translation>95&#xa0;% der Spalte</translation>
     </message>
     <message>
         <source>Lyapunov exponent</source>
@@ -3557,6 +3557,14 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
     <message>
         <source>thrust margin at every gap</source>
         <translation>Reserve des Andrucks bei jedem Spalt</translation>
+    </message>
+    <message>
+        <source>hammer energy E₀</source>
+        <translation>Hammerenergie E₀</translation>
+    </message>
+    <message>
+        <source>Energy of the hammer before the blow; all shares are of it, its work on the string is less</source>
+        <translation>Energie des Hammers vor dem Schlag; alle Anteile beziehen sich auf sie, seine Arbeit am Strang ist kleiner</translation>
     </message>
 </context>
 <context>

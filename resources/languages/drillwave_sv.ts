@@ -2515,11 +2515,11 @@ Ta bort ändå?</translation>
     </message>
     <message>
         <source>5 % of the gaps</source>
-        <translation>5 % av spalterna</translation>
+        <translation>5&#xa0;% av spalterna</translation>
     </message>
     <message>
         <source>95 % of the gaps</source>
-        <translation>95 % av spalterna</translation>
+        <translation>95&#xa0;% av spalterna</translation>
     </message>
     <message>
         <source>Lyapunov exponent</source>
@@ -3557,6 +3557,14 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
     <message>
         <source>thrust margin at every gap</source>
         <translation>matningskraftens marginal vid varje spalt</translation>
+    </message>
+    <message>
+        <source>hammer energy E₀</source>
+        <translation>hammarenergi E₀</translation>
+    </message>
+    <message>
+        <source>Energy of the hammer before the blow; all shares are of it, its work on the string is less</source>
+        <translation>Hammarens energi före slaget; alla andelar är av den, dess arbete på strängen är mindre</translation>
     </message>
 </context>
 <context>

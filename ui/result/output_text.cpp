@@ -60,6 +60,11 @@ QString impulseText(const Output& output, const SolvedBlow& blow) {
            QStringLiteral("I₀");
 }
 
+QString hammerEnergyText(const SolvedBlow& blow) {
+    constexpr double ofItself = 1;
+    return shown(ofItself, blow.units.energy);
+}
+
 QString corErrorText(const SolvedBlow& blow) {
     return tr("Numerical error ± %1").arg(magnitudeText(blow.summary.corError, QLocale()));
 }

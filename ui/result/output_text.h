@@ -15,6 +15,9 @@ QString outputText(const Output& output, const SolvedBlow& blow);
 /// An impulse in its unit, and as a multiple of that of the hammer: "72.92 N s = 1.43 I₀".
 QString impulseText(const Output& output, const SolvedBlow& blow);
 
+/// The energy of a hammer that is followed, before the blow.
+QString hammerEnergyText(const SolvedBlow& blow);
+
 /// "numerical error ± 6·10⁻¹⁴".
 QString corErrorText(const SolvedBlow& blow);
 

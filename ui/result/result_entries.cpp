@@ -101,6 +101,15 @@ QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Numb
     };
 }
 
+ResultEntry hammerEnergyEntry() {
+    return {.name = tr("hammer energy E₀"),
+            .meaning = tr(
+                "Energy of the hammer before the blow; all shares are of it, its work on the string is less"),
+            .text = hammerEnergyText,
+            .number = [](const SolvedBlow& blow, UnitSystem) { return blow.scales.energy; },
+            .concerns = [](const Scenario& scenario) { return concerns(OutputOf::hammer, scenario); }};
+}
+
 ResultEntry corEntry() {
     return {.name = tr("COR e"),
             .meaning = tr("Coefficient of restitution: momentum after the blow over momentum before it, "

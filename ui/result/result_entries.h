@@ -19,6 +19,9 @@ QList<ResultEntry> outputEntries(OutputGroup group);
 /// rows; `worstOf` gives the need of any blow.
 QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Number& worstOf);
 
+/// What all shares of the energy are of, where the hammer is followed, whose work on the string is less.
+ResultEntry hammerEnergyEntry();
+
 /// The coefficient of restitution, with its error in the tooltip.
 ResultEntry corEntry();
 

@@ -49,7 +49,7 @@ ResultPanel::ResultPanel(QWidget* parent) : SteadyScrollArea(parent), m_veil(new
 
 // The shares stand under the bar that draws them.
 void ResultPanel::addEnergy() {
-    addNumbers(tr("Energy"), outputEntries(OutputGroup::work));
+    addNumbers(tr("Energy"), QList<ResultEntry>{hammerEnergyEntry()} + outputEntries(OutputGroup::work));
     SectionBox* section = m_rows.last().section();
     QGridLayout* grid = m_grids.last();
     m_energy = new EnergyBar(section->content());
