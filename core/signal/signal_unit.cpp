@@ -14,8 +14,8 @@ constexpr std::array strainUnits{SignalUnit{"microstrain", 1e-6}, SignalUnit{"m/
                                  SignalUnit{"mm/m", 1e-3}, SignalUnit{"%", 1e-2}};
 constexpr std::array bridgeUnits{SignalUnit{"mV/V", 1e-3}, SignalUnit{"V/V", 1}, SignalUnit{"uV/V", 1e-6}};
 
-/// Other spellings of strains and bridges.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 18> spellings{{
+/// Other unitSpellings of strains and bridges.
+constexpr std::array<std::pair<std::string_view, std::string_view>, 18> unitSpellings{{
     {"ustrain", "microstrain"},
     {"um/m", "microstrain"},
     {"µm/m", "microstrain"},
@@ -49,8 +49,8 @@ std::vector<SignalUnit> signalUnits(SignalKind kind) {
 std::optional<NamedSignalUnit> findSignalUnit(std::string_view name) {
     if (const Unit* unit = findUnit(Quantity::force, name))
         return NamedSignalUnit{SignalKind::force, {unit->name, unit->factor()}};
-    const auto spelling = std::ranges::find(spellings, name, &decltype(spellings)::value_type::first);
-    if (spelling != spellings.end()) name = spelling->second;
+    const auto spelling = std::ranges::find(unitSpellings, name, &decltype(unitSpellings)::value_type::first);
+    if (spelling != unitSpellings.end()) name = spelling->second;
     for (const SignalUnit& unit : strainUnits)
         if (unit.name == name) return NamedSignalUnit{SignalKind::strain, unit};
     for (const SignalUnit& unit : bridgeUnits)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Words of a command line sorted into options and operands, in process.
 #include <QProcess>
-#include <QtTest>
+#include <QTest>
 
 #include "app/arguments.h"
 #include "app/command_error.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program as its users' scripts see it: exit codes, messages, names and bytes.
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 

@@ -5,7 +5,7 @@
 #include <QRegularExpression>
 #include <QStandardPaths>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "app/describe/completions.h"
 #include "app/describe/man_page.h"

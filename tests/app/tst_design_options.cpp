@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The words of `drillwave design`: what they ask, and the exit code of what is wrong with them.
-#include <QtTest>
+#include <QTest>
 
 #include "app/command.h"
 #include "app/design_options.h"

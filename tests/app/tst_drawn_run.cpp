@@ -2,7 +2,7 @@
 // What `run` asks to be drawn, and what becomes of the pictures, with one who draws as the test wants.
 #include <QDir>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "app/command.h"
 

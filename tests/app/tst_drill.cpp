@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave drill: what it prints and writes, and what it refuses.
-#include <QtTest>
+#include <QTest>
 
 #include <QDir>
 #include <QJsonArray>

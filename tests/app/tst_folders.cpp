@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Folders that commands write: whole or not at all, whoever else writes there and whenever they are stopped.
-#include <QtTest>
+#include <QTest>
 
 #include <QDir>
 #include <QElapsedTimer>

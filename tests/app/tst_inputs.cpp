@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What FILE may be: a file, standard input, a pipe, a built-in example; and presets by name.
-#include <QtTest>
+#include <QTest>
 
 #include <QDir>
 #include <QJsonDocument>

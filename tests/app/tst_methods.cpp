@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The other solvers on the command line: run --method, and accuracy.
-#include <QtTest>
+#include <QTest>
 
 #include <QDir>
 #include <QJsonArray>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scripts of packaging/ on a bare system, whose commands are stood in for: what they ask for, show and
 // leave behind.
-#include <QtTest>
+#include <QTest>
 
 #include <QDir>
 #include <QProcess>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What long work says of itself where nobody looks at a terminal.
-#include <QtTest>
+#include <QTest>
 
 #include <cstdio>
 

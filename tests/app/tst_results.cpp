@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every file says what it is, and can be worked on with.
-#include <QtTest>
+#include <QTest>
 
 #include <QDir>
 #include <QJsonArray>

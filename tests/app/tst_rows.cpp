@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave sweep and table: rows in order, the same bytes from any number of threads and parts.
-#include <QtTest>
+#include <QTest>
 
 #include <QDir>
 #include <QProcess>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave run: the JSON object, the files, and running a case again from them.
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 

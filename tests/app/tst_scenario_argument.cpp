@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The scenario that a command line names, in process.
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "app/command_error.h"
 #include "app/scenario_argument.h"

@@ -2,7 +2,7 @@
 // packaging/slurm/parts.sbatch as Slurm would run its tasks.
 #include <QProcess>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/program.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Streams, devices, limits and signals around a command: what it cannot write it says before the work, in a
 // line.
-#include <QtTest>
+#include <QTest>
 
 #include <QDir>
 #include <QProcess>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave gap, thrust and figures: numbers, names, files and what they refuse.
-#include <QtTest>
+#include <QTest>
 
 #include <QDir>
 #include <QJsonArray>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of studies, written without a display: which files, what is in them, what is refused.
-#include <QtTest>
+#include <QTest>
 
 #include <QDir>
 #include <QImage>

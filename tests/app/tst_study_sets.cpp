@@ -2,7 +2,7 @@
 // Rows, record, contours and pictures of a study, and the files of a report, are of one run, whoever else
 // writes there and whenever a run is ended. DRILLWAVE_TRIAL=200 tries that many rounds and signals in place
 // of a few.
-#include <QtTest>
+#include <QTest>
 
 #include <QDir>
 #include <QElapsedTimer>

@@ -3,7 +3,7 @@
 #include <QDir>
 #include <QTemporaryDir>
 #include <QTemporaryFile>
-#include <QtTest>
+#include <QTest>
 
 #include "app/command_error.h"
 #include "app/window_arguments.h"

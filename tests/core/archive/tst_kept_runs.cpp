@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Runs kept in a folder: read back byte for byte, and what is broken is told and left where it is.
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "core/archive/kept_runs.h"
 #include "core/yaml/examples.h"

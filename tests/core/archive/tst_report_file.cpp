@@ -3,7 +3,7 @@
 // again.
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QtTest>
+#include <QTest>
 
 #include "core/archive/report_file.h"
 #include "core/archive/result_scenario.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The report in the language of its reader: every word of the program can be translated.
 #include <QRegularExpression>
-#include <QtTest>
+#include <QTest>
 
 #include "core/archive/report_file.h"
 #include "core/report/report_html.h"

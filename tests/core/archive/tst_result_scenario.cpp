@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a result says of itself is how it is solved again: what cannot be is refused.
-#include <QtTest>
+#include <QTest>
 
 #include "core/archive/result_scenario.h"
 #include "core/blow/blow.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Parts of rows told by their records: which belong together, and what is missing.
-#include <QtTest>
+#include <QTest>
 
 #include "core/archive/row_part.h"
 #include "core/archive/row_record.h"

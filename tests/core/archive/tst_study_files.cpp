@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What an earlier study left beside a file is known by name and content, and nothing else is.
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 
 #include "core/archive/study_files.h"
 #include "tests/support/files.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A blow holds what its parts give one by one, and the same remarks whatever was asked of it.
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 

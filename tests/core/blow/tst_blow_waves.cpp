@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rods and strings in one look at their waves.
-#include <QtTest>
+#include <QTest>
 
 #include "core/blow/blow_waves.h"
 #include "core/blow/string_curves.h"

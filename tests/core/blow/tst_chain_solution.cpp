@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Strings with cones, for which uniform pieces stand.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

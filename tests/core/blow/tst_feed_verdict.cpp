@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The judgement on the feed: thresholds of theory §10, one set of words, and nothing claimed beyond it.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The numbers of a solved blow: balances and limits.
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One place that calls every solver.
-#include <QtTest>
+#include <QTest>
 
 #include "core/blow/method.h"
 #include "core/wave/closed/closed_form.h"

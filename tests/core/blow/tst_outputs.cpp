@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The table of outputs: every number is that of its solution, in every unit, for no more work than it takes.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A blow on a drill string in the terms of every other blow.
-#include <QtTest>
+#include <QTest>
 
 #include "core/blow/blow.h"
 #include "core/blow/outputs.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is said of the samples of a blow that are left out, against blows that need none.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <numbers>

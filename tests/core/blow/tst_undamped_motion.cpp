@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The closed forms of theory §10 against a rigid rod that is made to bounce, blow after blow.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

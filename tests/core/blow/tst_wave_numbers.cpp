@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers of waves that are not kept, against those of waves that are.
-#include <QtTest>
+#include <QTest>
 
 #include "core/blow/blow.h"
 #include "core/blow/outputs.h"

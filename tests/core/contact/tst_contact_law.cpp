@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bilinear law as the paper draws it, Fig. 1: lines, corners, memory and work.
-#include <QtTest>
+#include <QTest>
 
 #include <random>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The bilinear law over steps of constant force: its work is that of the law, whatever corners a step passes.
-#include <QtTest>
+#include <QTest>
 
 #include <random>
 

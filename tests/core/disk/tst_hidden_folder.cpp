@@ -2,7 +2,7 @@
 // Runs that die while files change places, at every moment of it: the next one finds one whole set or the
 // other.
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <atomic>
 #include <csignal>
 #include <cstdio>

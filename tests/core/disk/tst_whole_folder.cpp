@@ -2,7 +2,7 @@
 // Files put into a folder together: all of them or none, and nothing of anybody else is touched.
 #include <QFile>
 #include <QTemporaryDir>
-#include <QtTest>
+#include <QTest>
 #include <cerrno>
 #include <system_error>
 #include <thread>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The manual in other languages says what the English one says: as far as that can be counted.
 #include <QRegularExpression>
-#include <QtTest>
+#include <QTest>
 
 #include "core/manual/chapter.h"
 #include "core/manual/inline_text.h"

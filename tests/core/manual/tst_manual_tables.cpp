@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the written pages say of parameters and outputs against the tables that the program works with.
 #include <QRegularExpression>
-#include <QtTest>
+#include <QTest>
 #include <map>
 #include <set>
 

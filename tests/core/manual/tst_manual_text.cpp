@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The manual as blocks, and as text for a terminal.
-#include <QtTest>
+#include <QTest>
 
 #include "core/manual/chapter.h"
 #include "core/manual/inline_text.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Keys set together: the shape before what depends on it, groups after what they move, rivals found.
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is known of a blow before it is solved.
-#include <QtTest>
+#include <QTest>
 
 #include "core/model/blow_traits.h"
 #include "core/wave/problem.h"

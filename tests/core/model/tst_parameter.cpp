@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The parameter table: every key once, set and read alike by every user of it.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <random>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hammer force: unit impulse, contiguous pieces, and the shapes of files §1.1.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Groups and scales: the way from SI to dimensionless numbers and back.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // In which parameters scenarios differ: in what they say, not in what follows from it.
-#include <QtTest>
+#include <QTest>
 
 #include "core/model/scenario_difference.h"
 #include "tests/support/scenario.h"

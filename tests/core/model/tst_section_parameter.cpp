@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Numbers of the sections of a hammer and a string as parameters, and what follows from the sections.
-#include <QtTest>
+#include <QTest>
 
 #include <numbers>
 #include <set>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Uniform pieces that stand for sections of every kind.
-#include <QtTest>
+#include <QTest>
 
 #include <numbers>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The points of a table: a value like a list, of which copies share the memory.
-#include <QtTest>
+#include <QTest>
 
 #include "core/model/scenario.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Validation: every problem at once, and remarks on what is valid but strained.
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Roots and minima: found to the accuracy promised, also where the function jumps or is flat.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Interpolation and integration: exact for polynomials, spectral for smooth functions.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <numbers>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Chunks worked on by several threads come out in order, whatever the threads do.
-#include <QtTest>
+#include <QTest>
 
 #include <atomic>
 #include <chrono>

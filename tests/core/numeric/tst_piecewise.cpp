@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Piecewise polynomials: values, jumps, integrals, and what is cut off.
-#include <QtTest>
+#include <QTest>
 
 #include "core/numeric/piecewise.h"
 

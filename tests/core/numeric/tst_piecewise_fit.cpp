@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Smooth pieces of functions with kinks, jumps and holes: where they end, how well they fit, what they cost.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <numbers>

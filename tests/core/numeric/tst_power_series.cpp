@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Power series on a piece of time, and their first zero, against polynomials whose roots are known.
-#include <QtTest>
+#include <QTest>
 
 #include "core/numeric/first_zero.h"
 #include "tests/support/series.h"

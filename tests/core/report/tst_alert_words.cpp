@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The sentences of the remarks on a blow: one for every code, from nothing but its arguments.
-#include <QtTest>
+#include <QTest>
 
 #include <set>
 

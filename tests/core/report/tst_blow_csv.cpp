@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Histories and events as CSV: they say what was solved, and what with.
-#include <QtTest>
+#include <QTest>
 
 #include <sstream>
 

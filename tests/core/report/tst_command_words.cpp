@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the commands print in the language of its reader: every word of the program can be translated, and
 // numbers have its decimal sign.
-#include <QtTest>
+#include <QTest>
 
 #include "core/model/blow_traits.h"
 #include "core/report/accuracy_report.h"

@@ -2,7 +2,7 @@
 // The verdict on the feed in words: it is that of the numbers beside it, it can be acted on, and no sentence
 // says anything else than another.
 #include <QRegularExpression>
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 

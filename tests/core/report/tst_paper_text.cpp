@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Texts of any length in the room that paper has for them.
-#include <QtTest>
+#include <QTest>
 
 #include "core/report/paper_text.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of text, as all reports for people show their numbers.
-#include <QtTest>
+#include <QTest>
 
 #include "core/report/report_text.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Columns of a study: the same numbers for people, in CSV and in JSON, and nothing where there is none.
-#include <QtTest>
+#include <QTest>
 
 #include <array>
 #include <limits>

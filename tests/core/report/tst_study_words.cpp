@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the studies print in the language of their reader: every word of the program can be translated, and
 // every number has the decimal sign of the language.
-#include <QtTest>
+#include <QTest>
 
 #include "core/report/design_text.h"
 #include "core/report/drilling_scan_report.h"

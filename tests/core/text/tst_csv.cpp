@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // CSV, RFC 4180: read record by record in bounded memory, and written so that it reads back.
-#include <QtTest>
+#include <QTest>
 
 #include <random>
 #include <sstream>

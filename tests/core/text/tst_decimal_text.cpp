@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Decimal text: the point is moved in the digits, so that nothing is rounded twice.
-#include <QtTest>
+#include <QTest>
 
 #include <bit>
 #include <cmath>

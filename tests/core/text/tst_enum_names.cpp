@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Names of enumerations. That a value without a name does not compile is the test enum_names_refuse.
-#include <QtTest>
+#include <QTest>
 
 #include "core/text/enum_names.h"
 

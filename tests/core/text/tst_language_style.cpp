@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the commands say in another language, without Qt.
-#include <QtTest>
+#include <QTest>
 
 #include "core/text/catalogue.h"
 #include "core/text/language_style.h"

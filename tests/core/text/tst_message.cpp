@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Sentences in parts.
-#include <QtTest>
+#include <QTest>
 
 #include "core/text/message.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Names that people read in one line, and what is printed of bytes that are no text.
-#include <QtTest>
+#include <QTest>
 
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"

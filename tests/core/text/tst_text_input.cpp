@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Text before anything interprets it: UTF-8, positions, and edits of its parts.
-#include <QtTest>
+#include <QTest>
 
 #include <QPoint>
 #include <random>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Units: typed text into SI to the last bit, and back.
-#include <QtTest>
+#include <QTest>
 
 #include <bit>
 #include <clocale>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Blows on rock whose loading curve has corners: reference cases, closed forms, identities, other solvers.
-#include <QtTest>
+#include <QTest>
 
 #include "core/blow/impact_summary.h"
 #include "core/blow/method.h"

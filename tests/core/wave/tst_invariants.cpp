@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What must hold in every scene, checked over thousands of random ones.
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/scenes.h"
 

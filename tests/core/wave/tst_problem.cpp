@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is solved: made once from a scenario, equal where the blows are.
-#include <QtTest>
+#include <QTest>
 
 #include "core/model/parameter.h"
 #include "core/model/scales.h"

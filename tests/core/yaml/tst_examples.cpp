@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The built-in scenarios: the files of resources/examples, each valid and explained.
-#include <QtTest>
+#include <QTest>
 
 #include <QDir>
 #include <QFile>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The loading curve of the rock in files and on the command line (files §1.4).
-#include <QtTest>
+#include <QTest>
 
 #include "core/model/law_parameter.h"
 #include "core/model/parameter_text.h"

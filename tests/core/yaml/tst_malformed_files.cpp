@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Malformed scenario files: one clear problem at its place, whatever is in the file.
-#include <QtTest>
+#include <QTest>
 
 #include <QTemporaryDir>
 #include <filesystem>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Presets: what is built in is sound and sourced, and what users add is read as strictly as a scenario.
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <map>

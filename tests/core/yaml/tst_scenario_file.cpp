@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenario files as they are read: the two forms of files §1, tables beside them, any locale.
-#include <QtTest>
+#include <QTest>
 
 #include <QTemporaryDir>
 #include <locale>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Mutations of valid scenario files: each is read or refused, and what is read is saved and read back the
 // same.
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/mutation.h"
 #include "tests/support/scenario_reading.h"

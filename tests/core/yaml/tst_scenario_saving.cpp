@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Scenario files as they are saved: nothing moves that did not change, and all reads back the same.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <random>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Files of format 2: a hammer and a string of sections, read with every problem and saved again.
-#include <QtTest>
+#include <QTest>
 
 #include <random>
 

@@ -8,7 +8,7 @@
 #include <QTextBlock>
 #include <QTextFrame>
 #include <QTextLayout>
-#include <QtTest>
+#include <QTest>
 #include <cmath>
 
 #include "core/archive/report_file.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What one step of a slider that is held costs: one check of the scenario, two copies of it at most.
-#include <QtTest>
+#include <QTest>
 #include <cstdlib>
 #include <new>
 

@@ -4,7 +4,7 @@
 #include <QScrollBar>
 #include <QTemporaryDir>
 #include <QTextBlock>
-#include <QtTest>
+#include <QTest>
 #include <memory>
 
 #include "core/blow/outputs.h"

@@ -36,7 +36,7 @@ const Qt::Key keys[] = {
     Qt::Key_F7,   Qt::Key_F2,      Qt::Key_W,
 };
 
-const char* const texts[] = {
+const char* const typedTexts[] = {
     "0.5",    "1e3",     "3,2",   "38 mm", "1.5 in", "4.27 m", "-1",   "0",         "1e308",  "1e-300",
     "nan",    "inf",     "1.2.3", "3 kN",  "200 us", "µ",      "",     "1.234,5",   "12 ft",  "210 GPa",
     "0.9999", "1 000 m", "−2",    "7850",  "1e9",    "10",     "0x10", "rod of 3m", "%n%1%s", "99999999999",
@@ -121,7 +121,7 @@ void Monkey::typeText(QWidget& window) {
         return takesFocus(widget) && (widget->inherits("QLineEdit") || widget->inherits("QAbstractSpinBox"));
     });
     if (!field) return;
-    const QString text = QString::fromUtf8(any(texts));
+    const QString text = QString::fromUtf8(any(typedTexts));
     note(QStringLiteral("type \"%1\" into %2").arg(text, nameOf(field)));
     field->setFocus(Qt::MouseFocusReason);
     if (!oneIn(4)) QTest::keyClick(field, Qt::Key_A, Qt::ControlModifier);

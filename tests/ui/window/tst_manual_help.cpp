@@ -3,7 +3,7 @@
 #include <QAction>
 #include <QPointer>
 #include <QTextBlock>
-#include <QtTest>
+#include <QTest>
 
 #include "core/yaml/examples.h"
 #include "tests/support/window_fixture.h"

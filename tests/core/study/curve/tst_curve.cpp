@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Outputs along a parameter: what the solver says at every point, features where they are, in bounded work.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <random>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Which values of a parameter give an output: all of them, solved for, and nothing where there is none.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Samples, statistics, indices and worst cases of functions whose answers are known.
 
-#include <QtTest>
+#include <QTest>
 
 #include <array>
 #include <cmath>

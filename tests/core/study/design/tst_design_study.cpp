@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Studies of designs against reference cases and the study of all gaps.
-#include <QtTest>
+#include <QTest>
 
 #include <QFile>
 #include <QJsonArray>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Many blows against 16 cases of an independent plain lattice (tests/cases/drill_cases.json).
-#include <QtTest>
+#include <QTest>
 
 #include <QFile>
 #include <QJsonArray>

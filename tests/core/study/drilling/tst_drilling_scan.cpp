@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A scan takes no work that its answer does not need, and the answer does not depend on that (drilling §7).
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <set>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What many blows come to, against an independent plain lattice and against closed forms of a rigid rod.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

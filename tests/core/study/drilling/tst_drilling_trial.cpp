@@ -2,7 +2,7 @@
 // Random rods and strings under many blows: what holds of all of them, and how often the stated error of the
 // mean penetration covers a march with a quarter of the cell. DRILLWAVE_DRILLING_SCENES says how many rods,
 // and a quarter as many strings.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

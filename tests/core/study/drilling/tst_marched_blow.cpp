@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One of many blows as it begins: its waves are those of the march before it, and lead on to the next
 // (drilling §5).
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

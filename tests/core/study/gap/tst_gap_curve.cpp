@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Results along the gap: as accurate as stated, kinks found, periodic where they are.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <random>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Statistics over the gap: published values, identities, and sums over dense grids of single blows.
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <cmath>

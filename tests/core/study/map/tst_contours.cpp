@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Contours: every point solves to its level, the lines hang together, and jumps are said to be jumps.
-#include <QtTest>
+#include <QTest>
 
 #include "core/study/map/contours.h"
 #include "tests/support/map.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Maps: every point is the blow it says, whatever the threads, and none is solved twice.
-#include <QtTest>
+#include <QTest>
 
 #include <random>
 #include <set>

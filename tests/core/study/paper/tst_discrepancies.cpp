@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The numbers of the paper beside ours: ours are those of the theory, and agreement means the printed digits.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's figures: what they must show, by identities and by the theory's numbers.
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <cmath>

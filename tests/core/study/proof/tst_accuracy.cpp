@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Error against run time over a short ladder.
-#include <QtTest>
+#include <QTest>
 
 #include "core/study/proof/accuracy.h"
 #include "core/study/proof/force_difference.h"

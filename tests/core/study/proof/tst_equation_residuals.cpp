@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Histories put back into the equations: right ones satisfy them, wrong ones are found out.
-#include <QtTest>
+#include <QTest>
 
 #include "core/study/proof/equation_residuals.h"
 #include "core/wave/exact/exact_solver.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The checks of the stability study: they reach the ends of the domain, and find what is wrong.
-#include <QtTest>
+#include <QTest>
 #include <set>
 
 #include "core/study/proof/stability.h"

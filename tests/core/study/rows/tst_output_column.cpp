@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The columns of outputs: which are asked for, what they are called, and what they ask of the solver.
-#include <QtTest>
+#include <QTest>
 
 #include "core/study/rows/output_column.h"
 

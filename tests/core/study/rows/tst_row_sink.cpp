@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rows as numbers: every sink sees the same, in order, whatever the threads, and why a row has no outputs.
-#include <QtTest>
+#include <QTest>
 
 #include <bit>
 #include <cmath>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Grids of parameters: every row is the case it says, whatever the threads and parts.
-#include <QtTest>
+#include <QTest>
 
 #include <sstream>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Axes of a sweep: read from text, evenly spaced, and written so that they read back.
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 

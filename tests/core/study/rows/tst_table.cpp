@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables of cases: cells set parameters, everything is checked before anything is solved.
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <sstream>

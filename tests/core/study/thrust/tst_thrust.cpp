@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The feed force: its formula, its cases from this blow to the worst, and what the installed one means.
-#include <QtTest>
+#include <QTest>
 
 #include <array>
 #include <cmath>

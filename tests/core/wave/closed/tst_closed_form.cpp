@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's analytical solution (theory §5), and where it holds.
-#include <QtTest>
+#include <QTest>
 
 #include "core/wave/closed/closed_form.h"
 #include "core/wave/field/bit_history.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Blow after blow on cells: what must be kept, what must come out, what must not matter (drilling).
-#include <QtTest>
+#include <QTest>
 
 #include <cmath>
 #include <numbers>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How much work the exact solver does in the scenes of the benchmark, counted: a loss of speed shows on every
 // machine, busy or not.
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/basis_comparison.h"
 #include "tests/support/basis_scenes.h"

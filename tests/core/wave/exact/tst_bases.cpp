@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Whatever representation of the waves solves a blow, e is the same within the bounds that they state.
-#include <QtTest>
+#include <QTest>
 
 #include "tests/support/basis_comparison.h"
 #include "tests/support/basis_scenes.h"

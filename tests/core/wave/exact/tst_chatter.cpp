@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Long blows on short rods: tens of contacts, each of which multiplies the rounding of those before.
-#include <QtTest>
+#include <QTest>
 #include <map>
 
 #include "core/wave/exact/contact_march.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where an event appears or vanishes, or falls on the arrival of a front, e is right on either side.
-#include <QtTest>
+#include <QTest>
 
 #include "core/wave/exact/contact_march.h"
 #include "core/wave/exact/exact_solver.h"

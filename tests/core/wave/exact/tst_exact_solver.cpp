@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The exact solver against reference cases, closed forms, identities, long double and the equations.
-#include <QtTest>
+#include <QTest>
 
 #include "core/wave/exact/contact_march.h"
 #include "core/wave/exact/series_basis.h"

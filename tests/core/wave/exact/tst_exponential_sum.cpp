@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Exponential sums: their terms against what they stand for, and the search for their first zero.
-#include <QtTest>
+#include <QTest>
 
 #include "core/wave/exact/exponential_course.h"
 #include "core/wave/exact/exponential_sum.h"

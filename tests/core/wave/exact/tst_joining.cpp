@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Joined wave pieces on soft rock: what they save, and that the stated error covers what they cost.
-#include <QtTest>
+#include <QTest>
 #include <numeric>
 
 #include "core/wave/exact/contact_march.h"

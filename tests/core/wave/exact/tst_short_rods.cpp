@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Rods so short that the hammer still pushes when reflections return: contacts follow closely, and both
 // representations of the waves must find the same events.
-#include <QtTest>
+#include <QTest>
 
 #include "core/study/proof/equation_residuals.h"
 #include "core/wave/exact/contact_march.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A blow given by points: what the rounding of the points does to e is part of the stated error.
-#include <QtTest>
+#include <QTest>
 
 #include "core/wave/exact/exact_solver.h"
 #include "core/wave/exact/input_move.h"

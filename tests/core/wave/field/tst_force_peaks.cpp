@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How often the impact force peaks: by the closed form, and by looking at the force everywhere.
-#include <QtTest>
+#include <QTest>
 
 #include <algorithm>
 #include <vector>

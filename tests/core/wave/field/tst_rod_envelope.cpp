@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The largest forces along the rod, against every section and time looked at, and against the largest of all.
-#include <QtTest>
+#include <QTest>
 
 #include "core/wave/field/bit_history.h"
 #include "core/wave/field/recorded_time.h"

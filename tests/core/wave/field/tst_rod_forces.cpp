@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The largest forces in the rod, against the wave field looked at everywhere.
-#include <QtTest>
+#include <QTest>
 
 #include "core/wave/field/bit_history.h"
 #include "core/wave/field/rod_forces.h"

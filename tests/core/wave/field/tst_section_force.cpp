@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a strain gauge at a section sees: the sum of all waves, against the wave field.
-#include <QtTest>
+#include <QTest>
 
 #include "core/wave/field/section_force.h"
 #include "core/wave/field/wave_field.h"

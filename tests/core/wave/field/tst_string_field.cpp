@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Pictures of the waves in hammer and string: against the uniform rod, the waves themselves, and their
 // fronts.
-#include <QtTest>
+#include <QTest>
 
 #include "core/numeric/stride_search.h"
 #include "core/wave/field/string_field.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Waves anywhere in the rod, from what the front end has recorded.
-#include <QtTest>
+#include <QTest>
 
 #include "core/wave/field/bit_history.h"
 #include "core/wave/field/wave_curves.h"

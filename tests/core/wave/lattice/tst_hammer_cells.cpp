@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The hammer force over the steps of a lattice.
-#include <QtTest>
+#include <QTest>
 
 #include "core/numeric/compensated_sum.h"
 #include "core/wave/lattice/hammer_cells.h"

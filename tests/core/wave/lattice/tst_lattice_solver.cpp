@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The paper's algorithm as a second solver: its order, its two variants, its estimate, its refusals.
-#include <QtTest>
+#include <QTest>
 
 #include "core/wave/lattice/lattice_solver.h"
 #include "tests/support/scenes.h"

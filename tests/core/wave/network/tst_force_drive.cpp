@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A force on the rear end of a string: against the exact solver, a plain lattice and the balances.
-#include <QtTest>
+#include <QTest>
 #include <numeric>
 
 #include "core/wave/network/network_solver.h"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the solver of drill strings is made of: cells, relaxations, grids, and a lattice to compare with.
-#include <QtTest>
+#include <QTest>
 #include <algorithm>
 #include <array>
 #include <numeric>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Blows on drill strings against reference solutions, the uniform rod and their own balances.
-#include <QtTest>
+#include <QTest>
 #include <array>
 #include <utility>
 

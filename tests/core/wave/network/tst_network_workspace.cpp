@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // One blow after another on drill strings: no memory is asked for, and nothing of a blow is left to the next.
-#include <QtTest>
+#include <QTest>
 #include <cstddef>
 #include <cstdlib>
 #include <cstring>

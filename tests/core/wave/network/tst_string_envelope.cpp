@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The largest forces along hammer and string: against a scan of the waves, the peaks of the sections and the
 // envelope of the uniform rod.
-#include <QtTest>
+#include <QTest>
 
 #include "core/wave/field/rod_envelope.h"
 #include "core/wave/network/network_solver.h"

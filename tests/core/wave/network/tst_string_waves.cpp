@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What is read of the waves in a string: against the uniform rod, its joints, its peaks and its sums.
-#include <QtTest>
+#include <QTest>
 
 #include "core/wave/field/wave_field.h"
 #include "core/wave/network/network_solver.h"
