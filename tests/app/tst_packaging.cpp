@@ -121,18 +121,24 @@ class TestPackaging : public QObject {
         QCOMPARE(system.leftBehind(), QStringList());
     }
 
-    void theRoundInAnotherLocaleFollowsTestsThatFail() {
+    void theSeedChoosesTheLocale() {
         const BareSystem system;
         system.standIn("localedef", "");
         system.standIn("locale", "echo ,\n");
         system.standIn("ctest",
                        "echo \"ctest ${LOCPATH:+$LC_ALL} $*\" >> $BARE/calls\n[ -n \"$LOCPATH\" ]\n");
-        const Finished finished = system.packagingTest();
-        const QByteArray calls = system.calls();
-        for (const char* round : {"ctest  --preset release", "ctest de_DE.UTF-8 "})
-            QVERIFY2(calls.contains(round), calls);
+        const auto tested = [&](const char* seed) {
+            QProcessEnvironment more;
+            more.insert("DRILLWAVE_SEED", seed);
+            return system.packagingTest(more);
+        };
+        QCOMPARE(tested("7").exitCode, 0);
+        QVERIFY2(system.calls().contains("ctest de_DE.UTF-8 --preset release"), system.calls());
+        QVERIFY2(!system.calls().contains("ctest  --preset release"), system.calls());
+        const Finished finished = tested("8");
+        QVERIFY2(system.calls().contains("ctest  --preset release"), system.calls());
         QCOMPARE(finished.exitCode, 1);
-        QVERIFY2(finished.error.endsWith("packaging/test: failed: the tests\n"), finished.error);
+        QVERIFY2(finished.error.endsWith("packaging/test: failed: the tests in the locale C\n"), finished.error);
     }
 
     void testsOfABuildThatFailsAreNotRun() {

@@ -126,7 +126,7 @@ void TestStudySets::tryWriters(const QStringList& more) {
     QFETCH(QString, main);
     const Kind kind{words, main};
     const std::vector<Set>& sets = setsOf(kind);
-    for (int round = 0, rounds = tries("DRILLWAVE_TRIAL", 2); round < rounds; ++round) {
+    for (int round = 0, rounds = tries("DRILLWAVE_TRIAL", 1, 2); round < rounds; ++round) {
         const QTemporaryDir place;
         std::vector<std::unique_ptr<QProcess>> runs;
         for (int writer = 0; writer < writers; ++writer)
@@ -161,7 +161,7 @@ void TestStudySets::aSignalNeverLeavesHalfOfTwoRuns() {
     const qint64 whole = timer.nsecsElapsed() / 1000;
     QRandomGenerator random(38);
     int ended = 0;
-    for (int i = 0, signals_ = tries("DRILLWAVE_TRIAL", 5); i < signals_; ++i) {
+    for (int i = 0, signals_ = tries("DRILLWAVE_TRIAL", 2, 5); i < signals_; ++i) {
         QCOMPARE(run(kind.wordsOf(0, place.path()) + QStringList{"--force"}, environment()).exitCode, 0);
         QVERIFY(setIn(place.path()) == sets[0]);
         const auto process = started(kind.wordsOf(1, place.path()) + QStringList{"--force"});

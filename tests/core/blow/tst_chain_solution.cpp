@@ -113,7 +113,7 @@ class TestChainSolution : public QObject {
         Chance chance(2411);
         NetworkSolver solver;
         int looked = 0;
-        const int scenes = tries("DRILLWAVE_CONE_SCENES", 6);
+        const int scenes = tries("DRILLWAVE_CONE_SCENES", 3, 6);
         for (int i = 0; i < scenes; ++i) {
             const Scenario scenario = randomCones(chance);
             const QByteArray number = QByteArray::number(i);

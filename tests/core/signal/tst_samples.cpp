@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "core/signal/samples.h"
+#include "tests/support/tries.h"
 
 using namespace drillwave;
 
@@ -161,6 +162,7 @@ void TestSamples::commentsAndBlankLinesAreNoRows() {
 }
 
 void TestSamples::tenMillionSamplesAreReadOnceAndMoreAreRefused() {
+    if (!test::isNightly()) QSKIP("reads twenty million samples; runs at night");
     SampleSource source = timesAndValues(';');
     source.format.decimal = DecimalSign::comma;
     std::uint64_t told = 0;

@@ -17,8 +17,8 @@ using namespace drillwave::test;
 
 namespace {
 
-int scenesOr(int few) {
-    return tries("DRILLWAVE_CORNER_SCENES", few);
+int scenesOr(int all) {
+    return tries("DRILLWAVE_CORNER_SCENES", all / 5, all);
 }
 
 bool isClose(double a, double b, double tolerance, const std::string& what) {
@@ -272,7 +272,7 @@ class CornerLawTest : public QObject {
 
     void balancesCloseAndErrorsCoverOnRandomStrings() {
         Chance chance(17);
-        const int wanted = scenesOr(600) / 10;
+        const int wanted = tries("DRILLWAVE_CORNER_SCENES", 180, 600) / 10;
         int passed = 0, inexact = 0, uncovered = 0, byLattice = 0;
         for (int i = 0; i < wanted; ++i) {
             Problem problem = randomNetwork(chance);
@@ -305,7 +305,7 @@ class CornerLawTest : public QObject {
         QVERIFY(passed > wanted / 2);
         QVERIFY(byLattice > wanted / 8);
         QVERIFY(uncovered <= wanted / 100);
-        QVERIFY(inexact <= wanted / 50);
+        QVERIFY(inexact <= std::max(1, wanted / 50));
     }
 };
 

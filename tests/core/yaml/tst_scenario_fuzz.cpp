@@ -5,6 +5,7 @@
 
 #include "tests/support/mutation.h"
 #include "tests/support/scenario_reading.h"
+#include "tests/support/tries.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -22,7 +23,7 @@ void TestScenarioFuzz::mutatedFilesAreReadOrRefused() {
     const std::vector<std::string> corpus = corpusOfTexts();
     Random random(8);
     int read = 0;
-    const int mutations = 20000;
+    const int mutations = tries("DRILLWAVE_MUTATIONS", 3000, 20000);
     for (int i = 0; i < mutations; ++i) {
         std::string text = corpus[static_cast<std::size_t>(i) % corpus.size()];
         for (std::size_t n = 1 + below(i % 2 == 0 ? 1 : 6, random); n > 0; --n) mutate(text, corpus, random);

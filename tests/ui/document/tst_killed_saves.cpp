@@ -9,6 +9,7 @@
 #include "core/yaml/examples.h"
 #include "tests/support/child_process.h"
 #include "tests/support/files.h"
+#include "tests/support/tries.h"
 #include "ui/document/document.h"
 
 using namespace drillwave;
@@ -16,7 +17,7 @@ using namespace drillwave::test;
 
 namespace {
 
-constexpr int rounds = 100;
+const int rounds = tries("DRILLWAVE_TRIAL", 20, 100);
 
 // 300 kB: many times what the system writes at once.
 QByteArray largeScenario(const QByteArray& remark) {
@@ -65,7 +66,7 @@ void TestKilledSaves::theFileIsAlwaysTheOldOrTheNewOneWhole() {
         QProcess child;
         QVERIFY(startChild(child, QStringList{QStringLiteral("--save")} + words));
         // Later and later, so that slow machines too come to the second file.
-        QTest::qSleep(random.bounded(5 + round));
+        QTest::qSleep(random.bounded(5 + round * 100 / rounds));
         QVERIFY(killChild(child));
         const QByteArray left = read(words[2]);
         QVERIFY2(left == first || left == second, qPrintable(QString::number(left.size())));

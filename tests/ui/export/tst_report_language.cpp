@@ -14,6 +14,7 @@
 #include "core/archive/report_file.h"
 #include "core/text/languages.h"
 #include "core/yaml/examples.h"
+#include "tests/support/tries.h"
 #include "ui/export/report_document.h"
 #include "ui/export/report_export.h"
 #include "ui/export/report_plots.h"
@@ -126,8 +127,10 @@ void TestReportLanguage::nothingRunsOffAPageAndNoneIsAlmostEmpty() {
     const Spoken spoken(language);
     const PaperReader reader = readerOf(language);
     const LocalStyle style(reader.locale, reader.system, reader.chosen);
-    int tables = 0, headings = 0;
+    int tables = 0, headings = 0, number = 0, read = 0;
     for (const Example& example : builtInExamples()) {
+        if (!test::isChosen(number++, 5)) continue;
+        ++read;
         const BlowReport report = reportOf(example.name.c_str());
         const std::vector<ReportPlot> plots = reportPlots(report, reader, {});
         QBuffer buffer;
@@ -162,7 +165,7 @@ void TestReportLanguage::nothingRunsOffAPageAndNoneIsAlmostEmpty() {
             ++tables;
         }
     }
-    QVERIFY(tables > 50 && headings > 80);
+    QVERIFY(read > 0 && tables >= 5 * read && headings >= 8 * read);
 }
 
 void TestReportLanguage::numbersOfTheRodDoNotLieOnEachOther_data() {

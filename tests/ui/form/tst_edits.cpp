@@ -174,7 +174,7 @@ void TestEdits::manyEditsUndoneGiveTheSameBytes() {
     QCOMPARE(document.startFrom(findExample(example.toStdString())->text, example), QString());
     const QByteArray before = document.text();
     QRandomGenerator random(7);
-    const int edits = tries("DRILLWAVE_MONKEY_EVENTS", 600) / 5;
+    const int edits = tries("DRILLWAVE_MONKEY_EVENTS", 150, 600) / 5;
     for (int i = 0; i < edits; ++i) editSomething(random);
     QVERIFY(document.undoStack().count() > edits / 5);
     const QByteArray after = document.text();
@@ -245,9 +245,11 @@ void TestEdits::aDecimalMarkMeansWhatTheUserMeant_data() {
     QTest::addColumn<bool>("pasted");
     const QLocale german(QStringLiteral("de_DE"));
     const QLocale swedish(QStringLiteral("sv_SE"));
+    int row = 0;
     for (const QString& text : {QStringLiteral("3,2"), QStringLiteral("3.2"), QStringLiteral("3,2 m"),
                                 QStringLiteral("320 cm"), QStringLiteral("3200,0 mm")})
         for (const bool pasted : {false, true}) {
+            if (!isChosen(row++, 3)) continue;
             const char* how = pasted ? "pasted" : "typed";
             QTest::addRow("German, %s, %s", how, qPrintable(text)) << german << text << pasted;
             QTest::addRow("Swedish, %s, %s", how, qPrintable(text)) << swedish << text << pasted;

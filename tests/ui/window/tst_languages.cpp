@@ -16,6 +16,7 @@
 #include "tests/support/files.h"
 #include "tests/support/import_fixture.h"
 #include "tests/support/pseudo_translator.h"
+#include "tests/support/tries.h"
 #include "tests/support/window_fixture.h"
 #include "tests/ui/window/layout_check.h"
 #include "tests/ui/window/shown_texts.h"
@@ -189,7 +190,9 @@ void TestLanguages::marksShowWhatIsNotTranslated() {
 
 void TestLanguages::everythingIsTranslated_data() {
     QTest::addColumn<QString>("example");
-    for (const char* example : examples) QTest::newRow(example) << QString::fromLatin1(example);
+    int row = 0;
+    for (const char* example : examples)
+        if (isChosen(row++, 3)) QTest::newRow(example) << QString::fromLatin1(example);
 }
 
 void TestLanguages::everythingIsTranslated() {
@@ -223,9 +226,11 @@ void TestLanguages::dialogsAreTranslated() {
 void TestLanguages::importsAreTranslated_data() {
     QTest::addColumn<QString>("code");
     QTest::addColumn<ImportUse>("use");
+    int row = 0;
     for (const char* code : {"pseudo", "de", "sv"})
         for (const ImportUse use : {ImportUse::blow, ImportUse::normalForce})
-            QTest::addRow("%s, %s", code, use == ImportUse::blow ? "blow" : "measured") << code << use;
+            if (isChosen(row++, 3))
+                QTest::addRow("%s, %s", code, use == ImportUse::blow ? "blow" : "measured") << code << use;
 }
 
 // What the file has is quoted, and units have their names.
@@ -288,9 +293,11 @@ void TestLanguages::helpAndReportsAreTranslated() {
 void TestLanguages::nothingIsCutOff_data() {
     QTest::addColumn<QString>("code");
     QTest::addColumn<QString>("example");
+    int row = 0;
     for (const char* code : {"de", "sv"})
         for (const char* example : examples)
-            QTest::addRow("%s, %s", code, example)
+            if (isChosen(row++, 5))
+                QTest::addRow("%s, %s", code, example)
                 << QString::fromLatin1(code) << QString::fromLatin1(example);
 }
 

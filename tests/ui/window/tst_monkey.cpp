@@ -212,12 +212,13 @@ QString TestMonkey::wrongText() {
 void TestMonkey::randomEventsDoNoHarm_data() {
     QTest::addColumn<int>("seed");
     QTest::addColumn<int>("events");
-    const int events = tries("DRILLWAVE_MONKEY_EVENTS", 600);
+    const int events = tries("DRILLWAVE_MONKEY_EVENTS", 200, 600);
     if (qEnvironmentVariableIsSet("DRILLWAVE_MONKEY_SEED")) {
         QTest::newRow("given seed") << qEnvironmentVariableIntValue("DRILLWAVE_MONKEY_SEED") << events;
         return;
     }
-    for (const int seed : {1, 2, 3, 4}) QTest::addRow("seed %d", seed) << seed << events;
+    for (const int seed : {1, 2, 3, 4})
+        if (isNightly() || test::seed() / 2 % 4 == seed - 1) QTest::addRow("seed %d", seed) << seed << events;
 }
 
 void TestMonkey::randomEventsDoNoHarm() {

@@ -13,7 +13,7 @@ namespace {
 
 /// Some for every run of the tests. DRILLWAVE_BASES_SCENES=200000 takes minutes; compare_bases says more.
 unsigned scenesToTry() {
-    return unsigned(tries("DRILLWAVE_BASES_SCENES", 3000));
+    return unsigned(tries("DRILLWAVE_BASES_SCENES", 1000, 3000));
 }
 
 std::string words(const BasisFinding& found) {

@@ -45,7 +45,7 @@ int classOf(int contacts) {
 /// Blows to try: some for every run of the tests. DRILLWAVE_CHATTER_BLOWS=1000 takes half an hour, for which
 /// Qt Test wants QTEST_FUNCTION_TIMEOUT=3600000 (ms) as well.
 int blowsToTry() {
-    return tries("DRILLWAVE_CHATTER_BLOWS", 30);
+    return tries("DRILLWAVE_CHATTER_BLOWS", 10, 30);
 }
 
 const Scene noDigits{PulseShape::piston, {4.3, 0.07, 0.1, 0}, 15};

@@ -44,6 +44,10 @@ class SoftScenes {
     std::mt19937_64 m_random;
 };
 
+int blowsToTry() {
+    return tries("DRILLWAVE_SOFT_BLOWS", 10, 40);
+}
+
 }  // namespace
 
 class TestJoining : public QObject {
@@ -124,12 +128,12 @@ class TestJoining : public QObject {
         const auto extended = std::make_unique<ContactMarch<SeriesBasis<long double>>>();
         SoftScenes scenes(leastBeta, leastGamma, mostGamma, 17);
         int compared = 0, outside = 0, changed = 0;
-        for (int i = 0; i < tries("DRILLWAVE_SOFT_BLOWS", 40); ++i) {
+        for (int i = 0; i < blowsToTry(); ++i) {
             const Scene scene = scenes.next();
             const Impact impact = solve(scene);
             QCOMPARE(impact.outcome, Outcome::rebounded);
             QVERIFY2(impact.corError <= 1e-9, describe(scene).c_str());
-            if (impact.pieces > 600'000 && tries("DRILLWAVE_SOFT_BLOWS", 40) < 100)
+            if (impact.pieces > 600'000 && blowsToTry() < 100)
                 continue;  // many seconds in long double
             Impact exact;
             extended->solve(problemOf(scene), Detail::cor, exact);
@@ -144,7 +148,7 @@ class TestJoining : public QObject {
         }
         qInfo("%d of %d outside, %d changed by more than rounding", outside, compared, changed);
         QVERIFY(outside <= compared / 100);
-        QVERIFY(compared >= tries("DRILLWAVE_SOFT_BLOWS", 40) * 2 / 3);
+        QVERIFY(compared >= blowsToTry() * 2 / 3);
         QVERIFY(changed >= std::max(2, compared / 20));  // else nothing has been tried
     }
 

@@ -94,6 +94,7 @@ class TestForceDrive : public QObject {
 
     void aMeasuredBlowOnOneSectionIsWithinItsStatedError() {
         for (const unsigned seed : {1U, 2U, 3U, 4U, 5U}) {
+            if (!isChosen(int(seed), 5)) continue;
             const Groups groups{0.7, 0.2, 4 + 0.37 * seed, 0.1 * seed};
             const Problem problem = problemOf(pulseForceOf(TableShape{300, seed}), groups);
             const Impact exact = ExactSolver().solve(problem, Detail::ledger);
@@ -132,7 +133,7 @@ class TestForceDrive : public QObject {
         RandomScenes scenes({1e-2, 30, 0.05, 0.3, 30, 5}, 77);
         NetworkSolver solver;
         int compared = 0;
-        const int rods = tries("DRILLWAVE_FORCED_RODS", 500);
+        const int rods = tries("DRILLWAVE_FORCED_RODS", 500, 500);
         for (int i = 0; i < rods; ++i) {
             const Scene scene = scenes.nextQuick();
             const Problem problem = problemOf(scene);
@@ -151,6 +152,7 @@ class TestForceDrive : public QObject {
         Chance chance(11);
         for (int i = 0; i < 20; ++i) {
             const Problem problem = randomForcedString(chance);
+            if (!isChosen(i, 5)) continue;
             const Impact whole = solveNetwork(problem, {}), cut = solveNetwork(halved(problem), {});
             QCOMPARE(whole.outcome, cut.outcome);
             if (whole.outcome == Outcome::notSolved) continue;
@@ -162,9 +164,12 @@ class TestForceDrive : public QObject {
 
     void momentumAndEnergyBalance() {
         Chance chance(12);
-        int solved = 0;
+        int solved = 0, chosen = 0;
         for (int i = 0; i < 60; ++i) {
-            const Impact impact = solveNetwork(randomForcedString(chance), {});
+            const Problem problem = randomForcedString(chance);
+            if (!isChosen(i, 5)) continue;
+            ++chosen;
+            const Impact impact = solveNetwork(problem, {});
             if (impact.outcome == Outcome::notSolved) continue;
             ++solved;
             QVERIFY2(std::abs(impact.momentumResidual()) < 1e-9,
@@ -172,15 +177,17 @@ class TestForceDrive : public QObject {
             QVERIFY2(std::abs(impact.energyResidual()) <= impact.efficiencyError, QByteArray::number(i));
             QVERIFY(impact.peakForce >= 0);
         }
-        QVERIFY2(solved > 50, QByteArray::number(solved));
+        QVERIFY2(solved > chosen * 5 / 6, QByteArray::number(solved));
     }
 
     /// Of first order: two of them tell where it leads.
     void thePlainLatticeComesToTheSame() {
         Chance chance(13);
-        int compared = 0;
+        int compared = 0, chosen = 0;
         for (int i = 0; i < 60; ++i) {
             Problem problem = randomForcedString(chance);
+            if (!isChosen(i, 5)) continue;
+            ++chosen;
             problem.endTime = std::max(*problem.endTime, problem.force().end);
             CellGrid grid;
             if (!usualGrid(problem, grid)) continue;
@@ -196,7 +203,7 @@ class TestForceDrive : public QObject {
             QVERIFY2(off <= 4 * std::abs(coarse.efficiency - fine.efficiency) + 1e-4,
                      QByteArray::number(i) + ": " + QByteArray::number(off));
         }
-        QVERIFY2(compared > 30, QByteArray::number(compared));
+        QVERIFY2(compared > chosen / 2, QByteArray::number(compared));
     }
 };
 

@@ -48,9 +48,9 @@ Impact march(const Problem& problem, const CellGrid& grid, const NetworkWants& w
     return march.run(mostCells, {});
 }
 
-/// How often random strings are tried.
-int scenesOr(int few) {
-    return tries("DRILLWAVE_NETWORK_SCENES", few);
+/// How often random strings are tried: a fifth of `all` by day.
+int scenesOr(int all) {
+    return tries("DRILLWAVE_NETWORK_SCENES", all / 5, all);
 }
 
 }  // namespace
@@ -62,7 +62,10 @@ class TestNetworkSolver : public QObject {
     void referenceCases_data() {
         QTest::addColumn<int>("number");
         int number = 0;
-        for (const NetworkCase& scene : networkCases()) QTest::newRow(scene.id.c_str()) << number++;
+        for (const NetworkCase& scene : networkCases()) {
+            if (isChosen(number, 5)) QTest::newRow(scene.id.c_str()) << number;
+            ++number;
+        }
         QCOMPARE(number, 30);
     }
 
