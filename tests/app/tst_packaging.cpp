@@ -138,7 +138,8 @@ class TestPackaging : public QObject {
         const Finished finished = tested("8");
         QVERIFY2(system.calls().contains("ctest  --preset release"), system.calls());
         QCOMPARE(finished.exitCode, 1);
-        QVERIFY2(finished.error.endsWith("packaging/test: failed: the tests in the locale C\n"), finished.error);
+        QVERIFY2(finished.error.endsWith("packaging/test: failed: the tests in the locale C\n"),
+                 finished.error);
     }
 
     void testsOfABuildThatFailsAreNotRun() {

@@ -5,10 +5,10 @@
 #include <QAbstractTextDocumentLayout>
 #include <QBuffer>
 #include <QPdfWriter>
+#include <QTest>
 #include <QTextBlock>
 #include <QTextFrame>
 #include <QTextLayout>
-#include <QTest>
 #include <cmath>
 
 #include "core/archive/report_file.h"

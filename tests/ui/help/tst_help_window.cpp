@@ -3,8 +3,8 @@
 #include <QApplication>
 #include <QScrollBar>
 #include <QTemporaryDir>
-#include <QTextBlock>
 #include <QTest>
+#include <QTextBlock>
 #include <memory>
 
 #include "core/blow/outputs.h"

@@ -298,7 +298,7 @@ void TestLanguages::nothingIsCutOff_data() {
         for (const char* example : examples)
             if (isChosen(row++, 5))
                 QTest::addRow("%s, %s", code, example)
-                << QString::fromLatin1(code) << QString::fromLatin1(example);
+                    << QString::fromLatin1(code) << QString::fromLatin1(example);
 }
 
 void TestLanguages::nothingIsCutOff() {

@@ -2,8 +2,8 @@
 // The manual beside the window: F1 leads to what one works at.
 #include <QAction>
 #include <QPointer>
-#include <QTextBlock>
 #include <QTest>
+#include <QTextBlock>
 
 #include "core/yaml/examples.h"
 #include "tests/support/window_fixture.h"

@@ -133,8 +133,7 @@ class TestJoining : public QObject {
             const Impact impact = solve(scene);
             QCOMPARE(impact.outcome, Outcome::rebounded);
             QVERIFY2(impact.corError <= 1e-9, describe(scene).c_str());
-            if (impact.pieces > 600'000 && blowsToTry() < 100)
-                continue;  // many seconds in long double
+            if (impact.pieces > 600'000 && blowsToTry() < 100) continue;  // many seconds in long double
             Impact exact;
             extended->solve(problemOf(scene), Detail::cor, exact);
             if (exact.outcome != Outcome::rebounded) continue;
