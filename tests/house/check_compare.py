@@ -37,6 +37,7 @@ FILES = {
     '05_command.txt': "drillwave gap - -o - <<'END'\nrod:\n  length: 3 m  # a rod\nEND\n",
     '05.lines.txt': 'label: gap of the bit\nlabel: 10 blows\nbutton: Scan\n',
     'x.accuracy.csv': 'method,error,median_s\nexact,1e-14,0.001\n',
+    'x.accuracy.svg': '<svg><path d="M 0 1"/><text>median of times</text><text>10 us</text></svg>',
     'drillwave.fish': "complete -l json -d 'print one object' -a 'cor'\n",
 }
 SAME, TEXTS, DIFFERENT, IMPOSSIBLE = 0, 3, 1, 2
@@ -92,6 +93,9 @@ CASES = [
     ('05.lines.txt', 'label: gap of the bit\nlabel: 10 blows', 'label: 10 blows\nlabel: gap of the bit', SAME, ''),
     ('x.accuracy.csv', '0.001', '0.002', SAME, ''),
     ('x.accuracy.csv', '1e-14', '2e-14', DIFFERENT, '2e-14'),
+    ('x.accuracy.svg', 'M 0 1', 'M 0 2', SAME, ''),
+    ('x.accuracy.svg', '10 us', '12 us', SAME, ''),
+    ('x.accuracy.svg', 'median', 'mean', TEXTS, 'mean of times'),
     ('drillwave.fish', 'print one object', 'Print an object', TEXTS, 'Print'),
     ('drillwave.fish', "'cor'", "'e'", DIFFERENT, "'e'"),
 ]
@@ -115,8 +119,9 @@ def compared(new_files):
 
 
 def main():
+    without_exit = {name: FILES[name] for name in FILES if name != 'run.exit'}
     cases = [('equal folders', FILES, SAME, f'{len(FILES)} files, 0 changed texts'),
-             ('missing file', {name: FILES[name] for name in FILES if name != 'run.exit'}, DIFFERENT, 'only in the old'),
+             ('missing file', without_exit, DIFFERENT, 'only in the old'),
              ('added file', {**FILES, 'more.txt': ''}, DIFFERENT, 'only in the new'),
              ('picture with other words', {**FILES, 'plot.svg': FILES['plot.svg'].replace('bit', 'rock'),
                                            'plot.png': png(9, b'a')}, TEXTS, 'text in a picture'),

@@ -23,9 +23,9 @@ text is listed once, as old -> new, with the files that contain it. The rules by
 In a text the numbers must be the same, in the same order. A decimal comma or the minus sign U+2212 belongs to its
 number. A PNG or PDF whose SVG of the same name differs only in words is listed as text in a picture.
 
-Not compared: versions, run times, the folders' own paths; in files with "accuracy" in their names also the columns of
-times and what depends on them, and all of their pictures but the words. NEW_KEYS, as in peak_tension,gap, may be in
-JSON of the new folder only.
+Not compared: versions, run times and the folders' own paths; in files with "accuracy" or "stability" in their names
+also the columns of times; of "accuracy" what a picture, and the rest of a line behind a time, contain. NEW_KEYS, as in
+peak_tension,gap, may be in JSON of the new folder only.
 
 Exit code: 0 no difference, 3 only texts differ, 1 something that must be equal differs, 2 the folders cannot be
 compared.
@@ -51,7 +51,8 @@ LISTED_NAME = re.compile(r'^ +(--?[a-z][\w-]*|[a-z]\w*(?:[._][a-z]\w*)+)(?=\s|$)
 COMPLETED = re.compile(r"(?<![\w-])--?[a-z][\w-]*|'[^' \n]+'")
 DATA = re.compile(r'data:image/svg\+xml;base64,([A-Za-z0-9+/=]+)')
 TIME = r'[\d.,]+(?:e-?\d+)? ?(?:ns|µs|us|ms|s|min)\b'
-TIMED = {'median_s', 'min_s', 'runs', 'speed', 'seconds'}  # in files of accuracy
+TIMED = {'median_s', 'min_s', 'runs', 'speed', 'seconds'}  # in files of accuracy and stability
+TIMED_FILE = re.compile('accuracy|stability')
 RUN_TIME = 'run_time'
 
 
@@ -103,7 +104,7 @@ class Comparison:
 
     def value(self, where, old, new):
         if isinstance(old, Pairs) and isinstance(new, Pairs):
-            leave = TIMED if 'accuracy' in where.split(' ')[0] else ()
+            leave = TIMED if TIMED_FILE.search(where.split(' ')[0]) else ()
             old, new = ([each for each in side if each[0] not in leave and not each[0].startswith(RUN_TIME)
                          and each[0] != 'version'] for side in (old, new))
             known = {key for key, _ in old}
@@ -149,7 +150,7 @@ class Comparison:
             if len(before) != len(after):
                 self.fail(f'{where} row {number}', f'{len(before)} -> {len(after)} cells')
             for name, a, b in zip(names, before, after):
-                if a == b or (number > 1 and name in TIMED and 'accuracy' in where):
+                if a == b or (number > 1 and name in TIMED and TIMED_FILE.search(where)):
                     continue
                 if number > 1 and is_wording(a) and is_wording(b):
                     self.text(where, a, b)
@@ -157,13 +158,15 @@ class Comparison:
                     self.equal(f'{where} row {number} {name}', a, b)
 
     def svg(self, where, old, new):
-        if 'accuracy' in where:
-            return  # its points are at measured times
         element = re.compile(r'(<(?:text|title)\b[^>]*>)(.*?)(?=</(?:text|title)>)', re.S)
-        shapes, words = zip(*((element.sub(r'\1', each).split('\n'), element.findall(each)) for each in (old, new)))
+        shapes = [element.sub(r'\1', each).split('\n') for each in (old, new)]
+        words = [[html.unescape(re.sub('<[^>]*>', '', each)).strip() for _, each in element.findall(side)]
+                 for side in (old, new)]
+        if 'accuracy' in where:  # its points are at measured times
+            return self.lines(where, *('\n'.join(each for each in side if not numbers_in(each)) for side in words))
         self.equal_lists(where + ' shapes', *shapes)
-        for (_, before), (_, after) in zip(*words):
-            self.text(where, *(html.unescape(re.sub('<[^>]*>', '', each)).strip() for each in (before, after)))
+        for before, after in zip(*words):
+            self.text(where, before, after)
 
     def html(self, where, old, new):
         old, new = (re.split(r'(<(?:[^>"]|"[^"]*")*>)', self.plain(where, each)) for each in (old, new))

@@ -122,20 +122,48 @@ write_numbers() {
     say "$name.closed_form.txt" run "$name" --method closed_form
 }
 
-# Shapes of the blow, laws of the rock and values that bring out warnings.
+# Shapes of the blow, laws of the rock and values that bring out warnings and refusals: a line of words for --set each.
+variants='pulse.shape=rectangular
+pulse.shape=triangular
+pulse.shape=half_sine
+pulse.shape=trapezoid
+pulse.shape=exponential
+bit_rock.law=power bit_rock.exponent=1.5
+bit_rock.gap=1.3mm
+bit_rock.gamma=0.001
+bit_rock.gamma=1
+bit_rock.stiffness=1MN/m
+bit_rock.stiffness=50GN/m
+rod.length=0.2m
+rod.length=300m
+rod.yield_strength=100MPa
+pulse.duration=1us
+pulse.duration=20ms
+pulse.impulse=1Ns
+pulse.impulse=5000Ns
+drill.thrust=1kN
+drill.thrust=4kN
+drill.thrust=100kN
+drill.thrust=4kN drill.machine_mass=200kg drill.damper_damping=6.3kNs/m drill.wave_loss=10%
+drill.blow_frequency=5Hz
+drill.blow_frequency=300Hz
+drill.inclination=90deg drill.machine_mass=200kg
+hammer.velocity=1m/s
+hammer.velocity=60m/s
+hammer.restrike=true
+string.rod.length=0.3m
+string.9.diameter=200mm
+title=Another'
+
 write_variants() {
-    local name=$1 number=0 each change
-    for each in pulse.shape={rectangular,triangular,half_sine,trapezoid,exponential} \
-        bit_rock.law=power\ bit_rock.exponent=1.5 bit_rock.gap=1.3mm bit_rock.gamma={0.001,1} bit_rock.stiffness={1MN/m,50GN/m} rod.length={0.2m,300m} \
-        rod.yield_strength=100MPa pulse.duration={1us,20ms} pulse.impulse={1Ns,5000Ns} drill.thrust={1kN,4kN,100kN} \
-        drill.blow_frequency={5Hz,300Hz} drill.inclination=90deg\ drill.machine_mass=200kg \
-        hammer.velocity={1m/s,60m/s} hammer.restrike=true title=Another drill.wave_loss=10% string.rod.length=0.3m string.9.diameter=200mm; do
+    local name=$1 number=0 change
+    while read -ra change; do
         number=$((number + 1))
-        read -ra change <<<"$each"
         say "$name.variant_$number.txt" run "$name" --set "${change[@]}"
+        say "$name.variant_$number.json" run "$name" --json --set "${change[@]}"
         say "$name.variant_$number.report.html" report "$name" --set "${change[@]}" -o -
         say "$name.variant_$number.drill.txt" drill "$name" "${marched[@]}" --set "${change[@]}"
-    done
+    done <<<"$variants"
 }
 
 write_help() {
@@ -186,7 +214,8 @@ make_bad_files() {
     local number=0 text
     for text in '' 'a: [' 'drillwave: 1' 'drillwave: 99' $'drillwave: 1\nrod: {length: 3 kg}' 'drillwave: one' \
         $'drillwave: 1\ntitle: a\ntitle: b' $'drillwave: 1\nrood: {length: 3 m}' $'drillwave: 2\nstring: []' \
-        $'drillwave: 1\ngroups: {beta: -1, gamma: 2, tau: x, delta: 0}' '- 1' $'drillwave: 2\nhammer: 3\nstring: {a: 1}'; do
+        $'drillwave: 1\ngroups: {beta: -1, gamma: 2, tau: x, delta: 0}' '- 1' \
+        $'drillwave: 2\nhammer: 3\nstring: {a: 1}'; do
         number=$((number + 1))
         printf '%s\n' "$text" >"bad_$number.yaml"
     done
@@ -222,6 +251,7 @@ for language in en de sv; do
         [ $language = en ] && plots=png,svg,pdf || export DRILLWAVE_LANGUAGE=$language
         make_bad_files
         for name in $examples; do write_words "$name"; done
+        for name in t38_medium_rock piston_for_unknown_rock r32_string; do write_variants "$name"; done
         for name in $examples; do
             [[ $language != en && $name != @(r32_hard_rock|r32_string|paper_fig4a) ]] || write_files "$name"
         done
@@ -231,7 +261,6 @@ for language in en de sv; do
         say stability.txt stability -o stability --plots "$plots"
         [ $language = en ] || exit 0
         for name in $examples; do write_numbers "$name"; done
-        for name in t38_medium_rock t38_string piston_for_unknown_rock; do write_variants "$name"; done
         say stability.json stability --json
         say version.txt version
     )

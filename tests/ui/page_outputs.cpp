@@ -43,6 +43,12 @@ constexpr int patience = 300000;  // for the longest study on a busy machine [ms
 
 bool isWritten = true;
 
+/// What only a button starts.
+struct Studies {
+    bool scanAndAccuracy = true;
+    bool stability = true;  ///< takes long, and is the same for every scenario
+};
+
 void write(const QDir& folder, const QString& name, const QByteArray& bytes) {
     QFile file(folder.filePath(name));
     if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size()) return;
@@ -226,14 +232,15 @@ void writeAround(const QDir& folder, const MainWindow& window) {
 }
 
 /// One page; its studies that only a button starts are run as well.
-bool writePage(MainWindow& window, Page& page, const QDir& folder, QString stem, bool withStudies) {
+bool writePage(MainWindow& window, Page& page, const QDir& folder, const QString& stem,
+               const Studies& studies) {
     if (!settle(window, page)) return false;
     QAbstractButton* proof = button(page, "run");
-    if (QAbstractButton* scan = button(page, "scan"); scan && withStudies) {
+    if (QAbstractButton* scan = button(page, "scan"); scan && studies.scanAndAccuracy) {
         scan->click();
         if (!waitForExports(page) || !settle(window, page)) return false;
     }
-    if (!withStudies || !proof) {
+    if (!studies.scanAndAccuracy || !proof) {
         writeTexts(folder, page, stem);
         writeExports(folder, page, stem);
         writeCopied(folder, page, stem);
@@ -241,7 +248,7 @@ bool writePage(MainWindow& window, Page& page, const QDir& folder, QString stem,
     }
     // The numbers and the picture of a proof contain times; the comparison knows them by the name.
     auto* proofs = page.findChild<QTabWidget*>(QStringLiteral("proofs"));
-    for (int tab = 0; tab < proofs->count(); ++tab) {
+    for (int tab = 0; tab < (studies.stability ? proofs->count() : 1); ++tab) {
         proofs->setCurrentIndex(tab);
         proof->click();
         if (!waitForExports(page) || !settle(window, page)) return false;
@@ -253,7 +260,7 @@ bool writePage(MainWindow& window, Page& page, const QDir& folder, QString stem,
     return true;
 }
 
-bool writePages(MainWindow& window, const QDir& folder, bool withStudies) {
+bool writePages(MainWindow& window, const QDir& folder, const Studies& studies) {
     auto& pages = *window.findChild<PageTabs*>();
     QString tabs;
     for (int page = 0; page < pages.count(); ++page)
@@ -265,7 +272,7 @@ bool writePages(MainWindow& window, const QDir& folder, bool withStudies) {
         pages.setCurrentIndex(index);
         Page& page = pages.page(index);
         if (!writePage(window, page, folder, QStringLiteral("%1").arg(index, 2, 10, QLatin1Char('0')),
-                       withStudies)) {
+                       studies)) {
             std::fprintf(stderr, "page %d, %s: its study does not end\n", index, qPrintable(page.title()));
             return false;
         }
@@ -286,7 +293,7 @@ bool writeComparison(MainWindow& window, const QDir& folder) {
         if (!pages.isOffered(index) || !button(page, "copy")) continue;
         pages.setCurrentIndex(index);
         const QString stem = QStringLiteral("%1_pinned").arg(index, 2, 10, QLatin1Char('0'));
-        if (!waitForExports(page) || !writePage(window, page, folder, stem, true)) return false;
+        if (!waitForExports(page) || !writePage(window, page, folder, stem, {})) return false;
     }
     return true;
 }
@@ -320,8 +327,8 @@ int main(int argc, char** argv) {
     window.resize(1440, 900);
     window.show();
     window.openExample(*example);
-    const bool withStudies = !words.isSet(without);
-    if (!writePages(window, folder, withStudies)) return 1;
-    if (withStudies && !writeComparison(window, folder)) return 1;
+    const bool isWhole = !words.isSet(without);
+    if (!writePages(window, folder, {isWhole, !example->ofString})) return 1;
+    if (isWhole && !writeComparison(window, folder)) return 1;
     return isWritten ? 0 : 1;
 }
