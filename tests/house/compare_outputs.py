@@ -39,6 +39,7 @@ import json
 import os
 import re
 import shutil
+import signal
 import subprocess
 import sys
 
@@ -50,7 +51,7 @@ MOST_LISTED = 60
 LISTED_NAME = re.compile(r'^ +(--?[a-z][\w-]*|[a-z]\w*(?:[._][a-z]\w*)+)(?=\s|$)', re.M)
 COMPLETED = re.compile(r"(?<![\w-])--?[a-z][\w-]*|'[^' \n]+'")
 DATA = re.compile(r'data:image/svg\+xml;base64,([A-Za-z0-9+/=]+)')
-TIME = r'[\d.,]+(?:e-?\d+)? ?(?:ns|µs|us|ms|s|min)\b'
+TIME = r'[\d.,]+(?:e-?\d+)?\s?(?:ns|[\u00b5\u03bc]s|us|ms|s|min)\b'
 TIMED = {'median_s', 'min_s', 'runs', 'speed', 'seconds'}  # in files of accuracy and stability
 TIMED_FILE = re.compile('accuracy|stability')
 RUN_TIME = 'run_time'
@@ -86,7 +87,7 @@ class Comparison:
     def plain(self, where, text):
         """Without what no two builds, or runs, have in common."""
         text = re.sub(r'((?:Drillwave|drillwave|"?version"?:?) "?)\d+\.\d+(?:\.\d+)*', r'\1VERSION', text)
-        text = re.sub(rf'((?: in| på) ){TIME}(?=\.?$)', r'\1TIME', text, flags=re.M)
+        text = re.sub(rf'((?: in| på| ·) ){TIME}(?=\.?$| · )', r'\1TIME', text, flags=re.M)
         for root in self.roots:
             text = text.replace(os.path.abspath(root), 'FOLDER')
         if 'accuracy' in where:
@@ -270,6 +271,7 @@ def main(arguments):
     if not files:
         print('cannot be compared: the folders have no file in common', file=sys.stderr)
         return 2
+    signal.signal(signal.SIGPIPE, signal.SIG_DFL)  # a reader may leave early
     for (old, new), where in comparison.texts.items():
         print(f'text, {len(where)} files: {", ".join(list(where)[:3])}\n  {old}\n  -> {new}')
     for failure in comparison.failures[:MOST_LISTED]:

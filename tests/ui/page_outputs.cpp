@@ -43,12 +43,6 @@ constexpr int patience = 300000;  // for the longest study on a busy machine [ms
 
 bool isWritten = true;
 
-/// What only a button starts.
-struct Studies {
-    bool scanAndAccuracy = true;
-    bool stability = true;  ///< takes long, and is the same for every scenario
-};
-
 void write(const QDir& folder, const QString& name, const QByteArray& bytes) {
     QFile file(folder.filePath(name));
     if (file.open(QIODevice::WriteOnly) && file.write(bytes) == bytes.size()) return;
@@ -92,9 +86,14 @@ QAbstractButton* button(const QWidget& page, const char* name) {
     return page.findChild<QAbstractButton*>(QLatin1String(name));
 }
 
+/// Whether rows of tables are among the texts: those of the study of accuracy contain times.
+enum class Tables { written, skipped };
+
 /// Each text in a line of its own, with a word that says what has it.
 class Lines {
   public:
+    explicit Lines(Tables tables = Tables::written) : m_tables(tables) {}
+
     void add(const char* what, QString text) {
         text.replace(QLatin1Char('\n'), QStringLiteral(" / "));
         if (!text.trimmed().isEmpty()) m_lines << QLatin1String(what) + QStringLiteral(": ") + text;
@@ -114,6 +113,7 @@ class Lines {
     QByteArray all() const { return m_lines.join(QLatin1Char('\n')).toUtf8() + '\n'; }
 
   private:
+    Tables m_tables;
     QStringList m_lines;
 };
 
@@ -123,12 +123,14 @@ void Lines::addTable(const QAbstractItemView& view) {
     constexpr int mostRows = 200;
     for (int column = 0; column < model->columnCount(); ++column)
         add("column", model->headerData(column, Qt::Horizontal).toString());
+    if (m_tables == Tables::skipped) return;
     for (int row = 0; row < std::min(model->rowCount(), mostRows); ++row) {
         QStringList cells{model->headerData(row, Qt::Vertical).toString()};
         for (int column = 0; column < model->columnCount(); ++column) {
             const QModelIndex index = model->index(row, column);
             cells << index.data().toString();
-            add("tip", index.data(Qt::ToolTipRole).toString());
+            const QString tip = index.data(Qt::ToolTipRole).toString();
+            if (tip != cells.last()) add("tip", tip);
         }
         add("row", cells.join(QStringLiteral(" | ")));
     }
@@ -201,8 +203,8 @@ void writeCopied(const QDir& folder, const Page& page, const QString& stem) {
     }
 }
 
-void writeTexts(const QDir& folder, const Page& page, const QString& stem) {
-    Lines lines;
+void writeTexts(const QDir& folder, const Page& page, const QString& stem, Tables tables) {
+    Lines lines(tables);
     lines.add("title", page.title());
     lines.add("elsewhere", page.elsewhere());
     for (const PageExport& each : page.exports()) {
@@ -231,36 +233,26 @@ void writeAround(const QDir& folder, const MainWindow& window) {
     write(folder, QStringLiteral("window.lines.txt"), lines.all());
 }
 
-/// One page; its studies that only a button starts are run as well.
-bool writePage(MainWindow& window, Page& page, const QDir& folder, const QString& stem,
-               const Studies& studies) {
+/// One page; its studies that only a button starts are run as well, but not that of stability, which takes
+/// long and is the same for every scenario.
+bool writePage(MainWindow& window, Page& page, const QDir& folder, QString stem, bool withStudies) {
+    if (auto* samples = page.findChild<QComboBox*>(QStringLiteral("samples"))) samples->setCurrentIndex(0);
     if (!settle(window, page)) return false;
     QAbstractButton* proof = button(page, "run");
-    if (QAbstractButton* scan = button(page, "scan"); scan && studies.scanAndAccuracy) {
-        scan->click();
+    QAbstractButton* study = proof ? proof : button(page, "scan");
+    if (study && withStudies) {
+        study->click();
         if (!waitForExports(page) || !settle(window, page)) return false;
+        if (proof)
+            stem += QStringLiteral("_accuracy");  // the comparison expects times in a file of that name
     }
-    if (!studies.scanAndAccuracy || !proof) {
-        writeTexts(folder, page, stem);
-        writeExports(folder, page, stem);
-        writeCopied(folder, page, stem);
-        return true;
-    }
-    // The numbers and the picture of a proof contain times; the comparison knows them by the name.
-    auto* proofs = page.findChild<QTabWidget*>(QStringLiteral("proofs"));
-    for (int tab = 0; tab < (studies.stability ? proofs->count() : 1); ++tab) {
-        proofs->setCurrentIndex(tab);
-        proof->click();
-        if (!waitForExports(page) || !settle(window, page)) return false;
-        const QString name = stem + (tab == 0 ? QStringLiteral("_accuracy") : QStringLiteral("_stability"));
-        writeTexts(folder, page, name);
-        writeExports(folder, page, name);
-        writeCopied(folder, page, name);
-    }
+    writeTexts(folder, page, stem, proof ? Tables::skipped : Tables::written);
+    writeExports(folder, page, stem);
+    writeCopied(folder, page, stem);
     return true;
 }
 
-bool writePages(MainWindow& window, const QDir& folder, const Studies& studies) {
+bool writePages(MainWindow& window, const QDir& folder, bool withStudies) {
     auto& pages = *window.findChild<PageTabs*>();
     QString tabs;
     for (int page = 0; page < pages.count(); ++page)
@@ -272,7 +264,7 @@ bool writePages(MainWindow& window, const QDir& folder, const Studies& studies) 
         pages.setCurrentIndex(index);
         Page& page = pages.page(index);
         if (!writePage(window, page, folder, QStringLiteral("%1").arg(index, 2, 10, QLatin1Char('0')),
-                       studies)) {
+                       withStudies)) {
             std::fprintf(stderr, "page %d, %s: its study does not end\n", index, qPrintable(page.title()));
             return false;
         }
@@ -293,7 +285,7 @@ bool writeComparison(MainWindow& window, const QDir& folder) {
         if (!pages.isOffered(index) || !button(page, "copy")) continue;
         pages.setCurrentIndex(index);
         const QString stem = QStringLiteral("%1_pinned").arg(index, 2, 10, QLatin1Char('0'));
-        if (!waitForExports(page) || !writePage(window, page, folder, stem, {})) return false;
+        if (!waitForExports(page) || !writePage(window, page, folder, stem, true)) return false;
     }
     return true;
 }
@@ -328,7 +320,7 @@ int main(int argc, char** argv) {
     window.show();
     window.openExample(*example);
     const bool isWhole = !words.isSet(without);
-    if (!writePages(window, folder, {isWhole, !example->ofString})) return 1;
+    if (!writePages(window, folder, isWhole)) return 1;
     if (isWhole && !writeComparison(window, folder)) return 1;
     return isWritten ? 0 : 1;
 }
