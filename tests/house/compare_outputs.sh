@@ -1,70 +1,101 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Compares what two builds of the program write, byte by byte: compare_outputs.sh OLD_PROGRAM NEW_PROGRAM [NEW_OUTPUTS]
-# For every built-in scenario: the texts, JSON, CSV and pictures of run, and sweep, curve, map, thrust, accuracy and the report; of
-# rods gap and the lattice too; also the table of reference cases, the figures and the presets. Times, which no two runs share, are left out. For changes that must not
-# show. Exit code 1 and the differences when there are any. NEW_OUTPUTS, as in peak_tension,peak_compression, are left out of
-# JSON where only the new program has them; of sweeps both write what the old one has.
+# Compares what two builds of the program write: compare_outputs.sh [OPTION]… OLD NEW [NEW_KEYS]
+# OLD and NEW are folders of builds (build/release), or the programs in them (build/release/app/drillwave). NEW_KEYS, as
+# in peak_tension,gap, may be in the JSON of the new side only.
+#   --commands     compares the commands only, not the window
+#   --keep FOLDER  leaves the outputs in FOLDER/old and FOLDER/new
+#
+# It covers every command with every format, pictures, help and refused commands, in English, German and Swedish
+# (write_outputs.sh); manual pages and completions; and every page of the window for a rod and a drill string: its CSV,
+# picture, copied command line and texts, menus and panels (tests/ui/page_outputs.cpp).
+#
+# Keys, codes, exit codes, numbers, file names and pictures must be equal. Words for people may differ, and each changed
+# text is listed, old -> new. The rules are at the head of compare_outputs.py. Versions and run times are not compared.
+#
+# The tool for the window is compiled from this checkout against the sources and libraries of each side, so that an old
+# checkout need not have it; both sides must be built. It is not compared where a side is built without the window.
+#
+# Exit code: 0 nothing differs, 3 only texts differ, 1 something that must be equal differs, 2 the sides could not be
+# compared. It takes about five minutes on two processors; both sides run at the same time.
 set -euo pipefail
-old=$(readlink -f "$1")
-new=$(readlink -f "$2")
-added=${3:-}
-outputs=$("$old" help sweep | sed -n '/^Outputs/,$s/^  \([a-z_]*\)  .*/\1/p' | grep -vxE 'all|thrust' | paste -sd,)
-[ -n "$outputs" ] || { echo "the help of the old program names no outputs" && exit 2; }
-cases=$(readlink -f "$(dirname "${BASH_SOURCE[0]}")/../cases")
+house=$(dirname "$(readlink -f "${BASH_SOURCE[0]}")")
+window=yes
+keep=
+while [[ ${1:-} == --* ]]; do
+    case $1 in
+        --commands) window= ;;
+        --keep) keep=$2 && shift ;;
+        *) echo "unknown option $1" >&2 && exit 2 ;;
+    esac
+    shift
+done
+[ $# -ge 2 ] || { echo "usage: compare_outputs.sh [--commands] [--keep FOLDER] OLD NEW [NEW_KEYS]" >&2 && exit 2; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-export QT_QPA_PLATFORM=offscreen SOURCE_DATE_EPOCH=1700000000
+outputs=${keep:-$work}
+mkdir -p "$outputs"
+outputs=$(readlink -f "$outputs")
+[ ! -e "$outputs/old" ] && [ ! -e "$outputs/new" ] || { echo "$outputs has outputs already" >&2 && exit 2; }
 
-# Blanks out what was measured: run_time in JSON and YAML, times in the columns and lines of accuracy.
-without_times() {
-    find "$1" -type f \( -name '*.json' -o -name '*.yaml' -o -name '*.csv' -o -name '*.txt' \) -print0 |
-        xargs -0 sed -i -E 's/("?run_time[a-z_]*"?[:=] ?)[-+.0-9e]+/\1TIME/g
-            s/[0-9.]+ (ns|µs|us|ms|s)\b/TIME/g'
-    [ -z "$added" ] || find "$1" -name '*.json' -print0 | xargs -0 sed -i -E "/^ *\"(${added//,/|})\": /d"
+# The program of a folder of a build, or the folder of a program.
+program_of() { if [ -d "$1" ]; then readlink -f "$1/app/drillwave"; else readlink -f "$1"; fi; }
+build_of() { dirname "$(dirname "$(program_of "$1")")"; }
+has_window() { [ -e "$(build_of "$1")/CMakeCache.txt" ] && [ -e "$(build_of "$1")/app/drillwave-window" ]; }
+
+# build_tool BUILD TOOL: compiles and links the tool for the window as the build does tests/ui/screenshots.
+build_tool() {
+    local build=$1 tool=$2 sources object=tests/ui/CMakeFiles/screenshots.dir/screenshots.cpp.o
+    sources=$(sed -n 's/^CMAKE_HOME_DIRECTORY:INTERNAL=//p' "$build/CMakeCache.txt")
+    ninja -C "$build" -t commands tests/ui/screenshots | grep -F " $object" |
+        sed "s|$sources/tests/ui/screenshots.cpp|$house/../ui/page_outputs.cpp|g; s|$object|$tool.o|g
+             s|-o tests/ui/screenshots |-o $tool |; s| -Werror | |" >"$tool.commands"
+    (cd "$build" && bash -e "$tool.commands") >"$tool.log" 2>&1 && [ -x "$tool" ]
 }
 
-# Everything the program writes goes into the current folder; standard output and error too.
-write_all() {
-    local program=$1 name
-    say() { local to=$1 && shift && "$program" "$@" >"$to.txt" 2>"$to.err.txt" || echo "exit $?" >>"$to.txt"; }
-    for name in $("$program" examples | awk '{ print $1 }'); do
-        say "$name.run" run "$name"
-        "$program" run "$name" --json >"$name.run.json"
-        say "$name.folder" run "$name" -o "$name.blow" --plots png,svg,pdf
-        say "$name.thrust" thrust "$name" --set drill.blow_frequency=45Hz
-        say "$name.report" report "$name" -o "$name.html"
-        say "$name.curve" curve "$name" --along gamma=0.05:1 --outputs rock_work,peak_force
-        if [[ $name == *_string ]]; then
-            say "$name.sweep" sweep "$name" --vary gamma=0.05:1:5 --vary bit_rock.gap=0mm:3mm:7 --outputs "$outputs"
-            say "$name.map" map "$name" --x gamma=0.05:1:6 --y string.coupling.diameter=40mm:60mm:5 --output rock_work --level 0.5
-            continue
-        fi
-        say "$name.sweep" sweep "$name" --vary gamma=0.05:1:8 --vary delta=0:3:40 --outputs "$outputs"
-        say "$name.map" map "$name" --x gamma=0.05:1:9 --y delta=0:2:9 --output cor --level 0
-        say "$name.lattice" run "$name" --method lattice --segments 2000
-        say "$name.gap" gap "$name"
-        say "$name.gap_json" gap "$name" --json
-        say "$name.gap_csv" gap "$name" -o "$name.gap"
-        # Methods and errors only: the other columns are times and what follows from them.
-        "$program" accuracy "$name" --segments 100,1000 -o - | grep -v '^#' | cut -d, -f1-15 >"$name.accuracy.csv"
-    done
-    say table table r32_hard_rock "$cases/reference.csv"
-    say figures figures -o figures
-    say presets presets
-    say help help
-    for name in run sweep table curve map gap thrust report join figures accuracy stability validate examples presets; do
-        say "help.$name" help "$name"
+# write_pages TOOL FOLDER
+write_pages() {
+    local language example home
+    home=$(mktemp -d "$work/home.XXX")
+    export QT_QPA_PLATFORM=offscreen SOURCE_DATE_EPOCH=1700000000 TZ=UTC LC_ALL=C.UTF-8 HOME=$home XDG_CONFIG_HOME=$home
+    export XDG_DATA_HOME=$home XDG_CACHE_HOME=$home XDG_RUNTIME_DIR=$home
+    for example in t38_medium_rock r32_string; do
+        "$1" "$2/$example" "$example" 2>"$1.log" || { cat "$1.log" >&2 && return 1; }
+        for language in de sv; do
+            "$1" --language $language --without-studies "$2/${example}_$language" "$example" 2>"$1.log" ||
+                { cat "$1.log" >&2 && return 1; }
+        done
     done
 }
 
-for side in old new; do
-    mkdir "$work/$side"
-    (cd "$work/$side" && write_all "${!side}" && without_times .)
+# write_side NAME OLD_OR_NEW
+write_side() {
+    local program build file
+    program=$(program_of "$2")
+    build=$(build_of "$2")
+    bash "$house/write_outputs.sh" "$program" "$outputs/$1" "$(program_of "$old")" || return 1
+    for file in "$build"/app/describe/{drillwave.1,drillwave-window.1,drillwave.bash,drillwave.fish,_drillwave}; do
+        [ ! -e "$file" ] || cp "$file" "$outputs/$1"
+    done
+    [ -z "$window" ] || write_pages "$work/pages_$1" "$outputs/$1/window"
+}
+
+old=$1
+new=$2
+SECONDS=0
+for side in "$old" "$new"; do
+    [ -x "$(program_of "$side")" ] || { echo "$side: no program" >&2 && exit 2; }
+    [ -z "$window" ] || has_window "$side" || { echo "$side is built without the window: only commands" && window=; }
 done
-if diff -rq "$work/old" "$work/new"; then
-    echo "the same bytes in $(find "$work/new" -type f | wc -l) files"
-else
-    diff -r "$work/old" "$work/new" | grep -a -v '^Binary' | head -n 60 || true
-    exit 1
+if [ -n "$window" ]; then
+    build_tool "$(build_of "$old")" "$work/pages_old" &
+    build_tool "$(build_of "$new")" "$work/pages_new" && wait $! ||
+        { cat "$work"/pages_*.log && echo "the tool for the window cannot be compiled; use --commands" && exit 2; } >&2
 fi
+write_side old "$old" &
+first=$!
+write_side new "$new" && wait $first || { echo "not everything could be written" >&2 && exit 2; }
+result=0
+python3 -B "$house/compare_outputs.py" "$outputs/old" "$outputs/new" ${3:+"$3"} || result=$?
+echo "compared in $((SECONDS / 60)) min $((SECONDS % 60)) s"
+exit $result
