@@ -48,7 +48,7 @@ set_axes() {
     esac
 }
 
-# What every command says of an example, in words.
+# Texts of every command for an example.
 write_words() {
     local name=$1 second output level chosen deviation segments
     set_axes "$name"
@@ -230,7 +230,7 @@ make_bad_files() {
     printf 'gamma,delta\n0.1,0.2\n0.3,0.4\n' >cases.csv
 }
 
-# What has no scenario, or takes files of others.
+# Commands without a scenario, and those that take files of others.
 write_others() {
     local part
     say table.csv table r32_hard_rock "$cases/reference.csv"
@@ -265,7 +265,7 @@ for language in en de sv; do
         write_help
         write_others
         write_refused
-        # Of all its forms one in each language: it takes long.
+        # One form in each language: it takes long.
         case $language in
             en) say stability.txt stability -o stability --plots "$plots" ;;
             de) say stability.txt stability ;;
