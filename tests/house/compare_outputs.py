@@ -24,8 +24,8 @@ In a text the numbers must be the same, in the same order. A decimal comma or th
 number. A PNG or PDF whose SVG of the same name differs only in words is listed as text in a picture.
 
 Not compared: versions, run times and the folders' own paths; in files with "accuracy" or "stability" in their names
-also the columns of times; of "accuracy" what a picture, and the rest of a line behind a time, contain. NEW_KEYS, as in
-peak_tension,gap, may be in JSON of the new folder only.
+also the columns of times; of "accuracy" what a picture, and the rest of a line behind a time, contain; lines on
+standard error that say how far the work is. NEW_KEYS, as in peak_tension,gap, may be in JSON of the new folder only.
 
 Exit code: 0 no difference, 3 only texts differ, 1 something that must be equal differs, 2 the folders cannot be
 compared.
@@ -91,7 +91,11 @@ class Comparison:
         for root in self.roots:
             text = text.replace(os.path.abspath(root), 'FOLDER')
         if 'accuracy' in where:
-            text = re.sub(rf'{TIME}.*$', 'TIME', text, flags=re.M)
+            text = re.sub(' +', ' ', re.sub(rf'{TIME}.*$', 'TIME', text, flags=re.M))
+        if 'stability' in where:
+            text = re.sub(r'^( *\w*(?:sec|sek|time|zeit|tid)\w*) +\d.*$', r'\1 TIME', text, flags=re.M | re.I)
+        if where.endswith('.err.txt'):
+            text = re.sub(r'^\d+ % \S.*/s\b.*\n?', '', text, flags=re.M)  # how far the work is
         if where.endswith('.1'):
             text = re.sub(r'(?m)^\.TH (\S+ \d).*$', r'.TH \1', text)
         return text

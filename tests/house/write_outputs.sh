@@ -24,10 +24,9 @@ marched=(--blows 30 --settle 10 --cells 10)
 defined() { "$old" help "$1" | sed -nE 's/^`([a-z_.0-9]+)`: .*/\1/p'; }
 parameters=$(defined parameters)
 every_output=$(defined outputs)
-outputs=$(grep -vE '^drill_|^thrust' <<<"$every_output" | paste -sd,)
 drill_outputs=$(grep '^drill_' <<<"$every_output" | paste -sd,)
 examples=$("$old" examples | awk '{ print $1 }')
-[ -n "$parameters" ] && [ -n "$outputs" ] && [ -n "$examples" ] ||
+[ -n "$parameters" ] && [ -n "$drill_outputs" ] && [ -n "$examples" ] ||
     { echo "the old program names no parameters, outputs or examples" >&2 && exit 2; }
 
 # say NAME.ENDING WORD…: runs the command with these words.
@@ -39,18 +38,19 @@ say() {
 }
 
 # Sets what studies of an example go along: $second, and $output with $level for maps; $chosen for designs,
-# $deviation of the gap, and $segments of lattices.
+# $deviation of the gap, $segments of lattices, and $si where there are units.
 set_axes() {
-    second=delta=0:2:9 output=cor level=0 chosen=bit_rock.gap=0mm,1mm deviation=0.5mm segments=(--segments 100,1000)
+    second=delta=0:2:9 output=cor level=0 chosen=bit_rock.gap=0mm,1mm deviation=0.5mm segments=(--segments '100,1000')
+    si=(--si)
     case $1 in
-        paper_* | reference_case) chosen=delta=0,1 deviation=0.5 ;;
+        paper_* | reference_case) chosen=delta=0,1 deviation=0.5 si=() ;;
         *_string) second=string.coupling.diameter=40mm:60mm:4 output=rock_work level=0.5 segments=() ;;
     esac
 }
 
 # Texts of every command for an example.
 write_words() {
-    local name=$1 second output level chosen deviation segments
+    local name=$1 second output level chosen deviation segments si
     set_axes "$name"
     say "$name.run.txt" run "$name"
     say "$name.thrust.txt" thrust "$name"
@@ -68,10 +68,10 @@ write_words() {
 
 # The files of every study of an example, with pictures in the formats $plots.
 write_files() {
-    local name=$1 second output level chosen deviation segments
+    local name=$1 second output level chosen deviation segments si
     set_axes "$name"
     say "$name.folder.txt" run "$name" -o "$name.blow" --plots "$plots"
-    say "$name.report.txt" report "$name" -o "$name.report"
+    say "$name.report.txt" report "$name" -o "$name.report/"
     say "$name.sweep.txt" sweep "$name" --vary gamma=0.05:1:4 --vary "$second" -o "$name.sweep_files.csv" \
         --plots "$plots"
     say "$name.curve_files.txt" curve "$name" --along gamma=0.05:1 --family delta=0,1 --outputs "$output" --goal 0.55 \
@@ -84,7 +84,7 @@ write_files() {
     say "$name.drill_rows.txt" drill "$name" "${marched[@]}" -o "$name.drill_rows.csv" --plots "$plots"
     say "$name.scan_files.txt" drill "$name" "${marched[@]}" --scan drill.thrust=3kN:9kN:3 -o "$name.scan_files.csv" \
         --gaps "$name.scan_gaps.csv" --plots "$plots"
-    say "$name.design_files.txt" design "$name" --uncertain bit_rock.gamma=0.1:0.3 --choose "$chosen" \
+    say "$name.design_files.txt" design "$name" --uncertain gamma=0.1:0.3 --choose "$chosen" \
         --at-least efficiency@q05=0.3 --samples 16 -o "$name.design" --plots "$plots"
     say "$name.accuracy_files.txt" accuracy "$name" "${segments[@]}" -o "$name.accuracy" --plots "$plots"
 }
@@ -92,26 +92,29 @@ write_files() {
 # The pictures of a blow and its report, of the examples whose studies are not drawn.
 write_pictures() {
     say "$1.folder.txt" run "$1" -o "$1.blow" --plots svg
-    say "$1.report.txt" report "$1" -o "$1.report"
+    say "$1.report.txt" report "$1" -o "$1.report/"
 }
 
 # Numbers of an example, which are the same in all languages.
 write_numbers() {
-    local name=$1 second output level chosen deviation segments
+    local name=$1 second output level chosen deviation segments si
     set_axes "$name"
+    # The new side may have more of them.
+    local columns
+    columns=$("$old" sweep "$name" --vary gamma=0.5 --outputs all | sed -n '1{s/^gamma,//; s/ \[[^]]*\]//g; p; }')
     say "$name.run.json" run "$name" --json
     say "$name.run_si.txt" run "$name" --si -o "$name.blow_si"
     say "$name.run_groups.txt" run "$name" --dimensionless -o "$name.blow_groups"
-    say "$name.rows.csv" sweep "$name" --vary gamma=0.05:1:6 --vary "$second" --outputs "$outputs"
-    say "$name.rows_si.csv" sweep "$name" --vary gamma=0.05:1:6 --outputs "$outputs" --si
+    say "$name.rows.csv" sweep "$name" --vary gamma=0.05:1:6 --vary "$second" --outputs "$columns"
+    say "$name.rows_si.csv" sweep "$name" --vary gamma=0.05:1:6 --outputs "$columns" "${si[@]}"
     say "$name.rows_drill.csv" sweep "$name" --vary drill.thrust=3kN:9kN:2 --outputs "$drill_outputs"
-    say "$name.points.csv" curve "$name" --along gamma=0.05:1 --outputs rock_work,peak_force --si -o -
+    say "$name.points.csv" curve "$name" --along gamma=0.05:1 --outputs rock_work,peak_force "${si[@]}" -o -
     say "$name.curve.json" curve "$name" --along gamma=0.05:1 --outputs rock_work,peak_force --level 0.5 --json
     say "$name.goal.json" curve "$name" --along gamma=0.05:1 --outputs "$output" --goal 0.55 --json
     say "$name.map.json" map "$name" --x gamma=0.05:1:6 --y "$second" --output "$output" --level "$level" --json
-    say "$name.map_si.csv" map "$name" --x gamma=0.05:1:6 --y "$second" --output peak_force --si -o -
+    say "$name.map_si.csv" map "$name" --x gamma=0.05:1:6 --y "$second" --output peak_force "${si[@]}" -o -
     say "$name.gap.json" gap "$name" --gap-deviation "$deviation" --json
-    say "$name.gap_si.csv" gap "$name" --si -o -
+    say "$name.gap_si.csv" gap "$name" "${si[@]}" -o -
     say "$name.thrust.json" thrust "$name" --json
     say "$name.thrust_along.json" thrust "$name" --along gamma=0.1:1:4 --json
     say "$name.report.html" report "$name" -o - --project "A project" --author "An author" --customer C --date 2026
@@ -158,7 +161,7 @@ hammer.velocity=1m/s
 hammer.velocity=60m/s
 hammer.restrike=true
 string.rod.length=0.3m
-string.9.diameter=200mm
+string.5.diameter=200mm
 title=Another'
 
 write_variants() {
@@ -206,7 +209,7 @@ write_refused() {
     say refused_help.txt help rok
     say refused_language.txt run t38_medium_rock --language fr
     say refused_output.txt run t38_medium_rock -o /dev/null/x
-    say refused_existing.txt run t38_medium_rock -o t38_medium_rock.blow
+    say refused_existing.txt run r32_hard_rock -o r32_hard_rock.blow
     say refused_design.txt design t38_medium_rock --uncertain gamma=1:0.1
     say refused_goal.txt curve t38_medium_rock --along gamma=0.2:1 --goal 7
     say refused_table.txt table t38_medium_rock bad.csv
