@@ -60,6 +60,7 @@ class TestMapPlot : public QObject {
     Q_OBJECT
 
   private slots:
+    void init() { QLocale::setDefault(QLocale::c()); }  // numbers of the plot follow it
     void everyPointHasItsColour();
     void largerValuesAreLighterOnBothScales();
     void coloursAreAboutTheLevelThatDecides();
