@@ -14,7 +14,7 @@ constexpr std::array strainUnits{SignalUnit{"microstrain", 1e-6}, SignalUnit{"m/
                                  SignalUnit{"mm/m", 1e-3}, SignalUnit{"%", 1e-2}};
 constexpr std::array bridgeUnits{SignalUnit{"mV/V", 1e-3}, SignalUnit{"V/V", 1}, SignalUnit{"uV/V", 1e-6}};
 
-/// Other unitSpellings of strains and bridges.
+/// Other spellings of strains and bridges.
 constexpr std::array<std::pair<std::string_view, std::string_view>, 18> unitSpellings{{
     {"ustrain", "microstrain"},
     {"um/m", "microstrain"},
