@@ -161,7 +161,7 @@ void TestStudySets::aSignalNeverLeavesHalfOfTwoRuns() {
     const qint64 whole = timer.nsecsElapsed() / 1000;
     QRandomGenerator random(38);
     int ended = 0;
-    for (int i = 0, signals_ = tries("DRILLWAVE_TRIAL", 5, 5); i < signals_; ++i) {
+    for (int i = 0, signals_ = tries("DRILLWAVE_TRIAL", 5); i < signals_; ++i) {
         QCOMPARE(run(kind.wordsOf(0, place.path()) + QStringList{"--force"}, environment()).exitCode, 0);
         QVERIFY(setIn(place.path()) == sets[0]);
         const auto process = started(kind.wordsOf(1, place.path()) + QStringList{"--force"});

@@ -30,4 +30,9 @@ inline int tries(const char* variable, int few, int all) {
     return set > 0 ? set : isNightly() ? all : few;
 }
 
+/// The same for a short test: `count` by day and at night.
+inline int tries(const char* variable, int count) {
+    return tries(variable, count, count);
+}
+
 }  // namespace drillwave::test

@@ -85,7 +85,7 @@ class TestDrillingTrial : public QObject {
 };
 
 void TestDrillingTrial::itHoldsOfAll_data() {
-    const int rods = tries("DRILLWAVE_DRILLING_SCENES", 16, 16);
+    const int rods = tries("DRILLWAVE_DRILLING_SCENES", 16);
     QTest::addColumn<bool>("isString");
     QTest::addColumn<int>("count");
     QTest::newRow("rods") << false << rods;

@@ -21,7 +21,7 @@ constexpr int fewChanges = 160;
 
 /// Some for every run of the tests. DRILLWAVE_EVENT_CHANGES=4000 takes minutes.
 int changesToFind() {
-    return tries("DRILLWAVE_EVENT_CHANGES", fewChanges, fewChanges);
+    return tries("DRILLWAVE_EVENT_CHANGES", fewChanges);
 }
 
 /// Sums that were made apart, of right blows: rounding of joined pieces, 4e-10 at most.

@@ -133,7 +133,7 @@ class TestForceDrive : public QObject {
         RandomScenes scenes({1e-2, 30, 0.05, 0.3, 30, 5}, 77);
         NetworkSolver solver;
         int compared = 0;
-        const int rods = tries("DRILLWAVE_FORCED_RODS", 500, 500);
+        const int rods = tries("DRILLWAVE_FORCED_RODS", 500);
         for (int i = 0; i < rods; ++i) {
             const Scene scene = scenes.nextQuick();
             const Problem problem = problemOf(scene);
