@@ -247,7 +247,7 @@ constexpr auto drillTable = std::to_array<Output>({
                        "mean peak force"),
     row<&D::damperForce>("drill_damper_force", "largest force of the damper", Measure::force,
                          "largest force of the damper"),
-    row<&D::contactShare>("drill_contact_share", "share of blows that begin within 0.01 d0 of the rock",
+    row<&D::contactShare>("drill_contact_share", "share of blows that begin within 0.05 d0 of the rock",
                           Measure::number, "blows that begin on the rock"),
     row<&D::contacts>("drill_contacts", "contacts of a blow, mean", Measure::number, "contacts of a blow"),
     row<&D::period>("drill_period", "blows after which the motion repeats, 1 to 16; 0 where it does not",

@@ -282,8 +282,8 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                                 "three of their errors: more blows, or more that settle, are needed.");
         case AlertCode::coexistingMotions:
             return translatable("drillwave::Message",
-                                "From rest and from bouncing it comes to different motions: which one a "
-                                "machine takes is not known.");
+                                "Two motions coexist. The start or the time step decides which one is "
+                                "computed; which one a machine takes is not known.");
         case AlertCode::irregularMotion:
             return translatable("drillwave::Message",
                                 "The motion does not repeat: means are results, single blows are none.");

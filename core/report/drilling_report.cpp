@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/contact_law.h"
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
 #include "core/report/blow_csv.h"
 #include "core/report/json_value.h"
+#include "core/study/drilling/drilling_numbers.h"
 #include "core/text/number_text.h"
 #include "core/text/unit_heading.h"
 
@@ -72,6 +74,7 @@ JsonObject unitsJson(const DrillingResult& result, OutputUnits units) {
             {"damper_peak_force", unit(force, "F0")},
             {"contact_time", unit(time, "t0")},
             {"contacts", "1"},
+            {"contact_limit", unit(length, "d0")},
             {"ledger", unit(energy, "W0")},
             {"penetration_rate", "m/s"},
             {"thrust_marks", "N"},
@@ -230,16 +233,17 @@ std::string drillingJson(const DrillingReport& report, OutputUnits units) {
     const auto number = [&](double value, DrillingMeasure measure) {
         return valueOf(value, measure, result, units);
     };
-    JsonObject object{{"version", versionText},
-                      {"title", result.scenario.title},
-                      {"method", "cells"},
-                      {"outcome", name(result.outcome)},
-                      {"reason", result.reason.isEmpty() ? Json() : Json(result.reason.text())},
-                      {"run_time", result.runTime},
-                      {"blows", result.settings.blows},
-                      {"settle", result.settings.settle},
-                      {"cells_per_duration", result.cellsPerDuration},
-                      {"blow_frequency_used", result.frequencyUsed}};
+    JsonObject object{
+        {"version", versionText},
+        {"title", result.scenario.title},
+        {"method", "cells"},
+        {"outcome", name(result.outcome)},
+        {"reason", result.outcome == DrillingOutcome::done ? Json() : Json(whyNoStatistics(result).text())},
+        {"run_time", result.runTime},
+        {"blows", result.settings.blows},
+        {"settle", result.settings.settle},
+        {"cells_per_duration", result.cellsPerDuration},
+        {"blow_frequency_used", result.frequencyUsed}};
     JsonObject groupObject = groupsJson(groups.blow);
     groupObject["phi"] = groups.phi;
     groupObject["round_trips"] = groups.roundTrips;
@@ -251,6 +255,7 @@ std::string drillingJson(const DrillingReport& report, OutputUnits units) {
     object["statistics"] = statisticsJson(result, units);
     const auto ofStatistics = [&](const auto& value) { return result.statistics ? value() : Json(); };
     object["contact_share"] = ofStatistics([&] { return Json(result.statistics->contactShare); });
+    object["contact_limit"] = number(contactLimit / lawUnitOfPenetration, length);
     object["regime"] = ofStatistics([&] { return Json(name(result.statistics->regime)); });
     object["period"] = ofStatistics([&] { return Json(result.statistics->period); });
     object["frac_gap"] = ofStatistics([&] {

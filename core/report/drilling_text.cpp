@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/contact/contact_law.h"
 #include "core/report/alert_words.h"
 #include "core/report/report_text.h"
 #include "core/study/drilling/drilling_statistics.h"
@@ -68,7 +69,15 @@ std::string statisticsTable(const DrillingResult& result, OutputUnits units, con
     return grid.text();
 }
 
-std::string motionLines(const DrillingResult& result, const ReadingStyle& style) {
+/// 0.05 d0.
+std::string contactLimitText(const DrillingResult& result, OutputUnits units, const ReadingStyle& style) {
+    const double limit =
+        scaleOf(DrillingMeasure::length, result).value(contactLimit / lawUnitOfPenetration, units);
+    return units == OutputUnits::si ? style.quantity(limit, Quantity::length, 2)
+                                    : style.number(limit, 2) + " d0";
+}
+
+std::string motionLines(const DrillingResult& result, OutputUnits units, const ReadingStyle& style) {
     const double rate = result.spread(quantityPlace(&DrillingBlow::penetration)).mean *
                         result.units.length() * result.frequencyUsed;
     return labelled(rateLabel,
@@ -77,10 +86,11 @@ std::string motionLines(const DrillingResult& result, const ReadingStyle& style)
                                   "cuttings vanish"),
                      {style.rate(rate, 4)}},
                     style) +
-           labelled(shareLabel,
-                    {translatable("drillwave::Message", "%1 of the blows begin on the rock"),
-                     {percent(result.statistics->contactShare, 4, style)}},
-                    style) +
+           labelled(
+               shareLabel,
+               {translatable("drillwave::Message", "%1 of the blows begin within %2 of the rock"),
+                {percent(result.statistics->contactShare, 4, style), contactLimitText(result, units, style)}},
+               style) +
            labelled(motionLabel, regimeWords(result, style), style);
 }
 
@@ -115,7 +125,7 @@ std::string drillingText(const DrillingReport& report, OutputUnits units, const 
                         {style.number(result.groups.phi, 4), style.number(result.groups.roundTrips, 4)}}) +
             "\n";
     if (result.statistics)
-        text += "\n" + statisticsTable(result, units, style) + "\n" + motionLines(result, style);
+        text += "\n" + statisticsTable(result, units, style) + "\n" + motionLines(result, units, style);
     if (!result.blows.empty()) text += balanceLines(result, style);
     if (!result.alerts.empty()) text += "\n";
     for (const Alert& alert : result.alerts) text += paragraph(alertText(alert, style));

@@ -139,8 +139,15 @@ std::string axisText(const SweepAxis& axis, const ReadingStyle& style) {
 
 std::string mapText(const MapReport& report, const ReadingStyle& style) {
     const MapStudy& study = report.study;
-    std::uint64_t blows = report.grid.size();
-    for (const Contour& contour : report.contours) blows += contour.solves;
+    std::uint64_t solved = report.grid.size();
+    for (const Contour& contour : report.contours) solved += contour.solves;
+    // a point of drill_… takes many blows
+    const bool hasSequences = study.output.output->needsDrilling();
+    const char* solvedIn = hasSequences
+                               ? (solved == 1 ? translatable("drillwave::Message", "%1 point in %2.")
+                                              : translatable("drillwave::Message", "%1 points in %2."))
+                               : (solved == 1 ? translatable("drillwave::Message", "%1 blow in %2.")
+                                              : translatable("drillwave::Message", "%1 blows in %2."));
     std::string text =
         headingOf(study.base, style) + "\n  " +
         style.said({translatable("drillwave::Message", "%1 over %2; %3"),
@@ -156,9 +163,8 @@ std::string mapText(const MapReport& report, const ReadingStyle& style) {
                 "\n";
     for (const Contour& contour : report.contours) text += contourText(report, contour, style);
     return text + "  " +
-           style.said({blows == 1 ? translatable("drillwave::Message", "%1 blow in %2.")
-                                  : translatable("drillwave::Message", "%1 blows in %2."),
-                       {std::to_string(blows), style.quantity(report.runTime, Quantity::time, 3)}}) +
+           style.said(
+               {solvedIn, {std::to_string(solved), style.quantity(report.runTime, Quantity::time, 3)}}) +
            "\n";
 }
 

@@ -191,9 +191,9 @@ DrillingGrid withEndInside(const DrillingProblem& problem, int cells) {
     const double roundTrip = 2 * problem.blow.transitTime();
     const long trip = std::lround(cells * roundTrip) + more;
     DrillingGrid grid = drillingGridOf(problem, cells);
-    grid.cells.cell = roundTrip / static_cast<double>(trip);
-    grid.cells.roundTrips = {trip};
-    grid.cuts.begin(grid.cells.cell, {}, {});
+    grid.cell = roundTrip / static_cast<double>(trip);
+    grid.roundTrips = {static_cast<double>(trip)};
+    grid.cuts.begin(grid.cell, {}, {});
     grid.cellsOfInterval = tripsOfInterval * trip;
     return grid;
 }

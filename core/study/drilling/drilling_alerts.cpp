@@ -68,6 +68,7 @@ std::vector<Alert> drillingAlerts(const DrillingResult& result, const AlertCause
     if (std::abs(result.energyResidual) > toldResidual)
         add(AlertLevel::warning, AlertCode::energyUnbalanced, {{"share", std::abs(result.energyResidual)}});
     if (!result.statistics) return alerts;
+    if (result.cellsDecideMotion) add(AlertLevel::warning, AlertCode::coexistingMotions);
     if (!result.statistics->isSettled) add(AlertLevel::warning, AlertCode::notSettled);
     if (result.statistics->period == 0 || (result.lyapunov && result.lyapunov->value > chaotic))
         add(AlertLevel::information, AlertCode::irregularMotion);

@@ -15,21 +15,12 @@ bool hasDamper(const Drill& drill) {
     return drill.damperDamping.value_or(0) > 0 || drill.damperStiffness.value_or(0) > 0;
 }
 
-/// The share that waves lose in one round trip, from the losses of joints and rods and from `wave_loss`.
+/// The share that waves lose in one round trip of each section by `wave_loss`, which is that of all of them.
 std::vector<double> waveLosses(const Scenario& scenario, const Problem& blow) {
-    const std::size_t hammer = blow.hammerSections(), count = blow.sections.size();
-    std::vector<double> kept(count, 1);
-    const double ofAll = 1 - scenario.drill.waveLoss.value_or(0);
-    for (std::size_t j = hammer; j < count; ++j) {
-        const UniformSection& section = blow.sections[j];
-        kept[j] *= std::pow(ofAll, section.transitTime / blow.transitTime()) * std::exp(-2 * section.decay);
-        if (j + 1 == count || section.loss == 0) continue;
-        // of the longer one, of two equal ones of that behind
-        const bool own = section.transitTime >= blow.sections[j + 1].transitTime;
-        kept[own ? j : j + 1] *= 1 - section.loss;
-    }
-    std::vector<double> losses;
-    for (const double share : kept) losses.push_back(1 - share);
+    const double kept = 1 - scenario.drill.waveLoss.value_or(0);
+    std::vector<double> losses(blow.sections.size(), 0);
+    for (std::size_t j = blow.hammerSections(); j < losses.size(); ++j)
+        losses[j] = 1 - std::pow(kept, blow.sections[j].transitTime / blow.transitTime());
     return losses;
 }
 
@@ -62,7 +53,6 @@ DrillingProblem drillingProblemOf(const Scenario& scenario, Problem blow) {
     const double impedance = units.force / units.velocity;
     DrillingProblem problem;
     problem.waveLosses = waveLosses(scenario, blow);
-    for (UniformSection& section : blow.sections) section.loss = section.decay = 0;
     blow.endTime.reset();
     blow.nextBlow.reset();
     problem.blow = std::move(blow);

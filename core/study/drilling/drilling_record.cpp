@@ -61,8 +61,8 @@ class MarchBeside {
 };
 
 /// Whether nothing bounded comes of it.
-bool isPushedBack(const DrillingProblem& problem, double interval, const std::vector<DrillingBlow>& blows,
-                  long growing) {
+bool fliesAway(const DrillingProblem& problem, double interval, const std::vector<DrillingBlow>& blows,
+               long growing) {
     if (blows.back().gap * lawUnitOfPenetration > mostGap) return true;
     if (problem.blow.isForced() || growing < growingBlows) return false;
     return problem.feedForce * interval <= meanImpulse(blows, growingBlows);
@@ -108,11 +108,17 @@ double meanImpulse(const std::vector<DrillingBlow>& blows, std::size_t last) {
 DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid, const RecordLength& length,
                         const std::stop_token& stop, const DrillingProgress& progress) {
     DrillingRecord result;
-    if (problem.blow.isForced() && problem.feedForce * grid.interval() < 1 - equalThrust) {
+    // of the given frequency: the one that is rounded to cells decides nothing
+    if (problem.blow.isForced() && problem.feedForce * problem.interval < 1 - equalThrust) {
         result.outcome = DrillingOutcome::pushedBack;
         return result;
     }
     DrillingMarch main(problem, grid);
+    if (!main.trouble().empty()) {
+        result.outcome = DrillingOutcome::notSolved;
+        result.reason = Message::ofTable(main.trouble());
+        return result;
+    }
     std::optional<DrillingMarch> beside;
     if (length.lyapunov) {
         beside.emplace(main);
@@ -152,7 +158,7 @@ DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid
         growing = !result.blows.empty() && main.blow().gap > result.blows.back().gap ? growing + 1 : 0;
         result.blows.push_back(main.blow());
         result.lateShare = std::max(result.lateShare, main.lateShare());
-        if (isPushedBack(problem, grid.interval(), result.blows, growing))
+        if (fliesAway(problem, grid.interval(), result.blows, growing))
             result.outcome = DrillingOutcome::pushedBack;
         if (length.onBlow) length.onBlow(main.blow());
         if (progress) progress(beside ? 2 : 1);

@@ -16,12 +16,12 @@ constexpr EnumNames<DrillingRegime> regimeNames{{{DrillingRegime::rest, "rest"},
                                                  {DrillingRegime::period, "period"},
                                                  {DrillingRegime::irregular, "irregular"}}};
 
-/// Batches of consecutive blows, and the quantile of 97.5 % of Student's distribution with one less.
+/// Batches of consecutive blows at most, and the 97.5 % quantiles of Student's distribution for two batches,
+/// three … (one degree of freedom, two …).
 constexpr std::size_t batches = 20;
-constexpr double studentOfBatches = 2.093;
-
-/// Less than that of d0 is no gap.
-constexpr double leastGap = 0.01;
+constexpr std::array<double, batches - 1> studentOfBatches{12.706, 4.303, 3.182, 2.776, 2.571, 2.447, 2.365,
+                                                           2.306,  2.262, 2.228, 2.201, 2.179, 2.160, 2.145,
+                                                           2.131,  2.120, 2.110, 2.101, 2.093};
 
 /// What repeats to this share of d0 and v0 over three periods has a period, and the longest one looked for.
 constexpr double sameMotion = 1e-6;
@@ -45,16 +45,16 @@ double meanOf(std::span<const double> values) {
 
 /// By the means of batches; a rest of fewer blows than a batch is left out at the front.
 std::optional<double> batchError(std::span<const double> values) {
-    if (values.size() < batches) return std::nullopt;
-    const std::size_t size = values.size() / batches;
-    const std::span<const double> counted = values.last(size * batches);
+    if (values.size() < 2) return std::nullopt;
+    const std::size_t count = std::min(batches, values.size()), size = values.size() / count;
+    const std::span<const double> counted = values.last(size * count);
     const double mean = meanOf(counted);
     double sum = 0;
-    for (std::size_t i = 0; i < batches; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         const double off = meanOf(counted.subspan(i * size, size)) - mean;
         sum += off * off;
     }
-    return studentOfBatches * std::sqrt(sum / (batches - 1) / batches);
+    return studentOfBatches[count - 2] * std::sqrt(sum / static_cast<double>((count - 1) * count));
 }
 
 bool repeats(std::span<const DrillingBlow> blows, std::size_t period, double velocityScale) {
@@ -127,7 +127,7 @@ DrillingStatistics statisticsOf(std::span<const DrillingBlow> blows, std::size_t
     std::size_t inContact = 0;
     for (const DrillingBlow& blow : counted) {
         const double gap = blow.gap * lawUnitOfPenetration;
-        inContact += gap < leastGap;
+        inContact += gap < contactLimit;
         parts.push_back(gap - std::floor(gap));
         const auto bin = static_cast<std::size_t>(parts.back() * 20);
         ++statistics.gapParts[std::min<std::size_t>(bin, 19)];

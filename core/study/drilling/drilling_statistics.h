@@ -15,7 +15,7 @@ namespace drillwave {
 /// A number of every blow over all blows that count.
 struct BlowSpread {
     double mean = 0;
-    std::optional<double> meanError;  ///< 95 %, by batches of consecutive blows; nothing of fewer than twenty
+    std::optional<double> meanError;  ///< 95 %, by up to 20 batches of consecutive blows; nothing of one blow
     double deviation = 0;
     double q05 = 0, q50 = 0, q95 = 0;
     double least = 0, largest = 0;
@@ -55,10 +55,13 @@ enum class DrillingRegime {
 };
 std::string_view name(DrillingRegime regime);
 
+/// A blow whose gap is less than that counts as one that begins in contact [d0].
+inline constexpr double contactLimit = 0.05;
+
 /// Of the blows that count.
 struct DrillingStatistics {
     std::array<BlowSpread, blowQuantities.size()> spreads;  ///< of blowQuantities, in units of Problem
-    double contactShare = 0;                                ///< blows with a gap below 0.01 d0
+    double contactShare = 0;                                ///< blows with a gap below contactLimit
     int period = 0;                                         ///< 1 … 16; 0: it does not repeat
     DrillingRegime regime = DrillingRegime::irregular;
     std::array<int, 20> gapParts{};  ///< gap/d0 modulo 1

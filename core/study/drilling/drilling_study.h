@@ -64,7 +64,7 @@ struct DrillingResult {
     Scenario scenario;
     DrillingSettings settings;
     DrillingOutcome outcome = DrillingOutcome::done;
-    Message reason;  ///< where it is not solved
+    Message reason;  ///< where it is not done
     std::vector<DrillingBlow> blows;
     std::vector<DrillingInstant> instants;  ///< of the blows that are told in full
     /// Nothing where nothing bounded comes of it.
@@ -88,7 +88,8 @@ struct DrillingResult {
     Scales scales;
     double runTime = 0;  ///< [s]
 
-    bool hasLoss = false;  ///< waves fade
+    bool hasLoss = false;            ///< waves fade
+    bool cellsDecideMotion = false;  ///< other cells come to another motion
     /// Of a mean, by batches and cells; nothing where either is not known.
     std::optional<double> meanError(std::size_t quantity) const;
     const BlowSpread& spread(std::size_t quantity) const { return statistics->spreads[quantity]; }

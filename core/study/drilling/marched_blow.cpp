@@ -8,7 +8,7 @@
 #include "core/contact/contact_law.h"
 #include "core/model/blow_traits.h"
 #include "core/model/form_conversion.h"
-#include "core/study/drilling/blow_alone.h"
+#include "core/study/drilling/drilling_mesh.h"
 #include "core/wave/drilling/drilling_march.h"
 
 namespace drillwave {
@@ -103,11 +103,11 @@ Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, lon
     blow.groups = groupsOf(blow.scenario);
     blow.scales = scalesOf(blow.scenario);
     blow.marched = MarchedStart{.number = number};
-    DrillingProblem problem = drillingProblemOf(scenario, blowAlone(scenario, true, stop).problem);
-    problem.start = settings.start;
-    blow.problem = problem.blow;
+    DrillingMesh mesh = drillingMeshOf(scenario, settings.cells);
+    mesh.problem.start = settings.start;
+    blow.problem = mesh.problem.blow;
 
-    DrillingMarch march(problem, drillingGridOf(problem, settings.cells));
+    DrillingMarch march(mesh.problem, mesh.grid);
     while (march.blows() + 2 < number && march.takeBlow(stop)) continue;
     const MarchedWaves kept = march.blows() + 2 >= number ? march.takeBlowWithWaves(stop) : MarchedWaves{};
     if (!march.trouble().empty() || stop.stop_requested()) {

@@ -15,9 +15,6 @@ namespace drillwave {
 
 namespace {
 
-/// Values at which it is tried what other cells change.
-constexpr std::uint64_t triedValues = 5;
-
 /// Statistics agree to that share of what they are of without any error.
 constexpr double sameMean = 1e-6;
 
@@ -32,13 +29,6 @@ struct ValueWork {
     DrillingResult rest, bouncing;
     bool differs = false;
 };
-
-bool isTried(std::uint64_t index, std::uint64_t count) {
-    if (count <= triedValues) return true;
-    for (std::uint64_t i = 0; i < triedValues; ++i)
-        if (index == i * (count - 1) / (triedValues - 1)) return true;
-    return false;
-}
 
 Scenario scenarioAt(const Scenario& base, const SweepAxis& axis, std::uint64_t index) {
     Scenario scenario = base;
@@ -106,9 +96,9 @@ std::vector<Message> scanRefusals(const Scenario& base, const SweepAxis& axis,
 double scanWork(const Scenario& scenario, const DrillingSettings& settings) {
     const auto work = [&](bool fullRate) {
         return drillingWork(scenario, settings,
-                            {.cellError = false, .lyapunov = false, .fullRate = fullRate});
+                            {.cellError = fullRate, .lyapunov = fullRate, .fullRate = fullRate});
     };
-    return 2 * work(false) + work(true);  // from rest with another beside for λ, and from bouncing
+    return work(true) + work(false);  // from rest, and from bouncing
 }
 
 DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const DrillingSettings& settings,
@@ -128,11 +118,8 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
     const auto makeWorker = [&] {
         return [&](ValueWork& chunk, const std::stop_token& stop) {
             const Scenario scenario = scenarioAt(base, axis, chunk.index);
-            DrillingWants wants{.cellError = isTried(chunk.index, axis.count),
-                                .lyapunov = work.lyapunov,
-                                .fullRate = true,
-                                .cor = true,
-                                .fullPenetration = fullPenetration};
+            DrillingWants wants{
+                .lyapunov = work.lyapunov, .fullRate = true, .cor = true, .fullPenetration = fullPenetration};
             DrillingSettings from = settings;
             chunk.rest = studyDrilling(scenario, from, wants, stop);
             wants.cellError = wants.lyapunov = wants.fullRate = wants.cor = false;
@@ -146,7 +133,8 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
             chunk.differs = !isMet && !isSameMotion(chunk.rest, chunk.bouncing);
             wants.isEnough = {};
             wants.lyapunov = work.lyapunov;
-            if (chunk.differs && wants.lyapunov)  // it is told, and so is its λ
+            wants.cellError = true;
+            if (chunk.differs)  // its error is stated, and its λ
                 chunk.bouncing = studyDrilling(scenario, from, wants, stop);
             takeFullRate(chunk.bouncing, chunk.rest);
         };
@@ -155,11 +143,10 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
         const double value = axis.value(chunk.index);
         if (chunk.index == 0) scan.cor = chunk.rest.cor;
         scan.bouncingBlows += static_cast<long>(chunk.bouncing.blows.size());
-        for (std::size_t q = 0; q < blowQuantities.size(); ++q)
-            scan.cellErrors[q] = std::max(scan.cellErrors[q], chunk.rest.cellErrors[q]);
         if (chunk.differs)
             for (DrillingResult* result : {&chunk.rest, &chunk.bouncing})
-                result->alerts.push_back({AlertLevel::warning, AlertCode::coexistingMotions, {}, {}});
+                if (!result->cellsDecideMotion)
+                    result->alerts.push_back({AlertLevel::warning, AlertCode::coexistingMotions, {}, {}});
         scan.points.push_back({value, DrillingStart::rest, std::move(chunk.rest)});
         if (chunk.differs) scan.points.push_back({value, DrillingStart::bouncing, std::move(chunk.bouncing)});
         if (work.progress) work.progress(1);
@@ -167,7 +154,6 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
         return true;
     };
     processInOrder<ValueWork>(work.jobs, work.stop, fill, makeWorker, deliver);
-    for (DrillingScanPoint& point : scan.points) point.result.cellErrors = scan.cellErrors;
     scan.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
     return scan;
 }

@@ -27,8 +27,6 @@ struct DrillingScan {
     /// In the order of the values; of each from rest, and from bouncing where that differs by more than the
     /// errors.
     std::vector<DrillingScanPoint> points;
-    /// What other cells change, the largest of five values; of blowQuantities.
-    std::array<double, blowQuantities.size()> cellErrors{};
     long bouncingBlows = 0;  ///< that were marched from bouncing: none behind where it has come to the same
     double cor = 0;          ///< e of the blow at zero gap, of the first value; over a thrust that of all
     double runTime = 0;

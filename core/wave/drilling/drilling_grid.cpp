@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "core/wave/network/cell_grid.h"
+
 namespace drillwave {
 
 namespace {
@@ -12,13 +14,18 @@ namespace {
 /// A time may differ from whole cells by that share of it and be whole.
 constexpr double wholeShare = 1e-9;
 
+/// A round trip may differ from whole cells by that share of it and be whole: shareGrid() takes 1e-9 of the
+/// longest one.
+constexpr double wholeTrip = 1e-6;
+
 /// A frequency that is rounded by less is kept; ten times more is worth cells a third as large.
 constexpr double keptRounding = 1e-7;
 
 /// A blow may take so many cells to have its interval in whole ones.
 constexpr double affordableCells = 2000;
 
-/// Round trips that share a cell smaller than the one wanted by more than this are rounded instead.
+/// Cells are made smaller than the one wanted by up to this, so that all round trips are whole ones, or none
+/// is less than one.
 constexpr double mostRefinement = 8;
 
 /// Fronts at more places in a cell stay where they are.
@@ -64,10 +71,12 @@ std::vector<double> placesOf(const std::vector<double>& jumps, double cell) {
     return places;
 }
 
-/// All cells in as many parts as there are places of jumps inside them, and one more.
-void cutAtJumps(DrillingGrid& grid, const std::vector<double>& jumps) {
-    grid.cuts.begin(grid.cells.cell, {}, {});
-    for (const double place : placesOf(jumps, grid.cells.cell)) grid.cuts.endPartAt(place);
+/// All cells in as many parts as there are places of jumps inside them, and one more; where round trips are
+/// not whole cells a jump has no place that stays, and they have one part.
+void cutAtJumps(DrillingGrid& grid, const Problem& blow) {
+    grid.cuts.begin(grid.cell, {}, {});
+    if (!blow.isForced() || !grid.hasWholeTrips()) return;
+    for (const double place : placesOf(jumpsOf(blow.force()), grid.cell)) grid.cuts.endPartAt(place);
 }
 
 /// The sizes of cells among which one is chosen, the largest first: all divide `trip`.
@@ -90,6 +99,20 @@ double bestCell(const Choices& choices, double interval, const std::vector<doubl
     return best;
 }
 
+/// The largest cell of which an interval is a whole number, and jumps are so as nearly as they can.
+double cellOfInterval(double interval, double wanted, const std::vector<double>& jumps) {
+    const double fewest = std::ceil(interval / wanted - wholeShare);
+    if (jumps.empty()) return interval / fewest;
+    double best = 0, least = std::numeric_limits<double>::infinity();
+    for (double count = fewest; count <= fewest + std::max(1.0, std::ceil(fewest / 4)); ++count) {
+        const double cell = interval / count;
+        double off = 0;
+        for (const double time : jumps) off += std::abs(time / cell - std::round(time / cell));
+        if (off < least - wholeShare) least = off, best = cell;
+    }
+    return best;
+}
+
 /// With cells of that size at most, as few as do.
 DrillingGrid gridOf(const DrillingProblem& problem, double wanted) {
     const Problem& blow = problem.blow;
@@ -100,43 +123,67 @@ DrillingGrid gridOf(const DrillingProblem& problem, double wanted) {
         return std::max(usual * fewest, static_cast<long>(std::min(affordable, 1e6)));
     };
     DrillingGrid grid;
+    CellGrid shared;
+    double shortest = std::numeric_limits<double>::infinity();
+    for (const UniformSection& section : blow.sections)
+        shortest = std::min(shortest, 2 * section.transitTime);
     if (blow.sections.size() == 1) {
-        const double trip = 2 * blow.sections.front().transitTime;
-        const long fewest = std::max(fewestCells, static_cast<long>(std::ceil(trip / wanted - wholeShare)));
-        roundGrid(blow.sections, bestCell({trip, fewest, most(trip, fewest, 2)}, problem.interval, jumps),
-                  grid.cells);
-    } else if (shareGrid(blow.sections, wanted / mostRefinement, grid.cells)) {
-        const double shared = grid.cells.cell;
-        const long fewest = std::max(1L, static_cast<long>(std::ceil(shared / wanted - wholeShare)));
-        roundGrid(blow.sections,
-                  bestCell({shared, fewest, std::min(most(shared, fewest, 2), std::max(fewest, 8L))},
-                           problem.interval, jumps),
-                  grid.cells);
+        const long fewest =
+            std::max(fewestCells, static_cast<long>(std::ceil(shortest / wanted - wholeShare)));
+        grid.cell = bestCell({shortest, fewest, most(shortest, fewest, 2)}, problem.interval, jumps);
+    } else if (shareGrid(blow.sections, wanted / mostRefinement, shared)) {
+        const double trip = shared.cell;
+        const long fewest = std::max(1L, static_cast<long>(std::ceil(trip / wanted - wholeShare)));
+        grid.cell = bestCell({trip, fewest, std::min(most(trip, fewest, 2), std::max(fewest, 8L))},
+                             problem.interval, jumps);
     } else {
-        roundGrid(blow.sections, problem.interval / std::ceil(problem.interval / wanted), grid.cells);
+        const double largest = std::min(wanted, std::max(shortest, wanted / mostRefinement));
+        grid.cell = cellOfInterval(problem.interval, largest, jumps);
     }
-    grid.cellsOfInterval = std::max(1L, std::lround(problem.interval / grid.cells.cell));
-    cutAtJumps(grid, jumps);
+    grid.cellsOfInterval = std::max(1L, std::lround(problem.interval / grid.cell));
+    grid.setSections(blow.sections);
+    cutAtJumps(grid, blow);
     return grid;
 }
 
 /// Cells that could be twice as large are looked for; the round trips of a string may share none.
 bool isFineEnough(const DrillingGrid& grid, int cellsPerDuration) {
-    return grid.cells.cell * cellsPerDuration <= 1 + wholeShare;
+    return grid.cell * cellsPerDuration <= 1 + wholeShare;
 }
 
 DrillingGrid halved(DrillingGrid grid, const DrillingProblem& problem) {
-    grid.cells.halve();
+    grid.cell /= 2;
+    for (double& trip : grid.roundTrips) trip *= 2;
     grid.cellsOfInterval *= 2;
-    cutAtJumps(grid, problem.blow.isForced() ? jumpsOf(problem.blow.force()) : std::vector<double>());
+    cutAtJumps(grid, problem.blow);
     return grid;
 }
 
 }  // namespace
 
+void DrillingGrid::setSections(const std::vector<UniformSection>& sections) {
+    roundTrips.clear();
+    for (const UniformSection& section : sections) {
+        const double trip = 2 * section.transitTime / cell, whole = std::round(trip);
+        roundTrips.push_back(std::abs(trip - whole) <= wholeTrip * std::max(trip, 1.0) ? whole : trip);
+    }
+}
+
+bool DrillingGrid::hasWholeTrips() const {
+    return std::ranges::all_of(roundTrips, [](double trip) { return trip == std::round(trip); });
+}
+
+std::optional<std::size_t> DrillingGrid::shortSection() const {
+    const auto found = std::ranges::find_if(roundTrips, [](double trip) { return trip < 1; });
+    if (found == roundTrips.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - roundTrips.begin());
+}
+
 DrillingGrid drillingGridOf(const DrillingProblem& problem, int cellsPerDuration) {
-    const DrillingGrid grid = gridOf(problem, 2.0 / cellsPerDuration);
-    return isFineEnough(grid, cellsPerDuration) ? grid : halved(grid, problem);
+    DrillingGrid grid = gridOf(problem, 2.0 / cellsPerDuration);
+    if (!isFineEnough(grid, cellsPerDuration)) grid = halved(grid, problem);
+    grid.releasesAtOnce = grid.hasWholeTrips();
+    return grid;
 }
 
 DrillingGrid comparedDrillingGridOf(const DrillingProblem& problem, int cellsPerDuration) {

@@ -18,6 +18,9 @@ constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
 /// How often it is asked whether to stop, in cells.
 constexpr long cellsBetweenStops = 2048;
 
+/// A time that is so near to the beginning of a cell is there [cells].
+constexpr double sameClock = 1e-7;
+
 /// An interval is at most so many deviations off its mean.
 constexpr double mostDeviations = 3;
 
@@ -58,16 +61,33 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
     const std::vector<double>& widths = grid.cuts.widths();
     m_lines.resize(count);
     m_arriving.resize(count);
+    if (grid.shortSection()) {
+        m_trouble =
+            translatable("drillwave::Message",
+                         "a section is shorter than a cell of the march: take more cells (--cells), or "
+                         "leave the section out and give its mass to the section in front of it");
+        return;
+    }
+    double passing = 1;  // of the joint in front of a section
     for (std::size_t j = 0; j < count; ++j) {
-        const auto trip = static_cast<std::size_t>(grid.cells.roundTrips[j]);
-        m_lines[j].begin(trip * grid.cuts.count(), static_cast<double>(trip) * grid.cells.cell,
-                         problem.waveLosses[j], widths);
-        const double mass = blow.sections[j].impedance * static_cast<double>(trip) * grid.cells.cell / 2;
-        if (j >= m_hammer) m_stringTransit += static_cast<double>(trip) * grid.cells.cell / 2;
+        m_lines[j].begin(grid.roundTrips[j], grid.cell, problem.waveLosses[j], widths);
+        const double transit = grid.roundTrips[j] * grid.cell / 2;
+        const double mass = blow.sections[j].impedance * transit;
+        if (j >= m_hammer) m_stringTransit += transit;
         (j < m_hammer ? m_hammerMass : m_stringMass) += mass + blow.sections[j].massAfter;
+        if (j >= m_hammer) {
+            passing *= std::exp(-blow.sections[j].decay);
+            m_isWeakened = m_isWeakened || passing < 1;
+            m_downLosses.emplace_back(passing, 1 / problem.interval);
+            m_upLosses.emplace_back(passing, 1 / problem.interval);
+            passing = std::sqrt(1 - blow.sections[j].loss);
+        } else {
+            m_downLosses.emplace_back();
+            m_upLosses.emplace_back();
+        }
         if (j + 1 == count) continue;
         UniformSection near = blow.sections[j];
-        near.loss = 0;  // those are in the sections
+        near.loss = 0;  // what it loses comes back
         m_joints.emplace_back(near, blow.sections[j + 1], 0);
         m_joints.back().setWidths(widths);
     }
@@ -80,6 +100,7 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
     if (m_hammer > 0) {
         parts.hammerImpedance = blow.sections[m_hammer - 1].impedance;
         parts.face = blow.hammer().face;
+        parts.releasesAtOnce = grid.releasesAtOnce;
         m_hammerMomentum = m_hammerMass * blow.hammer().velocity;
     } else {
         m_force = cellsOf(blow.force(), grid.cuts);
@@ -89,12 +110,16 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
     if (problem.start == DrillingStart::bouncing) {
         const double velocity = blow.velocity() / 2;
         for (std::size_t j = m_hammer; j < count; ++j) {
-            m_lines[j].fill(-velocity * blow.sections[j].impedance / 2);
+            const double wave = velocity * blow.sections[j].impedance / 2;
+            m_lines[j].fill(-wave);
+            m_downLosses[j].setMean(wave);
+            m_upLosses[j].setMean(-wave);
             if (j + 1 < count) m_joints[j].setVelocity(velocity);
         }
         m_bit.setVelocity(velocity);
         m_momentumAtBlow = velocity * m_stringMass;
     }
+    m_returning.resize(count);
     m_downs.resize(count);
     m_backs.resize(count);
     m_next.gap = blow.distance();
@@ -109,7 +134,7 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
 double DrillingMarch::momentum() const {
     double sum = m_rear.bodyMass() * m_rear.state().bodyVelocity;
     for (std::size_t j = m_hammer; j < m_lines.size(); ++j) {
-        sum -= m_lines[j].held();
+        sum += m_downLosses[j].held() - m_upLosses[j].held() - m_lines[j].held();
         if (j + 1 < m_lines.size()) sum += m_joints[j].mass() * m_joints[j].velocity();
     }
     return sum + m_bit.mass() * m_bit.state().velocity;
@@ -119,7 +144,8 @@ double DrillingMarch::storedEnergy() const {
     const double velocity = m_rear.state().bodyVelocity;
     double sum = m_rear.bodyMass() * velocity * velocity / 2;
     for (std::size_t j = m_hammer; j < m_lines.size(); ++j) {
-        sum += m_lines[j].square() / m_problem.blow.sections[j].impedance;
+        sum += (m_lines[j].square() + m_downLosses[j].square() + m_upLosses[j].square()) /
+               m_problem.blow.sections[j].impedance;
         if (j + 1 < m_lines.size())
             sum += m_joints[j].mass() * m_joints[j].velocity() * m_joints[j].velocity() / 2;
     }
@@ -150,7 +176,7 @@ long DrillingMarch::cellsOfNextInterval() {
 void DrillingMarch::beginBlow() {
     m_blow = m_next;
     m_next = {};
-    m_blow.time = static_cast<double>(m_cells) * m_grid.cells.cell;
+    m_blow.time = static_cast<double>(m_cells) * m_grid.cell;
     m_blow.velocity = m_momentumAtBlow / m_stringMass;
     m_blow.shankOffset = m_problem.machine ? -m_rear.state().stretch : nothing;
     m_rear.beginBlow(m_problem.feedForce - m_lastImpulse / m_interval);
@@ -162,12 +188,11 @@ void DrillingMarch::beginBlow() {
         }
         m_ledger.hammer += hammerEnergy();
     }
-    // of the string alone: half a cell where the round trips are odd
-    long trips = 0;
-    for (std::size_t j = m_hammer; j < m_lines.size(); ++j) trips += m_grid.cells.roundTrips[j];
-    const long twice = 2 * m_nextInterval - trips;
-    m_gapCell = twice >= 0 ? twice / 2 : 0;
-    const double place = twice % 2 == 0 ? 0 : 0.5;
+    // on the clock of the bit
+    const double next =
+        std::max(0.0, static_cast<double>(m_nextInterval) - m_stringTransit / m_grid.cell + sameClock);
+    m_gapCell = static_cast<long>(next);
+    const double offset = next - std::floor(next), place = offset <= 2 * sameClock ? 0 : offset - sameClock;
     const std::vector<double>& places = m_grid.cuts.places();
     m_gapPart = static_cast<std::size_t>(std::ranges::upper_bound(places, place) - places.begin()) - 1;
     const double end = m_gapPart + 1 < places.size() ? places[m_gapPart + 1] : 1;
@@ -185,6 +210,7 @@ void DrillingMarch::noteGap(const WaveCell& arriving) {
 }
 
 bool DrillingMarch::takeBlow(const std::stop_token& stop) {
+    if (!m_trouble.empty()) return false;
     beginBlow();
     const double worked = m_bit.state().law.worked(m_bit.state().force);
     const std::size_t parts = m_grid.cuts.count();
@@ -228,6 +254,9 @@ void DrillingMarch::step(std::size_t part, const WaveCell* force) {
     const bool hammers = m_rear.hasHammer() || (m_kept && hammer > 0);
     LossyLine* const lines = m_lines.data();
     WaveCell* const arriving = m_arriving.data();
+    // behind what joint and section take on the way up
+    WaveCell* const returning = m_isWeakened ? m_returning.data() : arriving;
+    const double width = m_grid.cuts.widths()[part];
     const auto enter = [&](std::size_t j, const WaveCell& back) {
         lines[j].enter(back, arriving[j], part);
         if (m_kept) m_backs[j] = back;
@@ -236,10 +265,15 @@ void DrillingMarch::step(std::size_t part, const WaveCell* force) {
         if (m_kept) m_downs[j] = wave;
     };
     for (std::size_t j = hammers ? 0 : hammer; j < count; ++j) arriving[j] = lines[j].arrive();
+    if (m_isWeakened) {
+        for (std::size_t j = hammers ? 0 : hammer; j < hammer; ++j) returning[j] = arriving[j];
+        for (std::size_t j = hammer; j < count; ++j) returning[j] = m_upLosses[j].pass(arriving[j], width);
+    }
     WaveCell down, back;
     const auto join = [&](std::size_t j) {
-        m_joints[j - 1].step(&down, &arriving[j], &back, &down, 1, part, parts);
+        m_joints[j - 1].step(&down, &returning[j], &back, &down, 1, part, parts);
         enter(j - 1, back);
+        if (m_isWeakened && j >= hammer) down = m_downLosses[j].pass(down, width);
         leave(j, down);
     };
     if (hammers) {
@@ -247,10 +281,11 @@ void DrillingMarch::step(std::size_t part, const WaveCell* force) {
         leave(0, down);
         for (std::size_t j = 1; j < hammer; ++j) join(j);
     }
-    const RearNode::Forces rear = m_rear.step(down, arriving[hammer], force, part);
+    const RearNode::Forces rear = m_rear.step(down, returning[hammer], force, part);
     if (hammers) enter(hammer - 1, rear.face - down);
-    down = rear.sum() - arriving[hammer];
-    m_rearMoved += m_grid.cuts.widths()[part] * m_rear.mobility() * (down.mean() - arriving[hammer].mean());
+    down = rear.sum() - returning[hammer];
+    m_rearMoved += width * m_rear.mobility() * (down.mean() - returning[hammer].mean());
+    if (m_isWeakened) down = m_downLosses[hammer].pass(down, width);
     leave(hammer, down);
     for (std::size_t j = hammer + 1; j < count; ++j) join(j);
     if (m_cell == m_gapCell && part == m_gapPart) noteGap(down);
@@ -259,13 +294,12 @@ void DrillingMarch::step(std::size_t part, const WaveCell* force) {
     enter(count - 1, back);
     if (m_kept) addWaves(part, rear);
     if (m_samples)
-        addSamples(part, m_rear.mobility() * (rear.sum() - 2.0 * arriving[hammer]), rear.damper.end(), down);
+        addSamples(part, m_rear.mobility() * (rear.sum() - 2.0 * returning[hammer]), rear.damper.end(), down);
 }
 
 /// Where on the clock of the kept waves a part of this cell begins.
 double DrillingMarch::keptClock(std::size_t part) const {
-    return (static_cast<double>(m_cells + m_cell - m_keptCell) + m_grid.cuts.places()[part]) *
-           m_grid.cells.cell;
+    return (static_cast<double>(m_cells + m_cell - m_keptCell) + m_grid.cuts.places()[part]) * m_grid.cell;
 }
 
 /// Of a hammer only those behind the blow: before it the piston comes that is thrown anew.
@@ -289,7 +323,8 @@ MarchedWaves DrillingMarch::takeBlowWithWaves(const std::stop_token& stop) {
     std::vector<double> transitTimes;
     for (std::size_t j = 0; j < m_lines.size(); ++j) {
         UniformSection& section = inCells.sections[j];
-        section.transitTime = static_cast<double>(m_grid.cells.roundTrips[j]) * m_grid.cells.cell / 2;
+        section.transitTime = m_grid.roundTrips[j] * m_grid.cell / 2;
+        section.decay = section.loss = 0;  // the waves that are kept have lost what they lose
         transitTimes.push_back(section.transitTime);
     }
     StringClocks clocks;
@@ -318,7 +353,7 @@ MarchedWaves DrillingMarch::takeBlowWithWaves(const std::stop_token& stop) {
     if (!isTaken) kept.waves.reset();
     for (ImpactEvent& event : kept.events) event.time += m_stringTransit;
     if (kept.waves) {
-        const double end = static_cast<double>(m_cells - m_keptCell) * m_grid.cells.cell;
+        const double end = static_cast<double>(m_cells - m_keptCell) * m_grid.cell;
         kept.waves->finish(end + clocks.earliest());
     }
     return kept;
@@ -328,7 +363,7 @@ void DrillingMarch::addSamples(std::size_t part, const WaveCell& rearVelocity, d
                                const WaveCell& arriving) {
     const std::vector<double>& places = m_grid.cuts.places();
     const double end = part + 1 < places.size() ? places[part + 1] : 1;
-    const double time = (static_cast<double>(m_cells + m_cell) + end) * m_grid.cells.cell;
+    const double time = (static_cast<double>(m_cells + m_cell) + end) * m_grid.cell;
     // the polynomial of a cell in which the damper lifts passes a little below nothing
     if (m_problem.machine) damperForce = std::max(0.0, damperForce);
     m_samples->rear.push_back(
@@ -341,7 +376,7 @@ void DrillingMarch::addSamples(std::size_t part, const WaveCell& rearVelocity, d
 }
 
 void DrillingMarch::endBlow() {
-    const double duration = static_cast<double>(m_nextInterval) * m_grid.cells.cell;
+    const double duration = static_cast<double>(m_nextInterval) * m_grid.cell;
     m_rear.endCycle(duration, m_rearMoved);
     m_rearPlace += m_rearMoved;
     const RearSums& sums = m_rear.sums();
@@ -364,9 +399,12 @@ void DrillingMarch::endBlow() {
     m_ledger.feed += sums.feedWork;
     m_ledger.damper += sums.damperWork;
     m_ledger.hammer += m_hammer > 0 ? -hammerEnergy() - m_rear.faceEnergy() : sums.forceWork;
-    m_ledger.waves = 0;
+    for (std::size_t j = 0; j < m_hammer; ++j)
+        m_hammerLost += m_lines[j].lost() / m_problem.blow.sections[j].impedance;
+    m_ledger.waves = m_hammerLost;
     for (std::size_t j = m_hammer; j < m_lines.size(); ++j)
-        m_ledger.waves += m_lines[j].lost() / m_problem.blow.sections[j].impedance;
+        m_ledger.waves += (m_lines[j].lost() + m_downLosses[j].lost() + m_upLosses[j].lost()) /
+                          m_problem.blow.sections[j].impedance;
     m_ledger.stored = storedEnergy() - m_storedBefore;
     m_lastImpulse = sums.faceImpulse;
     const BitNode::Turned turned = m_bit.beginCycle(m_problem.isFresh);
@@ -417,6 +455,8 @@ void DrillingMarch::approach(const DrillingMarch& other, double distance) {
     const auto moved = [share](double own, double others) { return others + share * (own - others); };
     for (std::size_t j = m_hammer; j < m_lines.size(); ++j) {
         m_lines[j].approach(other.m_lines[j], share, m_grid.cuts.widths());
+        m_downLosses[j].setMean(moved(m_downLosses[j].mean(), other.m_downLosses[j].mean()));
+        m_upLosses[j].setMean(moved(m_upLosses[j].mean(), other.m_upLosses[j].mean()));
         if (j + 1 < m_lines.size())
             m_joints[j].setVelocity(moved(m_joints[j].velocity(), other.m_joints[j].velocity()));
     }

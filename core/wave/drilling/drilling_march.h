@@ -14,6 +14,7 @@
 #include "core/wave/drilling/drilling_problem.h"
 #include "core/wave/drilling/lossy_line.h"
 #include "core/wave/drilling/rear_node.h"
+#include "core/wave/drilling/returned_loss.h"
 #include "core/wave/network/bit_node.h"
 #include "core/wave/network/joint.h"
 #include "core/wave/network/string_waves.h"
@@ -116,7 +117,10 @@ class DrillingMarch {
     std::vector<Joint> m_joints;  ///< in front of section j + 1 at [j]
     RearNode m_rear;
     BitNode m_bit;
-    std::vector<WaveCell> m_arriving;  ///< b of all lines over a part
+    std::vector<ReturnedLoss> m_downLosses, m_upLosses;  ///< at the rear end of each section
+    bool m_isWeakened = false;                           ///< one of them takes something
+    std::vector<WaveCell> m_arriving;                    ///< b of all lines over a part
+    std::vector<WaveCell> m_returning;                   ///< the same behind m_upLosses
     std::mt19937 m_random;
 
     long m_count = 0;
@@ -133,6 +137,7 @@ class DrillingMarch {
     double m_lastImpulse = 0;     ///< J of the cycle before
     double m_startMomentum = 0, m_rockImpulse = 0, m_fed = 0;
     double m_storedBefore = 0;
+    double m_hammerLost = 0;  ///< by the waves of all pistons
     double m_lateShare = 0;
     double m_holeDepth = 0;
     double m_rearPlace = 0;  ///< x_r, at the blow

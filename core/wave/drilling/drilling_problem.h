@@ -26,18 +26,21 @@ enum class DrillingStart {
 
 /// What is marched, in the units of Problem: the blow, and what lives on between blows.
 struct DrillingProblem {
-    Problem blow;          ///< without the losses of its sections: those are `waveLosses`
+    Problem blow;          ///< what joints and sections take from a wave comes back (D5a)
     double interval = 1;   ///< 1/(f t0)
     double feedForce = 0;  ///< Fe/F0
     std::optional<MachineBody>
         machine;                     ///< nothing: a constant force, Fe less the mean reaction of the blows
-    std::vector<double> waveLosses;  ///< η_j of every section, 0 ≤ η_j < 1 (drilling §3)
+    std::vector<double> waveLosses;  ///< η_j of every section beside that, 0 ≤ η_j < 1 (drilling §3)
     bool isFresh = true;             ///< new rock for every blow
     double intervalScatter = 0;      ///< normal deviation of an interval over its mean, cut at three of them
     std::uint32_t seed = 1;          ///< of that
     DrillingStart start = DrillingStart::rest;
     bool operator==(const DrillingProblem&) const = default;
 };
+
+/// Whether waves fade in rod or string, and not in the rock alone.
+bool losesWaves(const DrillingProblem& problem);
 
 /// What one blow and the cycle behind it came to, in the units of Problem. What is not there is not a number.
 struct DrillingBlow {

@@ -7,22 +7,29 @@
 #include <span>
 #include <vector>
 
+#include "core/wave/drilling/cell_shift.h"
 #include "core/wave/network/delay_line.h"
 #include "core/wave/network/wave_cell.h"
 
 namespace drillwave {
 
-/// Content b over one round trip 2T that relaxes to its own mean at the rate λ = −ln(1 − η)/2T (D3) (D4):
+/// Content b over one round trip 2T that relaxes to its own mean at the rate λ = −ln(1 − η)/2T (D5):
 ///
 ///     B' = b_in − b_out,   A' = λ (B/2T − A),   stored: c = b_in − A,   b_out(t) = (1 − η) c(t − 2T) + A(t)
 ///
 /// −B is the momentum of the section, B/Z its shortening: neither is changed by the loss.
+///
+/// A round trip need not be whole cells: then what arrives over a cell lies in two of those stored, and is
+/// their projection. That keeps B, and its loss of energy is counted.
 class LossyLine {
   public:
-    /// `delay` parts of cells, whose widths follow each other in turn.
-    void begin(std::size_t delay, double roundTrip, double loss, std::span<const double> widths) {
-        m_line.restart(delay, 1);
-        m_roundTrip = roundTrip;
+    /// A round trip of `cells` ≥ 1 of size `cell` [t0]; not whole ones only where cells have one part. The
+    /// widths of the parts of a cell follow each other in turn.
+    void begin(double cells, double cell, double loss, std::span<const double> widths) {
+        m_line.restart(static_cast<std::size_t>(std::ceil(cells)) * widths.size(), 1);
+        m_shift = CellShift(std::ceil(cells) - cells);
+        m_roundTrip = cells * cell;
+        const double roundTrip = m_roundTrip;
         m_ofRoundTrip = 1 / roundTrip;
         m_kept = 1 - loss;
         m_rate = loss > 0 ? -std::log1p(-loss) / roundTrip : 0;
@@ -45,12 +52,21 @@ class LossyLine {
         m_held = wave * m_roundTrip;
         m_square = wave * wave * m_roundTrip;
         m_lost = 0;
+        m_headSquare = m_shift.headSquare(*m_line.arriving());
     }
     bool isLossy() const { return m_rate > 0; }
 
     /// b_out over the next part of a cell.
-    WaveCell arrive() const {
+    WaveCell arrive() {
         WaveCell out = *m_line.arriving();
+        if (m_shift.isShifted()) {
+            const WaveCell& old = *m_line.arriving();
+            const WaveCell& next = *(m_line.arriving() + 1);
+            const double tail = old.meanSquare() - m_headSquare;
+            m_headSquare = m_shift.headSquare(next);
+            out = m_shift.project(old, next);
+            m_projected = m_kept * m_kept * std::max(0.0, tail + m_headSquare - out.meanSquare());
+        }
         if (!isLossy()) return out;
         for (double& coefficient : out.c) coefficient *= m_kept;
         out.c[0] += 0.5 * (m_mean + m_next);
@@ -78,7 +94,7 @@ class LossyLine {
 
     double held() const { return m_held; }      ///< B = ∫ content
     double square() const { return m_square; }  ///< Q = ∫ content²
-    double lost() const { return m_lost; }      ///< ∫ 2λ(Q − B²/2T) dt since the filling
+    double lost() const { return m_lost; }  ///< ∫ 2λ(Q − B²/2T) dt since the filling, and by projection
 
     // For what compares and moves states
 
@@ -97,12 +113,15 @@ class LossyLine {
             const double width = widths[i % widths.size()];
             const double age =
                 m_roundTrip * (1 - (static_cast<double>(i) + 0.5) / static_cast<double>(own.size()));
-            moved += width * std::exp(-m_rate * age) * (own[i].mean() - others[i].mean());
+            const WaveCell difference = own[i] - others[i];
+            const double gone = i == 0 ? m_shift.headMean(difference) : 0;
+            moved += width * std::exp(-m_rate * age) * (difference.mean() - gone);
         }
         m_mean = isLossy() ? other.m_mean + share * (m_mean - other.m_mean) : other.m_mean;
         if (isLossy()) moved += m_roundTrip * (m_mean - other.m_mean);
         m_held = other.m_held + moved;
         m_square = other.m_square;
+        m_headSquare = m_shift.headSquare(*m_line.arriving());
         m_next = isLossy() ? other.m_next + share * (m_next - other.m_next) : m_mean;
     }
     /// A wave that is added to all that is stored.
@@ -115,7 +134,10 @@ class LossyLine {
 
   private:
     DelayLine<WaveCell> m_line;
-    double m_roundTrip = 1;  ///< 2T
+    CellShift m_shift;        ///< by what a round trip is less than the cells that are stored
+    double m_headSquare = 0;  ///< of the oldest cell, what has arrived already
+    double m_projected = 0;   ///< what the projection of the last arrival lost
+    double m_roundTrip = 1;   ///< 2T
     double m_ofRoundTrip = 1;
     double m_kept = 1;  ///< 1 − η
     double m_rate = 0;  ///< λ
@@ -135,7 +157,8 @@ class LossyLine {
             m_next = of.nextKept * m_mean + of.ofHeld * m_held + of.ofFlux * flux;
         }
         m_held += of.width * flux;
-        m_square += of.width * power;
+        m_square += of.width * (power - m_projected);
+        m_lost += of.width * m_projected;
         if (isLossy()) {
             const double lost = of.loss * (m_square - m_held * m_held * m_ofRoundTrip);
             m_square -= lost;

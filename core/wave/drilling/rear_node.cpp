@@ -242,6 +242,7 @@ RearNode::Forces RearNode::push(const WaveCell& f1, const WaveCell& b2, const Wa
     if (hasHammer()) {
         const double rear = m_mobility * (forces.damper.mean() - 2 * b2.mean());
         m_now.faceGap += width * (rear - 2 / m_parts.hammerImpedance * f1.mean());
+        separate();
     }
     return forces;
 }
@@ -258,6 +259,12 @@ void RearNode::endCycle(double duration, double rearMoved) {
     m_sums.feedWork = m_meanForce * (rearMoved + m_now.stretch - m_before.stretch);
     m_sums.damperWork =
         m_sums.feedWork - m_machine->mass * (velocity - before) * (velocity + before) / 2 - m_sums.workOnRear;
+}
+
+void RearNode::separate() {
+    if (!hasHammer()) return;
+    m_now.separated = true;
+    if (!m_parts.face.restrike) m_now.released = true;
 }
 
 /// What the damper does over the first `end` of a piece, which lasts `unit`.
@@ -280,6 +287,7 @@ RearNode::Forces RearNode::follow(const Inputs& in) {
     WaveCell push, damper, rear;
     double from = 0;
     int standing = 0;
+    bool touches = false;  // for a while in this cell
     SearchCount uncounted;
     for (int pieces = 0; from < 1 && m_trouble.empty(); ++pieces) {
         if (pieces == mostStretches) {
@@ -326,20 +334,16 @@ RearNode::Forces RearNode::follow(const Inputs& in) {
         }
         m_now.stretch = value(piece.stretch, end);
         if (piece.modes.face == Face::touching) {
+            touches = touches || to > from;
             m_now.touching = true;
             m_now.faceGap = 0;
             m_now.faceForce = m_parts.face.stiffness ? std::max(0.0, value(piece.push, end)) : 0;
             if (event == Event::face) {
                 m_now.faceForce = 0;
                 m_now.touching = false;
-                m_now.separated = true;
-                if (!m_parts.face.restrike) m_now.released = true;
             }
         } else if (piece.modes.face == Face::apart) {
-            // faces that part at the start of a cell were not seen to
-            if (m_now.touching && !m_parts.face.restrike) m_now.released = true;
             m_now.touching = false;
-            m_now.separated = true;
             m_now.faceGap = event == Event::face
                                 ? 0
                                 : std::max(0.0, polynomialValue(piece.gap.data(), piece.count + 1, end));
@@ -347,6 +351,7 @@ RearNode::Forces RearNode::follow(const Inputs& in) {
         standing = to > from ? 0 : standing + 1;
         from = to;
     }
+    if (!m_now.touching && (!touches || m_parts.releasesAtOnce)) separate();
     m_sums.forceWork += in.width * push.meanProduct(rear);
     return {push, damper};
 }

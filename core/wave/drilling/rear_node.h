@@ -52,6 +52,8 @@ class RearNode {
         double impedance = 1;        ///< Z2
         HammerFace face;
         std::optional<MachineBody> machine;
+        /// Faces are separate when they part; else when they were apart for a cell.
+        bool releasesAtOnce = true;
     };
     RearNode() = default;
     RearNode(const Parts& parts, std::span<const double> widths);
@@ -126,6 +128,7 @@ class RearNode {
     bool quietStep(const WaveCell& b2, double width, std::size_t part, Forces& forces);
     bool staysApart(const WaveCell& f1, const WaveCell& b2, double width);
     Forces follow(const Inputs& in);
+    void separate();
     void addDamper(const Piece& piece, double end, double unit);
     Forces push(const WaveCell& f1, const WaveCell& b2, const WaveCell* force, std::size_t part);
 

@@ -7,6 +7,7 @@
 #include <QSignalBlocker>
 
 #include "core/archive/result_scenario.h"
+#include "core/contact/contact_law.h"
 #include "core/report/alert_words.h"
 #include "core/report/drilling_report.h"
 #include "core/report/drilling_scan_report.h"
@@ -219,9 +220,12 @@ QString DrillingPage::wordsOf(const DrillingAnswer& answer) const {
                           .arg(numberText(result.groups.phi, 4, locale()),
                                numberText(result.groups.roundTrips, 4, locale()));
     if (result.statistics)
-        numbers += tr("; %1 % of the blows begin on the rock; %2")
-                       .arg(numberText(100 * result.statistics->contactShare, 3, locale()),
-                            translated(regimeWords(result, style)));
+        numbers +=
+            tr("; %1 % of the blows begin within %2 of the rock; %3")
+                .arg(numberText(100 * result.statistics->contactShare, 3, locale()),
+                     QString::fromStdString(style.quantity(
+                         contactLimit / lawUnitOfPenetration * result.units.length(), Quantity::length, 2)),
+                     translated(regimeWords(result, style)));
     sentences << numbers + QLatin1Char('.');
     for (const Alert& alert : result.alerts)
         if (alert.level == AlertLevel::warning || alert.code == AlertCode::noWaveLoss)

@@ -44,9 +44,10 @@ std::string described(const DrillingProblem& problem, int number) {
 /// Cells a quarter as long, whose fronts and intervals are at the same times.
 DrillingGrid quartered(DrillingGrid grid) {
     const std::vector<double> places = grid.cuts.places();
-    for (int i = 0; i < 2; ++i) grid.cells.halve();
+    grid.cell /= 4;
+    for (double& trip : grid.roundTrips) trip *= 4;
     grid.cellsOfInterval *= 4;
-    grid.cuts.begin(grid.cells.cell, {}, {});
+    grid.cuts.begin(grid.cell, {}, {});
     for (const double place : places) {
         const double own = 4 * place - std::floor(4 * place);
         if (own > 1e-9 && own < 1 - 1e-9) grid.cuts.endPartAt(own);

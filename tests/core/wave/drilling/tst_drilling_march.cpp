@@ -187,7 +187,7 @@ void TestDrillingMarch::frontsOfBlowsLieOnCellEnds() {
     problem.interval = 2 * 3.5 * std::numbers::sqrt2 * 12;
     const DrillingGrid cut = drillingGridOf(problem, 40);
     QCOMPARE(cut.cuts.count(), std::size_t{2});
-    const double place = 1 / cut.cells.cell - std::floor(1 / cut.cells.cell);
+    const double place = 1 / cut.cell - std::floor(1 / cut.cell);
     QVERIFY(std::abs(cut.cuts.places()[1] - place) < 1e-9);
     problem.feedForce = 1.4 / problem.interval;
     const double coarse = march(problem, 20, 300).blows.back().gap;
@@ -201,8 +201,7 @@ void TestDrillingMarch::cellsAreNotHalvedBelowWhatIsAsked() {
     problem.blow.sections = {{.impedance = 1, .transitTime = 0.51}, {.impedance = 1, .transitTime = 1}};
     problem.interval = 60;
     const auto cells = [&](int wanted) {
-        return std::pair(drillingGridOf(problem, wanted).cells.cell,
-                         comparedDrillingGridOf(problem, wanted).cells.cell);
+        return std::pair(drillingGridOf(problem, wanted).cell, comparedDrillingGridOf(problem, wanted).cell);
     };
     const auto [fine, finer] = cells(40);
     QVERIFY(std::abs(fine - 0.02) < 1e-12 && std::abs(finer - 0.01) < 1e-12);

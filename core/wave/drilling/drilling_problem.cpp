@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/wave/drilling/drilling_problem.h"
+
+#include <algorithm>
+
+namespace drillwave {
+
+bool losesWaves(const DrillingProblem& problem) {
+    return std::ranges::any_of(problem.waveLosses, [](double loss) { return loss > 0; }) ||
+           std::ranges::any_of(problem.blow.sections, [](const UniformSection& section) {
+               return section.loss > 0 || section.decay > 0;
+           });
+}
+
+}  // namespace drillwave
