@@ -63,7 +63,7 @@ std::vector<Alert> drillingAlerts(const DrillingResult& result, const AlertCause
         add(AlertLevel::warning, AlertCode::restrikeInTheWay, {{"share", causes.lateShare}});
     if (causes.hasMachine) {
         add(AlertLevel::information, AlertCode::damperAssumed);
-        addShankOffset(result, alerts);
+        if (result.outcome != DrillingOutcome::pushedBack) addShankOffset(result, alerts);
     }
     if (std::abs(result.energyResidual) > toldResidual)
         add(AlertLevel::warning, AlertCode::energyUnbalanced, {{"share", std::abs(result.energyResidual)}});

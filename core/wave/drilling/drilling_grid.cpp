@@ -24,9 +24,9 @@ constexpr double keptRounding = 1e-7;
 /// A blow may take so many cells to have its interval in whole ones.
 constexpr double affordableCells = 2000;
 
-/// Cells are made smaller than the one wanted by up to this, so that all round trips are whole ones, or none
-/// is less than one.
-constexpr double mostRefinement = 8;
+/// Cells are made smaller than the one wanted by up to this so that all round trips are whole ones, and by up
+/// to that so that none is less than one.
+constexpr double mostRefinement = 8, mostRefinementOfShort = 16;
 
 /// Fronts at more places in a cell stay where they are.
 constexpr std::size_t mostFronts = 8;
@@ -137,7 +137,7 @@ DrillingGrid gridOf(const DrillingProblem& problem, double wanted) {
         grid.cell = bestCell({trip, fewest, std::min(most(trip, fewest, 2), std::max(fewest, 8L))},
                              problem.interval, jumps);
     } else {
-        const double largest = std::min(wanted, std::max(shortest, wanted / mostRefinement));
+        const double largest = std::min(wanted, std::max(shortest, wanted / mostRefinementOfShort));
         grid.cell = cellOfInterval(problem.interval, largest, jumps);
     }
     grid.cellsOfInterval = std::max(1L, std::lround(problem.interval / grid.cell));

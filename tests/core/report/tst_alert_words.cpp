@@ -193,8 +193,8 @@ const std::vector<Example>& examples() {
          "The means of the first and the second half of the blows differ by more than three of their errors: "
          "more blows, or more that settle, are needed."},
         {{warning, AlertCode::coexistingMotions, "", {}},
-         "From rest and from bouncing it comes to different motions: which one a machine takes is not "
-         "known."},
+         "Two motions coexist. The start or the time step decides which one is computed; which one a "
+         "machine takes is not known."},
         {{note, AlertCode::irregularMotion, "", {}},
          "The motion does not repeat: means are results, single blows are none."},
         {{warning, AlertCode::energyUnbalanced, "", {{"share", 0.0021}}},
