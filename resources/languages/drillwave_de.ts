@@ -2650,8 +2650,8 @@ Trotzdem löschen?</translation>
         <translation>Hin- und Rückläufe von Schlag zu Schlag</translation>
     </message>
     <message>
-        <source>share of blows that begin within 0.01 d0 of the rock</source>
-        <translation>Anteil der Schläge, die höchstens 0,01 d0 vom Gestein entfernt beginnen</translation>
+        <source>share of blows that begin within 0.05 d0 of the rock</source>
+        <translation>Anteil der Schläge, die höchstens 0,05 d0 vom Gestein entfernt beginnen</translation>
     </message>
     <message>
         <source>standard deviation of that gap</source>
@@ -4510,8 +4510,8 @@ Gezeigt wird der Wert davor.</translation>
         <translation>φ = %1, %2 Hin- und Rückläufe zwischen Schlägen</translation>
     </message>
     <message>
-        <source>; %1 % of the blows begin on the rock; %2</source>
-        <translation>; %1 % der Schläge beginnen auf dem Gestein; %2</translation>
+        <source>; %1 % of the blows begin within %2 of the rock; %3</source>
+        <translation>; %1 % der Schläge beginnen höchstens %2 vom Gestein entfernt; %3</translation>
     </message>
     <message>
         <source>No scan: %1</source>
@@ -6177,8 +6177,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Mittel der ersten und der zweiten Hälfte der Schläge unterscheiden sich um mehr als das Dreifache ihrer Fehler: es braucht mehr Schläge, oder mehr davon zum Einschwingen.</translation>
     </message>
     <message>
-        <source>From rest and from bouncing it comes to different motions: which one a machine takes is not known.</source>
-        <translation>Aus der Ruhe und aus dem Springen kommt es zu verschiedenen Bewegungen: welche eine Maschine nimmt, ist nicht bekannt.</translation>
+        <source>Two motions coexist. The start or the time step decides which one is computed; which one a machine takes is not known.</source>
+        <translation>Zwei Bewegungen sind möglich. Welche berechnet wird, entscheidet der Anfang oder der Zeitschritt; welche eine Maschine ausführt, ist nicht bekannt.</translation>
     </message>
     <message>
         <source>The motion does not repeat: means are results, single blows are none.</source>
@@ -8717,8 +8717,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>bis %1: obere Grenze, alles Gestein unter der Krone gibt nach, Bohrklein verschwindet</translation>
     </message>
     <message>
-        <source>%1 of the blows begin on the rock</source>
-        <translation>%1 der Schläge beginnen auf dem Gestein</translation>
+        <source>%1 of the blows begin within %2 of the rock</source>
+        <translation>%1 der Schläge beginnen höchstens %2 vom Gestein entfernt</translation>
     </message>
     <message>
         <source>rock %1, damper %2, waves %3, new faces %4 of what hammer and feed bring</source>
@@ -10509,6 +10509,18 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>Many blows under a feed</source>
         <translation>Viele Schläge unter einem Vorschub</translation>
+    </message>
+    <message>
+        <source>%1 point in %2.</source>
+        <translation>%1 Punkt in %2.</translation>
+    </message>
+    <message>
+        <source>%1 points in %2.</source>
+        <translation>%1 Punkte in %2.</translation>
+    </message>
+    <message>
+        <source>a section is shorter than a cell of the march: take more cells (--cells), or leave the section out and give its mass to the section in front of it</source>
+        <translation>ein Abschnitt ist kürzer als eine Zelle der Rechnung: mehr Zellen verwenden (--cells), oder den Abschnitt weglassen und seine Masse dem Abschnitt davor geben</translation>
     </message>
 </context>
 <context>
@@ -14049,8 +14061,8 @@ des Fensters eingesetzt werden.</translation>
         <translation>größte Kraft des Dämpfers</translation>
     </message>
     <message>
-        <source>share of blows that begin within 0.01 d0 of the rock</source>
-        <translation>Anteil der Schläge, die höchstens 0,01 d0 vom Gestein entfernt beginnen</translation>
+        <source>share of blows that begin within 0.05 d0 of the rock</source>
+        <translation>Anteil der Schläge, die höchstens 0,05 d0 vom Gestein entfernt beginnen</translation>
     </message>
     <message>
         <source>contacts of a blow, mean</source>

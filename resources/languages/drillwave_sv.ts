@@ -2650,8 +2650,8 @@ Ta bort ändå?</translation>
         <translation>varv fram och åter från slag till slag</translation>
     </message>
     <message>
-        <source>share of blows that begin within 0.01 d0 of the rock</source>
-        <translation>andel slag som börjar inom 0,01 d0 från berget</translation>
+        <source>share of blows that begin within 0.05 d0 of the rock</source>
+        <translation>andel slag som börjar inom 0,05 d0 från berget</translation>
     </message>
     <message>
         <source>standard deviation of that gap</source>
@@ -4510,8 +4510,8 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>φ = %1, %2 varv fram och åter mellan slagen</translation>
     </message>
     <message>
-        <source>; %1 % of the blows begin on the rock; %2</source>
-        <translation>; %1 % av slagen börjar på berget; %2</translation>
+        <source>; %1 % of the blows begin within %2 of the rock; %3</source>
+        <translation>; %1 % av slagen börjar inom %2 från berget; %3</translation>
     </message>
     <message>
         <source>No scan: %1</source>
@@ -6177,8 +6177,8 @@ en projektion av fler dimensioner</translation>
         <translation>Medelvärdena för första och andra hälften av slagen skiljer sig med mer än tre gånger felet: det behövs fler slag eller längre insvängning.</translation>
     </message>
     <message>
-        <source>From rest and from bouncing it comes to different motions: which one a machine takes is not known.</source>
-        <translation>Från vila och från studsande blir det olika rörelser: vilken av dem en maskin väljer är inte känt.</translation>
+        <source>Two motions coexist. The start or the time step decides which one is computed; which one a machine takes is not known.</source>
+        <translation>Två rörelser är möjliga. Starten eller tidssteget avgör vilken som beräknas; vilken av dem en maskin utför är inte känt.</translation>
     </message>
     <message>
         <source>The motion does not repeat: means are results, single blows are none.</source>
@@ -8717,8 +8717,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>upp till %1: en övre gräns, allt berg under borrkronan ger efter och borrkaxet försvinner</translation>
     </message>
     <message>
-        <source>%1 of the blows begin on the rock</source>
-        <translation>%1 av slagen börjar på berget</translation>
+        <source>%1 of the blows begin within %2 of the rock</source>
+        <translation>%1 av slagen börjar inom %2 från berget</translation>
     </message>
     <message>
         <source>rock %1, damper %2, waves %3, new faces %4 of what hammer and feed bring</source>
@@ -10509,6 +10509,18 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>Many blows under a feed</source>
         <translation>Många slag under en matning</translation>
+    </message>
+    <message>
+        <source>%1 point in %2.</source>
+        <translation>%1 punkt på %2.</translation>
+    </message>
+    <message>
+        <source>%1 points in %2.</source>
+        <translation>%1 punkter på %2.</translation>
+    </message>
+    <message>
+        <source>a section is shorter than a cell of the march: take more cells (--cells), or leave the section out and give its mass to the section in front of it</source>
+        <translation>ett avsnitt är kortare än en cell i beräkningen: använd fler celler (--cells), eller utelämna avsnittet och ge dess massa till avsnittet framför</translation>
     </message>
 </context>
 <context>
@@ -14040,8 +14052,8 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
         <translation>dämparens största kraft</translation>
     </message>
     <message>
-        <source>share of blows that begin within 0.01 d0 of the rock</source>
-        <translation>andel slag som börjar inom 0,01 d0 från berget</translation>
+        <source>share of blows that begin within 0.05 d0 of the rock</source>
+        <translation>andel slag som börjar inom 0,05 d0 från berget</translation>
     </message>
     <message>
         <source>contacts of a blow, mean</source>

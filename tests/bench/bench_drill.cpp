@@ -50,8 +50,10 @@ DrillingProblem rod(double phi, bool damped) {
     return problem;
 }
 
-DrillingProblem string() {
+/// The example with a coupling of that length [mm]: 190 makes all sections whole hundredths of a metre.
+DrillingProblem string(double coupling) {
     Scenario scenario = parseScenario(findExample("t38_string")->text, "t38_string").scenario;
+    findParameter("string.coupling.length")->assign(scenario, coupling / 1000);
     scenario.drill.machineMass = 200;
     scenario.drill.damperDamping = 6300;
     scenario.drill.waveLoss = 0.1;
@@ -115,7 +117,8 @@ void benchSpeed(Format format, long blows) {
     table.add({"rod, plain lattice", 3360.0, 2.0, plain, plain / 6720, 1.0});
     add("rod, constant force", rod(2, false));
     add("rod, damper", rod(2, true));
-    add("T38 string, damper", string());
+    add("T38 string, damper", string(190));
+    add("coupling of 187 mm", string(187));
 }
 
 /// rod() in SI, at 5 km/s; its damper has 212 kg and 6680 N s/m.

@@ -143,7 +143,7 @@ class MarchStudy {
                 m_result.spread(quantityPlace(&DrillingBlow::penetration)).mean / *m_result.fullPenetration;
     }
 
-    /// Of an elastic hammer, whose J the march finds: more than one blow with a feed below f J, beyond the
+    /// Returns whether the feed of more than one blow by an elastic hammer is below f J, beyond the
     /// error of J, or a machine that runs away from the shank.
     bool isPushedBack() const {
         if (m_mesh.problem.blow.isForced() || m_result.settings.blows < 2) return false;

@@ -41,10 +41,15 @@ class CellShift {
 
     bool isShifted() const { return m_share > 0; }
     WaveCell project(const WaveCell& old, const WaveCell& next) const {
+        // in arrays of their own the coefficients are worked on side by side
+        Row first{}, second{};
+        for (int k = 0; k < WaveCell::count; ++k) {
+            const double ofOld = old.c[k], ofNext = next.c[k];
+            for (int m = 0; m < WaveCell::count; ++m) first[m] += m_ofOld[k][m] * ofOld;
+            for (int m = 0; m < WaveCell::count; ++m) second[m] += m_ofNext[k][m] * ofNext;
+        }
         WaveCell out;
-        for (int k = 0; k < WaveCell::count; ++k)
-            for (int m = 0; m < WaveCell::count; ++m)
-                out.c[m] += m_ofOld[k][m] * old.c[k] + m_ofNext[k][m] * next.c[k];
+        for (int m = 0; m < WaveCell::count; ++m) out.c[m] = first[m] + second[m];
         return out;
     }
     /// ∫f du over the first `share` of a cell.

@@ -26,7 +26,7 @@ enum class DrillingStart {
 
 /// What is marched, in the units of Problem: the blow, and what lives on between blows.
 struct DrillingProblem {
-    Problem blow;          ///< what joints and sections take from a wave comes back (D5a)
+    Problem blow;          ///< what joints and sections take from a wave comes back (D5)
     double interval = 1;   ///< 1/(f t0)
     double feedForce = 0;  ///< Fe/F0
     std::optional<MachineBody>
@@ -39,7 +39,7 @@ struct DrillingProblem {
     bool operator==(const DrillingProblem&) const = default;
 };
 
-/// Whether waves fade in rod or string, and not in the rock alone.
+/// Returns whether waves fade in the rod or string.
 bool losesWaves(const DrillingProblem& problem);
 
 /// What one blow and the cycle behind it came to, in the units of Problem. What is not there is not a number.

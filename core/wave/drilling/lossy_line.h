@@ -13,7 +13,7 @@
 
 namespace drillwave {
 
-/// Content b over one round trip 2T that relaxes to its own mean at the rate λ = −ln(1 − η)/2T (D5):
+/// Content b over one round trip 2T that relaxes to its own mean at the rate λ = −ln(1 − η)/2T (D3) (D4):
 ///
 ///     B' = b_in − b_out,   A' = λ (B/2T − A),   stored: c = b_in − A,   b_out(t) = (1 − η) c(t − 2T) + A(t)
 ///
@@ -52,7 +52,9 @@ class LossyLine {
         m_held = wave * m_roundTrip;
         m_square = wave * wave * m_roundTrip;
         m_lost = 0;
-        m_headSquare = m_shift.headSquare(*m_line.arriving());
+        m_oldestSquare = m_line.arriving()->meanSquare();
+        m_headAtFilling = 0;
+        m_headAtFilling = headEnergy();
     }
     bool isLossy() const { return m_rate > 0; }
 
@@ -60,12 +62,10 @@ class LossyLine {
     WaveCell arrive() {
         WaveCell out = *m_line.arriving();
         if (m_shift.isShifted()) {
-            const WaveCell& old = *m_line.arriving();
             const WaveCell& next = *(m_line.arriving() + 1);
-            const double tail = old.meanSquare() - m_headSquare;
-            m_headSquare = m_shift.headSquare(next);
-            out = m_shift.project(old, next);
-            m_projected = m_kept * m_kept * std::max(0.0, tail + m_headSquare - out.meanSquare());
+            out = m_shift.project(out, next);
+            m_projected = m_kept * m_kept * (m_oldestSquare - out.meanSquare());
+            m_oldestSquare = next.meanSquare();
         }
         if (!isLossy()) return out;
         for (double& coefficient : out.c) coefficient *= m_kept;
@@ -92,9 +92,10 @@ class LossyLine {
         pass(change, change * (2 * out.mean() + change), part);
     }
 
-    double held() const { return m_held; }      ///< B = ∫ content
-    double square() const { return m_square; }  ///< Q = ∫ content²
-    double lost() const { return m_lost; }  ///< ∫ 2λ(Q − B²/2T) dt since the filling, and by projection
+    double held() const { return m_held; }                     ///< B = ∫ content
+    double square() const { return m_square - headEnergy(); }  ///< Q = ∫ content²
+    /// ∫ 2λ(Q − B²/2T) dt since the filling, and what the projections lost.
+    double lost() const { return m_lost + headEnergy(); }
 
     // For what compares and moves states
 
@@ -121,7 +122,7 @@ class LossyLine {
         if (isLossy()) moved += m_roundTrip * (m_mean - other.m_mean);
         m_held = other.m_held + moved;
         m_square = other.m_square;
-        m_headSquare = m_shift.headSquare(*m_line.arriving());
+        m_oldestSquare = m_line.arriving()->meanSquare();
         m_next = isLossy() ? other.m_next + share * (m_next - other.m_next) : m_mean;
     }
     /// A wave that is added to all that is stored.
@@ -134,10 +135,11 @@ class LossyLine {
 
   private:
     DelayLine<WaveCell> m_line;
-    CellShift m_shift;        ///< by what a round trip is less than the cells that are stored
-    double m_headSquare = 0;  ///< of the oldest cell, what has arrived already
-    double m_projected = 0;   ///< what the projection of the last arrival lost
-    double m_roundTrip = 1;   ///< 2T
+    CellShift m_shift;          ///< by what a round trip is less than the cells that are stored
+    double m_oldestSquare = 0;  ///< of the oldest cell
+    double m_headAtFilling = 0;
+    double m_projected = 0;  ///< squares of the oldest cell less those of what has arrived
+    double m_roundTrip = 1;  ///< 2T
     double m_ofRoundTrip = 1;
     double m_kept = 1;  ///< 1 − η
     double m_rate = 0;  ///< λ
@@ -165,6 +167,13 @@ class LossyLine {
             m_lost += lost;
         }
         m_line.advance(1);
+    }
+
+    /// Energy of the part of the oldest cell that has arrived; the sums count it with the whole cell.
+    double headEnergy() const {
+        if (!m_shift.isShifted()) return 0;
+        const double head = m_shift.headSquare(*m_line.arriving());
+        return m_kept * m_kept * m_parts.front().width * head - m_headAtFilling;
     }
 
     std::vector<Part> m_parts;

@@ -30,6 +30,11 @@ double sizeOf(const double* c, int count) {
     return size;
 }
 
+/// The least value of a wave, where its bound does not do.
+double leastOf(const WaveCell& wave) {
+    return -(-1.0 * wave).peak().value;
+}
+
 /// Whether a series begins at zero or above and does not fall below it at once.
 bool beginsPositive(const double* c, int count) {
     for (int k = 0; k < count; ++k)
@@ -77,8 +82,9 @@ RearNode::Piece RearNode::pieceOf(const Inputs& in, const Modes& modes, double f
     piece.from = from;
     piece.width = end - from;
     const bool isElastic = modes.face == Face::touching && m_parts.face.stiffness;
-    piece.count = m_machine || isElastic ? termsOfMotion : WaveCell::count;
-    if (m_fastest * in.width * piece.width > mostOfRate) piece.width = mostOfRate / (m_fastest * in.width);
+    const double rate = m_fastest * in.width * piece.width;
+    piece.count = m_machine || isElastic ? termsOf(rate) : WaveCell::count;
+    if (rate > mostOfRate) piece.width = mostOfRate / (m_fastest * in.width);
     const double width = piece.width * in.width;
     const Powers f1 = seenFrom(in.f1, from, piece.width), b2 = seenFrom(in.b2, from, piece.width);
     const Powers force = seenFrom(in.force, from, piece.width);
@@ -131,6 +137,16 @@ bool RearNode::isConsistent(const Piece& piece) const {
     if (piece.modes.face == Face::touching && !beginsPositive(piece.push.data(), piece.count)) return false;
     if (piece.modes.face == Face::apart && !beginsPositive(piece.gap.data(), piece.count + 1)) return false;
     return !m_machine || beginsPositive(piece.margin.data(), piece.count);
+}
+
+/// Terms of a series over a stretch in which nothing follows faster than that, until they are rounding. Waves
+/// of a string are never quiet for long, and take most of their time here; a rod has the same number always.
+int RearNode::termsOf(double rate) const {
+    if (m_parts.hammerImpedance == 0) return termsOfMotion;
+    int count = WaveCell::count + 1;
+    for (double term = rate; term > roundingShare / 256 && count < termsOfMotion; ++count)
+        term *= rate / (count - WaveCell::count + 1);
+    return count;
 }
 
 RearNode::Piece RearNode::nextPiece(const Inputs& in, double from, double end) const {
@@ -189,18 +205,29 @@ bool RearNode::quietStep(const WaveCell& b2, double width, std::size_t part, For
     const double grows = stiffness * moved + damping * gain * size;
     const double pull = mean + stiffness * stretch + damping * velocity;
     WaveCell& damper = forces.damper;
-    if (pull + grows < damping * m_mobility * q.least() - quietMargin * grows - roundingShare * size) {
-        damper = {};
-        m_now.stretch += width * (velocity + gain * mean / 2 - q.mean() * m_mobility);
-    } else {
-        std::array<double, PressingMap::outputs> out{};
+    const double lowest = pull + grows + quietMargin * grows + roundingShare * size;
+    const double ofQ = damping * m_mobility;
+    bool lifts = lowest < ofQ * q.least();
+    std::array<double, PressingMap::outputs> out{};
+    if (!lifts) {
         const std::array<double, PressingMap::inputs> in{mean,    q.c[3],   q.c[2], q.c[1],
                                                          stretch, velocity, q.c[0]};
         const PressingMap& map = m_maps[part];
         for (std::size_t i = 0; i < in.size(); ++i)
             for (std::size_t k = 0; k < out.size(); ++k) out[k] += map.of[i][k] * in[i];
         std::copy_n(out.begin(), WaveCell::count, damper.c.begin());
-        if (damper.least() <= quietMargin * damper.spread() + roundingShare * size) return false;
+        const double margin = quietMargin * damper.spread() + roundingShare * size;
+        if (damper.least() <= margin) {
+            // waves of a string are uneven: what they are at least is worth to be known
+            if (m_parts.hammerImpedance == 0) return false;
+            lifts = lowest < ofQ * leastOf(q);
+            if (!lifts && leastOf(damper) <= margin) return false;
+        }
+    }
+    if (lifts) {
+        damper = {};
+        m_now.stretch += width * (velocity + gain * mean / 2 - q.mean() * m_mobility);
+    } else {
         m_now.stretch = out[WaveCell::count];
         if (damper.most() > m_sums.damperPeak)
             m_sums.damperPeak = std::max(m_sums.damperPeak, damper.peak().value);

@@ -121,6 +121,7 @@ class RearNode {
 
     Piece pieceOf(const Inputs& in, const Modes& modes, double from, double end, const RearState& start,
                   double meanForce) const;
+    int termsOf(double rate) const;
     Piece nextPiece(const Inputs& in, double from, double end) const;
     bool isConsistent(const Piece& piece) const;
     PressingMap pressingMap(double width) const;

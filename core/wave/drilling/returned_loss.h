@@ -11,7 +11,7 @@ namespace drillwave {
 
 /// One place and direction, of waves x of a section with impedance Z:
 ///
-///     out = s x + (1 − s) m,   m' = f (x − m)                                                       (D5a)
+///     out = s x + (1 − s) m,   m' = f (x − m)                                                       (D5)
 ///
 /// Steady waves pass unchanged. (1 − s) m/f is momentum on its way, (1 − s) m²/(f Z) its energy.
 class ReturnedLoss {
@@ -20,8 +20,8 @@ class ReturnedLoss {
     /// s of an amplitude, 0 < s ≤ 1; f blows per t0.
     ReturnedLoss(double passing, double frequency) : m_passing(passing), m_frequency(frequency) {}
 
-    /// What passes over a part of a cell of that width [t0]; m by the trapezoidal rule, whose momentum is
-    /// exact.
+    /// Returns the wave that passes over a part of a cell of that width [t0]. The trapezoidal rule for m keeps
+    /// the momentum exactly.
     WaveCell pass(const WaveCell& in, double width) {
         const double rate = m_frequency * width, before = m_mean;
         m_mean = (before * (1 - rate / 2) + rate * in.mean()) / (1 + rate / 2);

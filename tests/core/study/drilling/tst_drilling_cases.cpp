@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Many blows against 16 cases of an independent plain lattice (tests/cases/drill_cases.json).
+// Many blows against 18 cases of an independent plain lattice (tests/cases/drill_cases.json).
 #include <QTest>
 
 #include <QFile>
@@ -131,7 +131,7 @@ void TestDrillingCases::casesHold() {
     if (kind == "statistics" && std::abs(lyapunov) > 0.05) QVERIFY(result.lyapunov->value * lyapunov > 0);
 }
 
-/// The reference has followed it for 3000 blows, all of them irregular.
+/// When it ends is chance: the reference rests before 80 % of its blows.
 void TestDrillingCases::aChaoticTransientEnds() {
     for (const QJsonValue& given : cases()) {
         if (given["id"] != "string_period") continue;
@@ -142,8 +142,7 @@ void TestDrillingCases::aChaoticTransientEnds() {
         QVERIFY(result.lyapunov->value < 0);
         const DrillingStatistics first = statisticsOf(std::span(result.blows).first(500), 100, 2);
         QCOMPARE(first.period, 0);
-        const double gap = given["reference"]["gap"]["value"].toDouble();
-        QVERIFY(std::abs(first.spreads[0].mean * result.units.length() - gap) < 0.5 * gap);
+        QVERIFY(first.spreads[0].mean > 5 * result.spread(0).mean);
         return;
     }
     QFAIL("no such case");

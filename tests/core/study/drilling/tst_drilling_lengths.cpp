@@ -246,7 +246,7 @@ void TestDrillingLengths::meansOverALengthAreSmooth() {
     }
 }
 
-/// Of 50 blows with those of four times as many cells.
+/// Compares 50 blows with those on four times as many cells.
 void TestDrillingLengths::meansHoldWithinTheirErrors() {
     std::mt19937 random(1);
     const int count = tries("DRILLWAVE_LENGTH_MEANS", 3, 100);

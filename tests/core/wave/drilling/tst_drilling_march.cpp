@@ -341,7 +341,7 @@ void TestDrillingMarch::aRoundTripNeedNotBeWholeCells() {
     }
 }
 
-/// What a joint takes comes back: the momentum passes in the end, and no energy is made.
+/// The momentum that a joint takes passes in the end, and no energy is made.
 void TestDrillingMarch::whatAJointTakesComesBack() {
     ReturnedLoss loss(0.9, 0.5);
     double in = 0, out = 0, lost = 0;
