@@ -20,8 +20,8 @@ class ReturnedLoss {
     /// s of an amplitude, 0 < s ≤ 1; f blows per t0.
     ReturnedLoss(double passing, double frequency) : m_passing(passing), m_frequency(frequency) {}
 
-    /// Returns the wave that passes over a part of a cell of that width [t0]. The trapezoidal rule for m keeps
-    /// the momentum exactly.
+    /// Returns the wave that passes over a part of a cell of that width [t0]. The trapezoidal rule for m
+    /// keeps the momentum exactly.
     WaveCell pass(const WaveCell& in, double width) {
         const double rate = m_frequency * width, before = m_mean;
         m_mean = (before * (1 - rate / 2) + rate * in.mean()) / (1 + rate / 2);
