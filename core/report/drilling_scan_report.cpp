@@ -205,9 +205,9 @@ std::string drillingScanText(const DrillingScanReport& report, OutputUnits units
     return text + "\n" +
            paragraph(style.said(translatable(
                "drillwave::Message",
-               "Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- has the "
-               "scatter of the blows at that value and the most that other cells change at five of the "
-               "values."))) +
+               "Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- contains "
+               "the scatter of the blows and three times what half or twice the cells change, each at its "
+               "own value."))) +
            paragraph(style.said(translatable(
                "drillwave::Message",
                "Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. There "

@@ -8685,8 +8685,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>mit %1, %2 Schläge bei jedem Wert</translation>
     </message>
     <message>
-        <source>Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- has the scatter of the blows at that value and the most that other cells change at five of the values.</source>
-        <translation>Als voller Bohrfortschritt gelten 95&#xa0;% dessen, was ein Vorschub von 2 (1 + 2e) f J mit demselben Dämpfer ergibt. ± enthält die Streuung der Schläge bei diesem Wert und die größte Änderung durch andere Zellen bei fünf der Werte.</translation>
+        <source>Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- contains the scatter of the blows and three times what half or twice the cells change, each at its own value.</source>
+        <translation>Als voller Bohrfortschritt gelten 95&#xa0;% dessen, was ein Vorschub von 2 (1 + 2e) f J mit demselben Dämpfer ergibt. ± enthält die Streuung der Schläge und das Dreifache dessen, was halb oder doppelt so viele Zellen ändern, beides an diesem Wert.</translation>
     </message>
     <message>
         <source>Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. There is no over-feed side: friction, rotation and buckling are not in the model.</source>

@@ -8685,8 +8685,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>med %1, %2 slag vid varje värde</translation>
     </message>
     <message>
-        <source>Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- has the scatter of the blows at that value and the most that other cells change at five of the values.</source>
-        <translation>Full takt är 95&#xa0;% av vad en matning på 2 (1 + 2e) f J ger med samma dämpare. ± omfattar slagens spridning vid värdet och den största ändring som andra celler ger vid fem av värdena.</translation>
+        <source>Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- contains the scatter of the blows and three times what half or twice the cells change, each at its own value.</source>
+        <translation>Full takt är 95&#xa0;% av vad en matning på 2 (1 + 2e) f J ger med samma dämpare. ± innehåller slagens spridning och tre gånger det som hälften eller dubbelt så många celler ändrar, båda vid detta värde.</translation>
     </message>
     <message>
         <source>Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. There is no over-feed side: friction, rotation and buckling are not in the model.</source>
