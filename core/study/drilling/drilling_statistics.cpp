@@ -43,10 +43,10 @@ double meanOf(std::span<const double> values) {
     return sum / static_cast<double>(values.size());
 }
 
-/// By the means of batches; a rest of fewer blows than a batch is left out at the front.
-std::optional<double> batchError(std::span<const double> values) {
+/// By the means of so many batches at most; a rest of fewer blows than a batch is left out at the front.
+std::optional<double> batchError(std::span<const double> values, std::size_t most) {
     if (values.size() < 2) return std::nullopt;
-    const std::size_t count = std::min(batches, values.size()), size = values.size() / count;
+    const std::size_t count = std::min(most, values.size()), size = values.size() / count;
     const std::span<const double> counted = values.last(size * count);
     const double mean = meanOf(counted);
     double sum = 0;
@@ -54,7 +54,16 @@ std::optional<double> batchError(std::span<const double> values) {
         const double off = meanOf(counted.subspan(i * size, size)) - mean;
         sum += off * off;
     }
-    return studentOfBatches[count - 2] * std::sqrt(sum / static_cast<double>((count - 1) * count));
+    const double student = studentOfBatches[std::min(count, batches) - 2];
+    return student * std::sqrt(sum / static_cast<double>((count - 1) * count));
+}
+
+/// Where nothing repeats: a few blows drift, or alternate so that batches have the same mean by chance.
+double irregularError(std::span<const double> values) {
+    double largest = 0;
+    for (const std::size_t most : {values.size(), batches, batches / 2, batches / 4})
+        largest = std::max(largest, batchError(values, most).value_or(0));
+    return largest;
 }
 
 bool repeats(std::span<const DrillingBlow> blows, std::size_t period, double velocityScale) {
@@ -92,7 +101,7 @@ BlowSpread spreadOf(std::span<const double> values) {
     assert(!values.empty());
     BlowSpread spread;
     spread.mean = meanOf(values);
-    spread.meanError = batchError(values);
+    spread.meanError = batchError(values, batches);
     double square = 0;
     for (const double value : values) square += (value - spread.mean) * (value - spread.mean);
     if (values.size() > 1) spread.deviation = std::sqrt(square / static_cast<double>(values.size() - 1));
@@ -137,6 +146,10 @@ DrillingStatistics statisticsOf(std::span<const DrillingBlow> blows, std::size_t
     statistics.ksLevel = 1.36 / std::sqrt(static_cast<double>(counted.size()));
     for (int period = 1; period <= longestPeriod && statistics.period == 0; ++period)
         if (repeats(counted, static_cast<std::size_t>(period), velocityScale)) statistics.period = period;
+    for (std::size_t q = 0; q < blowQuantities.size() && statistics.period == 0 && counted.size() > 1; ++q) {
+        std::ranges::transform(counted, values.begin(), blowQuantities[q].value);
+        statistics.spreads[q].meanError = irregularError(values);
+    }
     if (statistics.contactShare >= restShare && statistics.period == 1)
         statistics.regime = DrillingRegime::rest;
     else if (statistics.period > 0)
