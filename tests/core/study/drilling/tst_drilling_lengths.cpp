@@ -292,7 +292,7 @@ void TestDrillingLengths::aFeedBelowTheReactionPushesTheMachineBack_data() {
 void TestDrillingLengths::aFeedBelowTheReactionPushesTheMachineBack() {
     QFETCH(QString, example);
     QFETCH(QString, thrust);
-    for (const char* blows : {"drill.blows=8", "drill.blows=120"}) {
+    for (const char* blows : {"drill.blows=40", "drill.blows=120"}) {
         const Scenario scenario =
             drilled(qPrintable(example), {thrust.toStdString().c_str(), blows, "drill.settle=2"});
         const DrillingResult result = studyDrilling(scenario, drillingSettingsOf(scenario));
