@@ -40,7 +40,17 @@ double valueAt(const FitPiece& piece, double share) {
     return piece.outputs.front()(share);
 }
 
-/// What stands between two pieces with slopes, `first` and `last`.
+/// Returns the mean slope over a piece.
+double chordOf(const FitPiece& piece) {
+    return (valueAt(piece, piece.end) - valueAt(piece, piece.start)) / (piece.end - piece.start);
+}
+
+/// Whether a piece is more than a sliver between others.
+bool isWide(const FitPiece& piece) {
+    return piece.solved && piece.end - piece.start > leastSlopeWidth;
+}
+
+/// What stands between two wide pieces, `first` and `last`.
 std::optional<Turn> turnBetween(Pieces pieces, std::size_t first, std::size_t last, double scale) {
     const FitPiece& left = pieces[first];
     const FitPiece& right = pieces[last];
@@ -49,26 +59,29 @@ std::optional<Turn> turnBetween(Pieces pieces, std::size_t first, std::size_t la
     turn.before = valueAt(left, left.end);
     turn.after = valueAt(right, right.start);
     turn.place = {left.end / 2 + right.start / 2, (right.start - left.end) / 2};
-    // The narrowest piece is the sliver, the others lead to it.
-    double narrowest = INFINITY;
+    // The steepest piece is the sliver, the others lead to it; of several the narrowest.
+    double narrowest = INFINITY, steepestOfAll = -1;
     for (std::size_t i = first + 1; i < last; ++i) {
         const FitPiece& piece = pieces[i];
         if (!piece.solved) return std::nullopt;
-        if (piece.end - piece.start >= narrowest) continue;
-        narrowest = piece.end - piece.start;
+        const double width = piece.end - piece.start;
+        const double slope = std::abs(valueAt(piece, piece.end) - valueAt(piece, piece.start)) / width;
+        const bool isJump = slope * width > leastJump * scale;
+        if (isJump ? slope <= steepestOfAll : steepestOfAll >= 0 || width >= narrowest) continue;
+        narrowest = width;
+        if (isJump) steepestOfAll = slope;
         turn.place = {piece.start / 2 + piece.end / 2, narrowest};
         turn.before = valueAt(piece, piece.start);
         turn.after = valueAt(piece, piece.end);
     }
     const auto sides =
         sidesAt(pieces.subspan(first, last - first + 1), 0, turn.place.value, turn.place.value);
-    if (!sides) return std::nullopt;
-    turn.slopeBefore = sides->first.slope;
-    turn.slopeAfter = sides->second.slope;
+    turn.slopeBefore = sides ? sides->first.slope : chordOf(left);
+    turn.slopeAfter = sides ? sides->second.slope : chordOf(right);
     const double steepest = std::max(std::abs(turn.slopeBefore), std::abs(turn.slopeAfter));
     turn.isJump = std::abs(turn.after - turn.before) >
                   leastJump * scale + steepestSliver * steepest * turn.place.error + 4 * turn.error;
-    if (!turn.isJump && !isAngle(sides->first, sides->second, scale)) return std::nullopt;
+    if (!turn.isJump && (!sides || !isAngle(sides->first, sides->second, scale))) return std::nullopt;
     return turn;
 }
 
@@ -76,7 +89,7 @@ std::vector<Turn> turnsOf(Pieces pieces, double scale) {
     std::vector<Turn> turns;
     std::optional<std::size_t> before;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        if (!hasSlope(pieces[i])) continue;
+        if (!isWide(pieces[i])) continue;
         if (before)
             if (const std::optional<Turn> turn = turnBetween(pieces, *before, i, scale))
                 turns.push_back(*turn);
@@ -106,7 +119,8 @@ class Finder {
         addOfAll(Extreme::largest);
         for (const Turn& turn : m_turns) addTurn(turn);
         for (const double level : levels)
-            for (const FitCrossing& crossing : crossingsOf(m_segments, level)) addCrossing(crossing, level);
+            for (const FitCrossing& crossing : crossingsOf(m_segments, level))
+                if (!isJumpedOver(crossing)) addCrossing(crossing, level);
         std::ranges::stable_sort(m_features, {}, [](const CurveFeature& f) { return f.x.value; });
         return std::move(m_features);
     }
@@ -122,6 +136,13 @@ class Finder {
             return share >= turn.start - leastSlopeWidth && share <= turn.end + leastSlopeWidth;
         });
         return found == m_turns.end() ? nullptr : &*found;
+    }
+
+    /// Whether the curve jumps over the level there, and never has its value.
+    bool isJumpedOver(const FitCrossing& crossing) const {
+        const Turn* turn = turnAt(crossing.place.value);
+        return turn && turn->isJump &&
+               std::abs(crossing.place.value - turn->place.value) <= turn->place.error + crossing.place.error;
     }
 
     bool isOnGrid(double share) const {

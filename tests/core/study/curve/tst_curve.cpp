@@ -5,6 +5,7 @@
 #include <cmath>
 #include <random>
 
+#include "core/model/parameter_text.h"
 #include "core/report/curve_csv.h"
 #include "core/study/curve/curve.h"
 #include "core/study/curve/curve_sampler.h"
@@ -12,6 +13,7 @@
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 #include "tests/support/scenario.h"
+#include "tests/support/tries.h"
 
 using namespace drillwave;
 
@@ -71,6 +73,9 @@ class TestCurve : public QObject {
     void randomScenesAreWhatTheSolverSays();
     void aPeakForceTurnsWhereTheGreatestPeakChanges();
     void aSeparationTimeJumps();
+    void aLevelThatIsJumpedOverIsNotCrossed_data();
+    void aLevelThatIsJumpedOverIsNotCrossed();
+    void crossingsHaveTheirLevelAndNoJumpIsMissed();
     void aLogarithmicRangeFindsTheSameFeatures();
     void aLineOfAFamilyIsTheCurveOfItsValue();
     void aFamilyOfShapesIsALineEach();
@@ -246,6 +251,116 @@ void TestCurve::aSeparationTimeJumps() {
     // another contact: a round trip, 2τ, later
     QVERIFY(isNear(std::abs(jumps[0].valueAfter - jumps[0].value.value), 19.1, 0.1));
     QVERIFY(jumps[0].x.error < 1e-9);
+}
+
+void TestCurve::aLevelThatIsJumpedOverIsNotCrossed_data() {
+    QTest::addColumn<Scenario>("base");
+    QTest::addColumn<QString>("output");
+    QTest::addColumn<double>("level");
+    QTest::addColumn<int>("crossings");
+    QTest::addColumn<double>("place");
+    QTest::addColumn<double>("before");
+    QTest::addColumn<double>("after");
+    Scenario exponential =
+        dimensionless(PulseShape::exponential, {1.1184125049355267, 0.1, 12.072905508634229, 0});
+    QTest::newRow("another contact is the last one") << exponential << "separation_time" << 46.903227806877574
+                                                     << 0 << 0.753593266933606 << 38.177227 << 60.746054;
+    Scenario corners =
+        dimensionless(PulseShape::rectangular, {13.901282013813239, 0.1, 2.292600912172583, 0});
+    for (const auto& [key, text] :
+         {std::pair("bit_rock.law", "corners"), std::pair("bit_rock.corner.1.force", "0.5811"),
+          std::pair("bit_rock.corner.1.slope", "1.031")})
+        QVERIFY(assignText(corners, key, text).isEmpty());
+    QTest::newRow("a contact ends") << corners << "contact_duration" << 5.173400239902858 << 1 << 1.0
+                                    << 8.2270642 << 4.6418624;
+}
+
+/// The jump is a feature with both values; the level between them is none.
+void TestCurve::aLevelThatIsJumpedOverIsNotCrossed() {
+    QFETCH(Scenario, base);
+    QFETCH(QString, output);
+    QFETCH(double, level);
+    QFETCH(int, crossings);
+    QFETCH(double, place);
+    QFETCH(double, before);
+    QFETCH(double, after);
+    CurveQuestion asked = question(base, "delta=0:1.3", qPrintable(output));
+    asked.levels = {level};
+    const CurveStudy study = studyCurve(asked, 1);
+    const CurveOutput& line = onlyLine(study).outputs[0];
+    const std::vector<CurveFeature> jumps = ofKind(line, Kind::jump);
+    QCOMPARE(jumps.size(), 1u);
+    QVERIFY(isNear(jumps[0].x.value, place, 1e-9));
+    QVERIFY(isNear(jumps[0].value.value, before, 1e-5) && isNear(jumps[0].valueAfter, after, 1e-5));
+    const std::vector<CurveFeature> crossed = ofKind(line, Kind::crossing);
+    QCOMPARE(static_cast<int>(crossed.size()), crossings);
+    for (const CurveFeature& crossing : crossed) QVERIFY(isNear(crossing.x.value, 0.99951175, 1e-7));
+}
+
+/// Times jump where contacts come and go: every crossing is solved again, and every step between samples is
+/// looked for among the jumps.
+void TestCurve::crossingsHaveTheirLevelAndNoJumpIsMissed() {
+    std::mt19937_64 random(53);
+    std::uniform_real_distribution<double> uniform(0, 1);
+    const PulseShape shapes[] = {PulseShape::rectangular, PulseShape::triangular, PulseShape::halfSine,
+                                 PulseShape::exponential};
+    const int scenes = test::tries("DRILLWAVE_CURVE_JUMPS", 12, 200);
+    int jumpsFound = 0, crossingsFound = 0;
+    for (int scene = 0; scene < scenes; ++scene) {
+        const auto between = [&](double low, double high) {
+            return low * std::pow(high / low, uniform(random));
+        };
+        const Groups groups{between(0.3, 30), 0.1, between(1, 20), 0};
+        CurveQuestion asked = question(shapes[scene % 4], groups, "delta=0:1.3",
+                                       scene % 2 ? "separation_time" : "contact_duration");
+        const std::vector<SweepAxis> axes = asked.axes();
+        CurveSampler sampler(asked, axes, 0, {});
+        constexpr int samples = 600;
+        std::vector<double> values;
+        for (int n = 0; n <= samples; ++n) {
+            const FitSample sample = sampler(static_cast<double>(n) / samples, 0);
+            values.push_back(sample.solved ? sample.values[0] : NAN);
+        }
+        const auto [least, most] = std::ranges::minmax(values);
+        asked.levels = {least + (most - least) * between(0.1, 0.9)};
+        const CurveStudy study = studyCurve(asked, 2);
+        const CurveOutput& line = onlyLine(study).outputs[0];
+        const std::vector<CurveFeature> jumps = ofKind(line, Kind::jump);
+        for (const CurveFeature& crossing : ofKind(line, Kind::crossing)) {
+            ++crossingsFound;
+            const double share = asked.range().shareOf(crossing.x.value);
+            const double off = std::abs(sampler(share, 0).values[0] - asked.levels[0]);
+            QVERIFY2(
+                off < 1e-5 * most || crossing.shape == Shape::grid,
+                qPrintable(
+                    QStringLiteral("scene %1 at %2: off by %3").arg(scene).arg(crossing.x.value).arg(off)));
+        }
+        // a step beside which nothing rises like it
+        for (int n = 2; n + 1 < samples; ++n) {
+            const double step = std::abs(values[n + 1] - values[n]);
+            const double beside = std::max(std::abs(values[n] - values[n - 1]),
+                                           n + 2 <= samples ? std::abs(values[n + 2] - values[n + 1]) : 0);
+            if (!(step > 0.05 * most && step > 50 * beside)) continue;
+            // halved until it is steep beyond doubt, or smooth
+            double low = double(n) / samples, high = double(n + 1) / samples;
+            for (int i = 0; i < 30; ++i) {
+                const double middle = (low + high) / 2, value = sampler(middle, 0).values[0];
+                const bool isLow = std::abs(value - values[n]) < std::abs(value - values[n + 1]);
+                (isLow ? low : high) = middle;
+            }
+            const double left = sampler(low, 0).values[0], right = sampler(high, 0).values[0];
+            if (std::abs(right - left) < 0.02 * most) continue;
+            ++jumpsFound;
+            QVERIFY2(
+                std::ranges::any_of(jumps,
+                                    [&](const CurveFeature& jump) {
+                                        return std::abs(jump.x.value - asked.range().at(low)) < 1e-4;
+                                    }),
+                qPrintable(QStringLiteral("scene %1: no jump at %2").arg(scene).arg(asked.range().at(low))));
+        }
+    }
+    qInfo("%d jumps, %d crossings", jumpsFound, crossingsFound);
+    QVERIFY(jumpsFound > scenes / 4 && crossingsFound > scenes / 2);
 }
 
 void TestCurve::aLogarithmicRangeFindsTheSameFeatures() {
