@@ -16,6 +16,7 @@
 #include "core/study/drilling/drilling_mesh.h"
 #include "core/study/drilling/drilling_study.h"
 #include "core/study/scan/drilling_scan.h"
+#include "core/text/units.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 #include "tests/support/tries.h"
@@ -57,10 +58,9 @@ enum class Cones { none, some };
 std::string randomString(std::mt19937& random, Cones cones) {
     const auto whole = [&](int low, int high) { return std::uniform_int_distribution(low, high)(random); };
     const auto section = [](int length, double diameter, double bore, double end = 0) {
-        std::string text = "{length: " + std::to_string(length) +
-                           " mm, diameter: " + std::to_string(diameter) +
-                           " mm, bore: " + std::to_string(bore) + " mm";
-        if (end > 0) text += ", end_diameter: " + std::to_string(end) + " mm";
+        std::string text = "{length: " + std::to_string(length) + " mm, diameter: " + formatNumber(diameter) +
+                           " mm, bore: " + formatNumber(bore) + " mm";
+        if (end > 0) text += ", end_diameter: " + formatNumber(end) + " mm";
         return text + "}";
     };
     std::string hammer = section(whole(200, 350), whole(50, 60), 0);
@@ -232,7 +232,7 @@ void TestDrillingLengths::meansOverALengthAreSmooth() {
         if (!test::isChosen(i, 3)) continue;
         Scenario scenario = base;
         assign(scenario, "string.coupling.length=" +
-                             std::to_string(points[i].toObject()["coupling_mm"].toDouble()) + "mm");
+                             formatNumber(points[i].toObject()["coupling_mm"].toDouble()) + "mm");
         DrillingSettings settings = drillingSettingsOf(scenario);
         settings.cells = scanCells;
         const DrillingResult result =
