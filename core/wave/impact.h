@@ -76,7 +76,7 @@ struct Impact {
 
     bool isSolved() const { return outcome != Outcome::notSolved; }
 
-    double cor = 0;  ///< e = −pf/p0 = −1 + ∫F [paper (10)]; of a string what it rebounds with over its own
+    double cor = 0;  ///< e = −pf/p0 = −1 + ∫F [paper (10)]; of a string −pf/∫P, with losses −1 + ∫F/∫P
     double corError = 0;  ///< bound on |cor − exact|
     double impulse = 0;   ///< ∫F ds [I0]; 1 + e of a uniform rod
     double growth = 1;    ///< by how much later contacts may multiply the rounding of earlier ones (T38)

@@ -65,6 +65,14 @@ Problem stringProblem(const Scenario& scenario, const std::vector<int>& pieces) 
 
 }  // namespace
 
+bool losesWaves(const Problem& problem) {
+    for (std::size_t j = problem.hammerSections(); j < problem.sections.size(); ++j)
+        if (problem.sections[j].decay > 0 ||
+            (problem.sections[j].loss > 0 && j + 1 < problem.sections.size()))
+            return true;
+    return false;
+}
+
 std::string_view rodRefusal(const Problem& problem) {
     const UniformSection plain{.transitTime = problem.sections.front().transitTime};
     if (problem.isForced() && problem.sections.size() == 1 && problem.sections.front() == plain) return {};

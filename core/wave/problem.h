@@ -81,6 +81,10 @@ struct Problem {
     double firstGap() const { return isForced() && force().isRigidBody() ? 0 : gap; }
 };
 
+/// Returns whether a joint or a section of the string takes energy from the waves. The loss behind the last
+/// section is none: there is no joint.
+bool losesWaves(const Problem& problem);
+
 /// Why this is no force on one uniform section and nothing else, which is all that solvers of rods take.
 /// Empty where it is.
 std::string_view rodRefusal(const Problem& problem);

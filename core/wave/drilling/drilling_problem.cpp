@@ -7,9 +7,7 @@ namespace drillwave {
 
 bool losesWaves(const DrillingProblem& problem) {
     return std::ranges::any_of(problem.waveLosses, [](double loss) { return loss > 0; }) ||
-           std::ranges::any_of(problem.blow.sections, [](const UniformSection& section) {
-               return section.loss > 0 || section.decay > 0;
-           });
+           losesWaves(problem.blow);
 }
 
 }  // namespace drillwave

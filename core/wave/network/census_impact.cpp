@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/wave/network/census_impact.h"
 
+#include <algorithm>
+
 #include "core/contact/contact_law.h"
 
 namespace drillwave {
@@ -45,7 +47,10 @@ Impact impactOf(const Problem& problem, const CensusResult& census) {
     impact.externalMomentum = census.externalMomentum;
     impact.faceImpulse = face.impulse;
     impact.faceSeparation = timeOrNever(face.firstSeparation);
-    impact.cor = face.impulse > 0 ? -census.stringMomentum / face.impulse : 0;
+    // what losses hand to the surroundings is no rebound; rounding takes none below −1
+    if (face.impulse > 0)
+        impact.cor = losesWaves(problem) ? rock.impulse / face.impulse - 1
+                                         : std::max(-1.0, -census.stringMomentum / face.impulse);
 
     impact.peakForce = rock.peakForce;
     impact.peakTime = rock.peakTime;

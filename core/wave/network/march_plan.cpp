@@ -21,11 +21,6 @@ constexpr double leastFront = 1e-9;
 /// What every node takes for every block of cells, in cells.
 constexpr long workOfBlock = 4;
 
-bool losesEnergy(const Problem& problem) {
-    return std::any_of(problem.sections.begin(), problem.sections.end(),
-                       [](const UniformSection& section) { return section.loss > 0 || section.decay > 0; });
-}
-
 }  // namespace
 
 void MarchPlan::begin(const Problem& problem, const CellGrid& grid, const NetworkWants& wants) {
@@ -39,7 +34,7 @@ void MarchPlan::begin(const Problem& problem, const CellGrid& grid, const Networ
     }
     if (!m_problem.isForced()) m_problem.sections[m_problem.hammerSections() - 1].loss = 0;
     m_problem.sections.back().loss = 0;
-    m_lossy = losesEnergy(m_problem);
+    m_lossy = losesWaves(m_problem);
     m_clocks.begin(m_problem.hammerSections(), m_transitTimes);
     takeRates();
     m_cuts.begin(grid.cell, m_rates, wants.grading);

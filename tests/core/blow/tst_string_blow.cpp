@@ -60,6 +60,24 @@ class TestStringBlow : public QObject {
             QVERIFY(std::abs(efficiencyWith("string.coupling.diameter", diameter) - efficiency) < 6e-4);
     }
 
+    /// Losses take momentum from the string for as long as it is followed: that is no less rebound.
+    void requiredFeedWithLossesIsTheImpulseOnTheRockTimesFrequency() {
+        for (const double loss : {0.0, 0.05}) {
+            std::optional<double> cor;
+            for (const double frequency : {100.0, 60.0, 30.0, 10.0}) {
+                Scenario scenario = t38();
+                for (const char* key : {"string.coupling.loss", "string.rod.loss"})
+                    findParameter(key)->assign(scenario, loss);
+                scenario.drill.blowFrequency = frequency;
+                const Blow blow = solved(scenario);
+                const double onRock = output(blow, "impulse") * blow.scales.impulse;
+                QVERIFY(std::abs(output(blow, "thrust") / frequency - onRock) < 1e-9 * onRock);
+                QVERIFY(!cor || std::abs(output(blow, "cor") - *cor) < 1e-9);
+                cor = output(blow, "cor");
+            }
+        }
+    }
+
     /// A bit that may come back after the next blow: quick and sure runs end at the same time.
     void whatIsNotOverIsToldAtTheNextBlow() {
         Scenario scenario = t38();
