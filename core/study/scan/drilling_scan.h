@@ -37,7 +37,7 @@ struct DrillingScanWork {
     bool lyapunov = false;  ///< λ of every motion that is told
     std::stop_token stop = {};
     DrillingProgress progress = {};
-    /// Told after every value what there is so far, still without the errors of cells.
+    /// Called after every value with what there is so far.
     std::function<void(const DrillingScan&)> onValue = {};
 };
 
