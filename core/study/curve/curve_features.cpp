@@ -50,7 +50,7 @@ bool isWide(const FitPiece& piece) {
     return piece.solved && piece.end - piece.start > leastSlopeWidth;
 }
 
-/// What stands between two wide pieces, `first` and `last`.
+/// Returns the turn between two wide pieces, `first` and `last`, where there is one.
 std::optional<Turn> turnBetween(Pieces pieces, std::size_t first, std::size_t last, double scale) {
     const FitPiece& left = pieces[first];
     const FitPiece& right = pieces[last];
@@ -147,8 +147,8 @@ class Finder {
 
     bool isOnGrid(double share) const {
         return std::ranges::any_of(m_pieces, [share](const FitPiece& piece) {
-            return piece.solved && !piece.resolved && piece.end - piece.start > leastSlopeWidth &&
-                   share >= piece.start - leastSlopeWidth && share <= piece.end + leastSlopeWidth;
+            return isWide(piece) && !piece.resolved && share >= piece.start - leastSlopeWidth &&
+                   share <= piece.end + leastSlopeWidth;
         });
     }
 

@@ -24,7 +24,7 @@ std::vector<int> piecesOf(const std::vector<const Section*>& sections, const Dri
     std::vector<int> counts;
     for (std::size_t j = 0; j < sections.size(); ++j) {
         const double trip = std::floor(grid.roundTrips[j] + sameCell);
-        // of a cone that is whole cells those pieces that are, too
+        // a cone of whole cells is cut into pieces of whole cells
         const double fits = std::min(trip, most), cellsOfPiece = std::ceil(trip / fits);
         const bool isWhole =
             grid.roundTrips[j] == std::round(grid.roundTrips[j]) && std::fmod(trip, cellsOfPiece) == 0;

@@ -108,7 +108,7 @@ double meanImpulse(const std::vector<DrillingBlow>& blows, std::size_t last) {
 DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid, const RecordLength& length,
                         const std::stop_token& stop, const DrillingProgress& progress) {
     DrillingRecord result;
-    // of the given frequency: the one that is rounded to cells decides nothing
+    // compared at the given frequency, not at the one rounded to cells
     if (problem.blow.isForced() && problem.feedForce * problem.interval < 1 - equalThrust) {
         result.outcome = DrillingOutcome::pushedBack;
         return result;

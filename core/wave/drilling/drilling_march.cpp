@@ -68,7 +68,7 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
                          "leave the section out and give its mass to the section in front of it");
         return;
     }
-    double passing = 1;  // of the joint in front of a section
+    double passing = 1;  // amplitude that the joint in front of a section passes
     for (std::size_t j = 0; j < count; ++j) {
         m_lines[j].begin(grid.roundTrips[j], grid.cell, problem.waveLosses[j], widths);
         const double transit = grid.roundTrips[j] * grid.cell / 2;
@@ -87,7 +87,7 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
         }
         if (j + 1 == count) continue;
         UniformSection near = blow.sections[j];
-        near.loss = 0;  // what it loses comes back
+        near.loss = 0;  // applied by m_downLosses and m_upLosses
         m_joints.emplace_back(near, blow.sections[j + 1], 0);
         m_joints.back().setWidths(widths);
     }

@@ -140,7 +140,7 @@ bool RearNode::isConsistent(const Piece& piece) const {
 }
 
 /// Terms of a series over a stretch in which nothing follows faster than that, until they are rounding. Waves
-/// of a string are never quiet for long, and take most of their time here; a rod has the same number always.
+/// of a string are seldom quiet and take most of their time here; a rod always takes the same number.
 int RearNode::termsOf(double rate) const {
     if (m_parts.hammerImpedance == 0) return termsOfMotion;
     int count = WaveCell::count + 1;

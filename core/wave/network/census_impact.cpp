@@ -47,7 +47,7 @@ Impact impactOf(const Problem& problem, const CensusResult& census) {
     impact.externalMomentum = census.externalMomentum;
     impact.faceImpulse = face.impulse;
     impact.faceSeparation = timeOrNever(face.firstSeparation);
-    // what losses hand to the surroundings is no rebound; rounding takes none below −1
+    // momentum that losses take from the string is not rebound; rounding must not give less than −1
     if (face.impulse > 0)
         impact.cor = losesWaves(problem) ? rock.impulse / face.impulse - 1
                                          : std::max(-1.0, -census.stringMomentum / face.impulse);
