@@ -13,14 +13,26 @@
 namespace drillwave {
 namespace {
 
-/// Of a section that is not uniform: to begin with, and at most.
+/// Pieces of a section that is not uniform: at first, and at most.
 constexpr int fewestOfCone = 4, mostOfCone = 128;
 
-/// What half as many pieces may make of e and efficiency.
+/// Numbers of pieces that are compared at least: where contacts differ, one difference may be small by
+/// chance.
+constexpr std::size_t fewestTrials = 3;
+
+/// Difference of e and efficiency to half as many pieces at which no more pieces are tried.
 double wantedDifference(NetworkAccuracy accuracy) {
     return accuracy == NetworkAccuracy::quick ? 1e-4 : 1e-5;
 }
 
+/// Twice as many pieces take up to four times the work. They are tried where that is no more than this share
+/// of the work that is permitted.
+constexpr double workOfDoubling = 4;
+double shareOfTrial(NetworkAccuracy accuracy) {
+    return accuracy == NetworkAccuracy::quick ? 0.05 : 0.25;
+}
+
+/// Absolute differences of two results.
 struct Difference {
     double cor = 0, efficiency = 0;
     double largest() const { return std::max(cor, efficiency); }
@@ -30,11 +42,37 @@ Difference between(const Impact& a, const Impact& b) {
     return {std::abs(a.cor - b.cor), std::abs(a.efficiency() - b.efficiency())};
 }
 
-/// What pieces make is a third of the difference to half as many where they are fine, and more where contacts
-/// differ or the difference passes through zero.
-constexpr double covering = 2;
-Difference larger(const Difference& now, const Difference& before) {
-    return {std::max(now.cor, before.cor / 4), std::max(now.efficiency, before.efficiency / 4)};
+/// Numbers of pieces of every section, and what a blow without waves makes of them.
+struct Trial {
+    std::vector<int> counts;
+    Impact sums;
+};
+
+/// Returns whether lengths were rounded to save work, which is worse than fewer pieces.
+bool isRoundedMore(const Impact& impact, const Impact& than) {
+    return impact.isRounded() && impact.rounding > 2 * than.rounding;
+}
+
+/// Stated error of the last of some trials, for each of its differences to the one before; those of earlier
+/// trials fall with the square of the pieces.
+constexpr double covering = 2, falling = 4;
+
+/// Least error of e as a share of that of the efficiency: pieces are what both come from.
+constexpr double leastShareOfCor = 0.5;
+
+/// Returns what the pieces of the last trial are off by at most. Requires two trials or more.
+Difference errorOfPieces(const std::vector<Trial>& trials) {
+    constexpr std::size_t differences = 3;
+    Difference error;
+    double weight = covering;
+    for (std::size_t i = trials.size() - 1; i > 0 && i + differences >= trials.size(); --i) {
+        const Difference one = between(trials[i].sums, trials[i - 1].sums);
+        error.cor = std::max(error.cor, weight * one.cor);
+        error.efficiency = std::max(error.efficiency, weight * one.efficiency);
+        weight /= falling;
+    }
+    error.cor = std::max(error.cor, leastShareOfCor * error.efficiency);
+    return error;
 }
 
 /// How many pieces every section of a chain is: those of one that is not uniform begin and end on cells that
@@ -81,39 +119,51 @@ ChainSolution solveChain(const Scenario& scenario, const NetworkSettings& settin
     const auto solve = [&](const std::vector<int>& counts, const NetworkSettings& how) {
         solution.problem = problemOf(scenario, counts);
         solution.impact = solver.solve(solution.problem, how, stop);
+        return solution.impact.isSolved();
     };
-    const std::vector<PlacedSection> placed = placedSections(scenario.drillString);
-    if (std::ranges::all_of(scenario.drillString.hammer.sections, isUniform) &&
-        std::ranges::all_of(placed, [](const PlacedSection& each) { return isUniform(*each.section); })) {
+    if (hasUniformSections(scenario.drillString)) {
         solve({}, settings);
         return solution;
     }
     NetworkSettings sums = settings;
     sums.wants = {};
+    const double wanted = wantedDifference(settings.accuracy);
+    const double mostWork = shareOfTrial(settings.accuracy) * static_cast<double>(settings.mostCells);
+    std::vector<Trial> trials;
     ChainPieces pieces(scenario);
     pieces.refine(fewestOfCone);
-    std::vector<int> counts = pieces.counts();
-    solve(counts, sums);
-    std::optional<Difference> left;
-    while (solution.impact.isSolved() && (!left || left->largest() > wantedDifference(settings.accuracy)) &&
-           2 * pieces.largest() <= mostOfCone) {
-        const Impact coarse = std::move(solution.impact);
-        pieces.refine(2);
-        solve(pieces.counts(), sums);
-        if (!solution.impact.isSolved()) break;
-        const Difference now = between(solution.impact, coarse);
-        // lengths that are rounded because it takes too much work are worse, however many the pieces are
-        if (solution.impact.rounding > 2 * coarse.rounding) {
-            if (!left) left = now;
+    while (solve(pieces.counts(), sums)) {
+        if (!trials.empty() && isRoundedMore(solution.impact, trials.front().sums)) break;
+        trials.push_back({pieces.counts(), solution.impact});
+        if (trials.size() >= fewestTrials &&
+            between(trials.back().sums, trials[trials.size() - 2].sums).largest() <= wanted)
             break;
-        }
-        left = left ? larger(now, *left) : now;
-        counts = pieces.counts();
+        if (2 * pieces.largest() > mostOfCone) break;
+        if (trials.size() >= 2 && workOfDoubling * static_cast<double>(solution.impact.pieces) > mostWork)
+            break;
+        pieces.refine(2);
     }
-    if (stop.stop_requested() || !left) return solution;
-    solve(counts, settings);
-    solution.impact.corError += covering * left->cor;
-    solution.impact.efficiencyError += covering * left->efficiency;
+    if (stop.stop_requested() || trials.empty()) return solution;
+    if (trials.size() == 1) {
+        ChainPieces fewer(scenario);
+        fewer.refine(fewestOfCone / 2);
+        if (!solve(fewer.counts(), sums)) return solution;
+        trials.insert(trials.begin(), {fewer.counts(), solution.impact});
+    }
+    const Difference error = errorOfPieces(trials);
+    const Impact& finest = trials.back().sums;
+    for (auto trial = trials.rbegin(); trial != trials.rend(); ++trial) {
+        // What is wanted beside the sums may take too much work for so many pieces.
+        const bool isLast = trial + 1 == trials.rend();
+        if (!solve(trial->counts, settings) || (!isLast && isRoundedMore(solution.impact, trial->sums))) {
+            if (stop.stop_requested()) break;
+            continue;
+        }
+        const Difference here = between(solution.impact, finest);
+        solution.impact.corError += error.cor + here.cor;
+        solution.impact.efficiencyError += error.efficiency + here.efficiency;
+        break;
+    }
     return solution;
 }
 

@@ -9,16 +9,17 @@
 
 namespace drillwave {
 
-/// What was solved, and what came of it.
+/// The problem that was solved, and its result.
 struct ChainSolution {
     Problem problem;
     Impact impact;
 };
 
 /// Solves a blow on a string. Sections that are not uniform become more pieces until half as many make no
-/// difference to e and efficiency that is worth it, as far as the work that is permitted allows; what they
-/// still make is in the stated errors: some six times what is left, which falls with the square of the
-/// pieces.
+/// difference to e and efficiency that is worth it, as far as the work that is permitted allows. The error of
+/// the pieces falls with the square of their lengths; the stated errors contain twice the last change, or
+/// more where the changes before were larger. Where the largest forces or the waves take too much work for so
+/// many pieces, the result is that of fewer.
 ChainSolution solveChain(const Scenario& scenario, const NetworkSettings& settings, NetworkSolver& solver,
                          const std::stop_token& stop = {});
 

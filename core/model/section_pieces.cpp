@@ -11,6 +11,9 @@
 namespace drillwave {
 namespace {
 
+/// The second of fewer pieces could be left without any mass, where the section ends in a point.
+constexpr int fewestWithEndArea = 4;
+
 /// Diameters of what fills a section at its ends, and of the hole in it.
 struct Frustum {
     double rear, end, bore;
@@ -101,7 +104,7 @@ std::string sizeText(const Section& section) {
     return section.bore > 0 ? text + " / " + millimetres(section.bore) : text;
 }
 
-std::vector<Section> uniformPieces(const Section& section, int count) {
+std::vector<Section> uniformPieces(const Section& section, int count, bool behindLoss) {
     assert(count > 0);
     if (count == 1 && isUniform(section)) return {section};
     Section piece = section;
@@ -113,6 +116,11 @@ std::vector<Section> uniformPieces(const Section& section, int count) {
     for (int i = 0; i < count; ++i)
         pieces[static_cast<std::size_t>(i)].area =
             meanArea(section, static_cast<double>(i) / count, static_cast<double>(i + 1) / count);
+    if (behindLoss && count >= fewestWithEndArea) {
+        const double rear = areaAt(section, 0);
+        *pieces[1].area += *pieces[0].area - rear;
+        pieces[0].area = rear;
+    }
     pieces.back().massAfter = section.massAfter;
     pieces.back().loss = section.loss;
     return pieces;

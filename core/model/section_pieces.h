@@ -42,9 +42,13 @@ std::vector<ShapeProblem> shapeProblems(const Section& section);
 /// "3660 mm × 39 mm … 45 mm / 14 mm": length, sizes from the rear end to the far one, and bore.
 std::string sizeText(const Section& section);
 
-/// `count` uniform pieces, one behind the other, of equal lengths and of the mass of what they stand for, the
-/// lumped mass and the joint behind the last one: count > 0; one of a uniform section is the section. Waves
-/// in them differ from those in a cone by the square of the lengths of the pieces.
-std::vector<Section> uniformPieces(const Section& section, int count);
+/// Returns `count` uniform pieces of equal lengths, one behind the other, that have the mass of the section;
+/// its lumped mass and its joint are behind the last one. Requires count > 0; one piece of a uniform section
+/// is the section. Waves in the pieces differ from those in a cone by the square of their lengths.
+///
+/// A joint with losses in front (`behindLoss`) reflects a wave before it weakens it, so that a step half a
+/// piece behind it is not the same as one at the joint: the first of four or more pieces then has the
+/// cross-section of the rear end, and the second one the mass that this leaves out.
+std::vector<Section> uniformPieces(const Section& section, int count, bool behindLoss = false);
 
 }  // namespace drillwave

@@ -32,14 +32,14 @@ Problem stringProblem(const Scenario& scenario, const std::vector<int>& pieces) 
     const double slope = time / impedance;
 
     Problem problem;
+    const std::size_t hammerCount = isForced(scenario) ? 0 : drill.hammer.sections.size();
     if (isForced(scenario)) {
         problem.drive = pulseForceOf(scenario);
     } else {
-        const std::size_t count = drill.hammer.sections.size();
-        ElasticHammer hammer{.sections = count, .face = {}};
+        ElasticHammer hammer{.sections = hammerCount, .face = {}};
         if (!pieces.empty())
-            hammer.sections =
-                std::accumulate(pieces.begin(), pieces.begin() + static_cast<std::ptrdiff_t>(count), 0UL);
+            hammer.sections = std::accumulate(pieces.begin(),
+                                              pieces.begin() + static_cast<std::ptrdiff_t>(hammerCount), 0UL);
         if (drill.hammer.faceStiffness) hammer.face.stiffness = *drill.hammer.faceStiffness * slope;
         hammer.face.restrike = drill.hammer.restrike;
         problem.drive = hammer;
@@ -51,7 +51,8 @@ Problem stringProblem(const Scenario& scenario, const std::vector<int>& pieces) 
         if (pieces.empty() || pieces[j] == 1)
             problem.sections.push_back(uniformSection(*sections[j], drill, impedance, time));
         else
-            for (const Section& piece : uniformPieces(*sections[j], pieces[j]))
+            for (const Section& piece :
+                 uniformPieces(*sections[j], pieces[j], j > hammerCount && sections[j - 1]->loss > 0))
                 problem.sections.push_back(uniformSection(piece, drill, impedance, time));
     problem.pieces = pieces;
     problem.law.beta = scenario.bitRock.stiffness * slope;

@@ -1,5 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Strings with cones, for which uniform pieces stand.
+#include <QFile>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QTest>
 
 #include <cmath>
@@ -28,6 +32,35 @@ string:
   - {name: rod, length: 2 m, diameter: 40 mm, end_diameter: 80 mm}
 end_time: 0.38 ms
 bit_rock: {stiffness: 100 MN/m, gamma: 0.1, gap: 1 m}
+)";
+
+/// A bit that widens behind a joint with a large loss.
+constexpr const char* coneBehindALoss = R"(drillwave: 2
+hammer: {velocity: 10 m/s, sections: [{length: 400 mm, diameter: 60 mm}]}
+string:
+  - {length: 1600 mm, diameter: 57 mm}
+  - {length: 160 mm, diameter: 65 mm, loss: 11 %}
+  - {length: 40 mm, diameter: 128 mm, end_diameter: 191 mm}
+end_time: 2 ms
+bit_rock: {stiffness: 900 MN/m, gamma: 0.03}
+)";
+
+/// A hammer with a cone on a string whose lengths share a millimetre and no more.
+constexpr const char* coneOfOddLengths = R"(drillwave: 2
+hammer:
+  velocity: 10 m/s
+  restrike: false
+  sections:
+    - {length: 267 mm, diameter: 51 mm}
+    - {length: 71 mm, diameter: 58 mm, end_diameter: 46 mm}
+    - {length: 203 mm, diameter: 48 mm}
+string:
+  - {length: 464 mm, diameter: 45 mm, bore: 12 mm}
+  - {length: 156 mm, diameter: 56 mm, bore: 14.5 mm}
+  - {length: 2689 mm, diameter: 39 mm, bore: 14.5 mm}
+  - {length: 129 mm, diameter: 56 mm, bore: 14.5 mm}
+  - {length: 57 mm, diameter: 66 mm}
+bit_rock: {stiffness: 269 MN/m, gamma: 0.1}
 )";
 
 Scenario scenarioOf(std::string_view text) {
@@ -135,6 +168,64 @@ class TestChainSolution : public QObject {
             }
         }
         QVERIFY2(looked > scenes / 2, QByteArray::number(looked));
+    }
+
+    void errorsHoldAgainstAnotherProgram() {
+        QFile file(QStringLiteral(DRILLWAVE_SOURCE_DIR "/tests/cases/string_cones.json"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QJsonArray cases = QJsonDocument::fromJson(file.readAll()).object()["cases"].toArray();
+        QCOMPARE(cases.size(), 80);
+        const int chosen = tries("DRILLWAVE_CONE_CASES", 20, 80);
+        NetworkSolver solver;
+        int cones = 0;
+        for (int i = 0; i < cases.size(); ++i) {
+            if (i % (80 / chosen) != 0) continue;
+            const QJsonObject one = cases[i].toObject();
+            const Scenario scenario = scenarioOf(one["scenario"].toString().toStdString());
+            cones += !hasUniformSections(scenario.drillString);
+            for (const auto accuracy : {NetworkAccuracy::quick, NetworkAccuracy::sure}) {
+                const Impact impact =
+                    solveChain(scenario, {.accuracy = accuracy, .wants = {}}, solver).impact;
+                QVERIFY2(impact.isSolved(), qPrintable(one["id"].toString()));
+                const auto agrees = [&](const char* key, double value, double error) {
+                    const QJsonObject reference = one[key].toObject();
+                    return std::abs(value - reference["value"].toDouble()) <=
+                           error + reference["error"].toDouble();
+                };
+                QVERIFY2(agrees("efficiency", impact.efficiency(), impact.efficiencyError),
+                         qPrintable(one["id"].toString()));
+                QVERIFY2(agrees("cor", impact.cor, impact.corError), qPrintable(one["id"].toString()));
+                QVERIFY2(impact.efficiencyError < 2e-3 || accuracy == NetworkAccuracy::quick,
+                         QByteArray::number(impact.efficiencyError));
+            }
+        }
+        QVERIFY(cones > chosen / 2);
+    }
+
+    // A bit that widens from 128 to 191 mm over 40 mm behind a joint that takes 11 % of the energy.
+    void piecesBehindALossConvergeWithTheSquareOfTheirLength() {
+        const Scenario scenario = scenarioOf(coneBehindALoss);
+        const auto efficiency = [&](int pieces) {
+            return solveNetwork(problemOf(scenario, {1, 1, 1, pieces}), {.wants = {}}).efficiency();
+        };
+        const double fine = efficiency(32), coarse = std::abs(efficiency(4) - fine);
+        const double finer = std::abs(efficiency(8) - fine);
+        QVERIFY2(coarse < 1e-3 && finer < 0.4 * coarse,
+                 QByteArray::number(coarse) + " " + QByteArray::number(finer));
+    }
+
+    // Waves of many pieces may take too much work: then the numbers are those of fewer pieces, and agree.
+    void wantedForcesDoNotSpoilTheNumbers() {
+        const Scenario scenario = scenarioOf(coneOfOddLengths);
+        NetworkSolver solver;
+        const Impact sums = solveChain(scenario, {.wants = {}}, solver).impact;
+        NetworkSettings withForces;
+        withForces.wants.forces = withForces.wants.histories = true;
+        const Impact impact = solveChain(scenario, withForces, solver).impact;
+        QVERIFY(impact.isSolved() && !impact.sections.empty() && !impact.isRounded());
+        const double difference = std::abs(impact.efficiency() - sums.efficiency());
+        QVERIFY2(difference <= sums.efficiencyError + impact.efficiencyError, QByteArray::number(difference));
+        QVERIFY2(impact.efficiencyError < 1e-3, QByteArray::number(impact.efficiencyError));
     }
 
     void piecesStayOnCellsThatLengthsShare() {

@@ -64,7 +64,21 @@ class TestSectionPieces : public QObject {
         const double mass = 7850 * (bar - std::numbers::pi / 4 * 0.01 * 0.01 * 0.3);
         QVERIFY(std::abs(propertiesOf(cone(), {}).mass / mass - 1) < 1e-14);
         for (const int count : {1, 2, 7, 128})
-            QVERIFY(std::abs(massOf(uniformPieces(cone(), count)) / mass - 1) < 1e-13);
+            for (const bool behindLoss : {false, true})
+                QVERIFY(std::abs(massOf(uniformPieces(cone(), count, behindLoss)) / mass - 1) < 1e-13);
+    }
+
+    void firstPieceBehindALossHasTheAreaOfTheEnd() {
+        Section toPoint = cone();
+        toPoint.bore = 0;
+        toPoint.endDiameter = 1e-6;
+        for (const Section& section : {cone(), toPoint}) {
+            const std::vector<Section> pieces = uniformPieces(section, 4, true);
+            QCOMPARE(*pieces[0].area, areaAt(section, 0));
+            QCOMPARE(*pieces[2].area, meanArea(section, 0.5, 0.75));
+            QVERIFY(*pieces[1].area > 0);
+        }
+        QCOMPARE(*uniformPieces(cone(), 3, true)[0].area, meanArea(cone(), 0, 1.0 / 3));
     }
 
     void whatIsBehindASectionIsBehindItsLastPiece() {
