@@ -62,7 +62,7 @@ void solveStringBlow(Blow& blow, Detail detail, NetworkAccuracy accuracy, const 
     blow.runTime = std::chrono::duration<double>(Clock::now() - start).count();
     if (!blow.isSolved()) return;
     blow.summary = summarize(blow.impact, blow.problem);
-    addStresses(blow.summary, blow.scenario, blow.impact);
+    addStresses(blow.summary, blow.scenario, blow.impact, blow.problem.pieces);
     conclude(blow, Detail::histories);
 }
 

@@ -33,6 +33,7 @@ struct ImpactSummary {
     double transferred = 1;      ///< what the drive hands on to rod or string [I0; p0]
     double loadingWork = 0;      ///< A(Fm), work on the rock up to the largest force, of the hammer work
     double efficiencyError = 0;  ///< stated error of energy.rockWork, where cells give it
+    double stressError = 0;      ///< stated error of the largest stresses of a string, as a share of them
 
     // Energies in W, or in E0 of a hammer that is followed; momenta likewise
     double stringMomentum = 0;                  ///< towards the rock

@@ -47,13 +47,48 @@ StringPeak largestStress(const std::vector<SectionStress>& stresses, Load load) 
     return {static_cast<std::size_t>(found - stresses.begin()), (*found)[load]};
 }
 
-void addStresses(ImpactSummary& summary, const Scenario& scenario, const Impact& impact) {
+namespace {
+
+/// Returns the largest change of the cross-section within a piece of a cone, as a share of the smaller one:
+/// the stress at its thin end may be above that of the piece by as much.
+double changeInPiece(const Section& section, int count) {
+    const double share = 1.0 / count;
+    double largest = 0;
+    for (const double end : {0.0, 1.0 - share}) {
+        const double one = areaAt(section, end), other = areaAt(section, end + share);
+        largest = std::max(largest, std::max(one, other) / std::min(one, other) - 1);
+    }
+    return largest;
+}
+
+/// Returns the error that pieces of cones may make in the largest stresses, as a share of them.
+double stressErrorOfPieces(const Scenario& scenario, const std::vector<SectionStress>& stresses,
+                           const std::vector<int>& pieces) {
+    if (pieces.empty()) return 0;
+    const std::vector<const Section*> sections = allSections(scenario.drillString);
+    double error = 0;
+    for (const Load load : loads) {
+        const double known = largestStress(stresses, load).peak.stress;
+        for (std::size_t j = 0; j < sections.size() && known > 0; ++j)
+            if (pieces[j] > 1)
+                error = std::max(
+                    error,
+                    stresses[j][load].stress * (1 + changeInPiece(*sections[j], pieces[j])) / known - 1);
+    }
+    return error;
+}
+
+}  // namespace
+
+void addStresses(ImpactSummary& summary, const Scenario& scenario, const Impact& impact,
+                 const std::vector<int>& pieces) {
     const std::vector<SectionStress> stresses = sectionStresses(scenario, impact);
     if (stresses.empty()) return;
     const double unit = scalesOf(scenario).stress;
     for (const Load load : loads)
         if (!isAfter(load) || hasStressesAfter(impact))
             summary.largest[load] = largestStress(stresses, load).peak.stress / unit;
+    summary.stressError = impact.forcesError + stressErrorOfPieces(scenario, stresses, pieces);
 }
 
 bool hasStressesAfter(const Impact& impact) {
@@ -127,9 +162,7 @@ std::vector<Alert> stressAlerts(const Scenario& scenario, const std::vector<Sect
 std::vector<Alert> stringAlerts(const Scenario& scenario, const Impact& impact) {
     std::vector<Alert> alerts;
     const Scales scales = scalesOf(scenario);
-    // what a shared cell leaves is below what lengths are given to
-    constexpr double noticedRounding = 1e-7;
-    if (impact.rounding > noticedRounding) {
+    if (impact.isRounded()) {
         Alert alert{AlertLevel::warning,
                     AlertCode::lengthsRounded,
                     "",

@@ -34,8 +34,10 @@ struct StringPeak {
 /// That of a load over all sections, of the first where several are as large. Requires sections.
 StringPeak largestStress(const std::vector<SectionStress>& stresses, Load load);
 
-/// Writes the largest stresses of all sections into the summary, where the forces were asked for.
-void addStresses(ImpactSummary& summary, const Scenario& scenario, const Impact& impact);
+/// Writes the largest stresses of all sections and their stated error into the summary, where the forces were
+/// asked for; `pieces` as in the problem that was solved.
+void addStresses(ImpactSummary& summary, const Scenario& scenario, const Impact& impact,
+                 const std::vector<int>& pieces);
 
 /// Whether the blow was followed beyond its end, so that there are stresses after it.
 bool hasStressesAfter(const Impact& impact);

@@ -109,9 +109,10 @@ struct Impact {
     /// When the blow is over for the forces of the sections: infinite where bit and rock do not part.
     double endOfBlow = std::numeric_limits<double>::infinity();
     std::vector<SectionForces> sections;  ///< where wanted, and not too much work
+    double forcesError = 0;               ///< stated error of the largest of them, as a share of it
     bool leftOutForces = false;           ///< they were wanted and too much work
     double peakTime = never;              ///< of peakForce
-    double forcesEnd = 0;                 ///< to when they and the waves were followed, endTime or later
+    double forcesEnd = 0;  ///< until when they count: a round trip of the string after endOfBlow, or less
     std::vector<double> jointReflection;  ///< share of hammerWork per joint of two sections, where wanted
     std::shared_ptr<const StringWaves> waves;  ///< where wanted, and not more than can be kept
 
@@ -135,6 +136,8 @@ struct Impact {
     double rounding = 0;       ///< of the round trips on it, largest [t0]
     double sharedCell = 0;  ///< where they were rounded although they share one: it takes too much work [t0]
 
+    /// Returns whether lengths differ by more than they are given to.
+    bool isRounded() const { return rounding > 1e-7; }
     double efficiency() const { return rockWork / hammerWork; }
     /// What is left of the hammer's work anywhere but in the rock [I0²/(Z t0)].
     double energyLeft() const { return finalEnergy + hammerEnergy + jointLoss + rodLoss + faceEnergy; }

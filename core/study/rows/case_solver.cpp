@@ -76,7 +76,7 @@ Message CaseSolver::solveDrillString(const Scenario& scenario, std::span<double>
     m_scatter = balanceError(m_impact);
     if (!m_impact.isSolved()) return m_impact.reason;
     ImpactSummary summary = summarize(m_impact, m_problem);
-    addStresses(summary, scenario, m_impact);
+    addStresses(summary, scenario, m_impact, m_problem.pieces);
     return fill({summary, scenario}, outputs, stop);
 }
 

@@ -228,21 +228,26 @@ double SectionWatch::mostOnTheWay(const Side& side, double down, double known, l
     return most;
 }
 
-void SectionWatch::setEndOfBlow(double time) {
+void SectionWatch::setEndOfBlow(double time, double lastAfter) {
     if (time == m_endOfBlow) return;
     m_endOfBlow = time;
+    m_lastAfter = std::max(time, lastAfter);
     for (Side* side : {&m_compression, &m_tension}) {
-        if (side->after.force > side->during.force) side->during = side->after;
-        side->after = {};
+        for (SectionPeak* peak : {&side->after, &side->later}) {
+            if (peak->force > side->during.force) side->during = *peak;
+            *peak = {};
+        }
     }
 }
 
-/// During the blow or after it, for what meets between two times.
-SectionWatch::Span SectionWatch::spanOf(Side& side, bool isAfter, double lastTime, double first,
+/// Returns the span of one part of the time for what meets from `first` to `last`.
+SectionWatch::Span SectionWatch::spanOf(Side& side, Part part, double lastTime, double first,
                                         double last) const {
-    const double from = isAfter ? m_endOfBlow : -infinity;
-    const double until = isAfter ? lastTime : std::min(m_endOfBlow, lastTime);
-    return {isAfter ? side.after : side.during, from, until, first <= from || last > until};
+    const double from = part == Part::during ? -infinity : part == Part::after ? m_endOfBlow : m_lastAfter;
+    const double end = part == Part::during ? m_endOfBlow : part == Part::after ? m_lastAfter : infinity;
+    const double until = std::min(end, lastTime);
+    SectionPeak& peak = part == Part::during ? side.during : part == Part::after ? side.after : side.later;
+    return {peak, from, until, first <= from || last > until};
 }
 
 void SectionWatch::add(std::span<const WaveCell> downs, std::span<const WaveCell> ups, long step,
@@ -258,9 +263,9 @@ void SectionWatch::add(std::span<const WaveCell> downs, std::span<const WaveCell
         push(ups.subspan(window + begin, count), from);
         for (Side* side : {&m_compression, &m_tension}) {
             side->maxima.dropBefore(oldest);
-            for (const bool isAfter : {false, true}) {
-                if (isAfter ? last <= m_endOfBlow : first > m_endOfBlow) continue;
-                const Span span = spanOf(*side, isAfter, lastTime, first, last);
+            for (const Part part : {Part::during, Part::after, Part::later}) {
+                const Span span = spanOf(*side, part, lastTime, first, last);
+                if (last <= span.after || first > span.until) continue;
                 const double mostDown = down.of(side->sign);
                 const double mostUp = mostOnTheWay(*side, mostDown, span.peak.force, oldest, behind);
                 if (mostDown + mostUp <= span.peak.force) continue;

@@ -24,8 +24,8 @@ struct WatchedSection {
 /// clocks of the ends: when the one that runs back left no later, and at most a round trip before. So the
 /// largest force is a largest sum over a window that moves.
 ///
-/// Hardly any cell holds it. What blocks of cells can come to at most is known from their coefficients, and
-/// only those are looked into that may be above the largest force so far.
+/// Hardly any cell holds it. The most that a block of cells can add up to is known from their
+/// coefficients, and only those are looked into that may be above the largest force so far.
 class SectionWatch {
   public:
     explicit SectionWatch(const WatchedSection& section) : m_section(section) {}
@@ -37,9 +37,9 @@ class SectionWatch {
              double lastTime);
     /// At the beginning, or after cells were cut: `window` is on its way before `step`.
     void restart(std::span<const WaveCell> window, long step);
-    /// When the blow is over, as far as is known; what meets later is kept apart. With a new end, which is a
-    /// later one, what met yet belongs to the blow.
-    void setEndOfBlow(double time);
+    /// Sets when the blow is over, as far as is known, and until when waves count that are left. What meets
+    /// after either is kept apart. With a new end, which is a later one, what met so far belongs to the blow.
+    void setEndOfBlow(double time, double lastAfter);
 
     SectionForces forces() const {
         return {m_compression.during, m_tension.during, m_compression.after, m_tension.after};
@@ -55,6 +55,7 @@ class SectionWatch {
         explicit Side(double ofSign) : sign(ofSign) {}
         double sign;
         SectionPeak during, after;
+        SectionPeak later;    ///< behind what counts, unless bit and rock touch again
         WindowMaxima maxima;  ///< what the cells on their way are at most
     };
     /// One cell and what it meets.
@@ -67,7 +68,8 @@ class SectionWatch {
         bool hasEdge = false;  ///< some of what meets now does so before or after it
     };
 
-    Span spanOf(Side& side, bool isAfter, double lastTime, double first, double last) const;
+    enum class Part { during, after, later };
+    Span spanOf(Side& side, Part part, double lastTime, double first, double last) const;
     void watch(const Span& span, const Side& side, const Meeting& meeting);
     void watchAnywhere(const Span& span, const Side& side, const Meeting& meeting, const WaveCell& f,
                        const WaveCell::Peak& top);
@@ -84,6 +86,7 @@ class SectionWatch {
     Side m_compression{1};
     Side m_tension{-1};
     double m_endOfBlow = std::numeric_limits<double>::infinity();
+    double m_lastAfter = std::numeric_limits<double>::infinity();
     long m_looked = 0;
     long m_cells = 0;
 };

@@ -82,13 +82,14 @@ std::vector<double> placesOf(const SectionForces* peaks, int count) {
 
 }  // namespace
 
-SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, double xi, double endOfBlow) {
+SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, double xi, double endOfBlow,
+                              double until) {
     const StringWaves::PiecePlace at = waves.pieceAt(section, xi);
     const SectionWaves& own = waves.pieces()[at.piece];
     PassingCells down(waves, own.downAt(at.xi)), up(waves, own.upAt(at.xi));
     SectionForces forces;
     for (const Load load : loads) forces[load].place = xi;
-    const double same = waves.rounding(), end = waves.end();
+    const double same = waves.rounding(), end = std::min(waves.end(), until);
     for (double from = 0; from < end;) {
         const bool isAfter = from >= endOfBlow;
         SectionPeak& compression = isAfter ? forces.compressionAfter : forces.compression;
@@ -140,7 +141,7 @@ std::vector<SectionEnvelope> stringEnvelope(const Impact& impact, const std::sto
         SectionEnvelope made;
         for (const double xi : placesOf(peaks, count)) {
             if (stop.stop_requested()) return envelope;
-            SectionForces forces = largestForcesAt(waves, j, xi, impact.endOfBlow);
+            SectionForces forces = largestForcesAt(waves, j, xi, impact.endOfBlow, impact.forcesEnd);
             // along a cone the largest stress is not that of the largest force
             if (peaks && waves.piecesOf(j) == 1)
                 for (const Load load : loads) hold(forces[load], (*peaks)[load]);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <limits>
 #include <stop_token>
 #include <vector>
 
@@ -11,10 +12,11 @@
 
 namespace drillwave {
 
-/// The largest compression and tension at the place ξ of a section until the blow is over and later, and
-/// when; all have that place. One merge of the two waves that pass there, exact for their cubics; at a jump
-/// both sides count, and where two meet all four.
-SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, double xi, double endOfBlow);
+/// The largest compression and tension at the place ξ of a section until the blow is over, and from there to
+/// `until`, and when; all have that place. One merge of the two waves that pass there, exact for their
+/// cubics; at a jump both sides count, and where two meet all four.
+SectionForces largestForcesAt(const StringWaves& waves, std::size_t section, double xi, double endOfBlow,
+                              double until = std::numeric_limits<double>::infinity());
 
 /// Those of one section at places in order, its ends among them.
 using SectionEnvelope = std::vector<SectionForces>;

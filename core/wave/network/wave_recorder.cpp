@@ -53,14 +53,14 @@ void WaveRecorder::add(const std::stop_token& stop) {
 void WaveRecorder::addForces(const std::stop_token& stop) {
     if (m_parts != m_lattice->cuts().count()) restartWatches();
     const Problem& problem = m_plan->problem();
-    const double lastTime = problem.endTime.value_or(std::numeric_limits<double>::infinity());
+    const double lastTime = m_plan->limitTime();
     // the bit is known for all that meets in this block, and for longer
     const BitNodeState& bit = m_lattice->bit();
     if (bit.record.lastContact >= 0 && bit.record.lastContact <= lastTime)
         m_endOfBlow = bit.isApart() ? bit.record.lastSeparation + m_stringTransit
                                     : std::numeric_limits<double>::infinity();
     for (std::size_t j = 0; j < m_watches.size() && !stop.stop_requested(); ++j) {
-        m_watches[j].setEndOfBlow(m_endOfBlow);
+        m_watches[j].setEndOfBlow(m_endOfBlow, wantedTime());
         const DelayLine<WaveCell>& line = m_lattice->line(j);
         m_watches[j].add({m_lattice->down(j), stepsOfBlock}, {line.arriving(), line.delay() + stepsOfBlock},
                          m_lattice->step(), m_lattice->cuts(), lastTime);
@@ -108,7 +108,7 @@ void WaveRecorder::leaveOutForces() {
 
 double WaveRecorder::wantedTime() const {
     const bool isOver = m_endOfBlow < std::numeric_limits<double>::infinity();
-    return m_hasForces && isOver ? m_endOfBlow + 2 * m_stringTransit : 0;
+    return m_hasForces && isOver ? std::min(m_endOfBlow + 2 * m_stringTransit, m_plan->limitTime()) : 0;
 }
 
 /// Those of a section by its pieces, where they make the largest stress: that is as force over impedance.
@@ -134,7 +134,7 @@ void WaveRecorder::finish(double time, Impact& impact) {
     const Problem& problem = m_plan->problem();
     const double passed = m_lattice->clock() + m_plan->clocks().earliest();
     const double end = problem.endTime ? time : std::max(time, std::min(wantedTime(), passed));
-    impact.forcesEnd = end;
+    impact.forcesEnd = wantedTime() > 0 ? std::min(wantedTime(), end) : end;
     for (const SectionWatch& watch : m_watches) impact.cellsLookedInto += watch.cellsLookedInto();
     std::size_t first = 0;
     const auto addSection = [&](std::size_t count) {

@@ -54,7 +54,7 @@ RodForces StringRod::largestAt(double place) const {
     RodForces largest;
     for (std::size_t j = sectionAt(place); j < stretches.size() && stretches[j].rear <= place; ++j) {
         const RodStretch& stretch = stretches[j];
-        const SectionForces forces = largestForcesAt(*waves, j, stretch.shareAt(place), endOfBlow);
+        const SectionForces forces = largestForcesAt(*waves, j, stretch.shareAt(place), endOfBlow, forcesEnd);
         for (const Load load : loads) takeLarger(largest[load], stressOf(stretch, forces[load]));
     }
     for (const Load load : loads) largest[load].section = place;
@@ -70,6 +70,7 @@ StringRod stringRod(const Blow& blow) {
     StringRod rod;
     rod.waves = blow.impact.waves;
     rod.endOfBlow = blow.impact.endOfBlow;
+    rod.forcesEnd = blow.impact.forcesEnd;
     for (int j = 0; j < static_cast<int>(sections.size()); ++j) {
         const Section& section = *sections[static_cast<std::size_t>(j)];
         RodStretch stretch;

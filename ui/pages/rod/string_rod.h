@@ -32,6 +32,7 @@ struct StringRod {
     std::vector<RodStretch> stretches;         ///< from the rear of the hammer to the bit
     std::shared_ptr<const StringWaves> waves;  ///< empty where they were too many to be kept
     double endOfBlow = 0;                      ///< Impact::endOfBlow
+    double forcesEnd = 0;                      ///< Impact::forcesEnd
 
     double rear() const { return stretches.front().rear; }
     /// The section at a place, the one behind it where two meet.
