@@ -23,12 +23,9 @@ namespace {
 
 /// Levels are of all outputs: they have a unit where these have one in common.
 std::vector<double> levelsOf(const Arguments& arguments, const std::vector<OutputColumn>& columns) {
-    const auto quantityOf = [](const OutputColumn& column) {
-        return column.hasUnit() ? column.output->quantity() : Quantity::ratio;
-    };
-    const Quantity first = quantityOf(columns.front());
+    const Quantity first = columns.front().quantity();
     const bool isCommon =
-        std::ranges::all_of(columns, [&](const OutputColumn& column) { return quantityOf(column) == first; });
+        std::ranges::all_of(columns, [&](const OutputColumn& column) { return column.quantity() == first; });
     return levelArguments(arguments, isCommon ? first : Quantity::ratio);
 }
 
@@ -42,7 +39,7 @@ std::optional<double> goalOf(const Arguments& arguments, const std::vector<Outpu
             Message(translatable("drillwave::Message", "--goal is about one output; --outputs names %1"),
                     {std::to_string(columns.size())}));
     const OutputColumn& column = columns.front();
-    const Quantity quantity = column.output->quantity();
+    const Quantity quantity = column.output->siQuantity();
     const bool hasUnit = column.hasUnit();
     if (!hasUnit && quantity != Quantity::ratio && !parseNumber(*word) &&
         parseQuantity(*word, quantity, BareNumber::inDefaultUnit).valid())

@@ -44,7 +44,7 @@ OutputColumn outputOf(const Arguments& arguments, OutputUnits units) {
 }
 
 std::vector<double> levelsOf(const Arguments& arguments, const OutputColumn& output) {
-    return levelArguments(arguments, output.hasUnit() ? output.output->quantity() : Quantity::ratio);
+    return levelArguments(arguments, output.quantity());
 }
 
 /// The files of -o.

@@ -149,14 +149,14 @@ constexpr auto outputTable = std::to_array<Output>({
     {"peak_compression_after", "largest compression of the waves left, undamped", Measure::stress,
      Detail::histories, [](const From& f) -> Number { return f.summary.largest.compressionAfter; },
      "compression, after", OutputOf::anyBlow, OutputGroup::stress,
-     "Largest compressive stress of the waves that are left after the blow and run on, of a string as long "
-     "as it is followed; nothing damps them in the model, a real rod does",
+     "Largest compressive stress of the waves that are left after the blow and run on, of a string over one "
+     "round trip; nothing damps them in the model, a real rod does",
      std::nullopt, Load::compressionAfter},
     {"peak_tension_after", "largest tension of the waves left, undamped", Measure::stress, Detail::histories,
      [](const From& f) -> Number { return f.summary.largest.tensionAfter; }, "tension, after",
      OutputOf::anyBlow, OutputGroup::stress,
-     "Largest tensile stress of the waves that are left after the blow and run on, of a string over a round "
-     "trip at least; nothing damps them in the model, a real rod does",
+     "Largest tensile stress of the waves that are left after the blow and run on, of a string over one "
+     "round trip; nothing damps them in the model, a real rod does",
      std::nullopt, Load::tensionAfter},
     {"force_peaks", "peaks of the impact force above 1 % of the largest", Measure::number, Detail::histories,
      [](const From& f) -> Number { return f.summary.forcePeaks; }, "force peaks", OutputOf::uniformRod,
@@ -166,6 +166,9 @@ constexpr auto outputTable = std::to_array<Output>({
      "rock and what the hammer takes back", OutputOf::drillString},
     {"efficiency_error", "stated error of the efficiency of a drill string", Measure::error, Detail::summary,
      number<&ImpactSummary::efficiencyError>, "bound on the error of the efficiency", OutputOf::drillString},
+    {"stress_error", "stated error of the largest stresses of a drill string, fraction of each",
+     Measure::error, Detail::histories, number<&ImpactSummary::stressError>,
+     "bound on the error of the stresses", OutputOf::drillString},
     {"hammer_rebound_velocity",
      "velocity of the hammer after the blow, away from the rock, over that of impact", Measure::velocity,
      Detail::summary, number<&ImpactSummary::hammerReboundVelocity>, "hammer rebound", OutputOf::hammer,
@@ -338,6 +341,15 @@ Quantity Output::quantity() const {
             return Quantity::stress;
     }
     return Quantity::ratio;
+}
+
+Quantity Output::siQuantity() const {
+    return measure == Measure::energy ? Quantity::energy : quantity();
+}
+
+double Output::inSi(double value, const OutputSource& source, const Scales& scales) const {
+    if (measure != Measure::energy) return value * scale(scales);
+    return value * ((isForced(source.scenario) ? source.summary.workRatio : 1) * scales.energy);
 }
 
 double Output::scale(const Scales& scales) const {

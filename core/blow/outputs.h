@@ -23,7 +23,7 @@ enum class Measure {
     error,        ///< a number of which only the size matters
     work,         ///< W0: a plain number in SI, too
     share,        ///< W, the work of the hammer: a plain number in SI, too
-    energy,       ///< such a share that in SI is told in J, and in columns as the share
+    energy,       ///< such a share; in SI J
     time,         ///< t0
     impulse,      ///< I0
     force,        ///< F0
@@ -91,10 +91,14 @@ struct Output {
     bool isOnlySi() const;           ///< there is no dimensionless number
     bool needsThrustStudy() const;   ///< whether OutputSource::thrustMargin must be there
     bool needsDrilling() const;      ///< whether OutputSource::drill must be: those of drillOutputs()
-    /// `ratio` where SI is the same number.
+    /// `ratio` where SI is the same number, and of a share of the energy.
     Quantity quantity() const;
-    /// SI = value · scale.
+    /// The quantity of inSi(): energy for a share of the energy, else quantity().
+    Quantity siQuantity() const;
+    /// SI = value · scale; a share of the energy stays a share.
     double scale(const Scales& scales) const;
+    /// Returns the number in SI; a share of the energy in J, for which the work of the hammer is needed.
+    double inSi(double value, const OutputSource& source, const Scales& scales) const;
 };
 
 /// All outputs of one blow, in the order of files §4.

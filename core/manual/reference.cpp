@@ -147,7 +147,7 @@ std::string_view scaleName(const Output& output) {
 }
 
 std::string_view siName(const Output& output) {
-    const std::string_view unit = unitsOf(output.quantity()).front().name;
+    const std::string_view unit = unitsOf(output.siQuantity()).front().name;
     return unit.empty() ? noUnit : unit;
 }
 

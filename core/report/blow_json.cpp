@@ -41,7 +41,7 @@ void addSi(JsonObject& report, const Blow& blow) {
         std::optional<double> value = valueOf(blow, output);
         if (value) value = inSi(output, *value, blow);
         si[output.name] = numberJson(value);
-        units[output.name] = output.measure == Measure::energy ? Json("J") : unitJson(output.quantity());
+        units[output.name] = unitJson(output.siQuantity());
     }
     report["si"] = si;
     report["units"] = units;
@@ -124,8 +124,7 @@ JsonArray sectionsJson(const Blow& blow) {
 }  // namespace
 
 double inSi(const Output& output, double value, const Blow& blow) {
-    return value * (output.measure == Measure::energy ? blow.drivenEnergy() * blow.scales.energy
-                                                      : output.scale(blow.scales));
+    return output.inSi(value, {blow.summary, blow.scenario}, blow.scales);
 }
 
 std::string blowJson(const Blow& blow, const std::string& scenarioText) {

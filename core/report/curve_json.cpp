@@ -58,16 +58,12 @@ JsonObject json(const CurveLine& line, const CurveQuestion& question) {
             {"outputs", outputs}};
 }
 
-Json unitOf(const OutputColumn& column) {
-    const bool isSi = column.units == OutputUnits::si || column.output->isOnlySi();
-    return isSi ? unitJson(column.output->quantity()) : unitJson(Quantity::ratio);
-}
-
 JsonObject unitsJson(const CurveQuestion& question) {
     JsonObject units{{question.along.key(), unitJson(question.along.parameter->quantity)}};
     if (question.family && question.family->parameter)
         units[question.family->key()] = unitJson(question.family->parameter->quantity);
-    for (const OutputColumn& column : question.columns) units[column.output->name] = unitOf(column);
+    for (const OutputColumn& column : question.columns)
+        units[column.output->name] = unitJson(column.quantity());
     return units;
 }
 

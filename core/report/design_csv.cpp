@@ -57,7 +57,7 @@ std::string numberCell(double value) {
 }
 
 std::string headed(const OutputColumn& column, const std::string& suffix) {
-    const Unit& unit = unitsOf(column.output->quantity()).front();
+    const Unit& unit = unitsOf(column.quantity()).front();
     return withUnit(std::string(column.output->name) + "_" + suffix, column.hasUnit() ? &unit : nullptr);
 }
 

@@ -49,7 +49,7 @@ Message linesMessage(const MapReport& report, const Contour& contour, const Read
     if (contour.lines.empty()) return translatable("drillwave::Message", "nowhere between the points");
     std::string within = style.bound(contour.worstResidual());
     if (report.study.output.hasUnit())
-        within += " " + std::string(unitsOf(report.study.output.output->quantity()).front().name);
+        within += " " + std::string(unitsOf(report.study.output.quantity()).front().name);
     Message message{translatable("drillwave::Message", "%1 on %2, within %3"),
                     {points(contour.pointCount()),
                      counted(contour.lines.size(), translatable("drillwave::Message", "%1 line"),
@@ -177,7 +177,7 @@ std::string mapJson(const MapReport& report) {
                            {"title", report.study.base.title},
                            {"scenario", report.scenarioText},
                            {"output", output.output->name},
-                           {"unit", unitJson(output.hasUnit() ? output.output->quantity() : Quantity::ratio)},
+                           {"unit", unitJson(output.quantity())},
                            {"x", axisJson(report.study.x)},
                            {"y", axisJson(report.study.y)},
                            {"points", report.grid.size()},

@@ -834,8 +834,8 @@ Trotzdem löschen?</translation>
         <translation>Kraftstoß der Stoßkraft auf das Gestein, das (1 + e)-Fache dessen des Hammers</translation>
     </message>
     <message>
-        <source>Largest compressive stress of the waves that are left after the blow and run on, of a string as long as it is followed; nothing damps them in the model, a real rod does</source>
-        <translation>Größte Druckspannung der Wellen, die nach dem Schlag verbleiben und weiterlaufen, in einem Strang, so lange er verfolgt wird; im Modell dämpft sie nichts, in einer wirklichen Stange schon</translation>
+        <source>Largest compressive stress of the waves that are left after the blow and run on, of a string over one round trip; nothing damps them in the model, a real rod does</source>
+        <translation>Größte Druckspannung der Wellen, die nach dem Schlag verbleiben und weiterlaufen, in einem Strang über einen Hin- und Rücklauf; im Modell dämpft sie nichts, in einer wirklichen Stange schon</translation>
     </message>
     <message>
         <source>Largest compressive stress of uniform sections while the blow lasts, to the last separation of bit and rock plus one transit time; threads and shoulders raise it locally</source>
@@ -850,8 +850,8 @@ Trotzdem löschen?</translation>
         <translation>Größte Eindringung der Bohrkrone während des Schlags</translation>
     </message>
     <message>
-        <source>Largest tensile stress of the waves that are left after the blow and run on, of a string over a round trip at least; nothing damps them in the model, a real rod does</source>
-        <translation>Größte Zugspannung der Wellen, die nach dem Schlag verbleiben und weiterlaufen, in einem Strang mindestens über einen Hin- und Rücklauf; im Modell dämpft sie nichts, in einer wirklichen Stange schon</translation>
+        <source>Largest tensile stress of the waves that are left after the blow and run on, of a string over one round trip; nothing damps them in the model, a real rod does</source>
+        <translation>Größte Zugspannung der Wellen, die nach dem Schlag verbleiben und weiterlaufen, in einem Strang über einen Hin- und Rücklauf; im Modell dämpft sie nichts, in einer wirklichen Stange schon</translation>
     </message>
     <message>
         <source>Largest tensile stress of uniform sections while the blow lasts, to the last separation of bit and rock plus one transit time; threads and shoulders raise it locally</source>
@@ -2660,6 +2660,18 @@ Trotzdem löschen?</translation>
     <message>
         <source>thrust number</source>
         <translation>Andruckzahl</translation>
+    </message>
+    <message>
+        <source>bound on the error of the stresses</source>
+        <translation>Schranke für den Fehler der Spannungen</translation>
+    </message>
+    <message>
+        <source>stated error of the largest stresses of a drill string, fraction of each</source>
+        <translation>angegebener Fehler der größten Spannungen eines Bohrstrangs, als Anteil einer jeden</translation>
+    </message>
+    <message>
+        <source>stress error</source>
+        <translation>Fehler der Spannungen</translation>
     </message>
 </context>
 <context>

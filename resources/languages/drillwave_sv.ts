@@ -834,8 +834,8 @@ Ta bort ändå?</translation>
         <translation>Stötkraftens impuls på berget, (1 + e) gånger hammarens</translation>
     </message>
     <message>
-        <source>Largest compressive stress of the waves that are left after the blow and run on, of a string as long as it is followed; nothing damps them in the model, a real rod does</source>
-        <translation>Största tryckspänning i de vågor som är kvar efter slaget och löper vidare, i en sträng så länge den följs; i modellen dämpar inget dem, det gör en verklig stång</translation>
+        <source>Largest compressive stress of the waves that are left after the blow and run on, of a string over one round trip; nothing damps them in the model, a real rod does</source>
+        <translation>Största tryckspänning i de vågor som är kvar efter slaget och löper vidare, i en sträng över ett varv fram och åter; i modellen dämpar inget dem, det gör en verklig stång</translation>
     </message>
     <message>
         <source>Largest compressive stress of uniform sections while the blow lasts, to the last separation of bit and rock plus one transit time; threads and shoulders raise it locally</source>
@@ -850,8 +850,8 @@ Ta bort ändå?</translation>
         <translation>Borrkronans största inträngning under slaget</translation>
     </message>
     <message>
-        <source>Largest tensile stress of the waves that are left after the blow and run on, of a string over a round trip at least; nothing damps them in the model, a real rod does</source>
-        <translation>Största dragspänning i de vågor som är kvar efter slaget och löper vidare, i en sträng minst över ett varv fram och åter; i modellen dämpar inget dem, det gör en verklig stång</translation>
+        <source>Largest tensile stress of the waves that are left after the blow and run on, of a string over one round trip; nothing damps them in the model, a real rod does</source>
+        <translation>Största dragspänning i de vågor som är kvar efter slaget och löper vidare, i en sträng över ett varv fram och åter; i modellen dämpar inget dem, det gör en verklig stång</translation>
     </message>
     <message>
         <source>Largest tensile stress of uniform sections while the blow lasts, to the last separation of bit and rock plus one transit time; threads and shoulders raise it locally</source>
@@ -2660,6 +2660,18 @@ Ta bort ändå?</translation>
     <message>
         <source>thrust number</source>
         <translation>matningstal</translation>
+    </message>
+    <message>
+        <source>bound on the error of the stresses</source>
+        <translation>gräns för felet i spänningarna</translation>
+    </message>
+    <message>
+        <source>stated error of the largest stresses of a drill string, fraction of each</source>
+        <translation>angivet fel i en borrsträngs största spänningar, som andel av var och en</translation>
+    </message>
+    <message>
+        <source>stress error</source>
+        <translation>fel i spänningarna</translation>
     </message>
 </context>
 <context>

@@ -37,6 +37,10 @@ ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size)
     return {};
 }
 
+ShownUnit columnUnit(const OutputColumn& column, const ShownUnits& units, double size) {
+    return column.quantity() == Quantity::energy ? units.energy : outputUnit(*column.output, units, size);
+}
+
 bool haveSameUnit(const Output& output, const SolvedBlow& one, const SolvedBlow& other, UnitSystem units) {
     if (followsFromGroups(one.scenario) == followsFromGroups(other.scenario)) return true;
     return units != UnitSystem::dimensionless || output.measure == Measure::number || output.isOnlySi();

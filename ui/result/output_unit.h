@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/blow/outputs.h"
+#include "core/study/rows/output_column.h"
 #include "ui/job/solved_blow.h"
 #include "ui/text/shown_units.h"
 
@@ -11,6 +12,9 @@ namespace drillwave {
 /// Of an output's values in its measure (Output::measure). Plain numbers, works and shares, which are plain
 /// in SI too, have none. `size` is that of the values where there is no dimensionless number: N, W or m/s.
 ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size);
+
+/// The same for a column: an energy in SI has the unit of energies.
+ShownUnit columnUnit(const OutputColumn& column, const ShownUnits& units, double size);
 
 /// Whether the numbers of two blows mean as much: what is a multiple of scales, those of rods and of strings
 /// are other ones.

@@ -75,8 +75,11 @@ std::vector<OutputColumn> DesignStudy::columns() const {
     for (const DesignAim& aim : aims) addOnce(outputs, aim.output);
     for (const DesignLimit& limit : limits) addOnce(outputs, limit.output);
     std::vector<OutputColumn> columns;
-    for (const Output* output : outputs)
-        columns.push_back({output, hasUnits(base) ? OutputUnits::si : OutputUnits::dimensionless});
+    for (const Output* output : outputs) {
+        // Shares of the energy are compared as shares, whatever the work of the hammer.
+        const bool isSi = hasUnits(base) && output->measure != Measure::energy;
+        columns.push_back({output, isSi ? OutputUnits::si : OutputUnits::dimensionless});
+    }
     return columns;
 }
 

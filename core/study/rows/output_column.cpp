@@ -30,13 +30,17 @@ Message unknownOutput(std::string_view name) {
 }  // namespace
 
 std::string OutputColumn::header() const {
-    return hasUnit() ? withUnit(output->name, &unitsOf(output->quantity()).front())
-                     : std::string(output->name);
+    return hasUnit() ? withUnit(output->name, &unitsOf(quantity()).front()) : std::string(output->name);
+}
+
+double OutputColumn::scale(const Scales& scales) const {
+    if (units != OutputUnits::si) return 1;
+    return output->measure == Measure::energy ? scales.energy : output->scale(scales);
 }
 
 std::optional<double> OutputColumn::value(const OutputSource& source, const Scales& scales) const {
     const std::optional<double> value = output->value(source);
-    return value && units == OutputUnits::si ? *value * output->scale(scales) : value;
+    return value && units == OutputUnits::si ? output->inSi(*value, source, scales) : value;
 }
 
 OutputChoice chooseOutputs(std::string_view list, OutputUnits units) {

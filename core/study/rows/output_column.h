@@ -23,6 +23,10 @@ struct OutputColumn {
     std::string header() const;
     /// Whether its numbers are in a unit.
     bool hasUnit() const { return units == OutputUnits::si || output->isOnlySi(); }
+    /// The quantity of the numbers: `ratio` where they are in no unit.
+    Quantity quantity() const { return hasUnit() ? output->siQuantity() : Quantity::ratio; }
+    /// The size of a unit of the output in its numbers; of an energy that of the scales.
+    double scale(const Scales& scales) const;
     Detail detail() const { return output->detail; }
     /// nullopt where there is no number (Output::value).
     std::optional<double> value(const OutputSource& source, const Scales& scales) const;

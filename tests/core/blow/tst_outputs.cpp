@@ -63,7 +63,7 @@ class TestOutputs : public QObject {
 };
 
 void TestOutputs::everyOutputIsFoundByItsName() {
-    QCOMPARE(outputs().size(), std::size_t{38});
+    QCOMPARE(outputs().size(), std::size_t{39});
     for (const Output& output : outputs()) QCOMPARE(findOutput(output.name), &output);
     QCOMPARE(findOutput("peak"), nullptr);
     // of many blows: behind those of one, for drill_gap_mean is no number of a blow
@@ -277,6 +277,7 @@ void TestOutputs::whatIsToldInJoulesIsAShare() {
     for (const Output& output : outputs()) {
         QVERIFY(!output.part || output.measure == Measure::energy);
         if (output.measure == Measure::energy) QCOMPARE(output.quantity(), Quantity::ratio);
+        QCOMPARE(output.siQuantity() == Quantity::energy, output.measure == Measure::energy);
     }
 }
 

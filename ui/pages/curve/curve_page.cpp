@@ -136,7 +136,9 @@ void CurvePage::seek(const KeptParameter& parameter) {
 
 OutputColumn CurvePage::column() const {
     const bool isPhysical = hasUnits(scenario()) && document().units().system() != UnitSystem::dimensionless;
-    return {&m_output->output(), isPhysical ? OutputUnits::si : OutputUnits::dimensionless};
+    const Output& output = m_output->output();
+    const bool isShare = output.measure == Measure::energy;
+    return {&output, isPhysical && !isShare ? OutputUnits::si : OutputUnits::dimensionless};
 }
 
 void CurvePage::takeGoal() {
@@ -160,7 +162,7 @@ std::optional<double> CurvePage::askedGoal(const OutputColumn& of) const {
 void CurvePage::showGoal() {
     const OutputColumn of = column();
     const std::optional<double> goal = askedGoal(of);
-    const Quantity quantity = of.hasUnit() ? of.output->quantity() : Quantity::ratio;
+    const Quantity quantity = of.quantity();
     const Scales scales = scalesOf(scenario());
     const UnitSystem system =
         of.units == OutputUnits::si ? document().units().system() : UnitSystem::dimensionless;

@@ -240,11 +240,10 @@ CurvePicture curvePicture(const CurvePageStudy& study, const ShownUnits& units, 
     picture.to = question.along.stop * picture.x.factor;
     picture.logarithmic = question.along.kind == SweepAxis::Kind::logarithmic;
     picture.output = column.output;
-    picture.value = outputUnit(*column.output, units, largestOf(study.curve));
+    picture.value = columnUnit(column, units, largestOf(study.curve));
     // Columns in SI were scaled by the study, in which the scales may change along the parameter.
-    const bool isScaled = column.units == OutputUnits::si && !column.output->isOnlySi();
-    picture.valueFactor =
-        picture.value.factor / (isScaled ? column.output->scale(scalesOf(question.base)) : 1);
+    const bool isScaled = !column.output->isOnlySi();
+    picture.valueFactor = picture.value.factor / (isScaled ? column.scale(scalesOf(question.base)) : 1);
     if (question.goal) picture.goal = *question.goal * picture.valueFactor;
     addAbove(picture, question);
     addLines(picture, study.curve, DrawnCurve::Kind::curve, picture.x.factor, here, locale);

@@ -149,8 +149,8 @@ ShownUnit mapUnit(const OutputColumn& output, const Scenario& scenario, const Sh
     const Scales scales = output.units == OutputUnits::si ? scalesOf(scenario) : Scales{};
     const Measure measure = output.output->measure;
     const double size = measure == Measure::newton ? aThrust : measure == Measure::watt ? aPower : aRate;
-    ShownUnit unit = outputUnit(*output.output, units, size);
-    unit.factor /= output.output->scale(scales);
+    ShownUnit unit = columnUnit(output, units, size);
+    unit.factor /= output.scale(scales);
     return unit;
 }
 
