@@ -246,6 +246,10 @@ SectionWatch::Span SectionWatch::spanOf(Side& side, Part part, double lastTime, 
     const double from = part == Part::during ? -infinity : part == Part::after ? m_endOfBlow : m_lastAfter;
     const double end = part == Part::during ? m_endOfBlow : part == Part::after ? m_lastAfter : infinity;
     const double until = std::min(end, lastTime);
+    // Only more than all before counts later, which leaves hardly any cell to be looked into.
+    if (part == Part::later)
+        for (const SectionPeak& before : {side.during, side.after})
+            if (before.force > side.later.force) side.later = before;
     SectionPeak& peak = part == Part::during ? side.during : part == Part::after ? side.after : side.later;
     return {peak, from, until, first <= from || last > until};
 }
