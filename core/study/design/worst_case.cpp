@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/study/design/adapted_search.h"
 #include "core/study/design/design_samples.h"
 #include "core/study/design/sobol_points.h"
 #include "core/study/design/worst_starts.h"
@@ -18,6 +19,8 @@ namespace {
 constexpr std::uint64_t directionsOfStep = 64, mostDirections = std::uint64_t{1} << 20;
 /// Most blows of a search, for each sample: along a curved ridge it would creep on.
 constexpr std::uint64_t solvesOfSample = 4;
+/// Adapting steps from where a search has ended, for each coordinate, from far and from near.
+constexpr int stepsOfPolish = 200;
 constexpr double firstStep = 0.05, lastStep = 1e-7;
 /// Searches that end as near as this found the same.
 constexpr double agreement = 1e-6;
@@ -64,13 +67,15 @@ struct Search {
     Place place;
     double value = 0;
     std::uint64_t solves = 0;
+    std::size_t number = 0;  ///< from which random steps follow
 };
 
-/// Steps to the worst neighbour while there is one, then halves the step.
-class Compass {
+/// Searches from one place: steps to the worst neighbour while there is one, then halves the step; in the end
+/// climbs with steps that adapt, once from far and once from near.
+class Searcher {
   public:
-    Compass(const DesignProblem& problem, std::uint64_t design, const std::vector<WorstOrder>& orders,
-            std::uint64_t samples)
+    Searcher(const DesignProblem& problem, std::uint64_t design, const std::vector<WorstOrder>& orders,
+             std::uint64_t samples)
         : m_mostSolves(solvesOfSample * samples),
           m_solver(problem, design),
           m_orders(orders),
@@ -78,14 +83,39 @@ class Compass {
           m_direction(m_directions.dimensions()) {}
 
     void operator()(Search& search, const std::stop_token& stop) {
-        for (double step = firstStep; step >= lastStep;) {
+        for (double step = firstStep; step >= lastStep && search.solves <= m_mostSolves;) {
             if (stop.stop_requested()) return;
-            if (search.solves > m_mostSolves) return;
             step = goOn(search, step, stop) ? std::min(2 * step, firstStep) : step / 2;
         }
+        polish(search, stop);
     }
 
   private:
+    void polish(Search& search, const std::stop_token& stop) {
+        const WorstOrder& order = m_orders[search.order];
+        Place whole = search.place, moved;
+        std::vector<std::size_t> movable;
+        for (std::size_t i = 0; i < whole.size(); ++i)
+            if (m_solver.canMove(i)) movable.push_back(i), moved.push_back(whole[i]);
+        if (movable.empty()) return;
+        const auto put = [&](const Place& from, Place& into) {
+            for (std::size_t i = 0; i < movable.size(); ++i) into[movable[i]] = from[i];
+        };
+        const auto badnessAt = [&](const Place& place) {
+            put(place, whole);
+            return badness(order, m_solver.solve(whole, stop)[order.output]);
+        };
+        double most = badness(order, search.value);
+        for (const double spread : {0.05, 0.003}) {
+            const AdaptedSearch adapted{.spread = spread,
+                                        .steps = stepsOfPolish * static_cast<int>(movable.size()),
+                                        .seed = search.number + 1};
+            search.solves += static_cast<std::uint64_t>(climb(moved, most, badnessAt, adapted, stop));
+        }
+        put(moved, search.place);
+        search.value = badness(order, most);
+    }
+
     bool goOn(Search& search, double step, const std::stop_token& stop) {
         Place best = search.place;
         double value = search.value;
@@ -194,10 +224,11 @@ std::vector<std::optional<WorstCase>> worstCases(const DesignProblem& problem, s
         work.jobs, work.stop,
         [&](Search& search) {
             if (begun == searches.size()) return false;
-            search = searches[begun++];
+            search = searches[begun];
+            search.number = begun++;
             return true;
         },
-        [&] { return Compass(problem, design, orders, samples); },
+        [&] { return Searcher(problem, design, orders, samples); },
         [&](const Search& search) {
             ended.push_back(search);
             work.tell(search.solves);

@@ -32,8 +32,9 @@ struct WorstOrder {
 /// Of one design, for each order; nothing where no point could be solved, and after a stop. Tries all corners
 /// of the ranges, the likely places, as many samples as the statistics had, 512 points on every face, and
 /// goes on from the best 12 of these by a compass search: steps of 0.05 of the range along each coordinate,
-/// where none leads on along others, halved to 1e-7. Along rows of draws there is no way to go: they are
-/// taken as they come.
+/// where none leads on along others, halved to 1e-7. Where this ends it climbs once more with
+/// steps that adapt to a ridge (adapted_search.h). Along rows of draws there is no way to go:
+/// they are taken as they come.
 std::vector<std::optional<WorstCase>> worstCases(const DesignProblem& problem, std::uint64_t design,
                                                  const std::vector<WorstOrder>& orders, std::uint64_t samples,
                                                  std::uint64_t seed, const DesignWork& work);

@@ -88,6 +88,7 @@ class TestDesignSamples : public QObject {
     void pointsWithoutAnswerAreLeftOut();
     void worstIsAtLeastEverySample();
     void worstIsFoundOnAKink();
+    void worstIsFoundOnABentRidge();
     void worstIsFoundInTheNarrowOfTwoDips();
     void tiesAreWithinTheErrorOfTheDifference();
     void roundingMakesNoDesignBetter();
@@ -246,6 +247,17 @@ void TestDesignSamples::worstIsFoundOnAKink() {
     const auto found = worstCases(toy, 0, {{0, Sense::largest}}, 4096, 1, {});
     QVERIFY(found[0]->value > -1e-6);
     QVERIFY(std::abs(found[0]->at[0] - 0.617) < 1e-6);
+}
+
+// A bent ridge, along which steps in fixed directions hardly lead on.
+void TestDesignSamples::worstIsFoundOnABentRidge() {
+    const Toy toy({uniform(0, 1), uniform(0, 1), uniform(0, 1)}, [](std::span<const double> x) {
+        const double bend = x[1] - 0.5 - 0.3 * std::sin(5 * x[0]), other = x[2] - x[0] * x[0];
+        return -1e4 * bend * bend - 1e4 * other * other - std::abs(x[0] - 0.777);
+    });
+    const auto found = worstCases(toy, 0, {{0, Sense::largest}}, 1024, 1, {});
+    QVERIFY2(found[0]->value > -1e-6, QByteArray::number(found[0]->value));
+    QVERIFY(found[0]->agreeing >= 1 && found[0]->agreeing <= found[0]->searches);
 }
 
 // The worst samples by far are those of a wide dip; a narrow one goes deeper.
