@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "core/numeric/fit_features.h"
 
@@ -117,7 +118,10 @@ class Finder {
             add(extreme.which, extreme.value, extreme.place);
         addOfAll(Extreme::least);
         addOfAll(Extreme::largest);
-        for (const Turn& turn : m_turns) addTurn(turn);
+        for (const Turn& turn : m_turns) {
+            if (!turn.isJump) keepOneExtremeOf(turn);
+            addTurn(turn);
+        }
         for (const double level : levels)
             for (const FitCrossing& crossing : crossingsOf(m_segments, level))
                 if (!isJumpedOver(crossing)) addCrossing(crossing, level);
@@ -195,6 +199,30 @@ class Finder {
         feature.value = found.value;
         feature.x = placeOf(found.place);
         if (found.everywhere) feature.shape = Shape::everywhere;
+    }
+
+    /// Several extremes within one turn are one extreme, or none where the curve goes on as it came; those of
+    /// the whole line stay.
+    void keepOneExtremeOf(const Turn& turn) {
+        const auto isOfTurn = [&](const CurveFeature& f) {
+            return turnAt(m_range.shareOf(f.x.value)) == &turn;
+        };
+        const auto count = std::ranges::count_if(m_features, isOfTurn);
+        if (count < 2) return;
+        const bool isKept =
+            std::ranges::any_of(m_features, [&](const CurveFeature& f) { return isOfTurn(f) && f.ofAll; });
+        const Kind kind = std::ranges::find_if(m_features, isOfTurn)->kind;
+        const double sign = kind == Kind::maximum ? 1 : -1;
+        double most = -std::numeric_limits<double>::infinity();
+        for (const CurveFeature& f : m_features)
+            if (isOfTurn(f) && f.kind == kind) most = std::max(most, sign * f.value.value);
+        bool isFound = isKept || count % 2 == 0;
+        std::erase_if(m_features, [&](const CurveFeature& f) {
+            if (!isOfTurn(f) || f.ofAll) return false;
+            if (isFound || f.kind != kind || sign * f.value.value < most) return true;
+            isFound = true;
+            return false;
+        });
     }
 
     void addTurn(const Turn& turn) {

@@ -124,11 +124,24 @@ class Study {
             output.features = featuresOf(output.pieces, line.range, m_question.levels);
         }
         for (const double share : m_points[number]) line.points.push_back(line.range.at(share));
+        addExtremePlaces(line);
         for (std::size_t i = 0; i < line.outputs.size(); ++i) {
             std::vector<double>& values = line.values.emplace_back();
             for (const double x : line.points)
                 values.push_back(line.value(x, i).value_or(std::numeric_limits<double>::quiet_NaN()));
         }
+    }
+
+    /// Points of the line are also where its outputs are least and largest, so that nothing that is drawn or
+    /// written shows another extreme.
+    static void addExtremePlaces(CurveLine& line) {
+        for (const CurveOutput& output : line.outputs)
+            for (const CurveFeature& feature : output.features)
+                if (feature.kind == CurveFeature::Kind::minimum ||
+                    feature.kind == CurveFeature::Kind::maximum)
+                    line.points.push_back(feature.x.value);
+        std::ranges::sort(line.points);
+        line.points.erase(std::ranges::unique(line.points).begin(), line.points.end());
     }
 
     const CurveQuestion& m_question;

@@ -77,7 +77,7 @@ QVector<QRectF> markersIn(QCPAxisRect& rect, const QVector<QCPItemTracer*>& own)
 QString wordsOf(const CurveMark& mark, const ShownUnit& xUnit, const ShownUnit& yUnit,
                 const QLocale& locale) {
     const auto shown = [&](double value, const ShownUnit& unit) {
-        const QString number = numberText(value, 4, locale);
+        const QString number = numberText(value, 5, locale);
         return unit.unit.isEmpty() || unit.dimensionless ? number : number + QChar(QChar::Nbsp) + unit.unit;
     };
     const QString place = shown(mark.at.x(), xUnit);

@@ -79,6 +79,8 @@ class TestCurve : public QObject {
     void aLogarithmicRangeFindsTheSameFeatures();
     void aLineOfAFamilyIsTheCurveOfItsValue();
     void aFamilyOfShapesIsALineEach();
+    void extremesAreAmongThePoints();
+    void oneTurnHasOneExtreme();
     void otherOutputsChangeNothing();
     void threadsChangeNothing();
     void siIsTheScaledNumber();
@@ -403,6 +405,40 @@ void TestCurve::aFamilyOfShapesIsALineEach() {
     QCOMPARE(study.lines.size(), 2u);
     const CurveStudy alone = studyCurve(question(PulseShape::halfSine, {0.5, 0.1, 10, 0}, "beta=0.1:1"), 1);
     QVERIFY(study.lines[0].values == onlyLine(alone).values);
+}
+
+void TestCurve::extremesAreAmongThePoints() {
+    const CurveStudy study = studyCurve(
+        question(PulseShape::rectangular, {0.5, 0.1, 3.5, 0}, "beta=0.05:5:log", "cor,efficiency"), 1);
+    const CurveLine& line = onlyLine(study);
+    int extremes = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+        for (const CurveFeature& feature : line.outputs[i].features) {
+            if (feature.kind != Kind::minimum && feature.kind != Kind::maximum) continue;
+            const auto found = std::ranges::find(line.points, feature.x.value);
+            QVERIFY(found != line.points.end());
+            const double drawn = line.values[i][static_cast<std::size_t>(found - line.points.begin())];
+            QVERIFY(std::abs(drawn - feature.value.value) <= feature.value.error + 1e-14);
+            ++extremes;
+        }
+        const CurveFeature* least = line.outputs[i].extreme(Kind::minimum);
+        QVERIFY(std::ranges::min(line.values[i]) >= least->value.value - least->value.error - 1e-14);
+    }
+    QVERIFY(extremes > 6);
+    QVERIFY(std::ranges::is_sorted(line.points));
+}
+
+// A kink at which short pieces rise, fall and rise within 1e-7 of the range.
+void TestCurve::oneTurnHasOneExtreme() {
+    const CurveStudy study = studyCurve(
+        question(PulseShape::halfSine, {0.9016, 0.1, 1.379, 0}, "delta=0:1.3", "contact_duration"), 1);
+    int near = 0;
+    for (const CurveFeature& feature : onlyLine(study).outputs[0].features)
+        if (std::abs(feature.x.value - 0.986625) < 1e-4) {
+            ++near;
+            QVERIFY(feature.kind == Kind::maximum && feature.ofAll);
+        }
+    QCOMPARE(near, 1);
 }
 
 void TestCurve::otherOutputsChangeNothing() {
