@@ -66,7 +66,11 @@ double stressErrorOfPieces(const Scenario& scenario, const std::vector<SectionSt
                            const std::vector<int>& pieces) {
     if (pieces.empty()) return 0;
     const std::vector<const Section*> sections = allSections(scenario.drillString);
+    // Steps between pieces reflect a front as a staircase, each half a step above or below the slope.
+    constexpr double shareElsewhere = 0.5;
     double error = 0;
+    for (std::size_t j = 0; j < sections.size(); ++j)
+        if (pieces[j] > 1) error = std::max(error, shareElsewhere * changeInPiece(*sections[j], pieces[j]));
     for (const Load load : loads) {
         const double known = largestStress(stresses, load).peak.stress;
         for (std::size_t j = 0; j < sections.size() && known > 0; ++j)
