@@ -46,7 +46,7 @@ struct Blow {
     bool isSolved() const { return impact.isSolved(); }
     bool isOfString() const { return isString(scenario); }  ///< and so solved on polynomial cells
     /// What shares of energy are of [W0]: the energy of a hammer that is followed, or the work of the force.
-    double drivenEnergy() const { return isForced(scenario) ? summary.workRatio : 1; }
+    double drivenEnergy() const { return drillwave::drivenEnergy(summary, scenario); }
     /// Effective feed force over the largest of the four needs, less 1, where it and they are known.
     std::optional<double> thrustMargin() const {
         if (!feed || !feed->force || !widestNeed || !widestNeed->ofAllGaps) return std::nullopt;

@@ -2,6 +2,7 @@
 #include "core/blow/impact_summary.h"
 
 #include "core/contact/contact_law.h"
+#include "core/model/blow_traits.h"
 #include "core/wave/field/force_peaks.h"
 
 namespace drillwave {
@@ -24,6 +25,10 @@ void addHammer(ImpactSummary& summary, const Impact& impact, const Problem& prob
 void ImpactSummary::setForces(const RodForces& forces) {
     rodForces = forces;
     largest = eachOf(forces, [](const RodForce& force) { return std::optional(force.size); });
+}
+
+double drivenEnergy(const ImpactSummary& summary, const Scenario& scenario) {
+    return isForced(scenario) ? summary.workRatio : 1;
 }
 
 ImpactSummary summarize(const Impact& impact, const Problem& problem) {

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "core/blow/energy_ledger.h"
+#include "core/model/scenario.h"
 #include "core/wave/field/rod_forces.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
@@ -60,6 +61,10 @@ struct ImpactSummary {
 /// something; the rest is not a number or zero. From Detail::cor only `cor`, `impulse` and `corError` mean
 /// anything.
 ImpactSummary summarize(const Impact& impact, const Problem& problem);
+
+/// Returns the energy that shares of energy refer to [W0]: the energy of a hammer that is followed, or the
+/// work of the force.
+double drivenEnergy(const ImpactSummary& summary, const Scenario& scenario);
 
 /// Which numbers of the waves are wanted: each takes some time.
 struct WaveNumbers {

@@ -349,7 +349,7 @@ Quantity Output::siQuantity() const {
 
 double Output::inSi(double value, const OutputSource& source, const Scales& scales) const {
     if (measure != Measure::energy) return value * scale(scales);
-    return value * ((isForced(source.scenario) ? source.summary.workRatio : 1) * scales.energy);
+    return value * (drivenEnergy(source.summary, source.scenario) * scales.energy);
 }
 
 double Output::scale(const Scales& scales) const {
