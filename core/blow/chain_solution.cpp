@@ -25,8 +25,8 @@ double wantedDifference(NetworkAccuracy accuracy) {
     return accuracy == NetworkAccuracy::quick ? 1e-4 : 1e-5;
 }
 
-/// Twice as many pieces take up to four times the work. They are tried where that is no more than this share
-/// of the work that is permitted.
+/// Twice as many pieces take up to four times the work. They are tried if that is at most this share of the
+/// permitted work.
 constexpr double workOfDoubling = 4;
 double shareOfTrial(NetworkAccuracy accuracy) {
     return accuracy == NetworkAccuracy::quick ? 0.05 : 0.25;
@@ -152,16 +152,24 @@ ChainSolution solveChain(const Scenario& scenario, const NetworkSettings& settin
     }
     const Difference error = errorOfPieces(trials);
     const Impact& finest = trials.back().sums;
+    const auto widen = [&] {
+        const Difference here = between(solution.impact, finest);
+        solution.impact.corError += error.cor + here.cor;
+        solution.impact.efficiencyError += error.efficiency + here.efficiency;
+    };
+    if (settings.wants == sums.wants) {
+        solution = {problemOf(scenario, trials.back().counts), finest};
+        widen();
+        return solution;
+    }
     for (auto trial = trials.rbegin(); trial != trials.rend(); ++trial) {
-        // What is wanted beside the sums may take too much work for so many pieces.
+        // The forces or waves of so many pieces may take too much work.
         const bool isLast = trial + 1 == trials.rend();
         if (!solve(trial->counts, settings) || (!isLast && isRoundedMore(solution.impact, trial->sums))) {
             if (stop.stop_requested()) break;
             continue;
         }
-        const Difference here = between(solution.impact, finest);
-        solution.impact.corError += error.cor + here.cor;
-        solution.impact.efficiencyError += error.efficiency + here.efficiency;
+        widen();
         break;
     }
     return solution;

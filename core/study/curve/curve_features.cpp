@@ -142,6 +142,10 @@ class Finder {
         return found == m_turns.end() ? nullptr : &*found;
     }
 
+    bool isOf(const Turn& turn, const CurveFeature& feature) const {
+        return turnAt(m_range.shareOf(feature.x.value)) == &turn;
+    }
+
     /// Whether the curve jumps over the level there, and never has its value.
     bool isJumpedOver(const FitCrossing& crossing) const {
         const Turn* turn = turnAt(crossing.place.value);
@@ -204,9 +208,7 @@ class Finder {
     /// Several extremes within one turn are one extreme, or none where the curve goes on as it came; those of
     /// the whole line stay.
     void keepOneExtremeOf(const Turn& turn) {
-        const auto isOfTurn = [&](const CurveFeature& f) {
-            return turnAt(m_range.shareOf(f.x.value)) == &turn;
-        };
+        const auto isOfTurn = [&](const CurveFeature& f) { return isOf(turn, f); };
         const auto count = std::ranges::count_if(m_features, isOfTurn);
         if (count < 2) return;
         const bool isKept =
@@ -227,7 +229,7 @@ class Finder {
 
     void addTurn(const Turn& turn) {
         if (!turn.isJump && std::ranges::any_of(m_features, [&](const CurveFeature& f) {
-                return f.shape == Shape::cusp && turnAt(m_range.shareOf(f.x.value)) == &turn;
+                return f.shape == Shape::cusp && isOf(turn, f);
             }))
             return;  // told with the extreme
         CurveFeature feature{.kind = turn.isJump ? Kind::jump : Kind::kink};

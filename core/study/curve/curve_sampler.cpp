@@ -56,7 +56,7 @@ double CurveSampler::unitAt(double share, std::size_t output) {
     const Scenario& scenario = scenarioAt(share);
     if (m_scenario.obstacle()) return 0;
     if (column.output->isOnlySi()) return unitPerSecond(column.output->measure, scenario);
-    return column.scale(scalesOf(scenario));
+    return column.units == OutputUnits::si ? column.scale(scalesOf(scenario)) : 1;
 }
 
 const CurveSampler::Blow& CurveSampler::blowAt(double share) {

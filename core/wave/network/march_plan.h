@@ -22,6 +22,7 @@ struct NetworkWants {
     bool histories = false;        ///< the waves of every section
     CutAt cutAt = CutAt::jumps;
     Grading grading{0.3, 1.5, 24};
+    bool operator==(const NetworkWants&) const = default;
 };
 
 /// What a run takes that is followed to its end and in which nothing happens.
