@@ -42,9 +42,9 @@ std::vector<ShapeProblem> shapeProblems(const Section& section);
 /// "3660 mm × 39 mm … 45 mm / 14 mm": length, sizes from the rear end to the far one, and bore.
 std::string sizeText(const Section& section);
 
-/// Returns `count` uniform pieces of equal lengths, one behind the other, that have the mass of the section;
-/// its lumped mass and its joint are behind the last one. Requires count > 0; one piece of a uniform section
-/// is the section. Waves in the pieces differ from those in a cone by the square of their lengths.
+/// Divides a section into `count` > 0 uniform pieces of equal length with the same total mass. The lumped
+/// mass and the joint of the section come after the last piece. A uniform section in one piece is returned as
+/// it is. Waves in the pieces differ from those in a cone by the square of their lengths.
 ///
 /// A joint with losses in front (`behindLoss`) reflects a wave before it weakens it, so that a step half a
 /// piece behind it is not the same as one at the joint: the first of four or more pieces then has the

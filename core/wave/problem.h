@@ -81,8 +81,8 @@ struct Problem {
     double firstGap() const { return isForced() && force().isRigidBody() ? 0 : gap; }
 };
 
-/// Returns whether a joint or a section of the string takes energy from the waves. No joint
-/// stands behind the last section, so a loss there does not count.
+/// Returns whether a joint or a section of the string takes energy from the waves. A loss after the last
+/// section does not count, since it has no joint.
 bool losesWaves(const Problem& problem);
 
 /// Why this is no force on one uniform section and nothing else, which is all that solvers of rods take.

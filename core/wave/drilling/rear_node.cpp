@@ -139,8 +139,8 @@ bool RearNode::isConsistent(const Piece& piece) const {
     return !m_machine || beginsPositive(piece.margin.data(), piece.count);
 }
 
-/// Terms of a series over a stretch in which nothing follows faster than that, until they are rounding. Waves
-/// of a string are seldom quiet and take most of their time here; a rod always takes the same number.
+/// Terms of a series over a stretch in which nothing follows faster than that, until they are rounding. A
+/// string spends most of its time here, since its waves are seldom quiet; a rod always takes the same number.
 int RearNode::termsOf(double rate) const {
     if (m_parts.hammerImpedance == 0) return termsOfMotion;
     int count = WaveCell::count + 1;
