@@ -14,11 +14,11 @@ namespace drillwave {
 namespace {
 
 /// Pieces of a section that is not uniform: at first, and at most.
-constexpr int fewestOfCone = 4, mostOfCone = 128;
+constexpr int fewestOfCone = 2, mostOfCone = 128;
 
-/// Numbers of pieces that are compared at least: where contacts differ, one difference may be small by
-/// chance.
-constexpr std::size_t fewestTrials = 3;
+/// Trials that are compared at least, whatever work is permitted, and those before no more pieces are tried:
+/// where contacts differ, one difference may be small by chance.
+constexpr std::size_t fewestTrials = 3, wantedTrials = 4;
 
 /// Difference of e and efficiency to half as many pieces at which no more pieces are tried.
 double wantedDifference(NetworkAccuracy accuracy) {
@@ -135,11 +135,12 @@ ChainSolution solveChain(const Scenario& scenario, const NetworkSettings& settin
     while (solve(pieces.counts(), sums)) {
         if (!trials.empty() && isRoundedMore(solution.impact, trials.front().sums)) break;
         trials.push_back({pieces.counts(), solution.impact});
-        if (trials.size() >= fewestTrials &&
+        if (trials.size() >= wantedTrials &&
             between(trials.back().sums, trials[trials.size() - 2].sums).largest() <= wanted)
             break;
         if (2 * pieces.largest() > mostOfCone) break;
-        if (trials.size() >= 2 && workOfDoubling * static_cast<double>(solution.impact.pieces) > mostWork)
+        if (trials.size() >= fewestTrials &&
+            workOfDoubling * static_cast<double>(solution.impact.pieces) > mostWork)
             break;
         pieces.refine(2);
     }
