@@ -58,6 +58,9 @@ DesignFindings solve(const DesignStudy& study, int jobs, const ReadingStyle& sty
 void checkFeasible(const DesignStudy& study, const DesignFindings& findings, const std::string& path,
                    const ReadingStyle& style) {
     if (findings.best.robust) return;
+    if (!findings.unsolved.isEmpty())
+        throw CommandError(ExitCode::unsolvedOrFailed,
+                           couldNotBeSolved(path, reasonWithHint(findings.unsolved, study.workLimit)));
     std::vector<Message> lines;
     for (const DesignSamples& design : findings.designs) {
         if (design.hasStatistics(study.samples) || !lines.empty()) continue;
@@ -100,6 +103,11 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     if (arguments.has("force") && !folder)
         throw CommandError(ExitCode::usage, translatable("drillwave::Message",
                                                          "--force is about the files of -o; add -o DIR"));
+    if (folder == "-")
+        throw CommandError(ExitCode::usage,
+                           translatable("drillwave::Message",
+                                        "-o - names no folder for the files; add -o DIR, or --json, which "
+                                        "prints to standard output"));
     if (arguments.values("draws").size() > 1)
         throw CommandError(ExitCode::usage,
                            Message(translatable("drillwave::Message", "%1 is given twice; give it once"),
@@ -111,6 +119,9 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     DesignReport report{
         .study = designStudyOf(arguments, document.scenario, faults), .findings = {}, .scenarioText = {}};
     faults.check();
+    std::vector<std::string> words;
+    for (const std::string& word : arguments.values("choose")) words.push_back(quotedAxis("choose", word));
+    checkNotSet(arguments, document.scenario, report.study.choices, words);
     report.scenarioText = completeScenarioText(document);
     if (folder) {
         for (const std::string& name : fileNames)

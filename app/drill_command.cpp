@@ -97,6 +97,7 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
                     "drillwave::Message",
                     "--histories: these blows have more than %1 samples; take fewer blows or fewer --cells"),
                 {std::to_string(mostDrillingInstants)}));
+    wants.mostWork = permittedDrillWork(arguments);
     wants.jobs = jobsOf(arguments);
     checkDrillWork(drillingWork(document.scenario, settings, wants), arguments);
     if (out && isFolder(*out)) {
@@ -119,7 +120,10 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
         .scenarioText = completeScenarioText(document)};
     interruption.check();
     if (report.result.outcome == DrillingOutcome::notSolved)
-        throw CommandError(ExitCode::unsolvedOrFailed, couldNotBeSolved(path, report.result.reason));
+        throw CommandError(
+            ExitCode::unsolvedOrFailed,
+            couldNotBeSolved(path, reasonWithHint(report.result.reason,
+                                                  static_cast<long>(std::min(wants.mostWork, 1e18)))));
     std::vector<NamedFile> pictures = plots.draw(&report, drawing, interruption);
     if (out && isFolder(*out))
         writeFolder(*out, folderOf(report, units, std::move(pictures)), overwrite, &interruption);

@@ -10,12 +10,14 @@ namespace drillwave {
 
 namespace {
 
-/// Cells times nodes that a march may take unless --work-limit permits more, and about how many a second has.
-constexpr double mostWork = 4e9, workOfSecond = 2e7;
+/// Cells times nodes that are marched in about a second.
+constexpr double workOfSecond = 2e7;
 
-double permittedWork(const Arguments& arguments) {
+}  // namespace
+
+double permittedDrillWork(const Arguments& arguments) {
     const std::optional<std::string> text = arguments.value("work-limit");
-    if (!text) return mostWork;
+    if (!text) return mostDrillingWork;
     const std::optional<double> work = parseNumber(*text);
     if (!work || !(*work >= 1))
         throw CommandError(
@@ -24,8 +26,6 @@ double permittedWork(const Arguments& arguments) {
                     {shortened(*text)}));
     return *work;
 }
-
-}  // namespace
 
 OutputUnits drillUnits(const Arguments& arguments) {
     if (arguments.has("si") && arguments.has("dimensionless"))
@@ -70,7 +70,7 @@ void refuseDrill(const std::vector<Message>& problems, const std::string& path) 
 }
 
 void checkDrillWork(double work, const Arguments& arguments) {
-    const double permitted = permittedWork(arguments);
+    const double permitted = permittedDrillWork(arguments);
     const ReadingStyle& style = arguments.style();
     if (work <= permitted) return;
     throw CommandError(

@@ -27,6 +27,9 @@ std::optional<BlowRange> drillHistories(const Arguments& arguments, const std::o
 /// Throws CommandError (invalid scenario) with a line for each problem where there are any.
 void refuseDrill(const std::vector<Message>& problems, const std::string& path);
 
+/// Cells times nodes that --work-limit permits.
+double permittedDrillWork(const Arguments& arguments);
+
 /// Throws CommandError (unsolved or failed) where it takes more cells times nodes than --work-limit permits.
 void checkDrillWork(double work, const Arguments& arguments);
 

@@ -63,6 +63,12 @@ ExitCode runDrillScan(const Arguments& arguments, const ScenarioDocument& docume
                       const Drawing* drawing) {
     const OutputUnits units = drillUnits(arguments);
     const std::string word = *arguments.value("scan");
+    if (arguments.has("histories"))
+        throw CommandError(
+            ExitCode::usage,
+            translatable("drillwave::Message",
+                         "--histories is about the blows of one march, and --scan makes one of "
+                         "each value; take one of them"));
     const ParsedAxis parsed = parseAxis(word);
     if (!parsed.problem.isEmpty()) throw CommandError(ExitCode::usage, about("--scan", parsed.problem));
     const SweepAxis& axis = parsed.axis;
@@ -100,6 +106,7 @@ ExitCode runDrillScan(const Arguments& arguments, const ScenarioDocument& docume
         .scan = scanDrilling(
             document.scenario, axis, settings,
             {.jobs = jobs,
+             .mostWork = permittedDrillWork(arguments),
              .lyapunov = out || arguments.has("json"),  // the text has none of it
              .stop = interruption.token(),
              .progress = [&](long more) { bar.show(done += static_cast<std::uint64_t>(more)); }}),

@@ -15,6 +15,9 @@ namespace drillwave {
 
 namespace {
 
+/// Work that takes longer has its first line in a log after a second [s].
+constexpr double worthTelling = 10;
+
 std::string duration(double seconds) {
     const auto whole = std::llround(std::min(seconds, 1e9));
     if (whole < 60) return std::to_string(whole) + " s";
@@ -31,7 +34,7 @@ ProgressBar::ProgressBar(std::uint64_t total, const Message& unit, const Reading
       m_style(style),
       m_out(out),
       m_isTerminal(::isatty(::fileno(out.stream)) == 1),
-      m_nextDrawing(m_start + (m_isTerminal ? std::chrono::seconds(1) : out.between)) {}
+      m_nextDrawing(m_start + std::min<Clock::duration>(std::chrono::seconds(1), out.between)) {}
 
 ProgressBar::~ProgressBar() {
     if (m_drawn) std::fputs("\r\033[K", m_out.stream);
@@ -41,6 +44,10 @@ void ProgressBar::show(std::uint64_t done) {
     if (m_total == 0) return;
     const Clock::time_point now = Clock::now();
     if (now < m_nextDrawing) return;
+    if (!m_isTerminal && now < m_start + m_out.between && !(secondsLeft(done) > worthTelling)) {
+        m_nextDrawing = now + std::min<Clock::duration>(std::chrono::seconds(1), m_out.between);
+        return;
+    }
     m_nextDrawing = now + (m_isTerminal ? std::chrono::milliseconds(200) : m_out.between);
     const double share = static_cast<double>(done) / static_cast<double>(m_total);
     const std::string percent = std::to_string(static_cast<int>(share * 100)) + " %";
@@ -65,9 +72,14 @@ std::string ProgressBar::numbers(std::uint64_t done) const {
     if (!m_unit.empty())
         text += "  " + std::to_string(static_cast<std::uint64_t>(rate)) + " " + m_unit + "/s";
     if (rate > 0)
-        text += "  " + m_style.said({translatable("drillwave::Message", "%1 left"),
-                                     {duration(static_cast<double>(m_total - done) / rate)}});
+        text += "  " +
+                m_style.said({translatable("drillwave::Message", "%1 left"), {duration(secondsLeft(done))}});
     return text;
+}
+
+double ProgressBar::secondsLeft(std::uint64_t done) const {
+    const double elapsed = std::chrono::duration<double>(Clock::now() - m_start).count();
+    return elapsed * static_cast<double>(m_total - std::min(done, m_total)) / static_cast<double>(done);
 }
 
 ElapsedTime::ElapsedTime(const ReadingStyle& style) {

@@ -23,7 +23,8 @@ struct ProgressOutput {
 };
 
 /// Draws "[####    ] 41 %  520000/s  3 s left" on a terminal when the work lasts over a second. Elsewhere, in
-/// the log of a job, a line "41 % done, 3 s left" now and then.
+/// the log of a job, a line "41 % done, 30 s left" after a second where the work takes over ten, and then now
+/// and then.
 class ProgressBar {
   public:
     /// `unit` names what is counted, "points"; empty where only the share is known.
@@ -37,6 +38,8 @@ class ProgressBar {
 
   private:
     using Clock = std::chrono::steady_clock;
+    /// How long what is left takes [s], as far as what is done tells; not finite where nothing is.
+    double secondsLeft(std::uint64_t done) const;
     std::string numbers(std::uint64_t done) const;
 
     std::uint64_t m_total;

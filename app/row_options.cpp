@@ -84,7 +84,7 @@ Message reasonsOf(const RowCounts& counts, RowNoun noun, long workLimit) {
 }
 
 long workLimitOf(const Arguments& arguments, long fallback) {
-    return arguments.number("work-limit", fallback, 1, WorkLimits().pieces);
+    return arguments.number("work-limit", fallback, 1, mostWorkLimit);
 }
 
 WorkLimits workLimitsOf(const Arguments& arguments) {

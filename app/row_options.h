@@ -23,6 +23,7 @@
 #include "core/study/rows/row_counts.h"
 #include "core/study/rows/shard.h"
 #include "core/text/message.h"
+#include "core/wave/exact/exact_solver.h"
 #include "core/yaml/scenario_file.h"
 
 namespace drillwave {

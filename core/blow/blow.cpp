@@ -2,7 +2,6 @@
 #include "core/blow/blow.h"
 
 #include <algorithm>
-#include <cassert>
 #include <chrono>
 
 #include "core/blow/outputs.h"
@@ -84,10 +83,11 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
 Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
                const std::stop_token& stop, Stresses stresses, MethodSolver& solver,
                NetworkAccuracy ofString) {
-    assert(validate(scenario).empty());
     Blow blow;
     blow.scenario = scenario;
     blow.method = method;
+    blow.impact.reason = invalidity(scenario);
+    if (!blow.impact.reason.isEmpty()) return blow;
     blow.groups = groupsOf(scenario);
     blow.scales = scalesOf(scenario);
     blow.alerts = alertsFor(scenario);

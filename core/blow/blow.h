@@ -50,7 +50,7 @@ struct Blow {
     /// Effective feed force over the largest of the four needs, less 1, where it and they are known.
     std::optional<double> thrustMargin() const {
         if (!feed || !feed->force || !widestNeed || !widestNeed->ofAllGaps) return std::nullopt;
-        return *feed->effective() / widestNeed->thrust - 1;
+        return feed->force->marginOver(widestNeed->thrust);
     }
     /// What is to be done about the feed. Of a solved blow.
     FeedDecision decision() const { return decideFeed(scenario, feed, widestNeed); }
@@ -62,9 +62,9 @@ enum class Stresses {
     wanted,    ///< wherever they can be had
 };
 
-/// Solves a valid scenario with `detail` or more. Waves that are too many to be kept are looked at in passing
-/// unless `detail` is Detail::histories; by the lattice they are solved without stresses. A stop leaves a
-/// blow unsolved.
+/// Solves a scenario with `detail` or more; one that is not valid is not solved, and why is the reason. Waves
+/// that are too many to be kept are looked at in passing unless `detail` is Detail::histories; by the lattice
+/// they are solved without stresses. A stop leaves a blow unsolved.
 Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
                const std::stop_token& stop = {}, Stresses stresses = Stresses::asNeeded);
 

@@ -15,6 +15,9 @@ namespace {
 /// Waves that take longer to the bit than an interval are not followed.
 constexpr double leastRoundTrips = 0.5;
 
+/// An interval of more t0 takes more cells than are followed.
+constexpr double longestInterval = 1e7;
+
 /// No interval is off its mean by more deviations.
 constexpr double widestScatter = 3;
 
@@ -68,6 +71,13 @@ std::vector<Message> drillProblems(const Scenario& scenario, const DrillLength& 
                                                   "a blow lasts %1 s, which is no less than the interval of "
                                                   "the blows; lower the frequency or make the blow shorter"),
                                      {formatNumber(pulse)}});
+    if (const double t0 = scalesOf(scenario).time; interval / t0 > longestInterval)
+        add("drill.blow_frequency",
+            {translatable(
+                 "drillwave::Message",
+                 "the interval of the blows is %1 times t0 = %2 s, at most %3 are followed; raise the "
+                 "frequency or make the blow longer"),
+             {formatNumber(interval / t0), formatNumber(t0), formatNumber(longestInterval)}});
     const double roundTrips = interval / (2 * chainProperties(scenario).transitTime);
     if (roundTrips < leastRoundTrips)
         add("drill.blow_frequency",
@@ -79,10 +89,7 @@ std::vector<Message> drillProblems(const Scenario& scenario, const DrillLength& 
 }
 
 Message drillProblem(const Scenario& scenario) {
-    Message line;
-    for (Message& problem : drillProblems(scenario, scanLengthOf(scenario)))
-        line = joined(std::move(line), "%1; %2", std::move(problem));
-    return line;
+    return inOneLine(drillProblems(scenario, scanLengthOf(scenario)));
 }
 
 }  // namespace drillwave

@@ -17,6 +17,8 @@ struct FeedForce {
     bool operator==(const FeedForce&) const = default;
 
     double effective() const { return thrust + weight.value_or(0); }  ///< F [N]
+    /// How much more it is than a thrust that is needed [N], over that.
+    double marginOver(double needed) const { return effective() / needed - 1; }
 };
 
 /// nullopt where no thrust is installed.

@@ -39,7 +39,7 @@ std::optional<double> FeedVerdict::effective() const {
 }
 
 std::optional<double> FeedVerdict::margin() const {
-    return force ? std::optional(force->effective() / fullRate - 1) : std::nullopt;
+    return force ? std::optional(force->marginOver(fullRate)) : std::nullopt;
 }
 
 FeedVerdict feedVerdict(const std::optional<FeedForce>& force, const FeedThresholds& thresholds) {

@@ -61,8 +61,8 @@ inline constexpr long cellsOfPiece = 30;
 
 /// What one blow may take; more, and it is not solved.
 struct WorkLimits {
-    long pieces = 30'000'000;       ///< of wave, of the exact solver
-    long cells = mostNetworkCells;  ///< of a string
+    long pieces = defaultWorkLimit;  ///< of wave, of the exact solver
+    long cells = mostNetworkCells;   ///< of a string
 };
 
 /// Solves one blow after another by any method, keeping the workspace. One solver per thread.

@@ -11,6 +11,7 @@
 #include "core/model/scales.h"
 #include "core/model/string_ranges.h"
 #include "core/model/string_validation.h"
+#include "core/text/message_list.h"
 
 namespace drillwave {
 namespace {
@@ -153,6 +154,20 @@ void checkTable(const Scenario& scenario, std::vector<InputProblem>& problems) {
     if (!reason.isEmpty()) report(problems, "pulse.points", "", reason);
 }
 
+/// Numbers of a sequence that contradict each other, whatever else is missing.
+void checkDrill(const Drill& drill, std::vector<InputProblem>& problems) {
+    const Parameter& settle = *findParameter("drill.settle");
+    if (drill.blows && drill.settle && *drill.settle >= *drill.blows)
+        report(problems, settle.key, valueText(settle, *drill.settle),
+               {translatable("drillwave::Message", "must be less than the blows, which are %1"),
+                {formatNumber(*drill.blows)}});
+    if (drill.machineMass != 0.0) return;
+    const Parameter& mass = *findParameter("drill.machine_mass");
+    if (drill.damperDamping.value_or(0) > 0 || drill.damperStiffness.value_or(0) > 0)
+        report(problems, mass.key, valueText(mass, 0),
+               translatable("drillwave::Message", "must be more than 0: the damper carries it"));
+}
+
 /// A string that arrives as a whole is no blow of a force.
 void checkShape(const Scenario& scenario, std::vector<InputProblem>& problems) {
     if (isString(scenario) && scenario.pulse.shape == PulseShape::rigidBody)
@@ -256,6 +271,7 @@ std::vector<InputProblem> validate(const Scenario& scenario) {
     std::vector<InputProblem> problems;
     checkRanges(scenario, problems);
     checkLaw(scenario, problems);
+    if (hasUnits(scenario)) checkDrill(scenario.drill, problems);
     if (isString(scenario)) {
         if (problems.empty()) checkRockOfString(scenario.bitRock, problems);
         std::ranges::move(sectionProblems(scenario.drillString), std::back_inserter(problems));
@@ -270,6 +286,13 @@ std::vector<InputProblem> validate(const Scenario& scenario) {
     }
     if (problems.empty()) checkGroups(scenario, problems);
     return problems;
+}
+
+Message invalidity(const Scenario& scenario) {
+    Message line;
+    for (const InputProblem& problem : validate(scenario))
+        line = joined(std::move(line), "%1; %2", problem.text);
+    return line;
 }
 
 }  // namespace drillwave

@@ -32,6 +32,9 @@ InputProblem valueProblem(std::string_view key, std::string_view value, const Me
 /// parameters first. Empty when the scenario can be solved.
 std::vector<InputProblem> validate(const Scenario& scenario);
 
+/// All problems in a line: why a function of the core does not take the scenario; empty when it is valid.
+Message invalidity(const Scenario& scenario);
+
 /// The first reason why points are no hammer force, and the point (from 0) that it is about.
 struct PointProblem {
     std::size_t index = 0;

@@ -34,7 +34,7 @@ enum class WorkEnd {
 /// the run and leaves this function. Where the system has fewer threads left, those do all the work.
 template <typename Chunk, typename Fill, typename MakeWorker, typename Deliver>
 WorkEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker makeWorker, Deliver deliver) {
-    assert(jobs >= 1);
+    jobs = std::max(jobs, 1);
     struct Place {
         Chunk chunk;
         bool done = false;

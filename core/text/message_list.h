@@ -17,6 +17,13 @@ inline Message joined(Message list, const char* pattern, Message next) {
     return {pattern, {std::move(list), std::move(next)}};
 }
 
+/// All of them in a line, "; " between; empty where there are none.
+inline Message inOneLine(std::vector<Message> messages) {
+    Message line;
+    for (Message& message : messages) line = joined(std::move(line), "%1; %2", std::move(message));
+    return line;
+}
+
 /// "1 point", "8 points": a pattern for one and one for all other numbers.
 inline Message counted(std::uint64_t count, const char* one, const char* several) {
     return {count == 1 ? one : several, {std::to_string(count)}};

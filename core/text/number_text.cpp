@@ -13,6 +13,7 @@ void appendNumber(std::string& row, double value) {
 }
 
 std::string numberText(double value, std::chars_format format, int digits) {
+    if (!std::isfinite(value)) return "–";
     // The largest double has 309 digits before its point.
     char text[400];
     const auto end = std::to_chars(text, text + sizeof text, value, format, digits);
@@ -29,6 +30,8 @@ double roundedTo(double value, int digits, Rounding rounding) {
         return -roundedTo(-value, digits, rounding == Rounding::up ? Rounding::down : Rounding::up);
     constexpr double noise = 1e-12;
     const int exponent = static_cast<int>(std::floor(std::log10(value))) + 1 - digits;
+    constexpr int mostDigits = 300;  // a digit so far off is no digit of a double
+    if (std::abs(exponent) > mostDigits) return value;
     const double power = std::pow(10, std::abs(exponent));
     const double steps = exponent < 0 ? value * power : value / power;
     const double whole =

@@ -10534,6 +10534,70 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>a section is shorter than a cell of the march: take more cells (--cells), or leave the section out and give its mass to the section in front of it</source>
         <translation>ein Abschnitt ist kürzer als eine Zelle der Rechnung: mehr Zellen verwenden (--cells), oder den Abschnitt weglassen und seine Masse dem Abschnitt davor geben</translation>
     </message>
+    <message>
+        <source>the interval of the blows is %1 times t0 = %2 s, at most %3 are followed; raise the frequency or make the blow longer</source>
+        <translation>der Abstand der Schläge ist das %1-fache von t0 = %2 s, verfolgt wird höchstens das %3-fache; die Frequenz erhöhen oder den Schlag verlängern</translation>
+    </message>
+    <message>
+        <source>must be less than the blows, which are %1</source>
+        <translation>muss kleiner sein als die Zahl der Schläge, %1</translation>
+    </message>
+    <message>
+        <source>must be more than 0: the damper carries it</source>
+        <translation>muss größer als 0 sein: der Dämpfer trägt sie</translation>
+    </message>
+    <message>
+        <source>a goal is a value of one output; choose one output</source>
+        <translation>ein Ziel ist der Wert einer Ergebnisgröße; genau eine wählen</translation>
+    </message>
+    <message>
+        <source>%1 must be from %2 to %3, not %4</source>
+        <translation>%1 muss zwischen %2 und %3 liegen, nicht bei %4</translation>
+    </message>
+    <message>
+        <source>its blows would take %1 wave cells, more than the %2 permitted: bit and rock meet and part very often; a larger gamma, fewer blows or a higher frequency take less</source>
+        <translation>die Schläge brauchten %1 Wellenzellen, erlaubt sind %2: Bohrkrone und Gestein treffen und trennen sich sehr oft; ein größeres gamma, weniger Schläge oder eine höhere Frequenz brauchen weniger</translation>
+    </message>
+    <message>
+        <source>there is no blow %1 of %2</source>
+        <translation>es gibt keinen Schlag %1 von %2</translation>
+    </message>
+    <message>
+        <source>all gaps can be studied only for uniform rods (`drillwave: 1`)</source>
+        <translation>alle Spalte lassen sich nur bei gleichförmigen Stangen untersuchen (`drillwave: 1`)</translation>
+    </message>
+    <message>
+        <source>a normal gap needs a mean of at least 0 and a deviation from %1 to %2 [d0]</source>
+        <translation>ein normalverteilter Spalt braucht einen Mittelwert von mindestens 0 und eine Abweichung von %1 bis %2 [d0]</translation>
+    </message>
+    <message>
+        <source>the lattices of the paper solve only uniform rods</source>
+        <translation>die Gitter des Artikels lösen nur gleichförmige Stangen</translation>
+    </message>
+    <message>
+        <source>cells are of drill strings (`drillwave: 2`)</source>
+        <translation>Zellen gibt es nur bei Bohrsträngen (`drillwave: 2`)</translation>
+    </message>
+    <message>
+        <source>a sweep needs at least one axis and one output</source>
+        <translation>ein Durchlauf braucht mindestens eine Achse und eine Ergebnisgröße</translation>
+    </message>
+    <message>
+        <source>has no meaning in this scenario</source>
+        <translation>hat in diesem Szenario keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>is a uniform rod (`drillwave: 1`) and no string</source>
+        <translation>ist eine gleichförmige Stange (`drillwave: 1`) und kein Bohrstrang</translation>
+    </message>
+    <message>
+        <source>-o - names no folder for the files; add -o DIR, or --json, which prints to standard output</source>
+        <translation>-o - nennt keinen Ordner für die Dateien; -o DIR angeben oder --json, das auf die Standardausgabe schreibt</translation>
+    </message>
+    <message>
+        <source>--histories is about the blows of one march, and --scan makes one of each value; take one of them</source>
+        <translation>--histories gilt für die Schläge einer Folge, und --scan rechnet für jeden Wert eine; nur eines von beiden angeben</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

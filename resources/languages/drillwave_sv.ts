@@ -10534,6 +10534,70 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>a section is shorter than a cell of the march: take more cells (--cells), or leave the section out and give its mass to the section in front of it</source>
         <translation>ett avsnitt är kortare än en cell i beräkningen: använd fler celler (--cells), eller utelämna avsnittet och ge dess massa till avsnittet framför</translation>
     </message>
+    <message>
+        <source>the interval of the blows is %1 times t0 = %2 s, at most %3 are followed; raise the frequency or make the blow longer</source>
+        <translation>slagens intervall är %1 gånger t0 = %2 s, högst %3 gånger följs; höj frekvensen eller gör slaget längre</translation>
+    </message>
+    <message>
+        <source>must be less than the blows, which are %1</source>
+        <translation>måste vara mindre än antalet slag, %1</translation>
+    </message>
+    <message>
+        <source>must be more than 0: the damper carries it</source>
+        <translation>måste vara större än 0: dämparen bär den</translation>
+    </message>
+    <message>
+        <source>a goal is a value of one output; choose one output</source>
+        <translation>ett mål är ett värde av en utdata; välj en utdata</translation>
+    </message>
+    <message>
+        <source>%1 must be from %2 to %3, not %4</source>
+        <translation>%1 måste vara från %2 till %3, inte %4</translation>
+    </message>
+    <message>
+        <source>its blows would take %1 wave cells, more than the %2 permitted: bit and rock meet and part very often; a larger gamma, fewer blows or a higher frequency take less</source>
+        <translation>slagen skulle ta %1 vågceller, tillåtna är %2: borrkrona och berg möts och skiljs mycket ofta; ett större gamma, färre slag eller en högre frekvens tar mindre</translation>
+    </message>
+    <message>
+        <source>there is no blow %1 of %2</source>
+        <translation>det finns inget slag %1 av %2</translation>
+    </message>
+    <message>
+        <source>all gaps can be studied only for uniform rods (`drillwave: 1`)</source>
+        <translation>alla spalter kan bara studeras för likformiga stänger (`drillwave: 1`)</translation>
+    </message>
+    <message>
+        <source>a normal gap needs a mean of at least 0 and a deviation from %1 to %2 [d0]</source>
+        <translation>en normalfördelad spalt kräver ett medelvärde på minst 0 och en avvikelse från %1 till %2 [d0]</translation>
+    </message>
+    <message>
+        <source>the lattices of the paper solve only uniform rods</source>
+        <translation>artikelns gitter löser bara likformiga stänger</translation>
+    </message>
+    <message>
+        <source>cells are of drill strings (`drillwave: 2`)</source>
+        <translation>celler finns bara för borrsträngar (`drillwave: 2`)</translation>
+    </message>
+    <message>
+        <source>a sweep needs at least one axis and one output</source>
+        <translation>ett svep kräver minst en axel och en utdata</translation>
+    </message>
+    <message>
+        <source>has no meaning in this scenario</source>
+        <translation>har ingen betydelse i detta scenario</translation>
+    </message>
+    <message>
+        <source>is a uniform rod (`drillwave: 1`) and no string</source>
+        <translation>är en likformig stång (`drillwave: 1`) och ingen borrsträng</translation>
+    </message>
+    <message>
+        <source>-o - names no folder for the files; add -o DIR, or --json, which prints to standard output</source>
+        <translation>-o - anger ingen mapp för filerna; ange -o DIR, eller --json, som skriver till standard ut</translation>
+    </message>
+    <message>
+        <source>--histories is about the blows of one march, and --scan makes one of each value; take one of them</source>
+        <translation>--histories gäller slagen i en följd, och --scan räknar en för varje värde; välj en av dem</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

@@ -23,7 +23,8 @@ SolvedBlowPtr answered(const SolveJob::Solve& solve, const SolveRequest& request
 SolveJob::Solve exactly() {
     // One solver keeps its workspace from blow to blow: the job never runs two at a time.
     struct Kept {
-        MethodSolver solver;
+        // Nobody can permit more work in the window.
+        MethodSolver solver{WorkLimits{.pieces = mostWorkLimit}};
         std::weak_ptr<const SolvedBlow> last;  // as long as somebody shows it
     };
     auto kept = std::make_shared<Kept>();

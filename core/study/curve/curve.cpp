@@ -10,6 +10,7 @@
 #include "core/study/curve/curve_lines.h"
 #include "core/study/rows/axis_scenario.h"
 #include "core/study/rows/sweep_check.h"
+#include "core/text/message_list.h"
 
 namespace drillwave {
 
@@ -60,7 +61,13 @@ std::vector<Message> problemsOf(const CurveQuestion& question) {
                     "%1 takes a study of all gaps at every point; `drillwave thrust --along` has it"),
                 std::vector<Message>{std::string(column.output->name)});
     if (Message problem = familyProblem(question); !problem.isEmpty()) problems.push_back(std::move(problem));
+    if (Message problem = goalProblem(question); !problem.isEmpty()) problems.push_back(std::move(problem));
     return problems;
+}
+
+Message goalProblem(const CurveQuestion& question) {
+    if (!question.goal || question.columns.size() == 1) return {};
+    return translatable("drillwave::Message", "a goal is a value of one output; choose one output");
 }
 
 Message familyProblem(const CurveQuestion& question) {
@@ -70,8 +77,9 @@ Message familyProblem(const CurveQuestion& question) {
 }
 
 bool CurveStudy::isReached() const {
-    return !stopped && std::ranges::all_of(
-                           lines, [](const CurveLine& line) { return !line.goal || line.goal->isReached(); });
+    return !stopped && refusal.isEmpty() && std::ranges::all_of(lines, [](const CurveLine& line) {
+        return !line.goal || line.goal->isReached();
+    });
 }
 
 const CurveFeature* CurveOutput::extreme(CurveFeature::Kind kind) const {
@@ -93,13 +101,13 @@ std::optional<double> CurveLine::error(double x, std::size_t output) const {
 
 CurveStudy studyCurve(const CurveQuestion& question, int jobs, std::stop_token stop,
                       const CurveProgress& progress) {
-    assert(jobs >= 1 && !question.columns.empty() && problemsOf(question).empty());
-    assert(!question.goal || question.columns.size() == 1);
+    if (Message refusal = inOneLine(problemsOf(question)); !refusal.isEmpty())
+        return {.question = question, .lines = {}, .refusal = std::move(refusal)};
     return followLines(question, jobs, std::move(stop), progress);
 }
 
 bool CurveStudy::isComplete() const {
-    return !stopped && std::ranges::all_of(lines, [](const CurveLine& line) {
+    return !stopped && refusal.isEmpty() && std::ranges::all_of(lines, [](const CurveLine& line) {
         return std::ranges::all_of(line.outputs,
                                    [](const CurveOutput& output) { return output.unsolved.empty(); });
     });

@@ -19,6 +19,7 @@
 #include "core/study/rows/row_counts.h"
 #include "core/study/rows/sweep_axis.h"
 #include "core/text/message.h"
+#include "core/wave/exact/exact_solver.h"
 
 namespace drillwave {
 
@@ -51,6 +52,8 @@ std::vector<Message> problemsOf(const CurveQuestion& question);
 
 /// Why the family has too many lines; empty when it has not.
 Message familyProblem(const CurveQuestion& question);
+/// Why the goal of a question is none; empty when it is one, or there is none.
+Message goalProblem(const CurveQuestion& question);
 
 /// A part of the range, SI, and why it is not as the others (there may be other reasons within).
 struct CurveStretch {
@@ -97,6 +100,7 @@ struct CurveStudy {
     std::uint64_t solves = 0;      ///< blows solved
     long effort = 0;               ///< their wave pieces, or cells of drill strings
     bool stopped = false;          ///< on the stop token: there are no lines
+    Message refusal = {};          ///< why the question has no answer: there are no lines; empty otherwise
 
     /// Whether every output has an answer all along every line.
     bool isComplete() const;

@@ -20,7 +20,7 @@ constexpr double cellsOfPeriod = 8;
 /// Refusals cost nothing, and where they end is bracketed: enough for four brackets of a cell.
 constexpr std::uint64_t mostFailuresOfCell = 200;
 /// Of blows at the work limit, for each output of a cell.
-constexpr long mostBlowsAtLimit = 3;
+constexpr long mostBlowsAtLimit = 2;
 /// Of all blows, likewise. Nearly all cells take less than a hundredth.
 constexpr long mostEffortAtLimit = 5;
 /// What outputs that are no ratio are known to where they vanish, of the unit that they have.

@@ -18,7 +18,7 @@ constexpr double lastDigits = 64 * std::numeric_limits<double>::epsilon();
 
 /// What is smooth while it stays the same. The lattice has the events only to a step.
 std::uint64_t orderOf(const Impact& impact, const Problem& problem, Method method) {
-    const bool exactTimes = method != Method::lattice && impact.hasEvents();
+    const bool exactTimes = method != Method::lattice && problem.isForced() && impact.hasEvents();
     return exactTimes ? eventOrder(impact, problem.force()) : static_cast<std::uint64_t>(impact.contacts);
 }
 

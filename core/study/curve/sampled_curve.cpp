@@ -12,6 +12,7 @@
 #include "core/study/rows/axis_scenario.h"
 #include "core/study/rows/case_solver.h"
 #include "core/study/rows/sweep_check.h"
+#include "core/text/message_list.h"
 
 namespace drillwave {
 
@@ -162,12 +163,14 @@ std::vector<Message> sampledProblemsOf(const CurveQuestion& question) {
     std::vector<Message> problems = problemsOf(
         Sweep{.base = question.base, .axes = question.axes(), .columns = question.columns, .shard = {}});
     if (Message problem = familyProblem(question); !problem.isEmpty()) problems.push_back(std::move(problem));
+    if (Message problem = goalProblem(question); !problem.isEmpty()) problems.push_back(std::move(problem));
     return problems;
 }
 
 CurveStudy sampleCurve(const CurveQuestion& question, int jobs, std::stop_token stop,
                        const SampledProgress& progress) {
-    assert(jobs >= 1 && sampledProblemsOf(question).empty());
+    if (Message refusal = inOneLine(sampledProblemsOf(question)); !refusal.isEmpty())
+        return {.question = question, .lines = {}, .refusal = std::move(refusal)};
     const std::vector<SweepAxis> axes = question.axes();
     std::vector<Samples> samples(question.family ? question.family->count : 1);
     for (Samples& each : samples) {

@@ -6,6 +6,7 @@
 
 #include "core/model/blow_traits.h"
 #include "core/study/design/constant_energy.h"
+#include "core/study/design/design_check.h"
 #include "core/study/design/scenario_designs.h"
 #include "core/study/rows/axis_scenario.h"
 
@@ -30,6 +31,24 @@ double energySpreadOf(const DesignStudy& study) {
         most = std::max(most, energy);
     }
     return most / least - 1;
+}
+
+/// Designs that are tried before any samples.
+constexpr std::uint64_t triedDesigns = 8;
+
+/// Why none of some designs, evenly among all, is solved with its numbers as the scenario has them: then
+/// samples about them would take long and come to nothing. Empty where one is, or on a stop.
+Message unsolvedReason(const ScenarioDesigns& problem, const std::stop_token& stop) {
+    const auto solver = problem.solver();
+    std::vector<double> outputs(problem.outputCount());
+    const std::uint64_t count = problem.designCount(), tried = std::min(count, triedDesigns);
+    Message first;
+    for (std::uint64_t i = 0; i < tried; ++i) {
+        Message reason = solver->solveNominal(i * count / tried, outputs, stop);
+        if (reason.isEmpty() || stop.stop_requested()) return {};
+        if (first.isEmpty()) first = std::move(reason);
+    }
+    return first;
 }
 
 }  // namespace
@@ -117,7 +136,15 @@ std::uint64_t designSolves(const DesignStudy& study) {
 }
 
 DesignFindings runDesign(const DesignStudy& study, const DesignWork& work, const ShowFindings& show) {
+    if (const auto problems = problemsOf(study, work.stop); !problems.empty()) {
+        DesignFindings refused;
+        refused.refusal = problems.front().text;
+        return refused;
+    }
     const ScenarioDesigns problem(study);
+    DesignFindings found;
+    found.unsolved = unsolvedReason(problem, work.stop);
+    if (!found.unsolved.isEmpty()) return found;
     SampleOrder order{.samples = study.samples,
                       .seed = study.seed,
                       .statistics = {},
@@ -132,7 +159,6 @@ DesignFindings runDesign(const DesignStudy& study, const DesignWork& work, const
     for (const DesignLimit& limit : study.limits)
         limits.push_back({limit.atMost, study.placeOf(*limit.output, limit.statistic), limit.bound});
 
-    DesignFindings found;
     found.designs = sampleDesigns(problem, order, work);
     for (const DesignSamples& design : found.designs)
         found.feasibility.push_back(feasibilityOf(design, aims, limits));

@@ -18,6 +18,7 @@
 #include "core/study/rows/output_column.h"
 #include "core/study/rows/row_counts.h"
 #include "core/study/rows/sweep_axis.h"
+#include "core/wave/exact/exact_solver.h"
 
 namespace drillwave {
 
@@ -84,6 +85,8 @@ int customarySamples(const Scenario& scenario);
 
 /// What the study found.
 struct DesignFindings {
+    Message refusal = {};   ///< why the study cannot be made; then there is nothing else
+    Message unsolved = {};  ///< why no design is solved even without scatter; then there is nothing else
     std::vector<DesignSamples> designs;
     std::vector<Feasibility> feasibility;  ///< of each
     BestDesigns best;
@@ -102,7 +105,8 @@ std::uint64_t designSolves(const DesignStudy& study);
 /// Shown what there is so far: the designs, then with indices.
 using ShowFindings = std::function<void(const DesignFindings&)>;
 
-/// Requires that there are no problemsOf() the study. After a stop what is there is not to be used.
+/// Nothing but their first line where there are problemsOf() the study. After a stop what is there is not to
+/// be used.
 DesignFindings runDesign(const DesignStudy& study, const DesignWork& work, const ShowFindings& show = {});
 
 }  // namespace drillwave

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/blow/feed_force.h"
+#include "core/model/validation.h"
 
 namespace drillwave {
 
@@ -39,7 +40,18 @@ DrillingSettings scanSettingsOf(const Scenario& scenario) {
 }
 
 std::vector<Message> drillingRefusals(const Scenario& scenario, const DrillingSettings& settings) {
-    return drillProblems(scenario, {settings.blows, settings.settle});
+    if (Message problem = invalidity(scenario); !problem.isEmpty()) return {std::move(problem)};
+    std::vector<Message> problems = drillProblems(scenario, {settings.blows, settings.settle});
+    const auto add = [&](const char* what, long value, long least, long most) {
+        if (value < least || value > most)
+            problems.emplace_back(translatable("drillwave::Message", "%1 must be from %2 to %3, not %4"),
+                                  std::vector<Message>{what, std::to_string(least), std::to_string(most),
+                                                       std::to_string(value)});
+    };
+    add("drill.blows", settings.blows, 1, mostBlows);
+    add("drill.settle", settings.settle, 0, mostBlows);
+    add("cells", settings.cells, leastDrillingCells, mostDrillingCells);
+    return problems;
 }
 
 DrillingUnits drillingUnitsOf(const Scenario& scenario) {

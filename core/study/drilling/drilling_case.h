@@ -31,7 +31,7 @@ DrillingSettings drillingSettingsOf(const Scenario& scenario, long usualBlows = 
 /// Those of a study of many values (scanLengthOf()).
 DrillingSettings scanSettingsOf(const Scenario& scenario);
 
-/// Why a valid scenario cannot be drilled with, each with its key: "drill.thrust: is missing …". Empty where
+/// Why a scenario cannot be drilled with, each with its key: "drill.thrust: is missing …". Empty where
 /// it can.
 std::vector<Message> drillingRefusals(const Scenario& scenario, const DrillingSettings& settings);
 

@@ -9,6 +9,7 @@
 
 #include "core/contact/contact_law.h"
 #include "core/text/enum_names.h"
+#include "core/text/number_text.h"
 #include "core/wave/drilling/drilling_march.h"
 
 namespace drillwave {
@@ -28,6 +29,20 @@ constexpr double mostGap = 1000;
 
 /// How far the second march of λ is displaced.
 constexpr double displacement = 1e-6;
+
+/// Work after which a march is judged by what all of its blows would take.
+constexpr double judgedWork = 5e7;
+
+/// Why a march is given up: what all blows would take; empty where that is permitted.
+Message workProblem(const DrillingMarch& march, const RecordLength& length) {
+    const double all = march.work() / static_cast<double>(march.blows()) * static_cast<double>(length.blows);
+    if (march.work() < std::min(judgedWork, length.mostWork) || all <= length.mostWork) return {};
+    return {
+        translatable("drillwave::Message",
+                     "its blows would take %1 wave cells, more than the %2 permitted: bit and rock meet and "
+                     "part very often; a larger gamma, fewer blows or a higher frequency take less"),
+        {rounded(all, 2), rounded(length.mostWork, 2)}};
+}
 
 /// Takes the blows of a march on a thread of its own, one whenever it is told.
 class MarchBeside {
@@ -160,6 +175,8 @@ DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid
         result.lateShare = std::max(result.lateShare, main.lateShare());
         if (fliesAway(problem, grid.interval(), result.blows, growing))
             result.outcome = DrillingOutcome::pushedBack;
+        if (result.reason = workProblem(main, length); !result.reason.isEmpty())
+            result.outcome = DrillingOutcome::notSolved;
         if (length.onBlow) length.onBlow(main.blow());
         if (progress) progress(beside ? 2 : 1);
         if (length.histories && main.blows() == length.histories->last && !samples.rear.empty())

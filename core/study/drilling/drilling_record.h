@@ -50,9 +50,13 @@ struct DrillingRecord {
     std::vector<double> growths;  ///< ln of how a small distance has grown, of each blow
 };
 
+/// Work of one march [cells times nodes] that is permitted where nothing else is asked for.
+inline constexpr double mostDrillingWork = 4e9;
+
 /// How far it is marched, and what of it is told.
 struct RecordLength {
     long blows;
+    double mostWork = mostDrillingWork;  ///< a march that would take more is given up after its first blows
     bool lyapunov = false;
     std::optional<BlowRange> histories = {};
     int jobs = 1;  ///< the march of λ has a thread of its own where they are more

@@ -13,6 +13,7 @@
 #include "core/study/drilling/drilling_alerts.h"
 #include "core/study/drilling/drilling_mesh.h"
 #include "core/text/enum_names.h"
+#include "core/text/message_list.h"
 
 namespace drillwave {
 
@@ -58,8 +59,8 @@ class MarchStudy {
         const DrillingGrid& grid = m_mesh.grid;
         takeGrid(grid);
         DrillingRecord main = recordOf(m_mesh.problem, grid,
-                                       {m_result.settings.blows, m_wants.lyapunov, m_wants.histories,
-                                        m_wants.jobs, m_wants.onBlow, m_wants.isEnough},
+                                       {m_result.settings.blows, m_wants.mostWork, m_wants.lyapunov,
+                                        m_wants.histories, m_wants.jobs, m_wants.onBlow, m_wants.isEnough},
                                        m_stop, m_progress);
         m_result.outcome = main.outcome;
         m_result.reason = main.reason;
@@ -169,7 +170,8 @@ class MarchStudy {
     DrillingRecord marchWithOtherCells() const {
         DrillingMesh other = comparedDrillingMeshOf(m_result.scenario, m_result.settings.cells);
         other.problem.start = m_result.settings.start;
-        return recordOf(other.problem, other.grid, {m_result.settings.blows}, m_stop, m_progress);
+        return recordOf(other.problem, other.grid, {m_result.settings.blows, m_wants.mostWork}, m_stop,
+                        m_progress);
     }
 
     DrillingRecord marchAtFullRate() const {
@@ -178,7 +180,7 @@ class MarchStudy {
         pressed.problem.start = m_result.settings.start;
         pressed.problem.feedForce =
             2 * (1 + 2 * m_result.cor) * m_result.meanImpulse / pressed.grid.interval();
-        return recordOf(pressed.problem, pressed.grid, {scanBlows}, m_stop, m_progress);
+        return recordOf(pressed.problem, pressed.grid, {scanBlows, m_wants.mostWork}, m_stop, m_progress);
     }
 
     void compareCells(const DrillingRecord& other, std::size_t settle) {
@@ -266,6 +268,7 @@ std::optional<double> DrillingResult::meanError(std::size_t quantity) const {
 
 std::optional<double> fullPenetrationOf(const Scenario& scenario, const DrillingSettings& settings,
                                         const std::stop_token& stop) {
+    if (!drillingRefusals(scenario, settings).empty()) return std::nullopt;
     return MarchStudy(scenario, settings, {}, stop, {}).fullPenetration();
 }
 
@@ -294,6 +297,14 @@ DrillingResult studyDrilling(const Scenario& scenario, const DrillingSettings& s
                              const DrillingProgress& progress) {
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
+    if (Message refusal = inOneLine(drillingRefusals(scenario, settings)); !refusal.isEmpty()) {
+        DrillingResult refused;
+        refused.scenario = scenario;
+        refused.settings = settings;
+        refused.outcome = DrillingOutcome::notSolved;
+        refused.reason = std::move(refusal);
+        return refused;
+    }
     DrillingResult result = MarchStudy(scenario, settings, wants, stop, progress).run();
     result.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
     return result;

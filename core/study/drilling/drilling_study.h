@@ -50,6 +50,7 @@ struct DrillingWants {
     bool fullRate = true;  ///< the penetration at 2(1 + 2e), which takes `cor`
     bool cor = true;       ///< e of the blow alone
     std::optional<BlowRange> histories = {};
+    double mostWork = mostDrillingWork;  ///< of each march [cells times nodes]
     int jobs = 1;  ///< marches that may run side by side, each on a thread; what comes out is the same
     /// Told every blow of the march itself, as soon as it is done.
     std::function<void(const DrillingBlow&)> onBlow = {};
@@ -101,8 +102,7 @@ DrillingVerdict verdictOf(const DrillingResult& result);
 void takeFullRate(DrillingResult& result, const DrillingResult& other);
 
 /// The mean penetration of such a rod at 2(1 + 2e) [units of Problem], under whatever thrust it has: of a
-/// blow that is a given force. Requires that there are no drillingRefusals(). Nothing where it cannot be
-/// told.
+/// blow that is a given force. Nothing where it cannot be told or there are drillingRefusals().
 std::optional<double> fullPenetrationOf(const Scenario& scenario, const DrillingSettings& settings,
                                         const std::stop_token& stop);
 
@@ -115,7 +115,7 @@ double foreseenInstants(const Scenario& scenario, const DrillingSettings& settin
 /// What it takes, in cells times nodes.
 double drillingWork(const Scenario& scenario, const DrillingSettings& settings, const DrillingWants& wants);
 
-/// Requires that there are no drillingRefusals().
+/// Not solved where there are drillingRefusals(), which are the reason.
 DrillingResult studyDrilling(const Scenario& scenario, const DrillingSettings& settings,
                              const DrillingWants& wants = {}, const std::stop_token& stop = {},
                              const DrillingProgress& progress = {});

@@ -8,7 +8,9 @@
 #include "core/contact/contact_law.h"
 #include "core/model/blow_traits.h"
 #include "core/model/form_conversion.h"
+#include "core/study/drilling/drilling_case.h"
 #include "core/study/drilling/drilling_mesh.h"
+#include "core/text/message_list.h"
 #include "core/wave/drilling/drilling_march.h"
 
 namespace drillwave {
@@ -99,6 +101,12 @@ Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, lon
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
     Blow blow;
+    std::vector<Message> refusals = drillingRefusals(scenario, settings);
+    if (number < 1 || number > settings.blows)
+        refusals.emplace_back(translatable("drillwave::Message", "there is no blow %1 of %2"),
+                              std::vector<Message>{std::to_string(number), std::to_string(settings.blows)});
+    blow.impact.reason = inOneLine(std::move(refusals));
+    if (!blow.impact.reason.isEmpty()) return blow;
     blow.scenario = hasSections(scenario) ? scenario : oneSectionOf(scenario);
     blow.groups = groupsOf(blow.scenario);
     blow.scales = scalesOf(blow.scenario);

@@ -13,7 +13,7 @@ namespace drillwave {
 /// it comes, to when the next one does. Its waves begin with those that are there then, its rock with what it
 /// remembers, its gap with where the bit is: below 0 where it presses. Its scenario is a chain of sections,
 /// also of a uniform rod. Waves fade where they come to the rear end of a section: what is in it has not
-/// faded yet. Requires that there are no drillingRefusals(), and number ≤ settings.blows.
+/// faded yet. Not solved where there are drillingRefusals() or the number is not from 1 to settings.blows.
 Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, long number,
                  const std::stop_token& stop = {});
 

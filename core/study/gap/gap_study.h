@@ -7,6 +7,7 @@
 
 #include "core/model/scenario.h"
 #include "core/study/gap/gap_statistics.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -18,8 +19,11 @@ struct GapStudy {
     double runTime = 0;        ///< [s]
 };
 
+/// Why there is no study of all gaps of a scenario; empty when there is.
+Message gapProblem(const Scenario& scenario, const std::optional<NormalGap>& normal = {});
+
 /// Follows all outputs over the gap and takes the statistics. The gap of the scenario does not matter. The
-/// curve takes at most `mostPieces`.
+/// curve takes at most `mostPieces`. Where there is a gapProblem(), that is the reason of an empty curve.
 GapStudy studyGap(const Scenario& scenario, const std::optional<NormalGap>& normal,
                   const std::stop_token& stop = {}, const GapProgress& progress = {},
                   long mostPieces = anyNumberOfPieces);

@@ -9,6 +9,7 @@
 
 #include "core/study/map/map_point.h"
 #include "core/study/rows/sweep_check.h"
+#include "core/text/message_list.h"
 
 namespace drillwave {
 
@@ -136,7 +137,8 @@ std::vector<Message> problemsOf(const MapStudy& study) {
 }
 
 MapGrid solveMap(const MapStudy& study, int jobs, std::stop_token stop, const MapProgress& progress) {
-    assert(isRange(study.x) && isRange(study.y));
+    if (Message refusal = inOneLine(problemsOf(study)); !refusal.isEmpty())
+        return MapGrid(std::move(refusal));
     MapGrid grid(valuesOf(study.x), valuesOf(study.y));
     PlaceCounter counter(grid);
     std::atomic<std::size_t> chunkPoints = 8;

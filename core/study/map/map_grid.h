@@ -27,6 +27,9 @@ class MapGrid {
     /// Nothing is there; xs and ys (SI) are at least one each, and so many in all as maximumMapPoints
     /// permits.
     MapGrid(std::vector<double> xs, std::vector<double> ys);
+    /// A map without points, for a question that has no answer, and why.
+    explicit MapGrid(Message refusal) : m_refusal(std::move(refusal)) {}
+    const Message& refusal() const { return m_refusal; }  ///< empty where the question has an answer
 
     std::span<const double> xs() const { return m_xs; }  ///< of the columns [SI]
     std::span<const double> ys() const { return m_ys; }  ///< of the rows [SI]
@@ -86,6 +89,7 @@ class MapGrid {
     int level(std::size_t column, std::size_t row) const;
     void put(std::size_t column, std::size_t row, Cell cell);
 
+    Message m_refusal;
     std::vector<double> m_xs, m_ys;
     std::vector<double> m_values;  // row after row
     std::vector<Cell> m_cells;     // firstReason + place in m_failures where not solved

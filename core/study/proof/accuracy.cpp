@@ -191,6 +191,17 @@ class Study {
     volatile double m_sink = 0;  ///< so that no solve can be left out
 };
 
+/// Why there is nothing to compare.
+Message refusalOf(const Scenario& scenario, const std::vector<int>& ladder) {
+    if (Message problem = invalidity(scenario); !problem.isEmpty()) return problem;
+    if (isString(scenario))
+        return translatable("drillwave::Message", "the lattices of the paper solve only uniform rods");
+    const bool isInRange = std::ranges::all_of(
+        ladder, [](int segments) { return segments >= minimumSegments && segments <= maximumSegments; });
+    if (isInRange && std::ranges::is_sorted(ladder)) return {};
+    return {"%1 %2", {"segments", segmentsProblem()}};
+}
+
 }  // namespace
 
 double latticeMoves(const std::vector<int>& ladder) {
@@ -207,7 +218,9 @@ std::vector<int> latticeLadder() {
 Accuracy measureAccuracy(const Scenario& scenario, const std::vector<int>& ladder,
                          const std::stop_token& stop, const AccuracyProgress& progress,
                          const AccuracyRows& onRow) {
-    assert(validate(scenario).empty() && std::ranges::is_sorted(ladder));
+    Accuracy refused;
+    refused.exact.reason = refusalOf(scenario, ladder);
+    if (!refused.exact.reason.isEmpty()) return refused;
     return Study(scenario, stop, progress, onRow).run(ladder);
 }
 

@@ -207,7 +207,7 @@ StabilityReport checkStability(const std::vector<StabilityCase>& cases, int jobs
     };
     const auto deliver = [&](Chunk& chunk) {
         report.rows.push_back(std::move(chunk.row));
-        progress(report);
+        if (progress) progress(report);
         return true;
     };
     report.stopped = processInOrder<Chunk>(jobs, stop, fill, makeWorker, deliver) == WorkEnd::stopped;

@@ -6,6 +6,8 @@
 
 #include "core/blow/chain_solution.h"
 #include "core/model/scales.h"
+#include "core/model/scenario.h"
+#include "core/model/validation.h"
 #include "core/text/enum_names.h"
 #include "core/wave/network/network_solver.h"
 #include "core/wave/network/plain_lattice.h"
@@ -33,13 +35,18 @@ std::string_view name(StringMethod method) {
 }
 
 StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_token& stop,
-                                     const StringAccuracyRows& onRow) {
+                                     const StringAccuracyRows& onRow, long mostCells) {
     StringAccuracy accuracy;
+    accuracy.reason = invalidity(scenario);
+    if (accuracy.reason.isEmpty() && !isString(scenario))
+        accuracy.reason = translatable("drillwave::Message", "cells are of drill strings (`drillwave: 2`)");
+    if (!accuracy.reason.isEmpty()) return accuracy;
     NetworkSolver solver;
     // all on the same pieces of what is not uniform
-    Problem problem = solveChain(scenario, {}, solver, stop).problem;
+    Problem problem = solveChain(scenario, {.wants = {}, .mostCells = mostCells}, solver, stop).problem;
     NetworkSettings finest;
     finest.halvings = sureHalvings + 1;
+    finest.mostCells = mostCells;
     Impact reference = solver.solve(problem, finest, stop);
     if (!reference.isSolved()) {
         accuracy.reason = reference.reason;
@@ -64,6 +71,7 @@ StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_t
         NetworkSettings settings;
         settings.accuracy = method == StringMethod::quick ? NetworkAccuracy::quick : NetworkAccuracy::sure;
         settings.halvings = halvings;
+        settings.mostCells = mostCells;
         const Impact impact = solver.solve(problem, settings, stop);
         if (!impact.isSolved()) return;
         add({method, impact.cell * seconds, std::abs(impact.efficiency() - accuracy.efficiency),

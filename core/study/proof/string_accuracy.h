@@ -10,6 +10,7 @@
 #include "core/model/scenario.h"
 #include "core/numeric/run_time.h"
 #include "core/text/message.h"
+#include "core/wave/network/network_solver.h"
 
 namespace drillwave {
 
@@ -44,9 +45,9 @@ struct StringAccuracy {
 /// Told what there is whenever a row is done, and how much of the work that is, 0 … 1.
 using StringAccuracyRows = std::function<void(const StringAccuracy& soFar, double done)>;
 
-/// Solves a valid drill string, and measures; the plain lattice where all lengths share a cell. Takes
-/// seconds.
+/// Solves a drill string, and measures; the plain lattice where all lengths share a cell. Takes seconds. A
+/// row that takes more than `mostCells` is left out; where the reference does, that is the reason.
 StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_token& stop = {},
-                                     const StringAccuracyRows& onRow = {});
+                                     const StringAccuracyRows& onRow = {}, long mostCells = mostNetworkCells);
 
 }  // namespace drillwave

@@ -14,6 +14,12 @@
 #include "core/study/drilling/drilling_numbers.h"
 
 namespace drillwave {
+namespace {
+
+/// Work that a march may take over what its cells may: events at the bit are not foreseen.
+constexpr double workWithEvents = 10;
+
+}  // namespace
 
 CaseSolver::CaseSolver(std::span<const OutputColumn> columns, const MethodChoice& method, long workLimit,
                        Detail least)
@@ -88,7 +94,8 @@ Message CaseSolver::march(const Scenario& scenario, const std::stop_token& stop)
     const DrillingWants wants{.cellError = m_drillWishes.penetrationError,
                               .lyapunov = m_drillWishes.lyapunov,
                               .fullRate = false,
-                              .cor = false};
+                              .cor = false,
+                              .mostWork = workWithEvents * static_cast<double>(m_solver.mostCells())};
     if (drillingWork(scenario, settings, wants) > static_cast<double>(m_solver.mostCells()))
         return translatable("drillwave::Message",
                             "its blows under a feed need more wave cells than permitted");

@@ -8,12 +8,9 @@
 
 #include "core/numeric/ordered_work.h"
 #include "core/study/rows/row_block.h"
+#include "core/text/message.h"
 
 namespace drillwave {
-
-/// Most wave pieces that one row may take, where nothing else is asked for. A piece takes 0.05 to 1.5 µs: the
-/// costliest row is given up after one or two seconds, and nearly all take less than a thousand pieces.
-inline constexpr long defaultWorkLimit = 1'000'000;
 
 /// Most reasons that are told apart over all rows; those that come later count in `failed` alone.
 inline constexpr std::size_t maximumRowReasons = 3;
@@ -24,6 +21,7 @@ struct RowCounts {
     std::uint64_t failed = 0;          ///< of these, not solved: they have no outputs
     std::vector<RowFailure> failures;  ///< the first maximumRowReasons reasons, in the order of the rows
     WorkEnd end = WorkEnd::finished;
+    Message refusal = {};  ///< why nothing was run, not even begun; empty otherwise
 
     /// Counts the next rows.
     void add(const RowBlock& block) {

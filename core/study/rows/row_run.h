@@ -35,7 +35,7 @@ RowCounts runRows(int jobs, std::stop_token stop, Fill fill, MakeMaker makeMaker
     const auto deliver = [&](Chunk& chunk) {
         if (!sink.take(chunk.rows, chunk.prepared)) return false;
         counts.add(chunk.rows);
-        progress(counts);
+        if (progress) progress(counts);
         return true;
     };
     counts.end = processInOrder<Chunk>(jobs, stop, std::move(fill), makeWorker, deliver);

@@ -7,6 +7,8 @@
 #include "core/study/rows/axis_scenario.h"
 #include "core/study/rows/case_solver.h"
 #include "core/study/rows/row_run.h"
+#include "core/study/rows/sweep_check.h"
+#include "core/text/message_list.h"
 
 namespace drillwave {
 
@@ -105,6 +107,8 @@ std::uint64_t pointCount(const Sweep& sweep) {
 
 RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, RowSink& sink,
                    const RowProgress& progress) {
+    if (Message refusal = inOneLine(problemsOf(sweep)); !refusal.isEmpty())
+        return {.failures = {}, .refusal = std::move(refusal)};
     const RowRange part = rowsOf(sweep.shard, pointCount(sweep));
     std::uint64_t next = part.begin;
     const auto fill = [&](GridChunk& chunk) {

@@ -14,6 +14,7 @@
 #include "core/study/rows/row_sink.h"
 #include "core/study/rows/shard.h"
 #include "core/study/rows/sweep_axis.h"
+#include "core/wave/exact/exact_solver.h"
 
 namespace drillwave {
 

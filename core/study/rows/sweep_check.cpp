@@ -70,6 +70,10 @@ std::vector<Message> problemsOf(const Sweep& sweep) {
     const auto add = [&](const char* pattern, std::vector<Message> places) {
         problems.emplace_back(pattern, std::move(places));
     };
+    if (sweep.axes.empty() || sweep.columns.empty()) {
+        add(translatable("drillwave::Message", "a sweep needs at least one axis and one output"), {});
+        return problems;
+    }
     if (sweep.axes.size() > maximumSweepAxes) {
         add(translatable("drillwave::Message", "a sweep has at most %1 axes, this one %2"),
             {std::to_string(maximumSweepAxes), std::to_string(sweep.axes.size())});

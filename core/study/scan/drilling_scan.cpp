@@ -10,6 +10,7 @@
 
 #include "core/model/validation.h"
 #include "core/numeric/ordered_work.h"
+#include "core/text/message_list.h"
 
 namespace drillwave {
 
@@ -106,6 +107,8 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
     DrillingScan scan{.base = base, .axis = axis, .settings = settings, .points = {}};
+    scan.refusal = inOneLine(scanRefusals(base, axis, settings));
+    if (!scan.refusal.isEmpty()) return scan;
     std::optional<double> fullPenetration;
     if (sharesFullRate(base, axis) && axis.count > 1)
         fullPenetration = fullPenetrationOf(scenarioAt(base, axis, 0), settings, work.stop);
@@ -120,6 +123,7 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
             const Scenario scenario = scenarioAt(base, axis, chunk.index);
             DrillingWants wants{
                 .lyapunov = work.lyapunov, .fullRate = true, .cor = true, .fullPenetration = fullPenetration};
+            wants.mostWork = work.mostWork;
             DrillingSettings from = settings;
             chunk.rest = studyDrilling(scenario, from, wants, stop);
             wants.cellError = wants.lyapunov = wants.fullRate = wants.cor = false;

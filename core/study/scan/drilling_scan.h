@@ -30,11 +30,13 @@ struct DrillingScan {
     long bouncingBlows = 0;  ///< that were marched from bouncing: none behind where it has come to the same
     double cor = 0;          ///< e of the blow at zero gap, of the first value; over a thrust that of all
     double runTime = 0;
+    Message refusal = {};  ///< the scanRefusals(), where there are any: no points then
 };
 
 struct DrillingScanWork {
     int jobs = 1;
-    bool lyapunov = false;  ///< λ of every motion that is told
+    double mostWork = mostDrillingWork;  ///< of each march [cells times nodes]
+    bool lyapunov = false;               ///< λ of every motion that is told
     std::stop_token stop = {};
     DrillingProgress progress = {};
     /// Called after every value with what there is so far.
@@ -48,7 +50,7 @@ std::vector<Message> scanRefusals(const Scenario& base, const SweepAxis& axis,
 /// What a value takes at most, in cells times nodes, with λ.
 double scanWork(const Scenario& scenario, const DrillingSettings& settings);
 
-/// Requires that there are no scanRefusals(). Values are marched side by side; what comes out does not depend
+/// Values are marched side by side; what comes out does not depend
 /// on the number of threads. After a stop it is not to be used.
 DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const DrillingSettings& settings,
                           const DrillingScanWork& work);

@@ -23,7 +23,10 @@ struct ScenarioAt {
 
 ScenarioAt scenarioAt(const Scenario& base, const Parameter& parameter, double value) {
     ScenarioAt at{base, {}};
-    if (const Message problem = assignNumber(at.scenario, parameter, value); !problem.isEmpty())
+    if (!parameter.applies(base))
+        at.obstacle = about(std::string(parameter.key),
+                            translatable("drillwave::Message", "has no meaning in this scenario"));
+    else if (const Message problem = assignNumber(at.scenario, parameter, value); !problem.isEmpty())
         at.obstacle = {"%1 %2", {std::string(parameter.key), problem}};
     if (const auto problems = at.obstacle.isEmpty() ? validate(at.scenario) : std::vector<InputProblem>();
         !problems.empty())
@@ -67,7 +70,6 @@ ThrustPoint stringPoint(const Scenario& scenario, ThrustPoint point, const Point
 
 ThrustPoint solvedPoint(const Scenario& scenario, double value, const PointSolvers& solvers,
                         const std::stop_token& stop) {
-    assert(thrustProblem(scenario).isEmpty());
     ThrustPoint point{.value = value, .needs = {}, .verdict = {}, .reason = {}};
     if (!gapHasPeriod(scenario)) return stringPoint(scenario, std::move(point), solvers, stop);
     const Problem problem = problemOf(scenario);
@@ -104,7 +106,6 @@ struct Chunk {
 ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
                         int jobs, const std::stop_token& stop, const ThrustCurveProgress& progress,
                         const WorkLimits& limits) {
-    assert(parameter.applies(base));
     ThrustCurve curve;
     if (values.empty()) return curve;
     if (isOneBlow(base, parameter, values)) jobs = 1;
@@ -132,7 +133,6 @@ ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::s
 ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
                         GapReboundFinder& finder, const std::stop_token& stop,
                         const ThrustCurveProgress& progress) {
-    assert(parameter.applies(base));
     ThrustCurve curve;
     MethodSolver solver;
     for (const double value : values) {
@@ -147,6 +147,9 @@ ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::s
 
 ThrustPoint thrustPoint(const Scenario& scenario, double value, GapReboundFinder& finder,
                         const std::stop_token& stop) {
+    Message refusal = invalidity(scenario);
+    if (refusal.isEmpty()) refusal = thrustProblem(scenario);
+    if (!refusal.isEmpty()) return {.value = value, .needs = {}, .verdict = {}, .reason = std::move(refusal)};
     MethodSolver solver;
     return solvedPoint(scenario, value, {finder, solver}, stop);
 }

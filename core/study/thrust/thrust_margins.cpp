@@ -15,7 +15,7 @@ std::optional<double> ThrustMargins::of(const Scenario& scenario, const Problem&
                                         const std::stop_token& stop) {
     const std::optional<WidestNeed> need = widest(scenario, problem, cor, stop);
     if (!need) return std::nullopt;
-    return feedForceOf(scenario)->effective() / need->thrust - 1;
+    return feedForceOf(scenario)->marginOver(need->thrust);
 }
 
 std::optional<WidestNeed> ThrustMargins::widest(const Scenario& scenario, const Problem& problem,

@@ -7,6 +7,7 @@
 #include "core/blow/impact_summary.h"
 #include "core/blow/thrust.h"
 #include "core/model/blow_traits.h"
+#include "core/model/validation.h"
 
 namespace drillwave {
 
@@ -26,6 +27,11 @@ class HalfProgress {
     GapProgress m_whole;
 };
 
+Message refusalOf(const Scenario& scenario) {
+    Message problem = invalidity(scenario);
+    return problem.isEmpty() ? thrustProblem(scenario) : problem;
+}
+
 }  // namespace
 
 std::optional<double> ThrustStudy::margin() const {
@@ -35,11 +41,12 @@ std::optional<double> ThrustStudy::margin() const {
 
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const GapProgress& progress,
                         long mostPieces, const WorkLimits& limits) {
-    assert(thrustProblem(scenario).isEmpty());
     MethodSolver solver(limits);
     if (!gapHasPeriod(scenario)) return studyStringThrust(scenario, NetworkAccuracy::sure, solver, stop);
-    const Problem problem = problemOf(scenario);
     ThrustStudy study;
+    study.reason = refusalOf(scenario);
+    if (!study.reason.isEmpty()) return study;
+    const Problem problem = problemOf(scenario);
     const Impact impact = solver.solve(problem, Detail::cor, {}, stop);
     if (impact.outcome != Outcome::rebounded) {
         study.stopped = stop.stop_requested();
@@ -71,6 +78,10 @@ ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const Ga
 ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy, MethodSolver& solver,
                               const std::stop_token& stop) {
     ThrustStudy study;
+    study.reason = refusalOf(scenario);
+    if (study.reason.isEmpty() && gapHasPeriod(scenario))
+        study.reason = translatable("drillwave::Message", "is a uniform rod (`drillwave: 1`) and no string");
+    if (!study.reason.isEmpty()) return study;
     const auto [problem, impact] = solver.solveString(scenario, {.accuracy = accuracy, .wants = {}}, stop);
     study.stopped = stop.stop_requested();
     study.reason = impact.reason;

@@ -28,8 +28,8 @@ struct ThrustStudy {
     std::optional<double> margin() const;
 };
 
-/// Requires thrustProblem() to be empty. Without a result where one of its two curves over the gap takes more
-/// wave pieces than `mostPieces`, or the scenario's own blow more than `limits`.
+/// Without a result where the scenario is not valid or has a thrustProblem(), where one of its two curves
+/// over the gap takes more wave pieces than `mostPieces`, or the scenario's own blow more than `limits`.
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop = {}, const GapProgress& progress = {},
                         long mostPieces = anyNumberOfPieces, const WorkLimits& limits = {});
 

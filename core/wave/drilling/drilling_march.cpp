@@ -130,6 +130,13 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
     m_trouble = m_rear.trouble();
 }
 
+double DrillingMarch::work() const {
+    constexpr double workOfPiece = 20;  // from one event at the bit to the next
+    const double cells = static_cast<double>(m_cells) * static_cast<double>(m_grid.cuts.count()) *
+                         static_cast<double>(m_lines.size() + 1);
+    return cells + workOfPiece * static_cast<double>(m_bit.pieces());
+}
+
 /// Of rod or string, machine and masses, each on its own clock.
 double DrillingMarch::momentum() const {
     double sum = m_rear.bodyMass() * m_rear.state().bodyVelocity;

@@ -73,6 +73,8 @@ class DrillingMarch {
     double momentumResidual() const;
     /// What passed the face after its first separation, in the last cycle, as a share of m_h v0.
     double lateShare() const { return m_lateShare; }
+    /// Work of all blows so far [cells times nodes], with that of events at the bit.
+    double work() const;
     /// Why it could not go on; empty where it could.
     std::string_view trouble() const { return m_trouble; }
     /// m_h v0; 1 under a prescribed force.

@@ -10,6 +10,10 @@
 
 namespace drillwave {
 
+/// Wave pieces that one blow may take: where nothing else is asked for, and at most. A piece takes 0.05 to
+/// 1.5 µs: the costliest blow is given up after one or two seconds, and nearly all take less than a thousand.
+inline constexpr long defaultWorkLimit = 1'000'000, mostWorkLimit = 30'000'000;
+
 /// Solves one blow after another, keeping its workspace: no heap allocation per solve once warm when
 /// Detail::cor is asked for. One solver per thread.
 ///
@@ -31,7 +35,7 @@ namespace drillwave {
 class ExactSolver {
   public:
     /// `mostPieces` bounds the work of one solve (0.05 to 0.3 µs each): beyond it the outcome is notSolved.
-    explicit ExactSolver(long mostPieces = 30'000'000);
+    explicit ExactSolver(long mostPieces = mostWorkLimit);
     ~ExactSolver();
     ExactSolver(ExactSolver&&) noexcept;
     ExactSolver& operator=(ExactSolver&&) noexcept;

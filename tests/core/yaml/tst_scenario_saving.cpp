@@ -276,6 +276,7 @@ void TestScenarioSaving::everyNewScenarioReadsBackTheSame() {
         }
         if (i % 5 == 0 && scenario.form == ScenarioForm::dimensional) scenario.rod.area = 1e-3 / 3;
         if (scenario.rod.bore >= scenario.rod.diameter) scenario.rod.bore = 0;
+        if (scenario.drill.settle >= scenario.drill.blows) scenario.drill.settle.reset();
         if (scenario.pulse.rise + scenario.pulse.fall > 1)
             scenario.pulse.rise = scenario.pulse.fall = 1.0 / 3;
         const std::vector<InputProblem> problems = validate(scenario);

@@ -43,6 +43,10 @@ DesignAnswer answerDesign(const DesignStudy& asked, const StudyFeed<DesignAnswer
             answer.report.findings = soFar;
             feed.show(answer);
         });
+        if (const Message& unsolved = answer.report.findings.unsolved; !unsolved.isEmpty()) {
+            answer.problems.push_back(unsolved);
+            break;
+        }
         if (isLast || feed.stop.stop_requested()) break;
         feed.show(answer);
     }

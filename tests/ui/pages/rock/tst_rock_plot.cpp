@@ -31,7 +31,8 @@ Solved solved(const Groups& groups) {
 }
 
 RockCurve curveOf(const Scenario& scenario) {
-    return rockCurve(solveBlow(scenario, {}, Detail::histories),
+    MethodSolver solver(WorkLimits{.pieces = mostWorkLimit});
+    return rockCurve(solveBlow(scenario, {}, Detail::histories, {}, Stresses::asNeeded, solver),
                      shownUnits(UnitSystem::si, scalesOf(scenario)));
 }
 
