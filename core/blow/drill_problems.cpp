@@ -77,7 +77,7 @@ std::vector<Message> drillProblems(const Scenario& scenario, const DrillLength& 
                  "drillwave::Message",
                  "the interval of the blows is %1 times t0 = %2 s, at most %3 are followed; raise the "
                  "frequency or make the blow longer"),
-             {formatNumber(interval / t0), formatNumber(t0), formatNumber(longestInterval)}});
+             {rounded(interval / t0, 3), rounded(t0, 3), rounded(longestInterval, 3)}});
     const double roundTrips = interval / (2 * chainProperties(scenario).transitTime);
     if (roundTrips < leastRoundTrips)
         add("drill.blow_frequency",

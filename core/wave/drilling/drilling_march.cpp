@@ -131,7 +131,7 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
 }
 
 double DrillingMarch::work() const {
-    constexpr double workOfPiece = 20;  // from one event at the bit to the next
+    constexpr double workOfPiece = 50;  // from one event at the bit to the next
     const double cells = static_cast<double>(m_cells) * static_cast<double>(m_grid.cuts.count()) *
                          static_cast<double>(m_lines.size() + 1);
     return cells + workOfPiece * static_cast<double>(m_bit.pieces());

@@ -164,10 +164,9 @@ QByteArray TestAgreement::difference(const Case& one, const Output& output, doub
     double scale = std::abs(ofRun);
     const bool isShare = output.measure == Measure::energy || output.measure == Measure::share;
     if (isShare) {
-        const double whole = one.run.plain[QString("rock_work")].toDouble();
         const QString name = QString::fromUtf8(output.name.data(), qsizetype(output.name.size()));
         const double own = one.run.plain[name].toDouble();
-        scale = own > 0 ? std::abs(ofRun / own) : std::max(std::abs(ofRun), whole);
+        scale = own != 0 ? std::abs(ofRun / own) : 1;
     } else if (output.name == "cor") {
         scale = 1;
     } else if (output.name == "residual_penetration" || output.name == "penetration_rate") {
