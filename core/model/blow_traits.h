@@ -27,7 +27,7 @@ inline bool gapHasPeriod(const Scenario& scenario) {
 
 /// Whether there is a list of sections, with places that count and are named.
 inline bool hasSections(const Scenario& scenario) {
-    return isString(scenario) && !scenario.drillString.parts.empty();
+    return !scenario.drillString.parts.empty();
 }
 
 }  // namespace drillwave

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <utility>
 
 #include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
@@ -128,6 +129,14 @@ void checkLaw(const Scenario& scenario, std::vector<InputProblem>& problems) {
         const Message reason = rangeProblem(*parameter, value);
         if (!reason.isEmpty()) report(problems, parameter->key, formatNumber(value), reason);
     }
+}
+
+/// A uniform rod keeps the sections of another form empty: what is about sections asks for no form.
+void checkSectionsOfRod(const DrillString& unused, std::vector<InputProblem>& problems) {
+    if (!unused.parts.empty() || !unused.hammer.sections.empty())
+        report(problems, "string", "",
+               translatable("drillwave::Message",
+                            "must have no sections in a uniform rod: they belong to `drillwave: 2`"));
 }
 
 void checkBore(const Scenario& scenario, std::vector<InputProblem>& problems) {
@@ -276,6 +285,7 @@ std::vector<InputProblem> validate(const Scenario& scenario) {
         if (problems.empty()) checkRockOfString(scenario.bitRock, problems);
         std::ranges::move(sectionProblems(scenario.drillString), std::back_inserter(problems));
     } else {
+        checkSectionsOfRod(scenario.drillString, problems);
         checkBore(scenario, problems);
     }
     if (isForced(scenario)) {
@@ -289,10 +299,9 @@ std::vector<InputProblem> validate(const Scenario& scenario) {
 }
 
 Message invalidity(const Scenario& scenario) {
-    Message line;
-    for (const InputProblem& problem : validate(scenario))
-        line = joined(std::move(line), "%1; %2", problem.text);
-    return line;
+    std::vector<Message> reasons;
+    for (InputProblem& problem : validate(scenario)) reasons.push_back(std::move(problem.text));
+    return inOneLine(std::move(reasons));
 }
 
 }  // namespace drillwave

@@ -10598,6 +10598,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>--histories is about the blows of one march, and --scan makes one of each value; take one of them</source>
         <translation>--histories gilt für die Schläge einer Folge, und --scan rechnet für jeden Wert eine; nur eines von beiden angeben</translation>
     </message>
+    <message>
+        <source>must have no sections in a uniform rod: they belong to `drillwave: 2`</source>
+        <translation>darf bei einer gleichförmigen Stange keine Abschnitte haben: sie gehören zu `drillwave: 2`</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

@@ -10598,6 +10598,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>--histories is about the blows of one march, and --scan makes one of each value; take one of them</source>
         <translation>--histories gäller slagen i en följd, och --scan räknar en för varje värde; välj en av dem</translation>
     </message>
+    <message>
+        <source>must have no sections in a uniform rod: they belong to `drillwave: 2`</source>
+        <translation>får inte ha sektioner i en likformig stång: de hör till `drillwave: 2`</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
