@@ -102,7 +102,7 @@ DrillingVerdict verdictOf(const DrillingResult& result);
 void takeFullRate(DrillingResult& result, const DrillingResult& other);
 
 /// The mean penetration of such a rod at 2(1 + 2e) [units of Problem], under whatever thrust it has: of a
-/// blow that is a given force. Nothing where it cannot be told or there are drillingRefusals().
+/// blow that is a given force. Nothing where it is not solved or there are drillingRefusals().
 std::optional<double> fullPenetrationOf(const Scenario& scenario, const DrillingSettings& settings,
                                         const std::stop_token& stop);
 

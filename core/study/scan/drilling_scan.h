@@ -36,7 +36,7 @@ struct DrillingScan {
 struct DrillingScanWork {
     int jobs = 1;
     double mostWork = mostDrillingWork;  ///< of each march [cells times nodes]
-    bool lyapunov = false;               ///< λ of every motion that is told
+    bool lyapunov = false;               ///< also compute λ of every motion
     std::stop_token stop = {};
     DrillingProgress progress = {};
     /// Called after every value with what there is so far.

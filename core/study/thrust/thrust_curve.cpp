@@ -147,9 +147,8 @@ ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::s
 
 ThrustPoint thrustPoint(const Scenario& scenario, double value, GapReboundFinder& finder,
                         const std::stop_token& stop) {
-    Message refusal = invalidity(scenario);
-    if (refusal.isEmpty()) refusal = thrustProblem(scenario);
-    if (!refusal.isEmpty()) return {.value = value, .needs = {}, .verdict = {}, .reason = std::move(refusal)};
+    if (Message refusal = thrustRefusal(scenario); !refusal.isEmpty())
+        return {.value = value, .needs = {}, .verdict = {}, .reason = std::move(refusal)};
     MethodSolver solver;
     return solvedPoint(scenario, value, {finder, solver}, stop);
 }

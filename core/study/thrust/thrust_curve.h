@@ -37,7 +37,7 @@ using ThrustCurveProgress = std::function<void(const ThrustCurve&)>;
 
 /// Sets the parameter to one value (SI, inside its hard range) after the other. It does not depend on `jobs`
 /// (≥ 1). A value that has no meaning there, with which the scenario is not valid, has no thrust
-/// (thrustProblem()) or cannot be solved has a reason in place of numbers. The blow of a point may take
+/// (thrustProblem()) or cannot be solved has a reason and no numbers. The blow of a point may take
 /// `limits`.
 ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::span<const double> values,
                         int jobs, const std::stop_token& stop = {}, const ThrustCurveProgress& progress = {},

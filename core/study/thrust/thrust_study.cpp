@@ -27,12 +27,12 @@ class HalfProgress {
     GapProgress m_whole;
 };
 
-Message refusalOf(const Scenario& scenario) {
+}  // namespace
+
+Message thrustRefusal(const Scenario& scenario) {
     Message problem = invalidity(scenario);
     return problem.isEmpty() ? thrustProblem(scenario) : problem;
 }
-
-}  // namespace
 
 std::optional<double> ThrustStudy::margin() const {
     const bool allKnown = std::ranges::all_of(needs, &ThrustNeed::known);
@@ -44,7 +44,7 @@ ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const Ga
     MethodSolver solver(limits);
     if (!gapHasPeriod(scenario)) return studyStringThrust(scenario, NetworkAccuracy::sure, solver, stop);
     ThrustStudy study;
-    study.reason = refusalOf(scenario);
+    study.reason = thrustRefusal(scenario);
     if (!study.reason.isEmpty()) return study;
     const Problem problem = problemOf(scenario);
     const Impact impact = solver.solve(problem, Detail::cor, {}, stop);
@@ -78,7 +78,7 @@ ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const Ga
 ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy, MethodSolver& solver,
                               const std::stop_token& stop) {
     ThrustStudy study;
-    study.reason = refusalOf(scenario);
+    study.reason = thrustRefusal(scenario);
     if (study.reason.isEmpty() && gapHasPeriod(scenario))
         study.reason = translatable("drillwave::Message", "is a uniform rod (`drillwave: 1`) and no string");
     if (!study.reason.isEmpty()) return study;

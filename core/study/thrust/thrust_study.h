@@ -28,7 +28,10 @@ struct ThrustStudy {
     std::optional<double> margin() const;
 };
 
-/// Without a result where the scenario is not valid or has a thrustProblem(), where one of its two curves
+/// Why a scenario has no study of its thrust: it is not valid, or has a thrustProblem(). Empty where it has.
+Message thrustRefusal(const Scenario& scenario);
+
+/// Without a result where there is a thrustRefusal(), where one of its two curves
 /// over the gap takes more wave pieces than `mostPieces`, or the scenario's own blow more than `limits`.
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop = {}, const GapProgress& progress = {},
                         long mostPieces = anyNumberOfPieces, const WorkLimits& limits = {});

@@ -39,6 +39,7 @@
 #include "core/study/thrust/thrust_study.h"
 #include "core/yaml/scenario_file.h"
 #include "tests/support/random_scenarios.h"
+#include "tests/support/row_text.h"
 #include "tests/support/tries.h"
 
 using namespace drillwave;
@@ -205,27 +206,14 @@ QByteArray faultOf(const std::string& text) {
 class Faults {
   public:
     void add(const std::string& name, const QByteArray& fault) {
-        if (m_count++ < 20) m_told += QByteArray::fromStdString(name) + ": " + fault + "\n";
+        if (m_count++ < 20) m_first += QByteArray::fromStdString(name) + ": " + fault + "\n";
     }
     bool isEmpty() const { return m_count == 0; }
-    QByteArray told() const { return QByteArray::number(m_count) + " faults\n" + m_told; }
+    QByteArray list() const { return QByteArray::number(m_count) + " faults\n" + m_first; }
 
   private:
     int m_count = 0;
-    QByteArray m_told;
-};
-
-class CountingRows : public RowCsv {
-  public:
-    CountingRows()
-        : RowCsv([this](std::string_view text) {
-              m_text += text;
-              return true;
-          }) {}
-    const std::string& text() const { return m_text; }
-
-  private:
-    std::string m_text;
+    QByteArray m_first;
 };
 
 }  // namespace
@@ -277,27 +265,27 @@ void TestAbsurdScenarios::run() {
         for (const std::string& text : {blowJson(blow, {}), blowText(blow)})
             if (const QByteArray fault = faultOf(text); !fault.isEmpty()) faults.add(name, fault);
     }
-    QVERIFY2(faults.isEmpty(), faults.told());
+    QVERIFY2(faults.isEmpty(), faults.list());
     QVERIFY(solved > casesOfRow / 8 && invalid > casesOfRow / 8);
 }
 
 namespace {
 
 /// An answer of a study with its texts, or the reason why there is none.
-struct Told {
+struct Answer {
     bool isAnswer = false;
     std::string reason;
     std::vector<std::string> texts;
 };
 
-Told toldOf(const Message& reason, std::vector<std::string> texts) {
+Answer answerOf(const Message& reason, std::vector<std::string> texts) {
     return {reason.isEmpty(), reason.text(), std::move(texts)};
 }
 
-Told drilling(const Scenario& scenario) {
+Answer drilling(const Scenario& scenario) {
     DrillingSettings settings{.blows = 12, .settle = 3, .cells = 10};
     const DrillingResult result = studyDrilling(scenario, settings, {.cor = false, .mostWork = smallMarch});
-    if (result.outcome == DrillingOutcome::notSolved) return toldOf(result.reason, {});
+    if (result.outcome == DrillingOutcome::notSolved) return answerOf(result.reason, {});
     const DrillingReport report{result, {}};
     return {true,
             {},
@@ -305,63 +293,63 @@ Told drilling(const Scenario& scenario) {
              drillingCsv(report, OutputUnits::dimensionless)}};
 }
 
-Told marched(const Scenario& scenario) {
+Answer marched(const Scenario& scenario) {
     const Blow blow = marchedBlow(scenario, {.blows = 12, .settle = 3, .cells = 10}, 7);
     return {blow.isSolved(), blow.impact.reason.text(), {}};
 }
 
-Told scanned(const Scenario& scenario) {
+Answer scanned(const Scenario& scenario) {
     const ParsedAxis axis = parseAxis("bit_rock.gamma=0.2,0.4");
     const DrillingScan scan =
         scanDrilling(scenario, axis.axis, {.blows = 12, .settle = 3, .cells = 10}, {.mostWork = smallMarch});
-    if (!scan.refusal.isEmpty()) return toldOf(scan.refusal, {});
+    if (!scan.refusal.isEmpty()) return answerOf(scan.refusal, {});
     return {scan.points.size() >= 2, {}, {}};
 }
 
-Told gaps(const Scenario& scenario) {
+Answer gaps(const Scenario& scenario) {
     const GapStudy study = studyGap(scenario, NormalGap{1, 0.3}, {}, {}, 300'000);
     if (!study.curve.isComplete()) return {false, study.curve.reason.text(), {}};
     const GapReport report(study);
     return {true, {}, {gapJson(report), gapText(report), gapCsv(report, OutputUnits::dimensionless)}};
 }
 
-Told thrust(const Scenario& scenario) {
+Answer thrust(const Scenario& scenario) {
     const ThrustStudy study = studyThrust(scenario, {}, {}, 300'000, smallWork);
-    if (!study.reason.isEmpty()) return toldOf(study.reason, {});
+    if (!study.reason.isEmpty()) return answerOf(study.reason, {});
     const ThrustReport report{scenario, study, {}, {}};
     return {true, {}, {thrustJson(report), thrustText(report)}};
 }
 
-Told thrustCurve(const Scenario& scenario) {
+Answer thrustCurve(const Scenario& scenario) {
     const ThrustCurve curve =
         thrustAlong(scenario, *findParameter("drill.blow_frequency"), std::array{30.0}, 1);
-    return toldOf(curve.points.at(0).reason, {});
+    return answerOf(curve.points.at(0).reason, {});
 }
 
-Told rows(const Scenario& scenario) {
+Answer rows(const Scenario& scenario) {
     Sweep sweep{.base = scenario,
                 .axes = {parseAxis("gamma=0.3").axis},
                 .columns = chooseOutputs("cor,efficiency,peak_force", OutputUnits::dimensionless).columns,
                 .shard = {}};
-    CountingRows sink;
+    RowText sink;
     const RowCounts counts = runSweep(sweep, 1, {}, sink, {});
-    if (!counts.refusal.isEmpty()) return toldOf(counts.refusal, {});
+    if (!counts.refusal.isEmpty()) return answerOf(counts.refusal, {});
     if (counts.failed > 0) return {false, counts.failures.front().reason.text(), {}};
     return {true, {}, {sink.text()}};
 }
 
-Told mapped(const Scenario& scenario) {
+Answer mapped(const Scenario& scenario) {
     const MapStudy study{.base = scenario,
                          .x = parseAxis("gamma=0.2:0.4:2").axis,
                          .y = parseAxis("beta=0.5:1:2").axis,
                          .output = chooseOutputs("cor", OutputUnits::dimensionless).columns.front()};
     const MapGrid grid = solveMap(study, 1);
-    if (!grid.refusal().isEmpty()) return toldOf(grid.refusal(), {});
+    if (!grid.refusal().isEmpty()) return answerOf(grid.refusal(), {});
     if (grid.failed() > 0) return {false, grid.failures().front().reason.text(), {}};
     return {true, {}, {}};
 }
 
-Told curve(const Scenario& scenario) {
+Answer curve(const Scenario& scenario) {
     CurveQuestion question{.base = scenario,
                            .along = parseRange("gamma=0.3:0.31").axis,
                            .family = {},
@@ -370,12 +358,12 @@ Told curve(const Scenario& scenario) {
                            .workLimit = smallWork.pieces};
     if (isString(scenario)) question.along.count = 3;
     const CurveStudy study = isString(scenario) ? sampleCurve(question, 1) : studyCurve(question, 1);
-    if (!study.refusal.isEmpty()) return toldOf(study.refusal, {});
+    if (!study.refusal.isEmpty()) return answerOf(study.refusal, {});
     const CurveReport report{study, 0, {}};
     return {true, {}, {curveJson(report), curveText(report)}};
 }
 
-Told designed(const Scenario& scenario) {
+Answer designed(const Scenario& scenario) {
     DesignStudy study;
     study.base = scenario;
     study.uncertain = {parseUncertain("bit_rock.stiffness=+-1%").input};
@@ -384,22 +372,22 @@ Told designed(const Scenario& scenario) {
     study.workLimit = fewPieces;
     const DesignFindings findings = runDesign(study, {});
     for (const Message& reason : {findings.refusal, findings.unsolved})
-        if (!reason.isEmpty()) return toldOf(reason, {});
+        if (!reason.isEmpty()) return answerOf(reason, {});
     if (!findings.best.robust) return {false, "no design has statistics", {}};
     const DesignReport report{study, findings, {}};
     return {true, {}, {designJson(report), designText(report)}};
 }
 
-Told accuracy(const Scenario& scenario) {
+Answer accuracy(const Scenario& scenario) {
     if (isString(scenario))
-        return toldOf(measureStringAccuracy(scenario, {}, {}, smallWork.cells).reason, {});
+        return answerOf(measureStringAccuracy(scenario, {}, {}, smallWork.cells).reason, {});
     const Accuracy accuracy = measureAccuracy(scenario, {minimumSegments});
     return {accuracy.exact.isSolved(), accuracy.exact.reason.text(), {}};
 }
 
 struct StudyCase {
     const char* name;
-    Told (*ask)(const Scenario&);
+    Answer (*ask)(const Scenario&);
     int by = 1;  ///< one scenario in so many: what takes long
 };
 constexpr StudyCase studyCases[] = {
@@ -432,19 +420,19 @@ void TestAbsurdScenarios::studies() {
         Chance chance(chanceOf(1 + which, i));
         const Scenario scenario = absurdScenario(chance);
         const bool isValid = validate(scenario).empty();
-        const Told told = study.ask(scenario);
-        if (!told.isAnswer && told.reason.empty()) faults.add(name, "no answer and no reason");
+        const Answer answer = study.ask(scenario);
+        if (!answer.isAnswer && answer.reason.empty()) faults.add(name, "no answer and no reason");
         // Rows, maps, curves and scans set numbers of their own, which may replace a wrong one.
-        for (const std::string& text : told.texts)
+        for (const std::string& text : answer.texts)
             if (const QByteArray fault = faultOf(text); !fault.isEmpty()) faults.add(name, fault);
         const bool setsNumbers = study.ask == rows || study.ask == mapped || study.ask == curve ||
                                  study.ask == scanned || study.ask == thrustCurve;
-        if (!isValid && told.isAnswer && !setsNumbers) faults.add(name, "invalid, and an answer");
-        answers += told.isAnswer;
-        if (!told.isAnswer) lastReason = told.reason;
+        if (!isValid && answer.isAnswer && !setsNumbers) faults.add(name, "invalid, and an answer");
+        answers += answer.isAnswer;
+        if (!answer.isAnswer) lastReason = answer.reason;
     }
     qInfo("%s: %d answers, last reason: %s", study.name, answers, lastReason.c_str());
-    QVERIFY2(faults.isEmpty(), faults.told());
+    QVERIFY2(faults.isEmpty(), faults.list());
 }
 
 QTEST_GUILESS_MAIN(TestAbsurdScenarios)

@@ -35,6 +35,7 @@
 #include "core/yaml/scenario_file.h"
 #include "tests/support/map.h"
 #include "tests/support/random_scenarios.h"
+#include "tests/support/row_text.h"
 #include "tests/support/scene.h"
 #include "tests/support/sweep.h"
 #include "tests/support/tries.h"
@@ -181,17 +182,12 @@ QByteArray TestAgreement::difference(const Case& one, const Output& output, doub
 namespace {
 
 /// Rows of CSV by the titles of its columns.
-class Rows : public RowCsv {
+class Rows : public RowText {
   public:
-    Rows()
-        : RowCsv([this](std::string_view text) {
-              m_text += text;
-              return true;
-          }) {}
     /// The only row, by column.
     QMap<QByteArray, double> only() const {
         QList<QByteArray> lines;
-        for (const QByteArray& line : QByteArray::fromStdString(m_text).split('\n'))
+        for (const QByteArray& line : QByteArray::fromStdString(text()).split('\n'))
             if (!line.isEmpty() && !line.startsWith('#')) lines << line;
         QMap<QByteArray, double> cells;
         const QList<QByteArray> titles = lines.value(0).split(','), values = lines.value(1).split(',');
@@ -200,9 +196,6 @@ class Rows : public RowCsv {
                 values.value(i).isEmpty() ? std::nan("") : values.value(i).toDouble();
         return cells;
     }
-
-  private:
-    std::string m_text;
 };
 
 void tellsNobody(const RowCounts&) {}
