@@ -165,16 +165,18 @@ void checkTable(const Scenario& scenario, std::vector<InputProblem>& problems) {
 
 /// Numbers of a sequence that contradict each other, whatever else is missing.
 void checkDrill(const Drill& drill, std::vector<InputProblem>& problems) {
-    const Parameter& settle = *findParameter("drill.settle");
+    const auto add = [&](const char* key, double value, const Message& reason) {
+        const Parameter& parameter = *findParameter(key);
+        report(problems, parameter.key, valueText(parameter, value), reason);
+    };
     if (drill.blows && drill.settle && *drill.settle >= *drill.blows)
-        report(problems, settle.key, valueText(settle, *drill.settle),
-               {translatable("drillwave::Message", "must be less than the blows, which are %1"),
-                {formatNumber(*drill.blows)}});
-    if (drill.machineMass != 0.0) return;
-    const Parameter& mass = *findParameter("drill.machine_mass");
-    if (drill.damperDamping.value_or(0) > 0 || drill.damperStiffness.value_or(0) > 0)
-        report(problems, mass.key, valueText(mass, 0),
-               translatable("drillwave::Message", "must be more than 0: the damper carries it"));
+        add("drill.settle", *drill.settle,
+            {translatable("drillwave::Message", "must be less than the blows, which are %1"),
+             {formatNumber(*drill.blows)}});
+    const bool hasDamper = drill.damperDamping.value_or(0) > 0 || drill.damperStiffness.value_or(0) > 0;
+    if (hasDamper && drill.machineMass == 0.0)
+        add("drill.machine_mass", 0,
+            translatable("drillwave::Message", "must be more than 0: the damper carries it"));
 }
 
 /// A string that arrives as a whole is no blow of a force.
