@@ -308,7 +308,7 @@ Scenario withoutUnusedValues(const Scenario& scenario) {
 std::string valueText(const SavedValue& value, const Unit* unit) {
     // A section of a list may stand in braces, where more characters mean something.
     const bool inList = value.section.find('.') != std::string::npos;
-    if (!value.unit && inList && value.text.find_first_of(",[]{}:") != std::string::npos)
+    if (!value.unit && inList && value.text.find_first_of(",[]{}:?") != std::string::npos)
         return quotedScalar(value.text);
     if (!value.unit) return yamlScalar(value.text);
     return formatQuantity(value.number, value.unit->quantity, unit ? *unit : *value.unit->customary);

@@ -90,7 +90,7 @@ double between(const Range& range, Random& random) {
 
 Section randomSection(Random& random) {
     constexpr const char* names[] = {"",     "rod", "bit skirt", "a, b: c", "rod #1",
-                                     "true", "- x", "Gestänge",  "{a}"};
+                                     "true", "- x", "Gestänge",  "{a}",     "a? b"};
     Section section;
     section.name = names[random() % std::size(names)];
     for (const SectionField& field : sectionFields())
