@@ -12,6 +12,7 @@
 #include "app/command_error.h"
 #include "app/output_folder.h"
 #include "core/disk/hidden_folder.h"
+#include "core/text/name_text.h"
 #include "core/text/text_input.h"
 
 namespace drillwave {
@@ -105,6 +106,16 @@ OutputFile::OutputFile(const std::string& path, Overwrite overwrite, LeftBeside 
     check(m_file->open());
 }
 
+OutputFile::OutputFile(const std::string& path, Overwrite overwrite, const KeptRows& kept)
+    : m_path(path),
+      m_overwrite(overwrite),
+      m_leftBeside(studyFilesThere),
+      m_file(std::make_unique<WholeFile>(path)),
+      m_sum(kept.done().sum) {
+    checkOutput(path, overwrite);
+    check(m_file->openKept(kept.path(), m_sum.bytes));
+}
+
 OutputFile::~OutputFile() {
     if (m_device >= 0) ::close(m_device);
 }
@@ -116,6 +127,7 @@ void OutputFile::write(std::string_view text) {
         check(writeAll(m_device, text));
     else if (std::fwrite(text.data(), 1, text.size(), stdout) != text.size())
         check(writeFailure(errno));
+    m_sum.take(text);
 }
 
 void OutputFile::add(NamedFile beside) {
@@ -154,7 +166,7 @@ void OutputFile::check(const WriteFailure& failure) const {
 
 void printText(std::string_view text) {
     OutputFile out("-", Overwrite::allowed);
-    out.write(text);
+    out.write(printableLines(text));
     out.commit();
 }
 

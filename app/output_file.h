@@ -8,7 +8,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/archive/kept_rows.h"
 #include "core/archive/study_files.h"
+#include "core/disk/file_sum.h"
 #include "core/disk/whole_file.h"
 #include "core/disk/whole_folder.h"
 
@@ -44,11 +46,15 @@ class OutputFile {
   public:
     /// A stream is written directly. Anything else has no name until commit().
     OutputFile(const std::string& path, Overwrite overwrite, LeftBeside leftBeside = studyFilesThere);
+    /// Goes on behind the rows that are kept for this file, and keeps them where it is not committed.
+    OutputFile(const std::string& path, Overwrite overwrite, const KeptRows& kept);
     ~OutputFile();
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
     void write(std::string_view text);
+    /// Of all that was written, the kept rows included.
+    const FileSum& sum() const { return m_sum; }
     /// A file to be beside this one, which must be no stream.
     void add(NamedFile beside);
     /// Puts all of it in place as one (writeWholeFolder()), in place of what was left beside the file; of a
@@ -65,11 +71,12 @@ class OutputFile {
     Overwrite m_overwrite;
     LeftBeside m_leftBeside;
     std::unique_ptr<WholeFile> m_file;  // none for streams
+    FileSum m_sum;
     std::vector<NamedFile> m_beside;
     int m_device = -1;
 };
 
-/// Prints to standard output at once.
+/// Prints a text to standard output at once, as printableLines().
 void printText(std::string_view text);
 
 }  // namespace drillwave

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/text/name_text.h"
+
 namespace drillwave {
 
 namespace {
@@ -37,7 +39,7 @@ std::string unbroken(std::string_view text) {
 
 std::string escapedHtml(std::string_view text) {
     std::string result;
-    for (const char c : text) {
+    for (const char c : printableLines(text)) {
         if (c == '<')
             result += "&lt;";
         else if (c == '>')

@@ -8,7 +8,8 @@
 
 namespace drillwave {
 
-/// A text as it stands between the tags of HTML or in a quoted attribute.
+/// A text as it stands between the tags of HTML, SVG and XML, or in a quoted attribute: printableLines(), and
+/// nothing of it is markup.
 std::string escapedHtml(std::string_view text);
 
 /// "<TAG>text</TAG>", the text escaped.

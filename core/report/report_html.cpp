@@ -16,6 +16,7 @@
 #include "core/report/report_numbers.h"
 #include "core/report/section_grid.h"
 #include "core/text/json.h"
+#include "core/text/name_text.h"
 #include "core/text/printed_text.h"
 
 namespace drillwave {
@@ -455,9 +456,7 @@ std::string recordText(const BlowReport& report) {
 }  // namespace
 
 std::string reportTitle(const BlowReport& report, const ReadingStyle& style) {
-    std::string title = report.blow.scenario.title;
-    std::ranges::replace_if(
-        title, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
+    std::string title = printableLine(report.blow.scenario.title);
     return title.empty() ? style.said(translatable("drillwave::Message", "Untitled scenario")) : title;
 }
 

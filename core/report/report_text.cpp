@@ -1,22 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/report_text.h"
 
-#include <algorithm>
-
 #include "core/model/blow_traits.h"
 #include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
 #include "core/model/scales.h"
 #include "core/text/handy_text.h"
+#include "core/text/name_text.h"
 #include "core/text/text_layout.h"
 
 namespace drillwave {
 
 std::string titleLine(const Scenario& scenario) {
-    std::string title = scenario.title;  // a title may hold anything, a terminal not
-    std::ranges::replace_if(
-        title, [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7f; }, ' ');
-    return title.empty() ? std::string() : title + "\n";
+    return scenario.title.empty() ? std::string() : printableLine(scenario.title) + "\n";
 }
 
 std::string groupsLine(const Scenario& scenario, const ReadingStyle& style) {

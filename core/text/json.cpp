@@ -6,6 +6,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "core/text/name_text.h"
+#include "core/text/text_input.h"
 #include "core/text/units.h"
 
 namespace drillwave {
@@ -36,11 +38,14 @@ void appendEscaped(std::string& text, char byte) {
 
 void appendText(std::string& text, std::string_view value) {
     text += '"';
+    std::string escaped;
     for (const char byte : value)
-        if (byte == '"' || byte == '\\' || static_cast<unsigned char>(byte) < 0x20)
-            appendEscaped(text, byte);
+        if (byte == '"' || byte == '\\' || static_cast<unsigned char>(byte) < 0x20 || byte == 0x7F)
+            appendEscaped(escaped, byte);
         else
-            text += byte;
+            escaped += byte;
+    // What is left and cannot be printed is beyond ASCII, where printable() writes as JSON does.
+    text += isUtf8(escaped) ? printable(escaped) : escaped;
     text += '"';
 }
 

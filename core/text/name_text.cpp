@@ -55,10 +55,11 @@ std::string hexadecimal(char32_t number, int digits) {
     return text;
 }
 
-void appendPrintable(std::string& printed, std::string_view utf8) {
+void appendPrintable(std::string& printed, std::string_view utf8, std::string_view kept) {
     for (std::size_t at = 0; at < utf8.size();) {
         const auto [code, length] = characterAt(utf8, at);
-        if (isOf(turning, code) || isOf(controls, code))
+        const bool isKept = code < 0x80 && kept.find(static_cast<char>(code)) != std::string_view::npos;
+        if (!isKept && (isOf(turning, code) || isOf(controls, code)))
             printed += code < 0x80 ? "\\x" + hexadecimal(code, 2) : "\\u" + hexadecimal(code, 4);
         else
             printed += utf8.substr(at, length);
@@ -93,17 +94,36 @@ Message nameProblem(std::string_view text) {
     return translatable("drillwave::Message", "must have a letter");
 }
 
-std::string printable(std::string_view text) {
+namespace {
+
+std::string printableBut(std::string_view kept, std::string_view text) {
     std::string printed;
     while (!text.empty()) {
         const std::size_t good = utf8Length(text);
-        appendPrintable(printed, text.substr(0, good));
+        appendPrintable(printed, text.substr(0, good), kept);
         text.remove_prefix(good);
         if (text.empty()) break;
         printed += "\\x" + hexadecimal(static_cast<unsigned char>(text.front()), 2);
         text.remove_prefix(1);
     }
     return printed;
+}
+
+}  // namespace
+
+std::string printable(std::string_view text) {
+    return printableBut({}, text);
+}
+
+std::string printableLines(std::string_view text) {
+    return printableBut("\n\t", text);
+}
+
+std::string printableLine(std::string_view text) {
+    std::string line(text);
+    std::ranges::replace_if(
+        line, [](char c) { return c == '\n' || c == '\r' || c == '\t'; }, ' ');
+    return printable(line);
 }
 
 }  // namespace drillwave

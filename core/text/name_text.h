@@ -21,4 +21,10 @@ Message nameProblem(std::string_view text);
 /// direction of reading are written as "\xE9" and "\u202E".
 std::string printable(std::string_view text);
 
+/// The same for a text of several lines: line feeds and tabs stay.
+std::string printableLines(std::string_view text);
+
+/// The same for a title, which is one line: line feeds and tabs become blanks.
+std::string printableLine(std::string_view text);
+
 }  // namespace drillwave

@@ -168,7 +168,7 @@ void PulseSection::showShape() {
 
 void PulseSection::showTable(const Scenario& scenario) {
     m_tableText->setText(tableText(scenario, m_document.units()));
-    m_tableText->setToolTip(QDir::toNativeSeparators(m_document.tablePath()));
+    m_tableText->setToolTip(withoutMarkup(QDir::toNativeSeparators(m_document.tablePath())));
     m_reload->setVisible(!scenario.pulse.tableFile.empty());
 }
 

@@ -14,6 +14,7 @@
 #include <QToolTip>
 #include <algorithm>
 
+#include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
 
 namespace drillwave {
@@ -200,7 +201,7 @@ void CursorBar::writeCells() {
     for (qsizetype i = 0; i < m_labels.size(); ++i) {
         const ReadingCell cell = m_cells.value(i);
         m_labels[i]->setText(cellText(cell, locale(), digits));
-        m_labels[i]->setToolTip(cell.name);
+        m_labels[i]->setToolTip(withoutMarkup(cell.name));
     }
 }
 

@@ -12,6 +12,8 @@
 #include <cmath>
 
 #include "core/archive/picture_formats.h"
+#include "core/report/html_text.h"
+#include "core/text/name_text.h"
 #include "ui/plot/curve_clip.h"
 #include "ui/plot/plot_style.h"
 #include "ui/plot/svg_text.h"
@@ -41,13 +43,19 @@ QByteArray png(QCustomPlot& plot, Millimetres size, double dpi, const QString& c
     return buffer.data();
 }
 
+// An element with what a reader sees of the text. Qt 6.4 writes titles and descriptions as they are.
+QByteArray svgElement(const QByteArray& name, const QString& text) {
+    return QByteArray::fromStdString(htmlElement(name.toStdString(), text.toStdString()));
+}
+
 QByteArray svg(QCustomPlot& plot, Millimetres size, const QString& title, const QString& creator) {
     const CurveClip clip(plot);
     QBuffer buffer;
     QSvgGenerator generator;
     generator.setOutputDevice(&buffer);
-    generator.setTitle(title);
-    generator.setDescription(creator);
+    const QString placeholder = QStringLiteral("text");
+    generator.setTitle(placeholder);
+    generator.setDescription(placeholder);
     generator.setResolution(static_cast<int>(layoutDpi));
     generator.setSize(pixelsOf(size));
     generator.setViewBox(QRect(QPoint(0, 0), pixelsOf(size)));
@@ -55,7 +63,10 @@ QByteArray svg(QCustomPlot& plot, Millimetres size, const QString& title, const 
     painter.begin(&generator);
     paintPlot(plot, painter, size);
     painter.end();
-    return withCommonText(buffer.data(), PlotStyle::forPaper().font.family());
+    QByteArray bytes = withCommonText(buffer.data(), PlotStyle::forPaper().font.family());
+    bytes.replace(svgElement("title", placeholder), svgElement("title", title));
+    bytes.replace(svgElement("desc", placeholder), svgElement("desc", creator));
+    return bytes;
 }
 
 // Puts the time of SOURCE_DATE_EPOCH [s since 1970] in place of the present one, for documents that shall
@@ -76,7 +87,7 @@ QByteArray pdf(QCustomPlot& plot, Millimetres size, const QString& title, const 
     QBuffer buffer;
     buffer.open(QIODevice::WriteOnly);
     QPdfWriter writer(&buffer);
-    writer.setTitle(title);
+    writer.setTitle(QString::fromStdString(printableLine(title.toStdString())));
     writer.setCreator(creator);
     writer.setResolution(static_cast<int>(layoutDpi));
     writer.setPageSize(QPageSize(QSizeF(size.width, size.height), QPageSize::Millimeter));

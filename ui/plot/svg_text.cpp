@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/text/name_text.h"
+
 namespace drillwave {
 namespace {
 
@@ -90,7 +92,7 @@ QByteArray withCommonText(const QByteArray& svg, const QString& family) {
     result += all.mid(done);
     const QString named = QStringLiteral("font-family=\"%1\"").arg(family);
     const QString common = QStringLiteral("font-family=\"%1, Arial, Helvetica, sans-serif\"").arg(family);
-    return result.replace(named, common).toUtf8();
+    return QByteArray::fromStdString(printableLines(result.replace(named, common).toStdString()));
 }
 
 }  // namespace drillwave

@@ -13,6 +13,7 @@
 #include "ui/questions/export_dialog.h"
 #include "ui/questions/folder_dialog.h"
 #include "ui/questions/picture_dialog.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
 
 namespace drillwave {
@@ -40,7 +41,7 @@ QString openFilter() {
 Questions::Unsaved DialogQuestions::unsavedChanges(QWidget* parent, const QString& name) {
     if (!someoneIsThere()) return Unsaved::discard;
     QMessageBox box(QMessageBox::Warning, drillwave::tr("Unsaved changes"),
-                    drillwave::tr("Save the changes to “%1”?").arg(name),
+                    withoutMarkup(drillwave::tr("Save the changes to “%1”?").arg(name)),
                     QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
     box.setInformativeText(drillwave::tr("They are lost otherwise."));
     box.setDefaultButton(QMessageBox::Save);
@@ -59,8 +60,9 @@ bool DialogQuestions::closeAllTheSame(QWidget* parent, const QString& what, cons
         printOut(what, details);
         return true;
     }
-    QMessageBox box(QMessageBox::Warning, drillwave::tr("Drillwave"), what, QMessageBox::Cancel, parent);
-    box.setInformativeText(details);
+    QMessageBox box(QMessageBox::Warning, drillwave::tr("Drillwave"), withoutMarkup(what),
+                    QMessageBox::Cancel, parent);
+    box.setInformativeText(withoutMarkup(details));
     const QAbstractButton* closes =
         box.addButton(drillwave::tr("Close all the same"), QMessageBox::DestructiveRole);
     box.setDefaultButton(QMessageBox::Cancel);
@@ -121,8 +123,9 @@ std::optional<PictureChoice> DialogQuestions::picture(QWidget* parent, const Pic
 bool DialogQuestions::confirm(QWidget* parent, const QString& question, const QString& details,
                               const QString& action) {
     if (!someoneIsThere()) return false;
-    QMessageBox box(QMessageBox::Warning, drillwave::tr("Drillwave"), question, QMessageBox::Cancel, parent);
-    box.setInformativeText(details);
+    QMessageBox box(QMessageBox::Warning, drillwave::tr("Drillwave"), withoutMarkup(question),
+                    QMessageBox::Cancel, parent);
+    box.setInformativeText(withoutMarkup(details));
     const QAbstractButton* does = box.addButton(action, QMessageBox::AcceptRole);
     box.setDefaultButton(QMessageBox::Cancel);
     box.exec();
@@ -132,9 +135,9 @@ bool DialogQuestions::confirm(QWidget* parent, const QString& question, const QS
 Questions::Recovery DialogQuestions::recover(QWidget* parent, const QString& name, const QString& details) {
     if (!someoneIsThere()) return Recovery::later;
     QMessageBox box(QMessageBox::Question, drillwave::tr("Unsaved changes found"),
-                    drillwave::tr("Restore the unsaved changes to “%1”?").arg(name), QMessageBox::NoButton,
-                    parent);
-    box.setInformativeText(details);
+                    withoutMarkup(drillwave::tr("Restore the unsaved changes to “%1”?").arg(name)),
+                    QMessageBox::NoButton, parent);
+    box.setInformativeText(withoutMarkup(details));
     QPushButton* restore = box.addButton(drillwave::tr("&Restore"), QMessageBox::AcceptRole);
     const QAbstractButton* discard = box.addButton(drillwave::tr("&Discard"), QMessageBox::DestructiveRole);
     box.setEscapeButton(box.addButton(drillwave::tr("&Later"), QMessageBox::RejectRole));
@@ -147,8 +150,8 @@ Questions::Recovery DialogQuestions::recover(QWidget* parent, const QString& nam
 void DialogQuestions::tell(QWidget* parent, Tone tone, const QString& what, const QString& details) {
     if (!someoneIsThere()) return printOut(what, details);
     auto* box = new QMessageBox(tone == Tone::failure ? QMessageBox::Warning : QMessageBox::Information,
-                                drillwave::tr("Drillwave"), what, QMessageBox::Ok, parent);
-    box->setInformativeText(details);
+                                drillwave::tr("Drillwave"), withoutMarkup(what), QMessageBox::Ok, parent);
+    box->setInformativeText(withoutMarkup(details));
     box->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     // Lines that begin with a path need width.
     auto* layout = static_cast<QGridLayout*>(box->layout());

@@ -9,6 +9,7 @@
 #include "ui/result/place_link.h"
 #include "ui/runs/difference_text.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
 #include "ui/text/warning_text.h"
 
@@ -116,7 +117,7 @@ void ResultRow::presentChange(const SolvedBlow& blow, const SolvedBlow* referenc
     m_change->setText(change);
     m_change->setVisible(!change.isEmpty());
     if (change.isEmpty()) return;
-    m_change->setToolTip(drillwave::tr("Off %1 by so much").arg(title));
+    m_change->setToolTip(withoutMarkup(drillwave::tr("Off %1 by so much").arg(title)));
     m_change->setAccessibleName(drillwave::tr("%1, against %2: %3").arg(m_entry.name, title, change));
 }
 

@@ -14,6 +14,7 @@
 #include "ui/plot/run_pen.h"
 #include "ui/runs/difference_text.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -139,7 +140,7 @@ void RunPanel::fill() {
         row->setFlags(row->flags() | Qt::ItemIsUserCheckable | Qt::ItemIsEditable);
         row->setCheckState(name, run.isShown ? Qt::Checked : Qt::Unchecked);
         row->setIcon(name, runIcon(run.number, palette(), lineSize));
-        row->setToolTip(name, run.title());
+        row->setToolTip(name, withoutMarkup(run.title()));
         fillRow(*row, run.blow, reference);
         if (&run == reference) row->setText(change, tr("ref."));
         if (run.number == number) m_list->setCurrentItem(row);

@@ -3,8 +3,10 @@
 
 #include <QCoreApplication>
 #include <QRegularExpression>
+#include <QTextDocument>
 #include <utility>
 
+#include "core/text/name_text.h"
 #include "core/yaml/scenario_file.h"
 #include "ui/text/core_text.h"
 
@@ -12,6 +14,11 @@ namespace drillwave {
 
 QString fromView(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
+}
+
+QString withoutMarkup(const QString& text) {
+    const QString printable = QString::fromStdString(printableLines(text.toStdString()));
+    return Qt::mightBeRichText(printable) ? Qt::convertFromPlainText(printable) : printable;
 }
 
 QString withSigns(QString text) {

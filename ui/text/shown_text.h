@@ -15,6 +15,10 @@ class ScenarioError;
 /// UTF-8 as Qt's own text.
 QString fromView(std::string_view text);
 
+/// A text with names or paths in it for a message or a tooltip: Qt shows it as it is and takes nothing of it
+/// for markup; printableLines().
+QString withoutMarkup(const QString& text);
+
 /// "f I₀ ± φ" for "f I0 +- phi", as the commands write where a terminal may lack the signs.
 QString withSigns(QString text);
 

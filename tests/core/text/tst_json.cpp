@@ -4,6 +4,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTest>
+#include <algorithm>
 #include <bit>
 #include <cmath>
 #include <limits>
@@ -33,6 +34,7 @@ class TestJson : public QObject {
     void keysAreSortedAndTheLastValueStays();
     void textsAreEscaped_data();
     void textsAreEscaped();
+    void whatATerminalObeysIsEscaped();
     void numbersReadBackExactly_data();
     void numbersReadBackExactly();
     void numbersOfEverySizeAreWrittenLikeQtDoes();
@@ -71,13 +73,19 @@ void TestJson::textsAreEscaped_data() {
     QString controls;
     for (char16_t c = 0; c < 0x20; ++c) controls += QChar(c);
     QTest::newRow("every control character") << controls;
-    QTest::newRow("delete") << QString(QChar(0x7f));
     QTest::newRow("two, three and four bytes") << QString::fromUtf8("β ≤ 0,5 — 🪨");
 }
 
 void TestJson::textsAreEscaped() {
     QFETCH(QString, text);
     QCOMPARE(ownText({{"text", text.toStdString()}}), qtText({{"text", text}}));
+}
+
+void TestJson::whatATerminalObeysIsEscaped() {
+    const QString text = QString::fromUtf8("a\x7F\xC2\x9B m\u202Eright\uFEFF");
+    const QByteArray json = ownText({{"text", text.toStdString()}});
+    QVERIFY2(std::ranges::all_of(json, [](char c) { return c >= ' ' || c == '\n'; }), json);
+    QCOMPARE(QJsonDocument::fromJson(json)["text"].toString(), text);
 }
 
 void TestJson::numbersReadBackExactly_data() {

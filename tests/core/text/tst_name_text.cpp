@@ -58,6 +58,9 @@ void TestNameText::whatIsNoTextIsPrintedAsItsNumber_data() {
         "b",
         "a\\u202Eb");
     row("a\x1B[2Jb", "a\\x1B[2Jb");
+    row("a\xC2\x9B"
+        "2Jb",
+        "a\\u009B2Jb");
 }
 
 void TestNameText::whatIsNoTextIsPrintedAsItsNumber() {
@@ -65,6 +68,8 @@ void TestNameText::whatIsNoTextIsPrintedAsItsNumber() {
     QFETCH(QByteArray, printed);
     QCOMPARE(QByteArray::fromStdString(printable(text.toStdString())), printed);
     QVERIFY(QByteArray::fromStdString(shortened(text.toStdString())).isValidUtf8());
+    QCOMPARE(QByteArray::fromStdString(printableLines("\n\t" + text.toStdString())), "\n\t" + printed);
+    QCOMPARE(QByteArray::fromStdString(printableLine("\r\n\t" + text.toStdString())), "   " + printed);
 }
 
 QTEST_APPLESS_MAIN(TestNameText)

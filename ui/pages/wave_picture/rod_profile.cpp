@@ -10,6 +10,7 @@
 
 #include "ui/plot/run_pen.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -215,8 +216,8 @@ bool RodProfile::event(QEvent* event) {
         const auto* help = static_cast<QHelpEvent*>(event);
         const double share = (help->pos().x() - area().left()) / area().width();
         const double xi = std::lerp(picture().rear, 1, share);
-        QToolTip::showText(help->globalPos(), share >= 0 && share <= 1 ? readout(xi) : accessibleName(),
-                           this);
+        QToolTip::showText(help->globalPos(),
+                           withoutMarkup(share >= 0 && share <= 1 ? readout(xi) : accessibleName()), this);
         return true;
     }
     if (event->type() == QEvent::PaletteChange) update();
