@@ -8,7 +8,7 @@ else()
   set(maintainer "The Drillwave developers <drillwave@drillwave.invalid>")
 endif()
 set(DRILLWAVE_MAINTAINER "${maintainer}" CACHE STRING "Whom the packages name as their maintainer; DEBFULLNAME and DEBEMAIL if not given")
-set(DRILLWAVE_DEBIAN_VERSION ${PROJECT_VERSION}-${DRILLWAVE_DEBIAN_REVISION})
+set(DRILLWAVE_DEBIAN_VERSION ${DRILLWAVE_VERSION}-${DRILLWAVE_DEBIAN_REVISION})
 
 set(packaging ${PROJECT_SOURCE_DIR}/packaging)
 set(resources ${PROJECT_SOURCE_DIR}/resources)
@@ -84,6 +84,7 @@ whole drill strings.
 .
 ")
 set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_PACKAGE_VERSION ${DRILLWAVE_VERSION})
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_RELEASE ${DRILLWAVE_DEBIAN_REVISION})
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)

@@ -174,14 +174,14 @@ ScenarioDocument loadResultScenario(const std::string& path) {
 }
 
 bool isNewerVersion(std::string_view version, std::string_view than) {
-    using Numbers = std::array<int, 3>;
+    using Numbers = std::array<int, 4>;  // "0.2.0+203.ga059c129", the last 0 where it is missing
     const auto numbersOf = [](std::string_view text) -> std::optional<Numbers> {
         Numbers numbers{};
-        for (int& number : numbers) {
-            const auto read = std::from_chars(text.data(), text.data() + text.size(), number);
-            if (read.ec != std::errc()) return std::nullopt;
+        for (std::size_t i = 0; i < numbers.size(); ++i) {
+            const auto read = std::from_chars(text.data(), text.data() + text.size(), numbers[i]);
+            if (read.ec != std::errc()) return i == 3 ? std::optional(numbers) : std::nullopt;
             text.remove_prefix(static_cast<std::size_t>(read.ptr - text.data()));
-            if (text.starts_with('.')) text.remove_prefix(1);
+            if (text.starts_with(i == 2 ? '+' : '.')) text.remove_prefix(1);
         }
         return numbers;
     };

@@ -3,5 +3,8 @@
 #pragma once
 
 namespace drillwave {
-inline constexpr const char* versionText = "@PROJECT_VERSION@";
+
+/// "0.2.0" of a release, "0.2.0+203.ga059c129" of a build 203 commits after it.
+extern const char* const versionText;
+
 }  // namespace drillwave
