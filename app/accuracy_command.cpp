@@ -112,9 +112,9 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
     const ScenarioDocument document = loadScenarioInput(path, arguments).document;
     const bool inFolder = !directory.empty() && directory != "-";
     if (inFolder) {
-        checkOutputIsNoInput(directory + "/" + accuracyCsvName, path, document);
+        checkOutputIsNoInput(directory + "/" + accuracyCsvName, arguments, document);
         checkFolder(directory, plots.namesWith({accuracyCsvName}), overwrite);
-        plots.check(path, document, overwrite);
+        plots.check(arguments, document, overwrite);
     }
 
     if (!isFollowedByEvents(document.scenario) && arguments.has("segments"))

@@ -122,7 +122,7 @@ void checkGoalFile(const Arguments& arguments, const RowOptions& options, const 
                 "drillwave::Message",
                 "--goal has no place where -o - prints the curve; leave out -o, or give -o FILE.csv"));
     const std::string path = goalName(options.path);
-    checkOutputIsNoInput(path, arguments.operands().front(), base);
+    checkOutputIsNoInput(path, arguments, base);
     checkOverwrite(path, options.overwrite);
 }
 
@@ -166,10 +166,10 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
     const CurveQuestion question = questionOf(arguments, options, base.scenario);
     if (std::vector<Message> problems = problemsOf(question); !problems.empty())
         throw CommandError(ExitCode::invalidScenario, eachAbout(path, std::move(problems)));
-    if (writesFile) checkRows(options, path, base);
+    if (writesFile) checkRows(options, arguments, base);
     checkGoalFile(arguments, options, base);
     if (options.path != "-" || !writesFile) checkStandardOutput();
-    plots.check(path, base, options.overwrite);
+    plots.check(arguments, base, options.overwrite);
 
     const Interruption interruption;
     remarkOnValues(base.scenario, path, arguments.style());

@@ -125,9 +125,9 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     report.scenarioText = completeScenarioText(document);
     if (folder) {
         for (const std::string& name : fileNames)
-            checkOutputIsNoInput(*folder + "/" + name, path, document, arguments.values("draws"));
+            checkOutputIsNoInput(*folder + "/" + name, arguments, document);
         checkFolder(*folder, plots.namesWith(fileNames), overwrite);
-        plots.check(path, document, overwrite);
+        plots.check(arguments, document, overwrite);
     }
 
     checkStandardOutput();

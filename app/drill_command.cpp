@@ -53,12 +53,13 @@ void writeBlows(const DrillingReport& report, const Arguments& arguments, Output
                 std::vector<NamedFile> beside, const Interruption& interruption) {
     const std::string out = *arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    const std::string rows = drillingCsv(report, units);
     if (!isStream(out)) {
         RowRecord record = drillRecord(arguments, report.scenarioText, report.result.blows.size());
         record.outputs = drillingHeaders(report.result, units);
-        beside.push_back(drillRecordBeside(out, record));
+        beside.push_back(drillRecordBeside(out, std::move(record), rows));
     }
-    writeStudy(out, drillingCsv(report, units), std::move(beside), overwrite, interruption);
+    writeStudy(out, rows, std::move(beside), overwrite, interruption);
 }
 
 ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
@@ -101,12 +102,13 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
     wants.jobs = jobsOf(arguments);
     checkDrillWork(drillingWork(document.scenario, settings, wants), arguments);
     if (out && isFolder(*out)) {
-        for (const std::string& name : drillFiles) checkOutputIsNoInput(*out + "/" + name, path, document);
+        for (const std::string& name : drillFiles)
+            checkOutputIsNoInput(*out + "/" + name, arguments, document);
         checkFolder(*out, plots.namesWith(drillFiles), overwrite);
     } else if (out && *out != "-") {
-        checkDrillRows(*out, path, document, overwrite);
+        checkDrillRows(*out, arguments, document, overwrite);
     }
-    plots.check(path, document, overwrite);
+    plots.check(arguments, document, overwrite);
     if (out != "-") checkStandardOutput();
     const Interruption interruption;
     remarkOnValues(document.scenario, path, arguments.style());

@@ -8,16 +8,17 @@
 
 namespace drillwave {
 
-void checkDrillRows(const std::string& file, const std::string& path, const ScenarioDocument& document,
+void checkDrillRows(const std::string& file, const Arguments& arguments, const ScenarioDocument& document,
                     Overwrite overwrite) {
-    checkOutputIsNoInput(file, path, document);
+    checkOutputIsNoInput(file, arguments, document);
     checkOutput(file, overwrite);
     if (isStream(file)) return;
-    checkOutputIsNoInput(recordName(file), path, document);
+    checkOutputIsNoInput(recordName(file), arguments, document);
     checkOverwrite(recordName(file), overwrite);
 }
 
-NamedFile drillRecordBeside(const std::string& file, const RowRecord& record) {
+NamedFile drillRecordBeside(const std::string& file, RowRecord record, std::string_view rows) {
+    record.file = sumOf(rows);
     return {recordName(std::filesystem::path(file).filename().string()), recordText(record)};
 }
 

@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "app/arguments.h"
 #include "app/output_file.h"
@@ -14,13 +15,13 @@ namespace drillwave {
 
 /// Finds out before anything is computed whether a file of rows can be written, with a record beside it.
 /// Throws CommandError (unwritable output).
-void checkDrillRows(const std::string& file, const std::string& path, const ScenarioDocument& document,
+void checkDrillRows(const std::string& file, const Arguments& arguments, const ScenarioDocument& document,
                     Overwrite overwrite);
 
 /// What the rows are and how to get them, without axes and outputs.
 RowRecord drillRecord(const Arguments& arguments, const std::string& scenarioText, std::uint64_t rows);
 
-/// "blows.csv.yaml" with that in it.
-NamedFile drillRecordBeside(const std::string& file, const RowRecord& record);
+/// "blows.csv.yaml" with that in it, of a file with these rows.
+NamedFile drillRecordBeside(const std::string& file, RowRecord record, std::string_view rows);
 
 }  // namespace drillwave

@@ -25,12 +25,13 @@ void writeScan(const DrillingScanReport& report, const Arguments& arguments, Out
     const std::optional<std::string> out = arguments.value("o"), gaps = arguments.value("gaps");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const bool isFile = out && !isStream(*out);
+    const std::string rows = drillingScanCsv(report, units);
     if (isFile) {
         RowRecord record = drillRecord(arguments, report.scenarioText, report.scan.points.size());
         record.axes.push_back(recordedAxis(report.scan.axis, *arguments.value("scan")));
         for (const OutputColumn& column : drillingScanColumns(units))
             record.outputs.push_back(column.header());
-        beside.push_back(drillRecordBeside(*out, record));
+        beside.push_back(drillRecordBeside(*out, std::move(record), rows));
     }
     const bool isOneSet =
         isFile && gaps && !isStream(*gaps) && fs::path(*out).parent_path() == fs::path(*gaps).parent_path();
@@ -38,7 +39,7 @@ void writeScan(const DrillingScanReport& report, const Arguments& arguments, Out
         beside.push_back({fs::path(*gaps).filename().string(), drillingGapsCsv(report, units)});
     else if (gaps)
         writeStudy(*gaps, drillingGapsCsv(report, units), {}, overwrite, interruption);
-    if (out) writeStudy(*out, drillingScanCsv(report, units), std::move(beside), overwrite, interruption);
+    if (out) writeStudy(*out, rows, std::move(beside), overwrite, interruption);
 }
 
 /// Throws where values have no answer.
@@ -90,8 +91,8 @@ ExitCode runDrillScan(const Arguments& arguments, const ScenarioDocument& docume
     const std::optional<std::string> out = arguments.value("o"), gaps = arguments.value("gaps");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     for (const std::optional<std::string>& file : {out, gaps})
-        if (file && *file != "-") checkDrillRows(*file, path, document, overwrite);
-    plots.check(path, document, overwrite);
+        if (file && *file != "-") checkDrillRows(*file, arguments, document, overwrite);
+    plots.check(arguments, document, overwrite);
     if (out && gaps && *out == *gaps)
         throw CommandError(ExitCode::usage,
                            translatable("drillwave::Message", "-o and --gaps name one file; give two"));

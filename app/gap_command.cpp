@@ -102,9 +102,9 @@ ExitCode runGap(const Arguments& arguments, const Drawing* drawing) {
                     {path}));
     const std::optional<NormalGap> normal = normalOf(arguments, document.scenario);
     if (csvPath) {
-        checkOutputIsNoInput(*csvPath, path, document);
+        checkOutputIsNoInput(*csvPath, arguments, document);
         checkOutput(*csvPath, overwrite);
-        plots.check(path, document, overwrite);
+        plots.check(arguments, document, overwrite);
     }
 
     if (csvPath != "-") checkStandardOutput();

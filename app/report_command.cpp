@@ -63,9 +63,9 @@ ReportPlace placeOf(const Arguments& arguments) {
 }
 
 /// Finds out before anything is computed whether the files can be written.
-void check(const ReportPlace& place, const std::string& input, const ScenarioDocument& document,
+void check(const ReportPlace& place, const Arguments& arguments, const ScenarioDocument& document,
            Overwrite overwrite) {
-    for (const std::string& path : place.paths()) checkOutputIsNoInput(path, input, document);
+    for (const std::string& path : place.paths()) checkOutputIsNoInput(path, arguments, document);
     if (place.isFolder)
         checkFolder(place.path, place.names(), overwrite);
     else
@@ -109,7 +109,7 @@ ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
     const ReportHead head = headOf(arguments);
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
-    check(place, path, document, overwrite);
+    check(place, arguments, document, overwrite);
 
     const Interruption interruption;
     remarkOnValues(document.scenario, path, arguments.style());

@@ -54,10 +54,11 @@ RunFiles filesOf(const Arguments& arguments) {
 }
 
 /// Finds out before anything is computed whether the files can be written.
-void prepare(const RunFiles& files, const std::string& path, const ScenarioDocument& document) {
+void prepare(const RunFiles& files, const Arguments& arguments, const ScenarioDocument& document) {
     if (files.directory.empty()) return;
     const std::vector<std::string> names = runFileNames(files.plots);
-    for (const std::string& name : names) checkOutputIsNoInput(files.directory + "/" + name, path, document);
+    for (const std::string& name : names)
+        checkOutputIsNoInput(files.directory + "/" + name, arguments, document);
     checkFolder(files.directory, names, files.overwrite);
 }
 
@@ -111,7 +112,7 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
             Message(translatable("drillwave::Message",
                                  "--si: %1 is given by its dimensionless groups and has no SI units"),
                     {path}));
-    prepare(files, path, document);
+    prepare(files, arguments, document);
 
     const bool writesFiles = !files.directory.empty();
     checkStandardOutput();

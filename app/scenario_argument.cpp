@@ -172,13 +172,18 @@ void checkOutputIsNone(const std::string& output, const std::vector<std::string>
     }
 }
 
-void checkOutputIsNoInput(const std::string& output, const std::string& scenarioPath,
-                          const ScenarioDocument& document, const std::vector<std::string>& others) {
-    std::vector<std::string> inputs{scenarioPath};
-    inputs.insert(inputs.end(), others.begin(), others.end());
+std::vector<std::string> inputsOf(const Arguments& arguments, const ScenarioDocument& document) {
+    std::vector<std::string> inputs = arguments.operands();
+    for (const std::string_view option : inputOptions)
+        for (std::string& file : arguments.values(option)) inputs.push_back(std::move(file));
     if (const std::string& table = document.scenario.pulse.tableFile; !table.empty())
-        inputs.push_back((std::filesystem::path(scenarioPath).parent_path() / table).string());
-    checkOutputIsNone(output, inputs);
+        inputs.push_back((std::filesystem::path(inputs.front()).parent_path() / table).string());
+    return inputs;
+}
+
+void checkOutputIsNoInput(const std::string& output, const Arguments& arguments,
+                          const ScenarioDocument& document) {
+    checkOutputIsNone(output, inputsOf(arguments, document));
 }
 
 ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments) {

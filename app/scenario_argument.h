@@ -34,10 +34,16 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
 /// The same for a command that solves exactly, whatever a result was solved by: says so where it matters.
 ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments);
 
-/// Throws CommandError (usage) if `output`, which the command writes, is one of the files that are read: the
-/// scenario file, its table of a pulse, or one of the `others`.
-void checkOutputIsNoInput(const std::string& output, const std::string& scenarioPath,
-                          const ScenarioDocument& document, const std::vector<std::string>& others = {});
+/// The options that name a file which is read.
+inline constexpr std::string_view inputOptions[] = {"presets", "draws"};
+
+/// Every file that a command reads: its operands, those of inputOptions, and the table of the scenario's
+/// blow.
+std::vector<std::string> inputsOf(const Arguments& arguments, const ScenarioDocument& document);
+
+/// Throws CommandError (usage) if `output`, which the command writes, is one of these.
+void checkOutputIsNoInput(const std::string& output, const Arguments& arguments,
+                          const ScenarioDocument& document);
 
 /// Throws CommandError (usage) if `output` is one of the `inputs`.
 void checkOutputIsNone(const std::string& output, const std::vector<std::string>& inputs);

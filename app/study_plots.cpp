@@ -99,10 +99,10 @@ std::vector<std::string> StudyPlots::namesWith(std::vector<std::string> files) c
     return files;
 }
 
-void StudyPlots::check(const std::string& input, const ScenarioDocument& document,
+void StudyPlots::check(const Arguments& arguments, const ScenarioDocument& document,
                        Overwrite overwrite) const {
     for (const std::string& name : names()) {
-        checkOutputIsNoInput(m_folder + name, input, document);
+        checkOutputIsNoInput(m_folder + name, arguments, document);
         checkOverwrite(m_folder + name, overwrite);
     }
 }

@@ -37,7 +37,7 @@ class StudyPlots {
     std::vector<std::string> namesWith(std::vector<std::string> files) const;
     /// Throws CommandError (unwritable output) where one of them is an input or may not be overwritten:
     /// before anything is computed.
-    void check(const std::string& input, const ScenarioDocument& document, Overwrite overwrite) const;
+    void check(const Arguments& arguments, const ScenarioDocument& document, Overwrite overwrite) const;
     /// Draws them; none where none are wanted. Throws CommandError: unwritable output; interrupted.
     std::vector<NamedFile> draw(const StudyValue& value, const Drawing* drawing,
                                 const Interruption& interruption) const;

@@ -128,9 +128,9 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
                         arguments.value("along").value_or(arguments.value("frequency").value_or("")))});
     checkQuestion(report.scenario, axis, path);
     if (csvPath) {
-        checkOutputIsNoInput(*csvPath, path, document);
+        checkOutputIsNoInput(*csvPath, arguments, document);
         checkOutput(*csvPath, overwrite);
-        plots.check(path, document, overwrite);
+        plots.check(arguments, document, overwrite);
     }
 
     if (csvPath != "-") checkStandardOutput();

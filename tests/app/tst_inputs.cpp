@@ -6,8 +6,10 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QProcess>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 
+#include "app/scenario_argument.h"
 #include "tests/support/program.h"
 
 using namespace drillwave::test;
@@ -43,6 +45,9 @@ class TestInputs : public QObject {
     void presetsOfOnesOwnAreTaken();
     void anEmptyNameIsNoFileOfPresets();
     void presetsAreValidatedAsPresets();
+    void noInputIsOverwritten_data();
+    void noInputIsOverwritten();
+    void everyOptionThatReadsAFileIsAnInput();
 };
 
 void TestInputs::scenariosComeFromPipes_data() {
@@ -249,6 +254,72 @@ void TestInputs::presetsAreValidatedAsPresets() {
     QCOMPARE(finished.exitCode, 5);
     QCOMPARE(finished.error.count('\n'), 2);
     QVERIFY2(finished.error.startsWith(bad.toUtf8() + ":4:"), finished.error);
+}
+
+void TestInputs::noInputIsOverwritten_data() {
+    QTest::addColumn<QString>("words");
+    QTest::addColumn<QString>("presets");
+    const auto row = [](const char* words, const char* presets) {
+        QTest::newRow(words) << QString(words) << QString(presets);
+    };
+    row("run FILE -o .", "summary.json");
+    row("run FILE -o . --plots svg", "blow.svg");
+    row("run FILE -o .", "scenario.yaml");
+    row("sweep FILE --vary beta=1 -o mine.csv", "mine.csv");
+    row("sweep FILE --vary beta=1 -o mine.csv", "mine.csv.yaml");
+    row("sweep FILE --vary beta=1:2:3 -o mine.csv --plots svg", "mine.svg");
+    row("sweep FILE --vary beta=1 -o mine.csv --resume", "mine.csv.yaml");
+    row("table FILE cases.csv -o mine.csv", "mine.csv");
+    row("curve FILE --along beta=1:2 -o mine.csv", "mine.csv");
+    row("curve FILE --along beta=1:2 --goal 0.5 -o mine.csv", "mine_goal.csv");
+    row("map FILE --x beta=1:2:2 --y gamma=0.1:1:2 -o mine.csv", "mine.csv");
+    row("map FILE --x beta=1:2:2 --y gamma=0.1:1:2 --level 0.5 -o mine.csv", "mine_contours.csv");
+    row("gap FILE -o mine.csv", "mine.csv");
+    row("thrust FILE --along drill.blow_frequency=20Hz:40Hz:2 -o mine.csv", "mine.csv");
+    row("drill FILE -o mine.csv", "mine.csv.yaml");
+    row("drill FILE -o .", "summary.json");
+    row("drill FILE --scan drill.thrust=3kN:4kN:2 -o mine.csv", "mine.csv");
+    row("design FILE --choose rod.length=3m,4m --uncertain gamma=0.1:0.3 --aim max:efficiency@mean -o .",
+        "best.yaml");
+    row("accuracy FILE --segments 50,100 -o .", "accuracy.csv");
+    row("report FILE -o mine.html", "mine.html");
+    row("report FILE -o .", "report.pdf");
+}
+
+void TestInputs::noInputIsOverwritten() {
+    QFETCH(QString, words);
+    QFETCH(QString, presets);
+    const QTemporaryDir folder;
+    const QByteArray mine = read(QStringLiteral(DRILLWAVE_SOURCE_DIR "/resources/presets/presets.yaml"));
+    QVERIFY(mine.size() > 1000);
+    write(folder.filePath(presets), mine);
+    write(folder.filePath("cases.csv"), "beta\n1\n");
+    const QString line = "drillwave " + words.replace("FILE", example("t38_medium_rock")) +
+                         " --rod T51 --presets " + presets + " --force";
+    const Finished refused = shell(line, folder.path());
+    QCOMPARE(refused.exitCode, 2);
+    QVERIFY2(refused.error.contains("is read as input (" + presets.toUtf8() + ")"), refused.error);
+    QVERIFY(read(folder.filePath(presets)) == mine);
+}
+
+void TestInputs::everyOptionThatReadsAFileIsAnInput() {
+    // By what the help says of options that take a file and do not write one.
+    QStringList found;
+    for (const char* command : {"run", "sweep", "table", "curve", "map", "gap", "thrust", "accuracy", "drill",
+                                "design", "report"}) {
+        const QString help = QString::fromUtf8(output({"help", command}));
+        static const QRegularExpression option("^ +--([a-z-]+) FILE", QRegularExpression::MultilineOption);
+        for (auto match = option.globalMatch(help); match.hasNext();) {
+            const QString name = match.next().captured(1);
+            if (name != "gaps" && !found.contains(name)) found << name;
+        }
+    }
+    QStringList inputs;
+    for (const std::string_view name : drillwave::inputOptions)
+        inputs << QString::fromUtf8(name.data(), static_cast<qsizetype>(name.size()));
+    found.sort();
+    inputs.sort();
+    QCOMPARE(found, inputs);
 }
 
 QTEST_GUILESS_MAIN(TestInputs)

@@ -155,11 +155,12 @@ void TestScenarioArgument::anOutputIsNoInput() {
     QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text.c_str()) > 0);
     file.close();
     const ScenarioDocument document = loadScenarioFile(path).document;
-    checkOutputIsNoInput(path + ".csv", path, document);
-    QVERIFY_EXCEPTION_THROWN(checkOutputIsNoInput(path, path, document), CommandError);
+    checkOutputIsNoInput(path + ".csv", parsed({path}), document);
+    QVERIFY_EXCEPTION_THROWN(checkOutputIsNoInput(path, parsed({path}), document), CommandError);
     const std::string detour = place.filePath("./s.yaml").toStdString();
-    QVERIFY_EXCEPTION_THROWN(checkOutputIsNoInput(detour, path, document), CommandError);
-    QVERIFY_EXCEPTION_THROWN(checkOutputIsNoInput(path, "-", document, {path}), CommandError);
+    QVERIFY_EXCEPTION_THROWN(checkOutputIsNoInput(detour, parsed({path}), document), CommandError);
+    QVERIFY_EXCEPTION_THROWN(checkOutputIsNoInput(path, parsed({"-", "--presets", path}), document),
+                             CommandError);
 }
 
 void TestScenarioArgument::whatAnAxisChangesIsNotSet() {
