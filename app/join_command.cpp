@@ -4,14 +4,17 @@
 #include <array>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "app/command.h"
 #include "app/interruption.h"
 #include "app/output_file.h"
 #include "app/progress_bar.h"
+#include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "core/archive/result_scenario.h"
 #include "core/archive/row_part.h"
+#include "core/archive/row_record.h"
 #include "core/disk/file_bytes.h"
 
 namespace drillwave {
@@ -101,42 +104,62 @@ std::vector<JoinedPart> loadParts(const std::vector<std::string>& files) {
     return loaded;
 }
 
-/// Counts the lines of a CSV file as they go by; a line feed between quotes ends none.
-class LineCount {
-  public:
-    void take(std::string_view text) {
-        for (const char c : text) {
-            m_isQuoted ^= c == '"';
-            m_lines += c == '\n' && !m_isQuoted;
-        }
-    }
-    std::uint64_t lines() const { return m_lines; }
-
-  private:
-    std::uint64_t m_lines = 0;
-    bool m_isQuoted = false;
-};
-
 void copyRows(const RowPart& part, OutputFile& out, const Interruption& interruption) {
     std::ifstream stream(part.file, std::ios::binary);
     std::vector<char> block(std::size_t{1} << 20);
-    LineCount count;
+    FileSum sum;
     while (stream) {
         stream.read(block.data(), static_cast<std::streamsize>(block.size()));
         const std::string_view text(block.data(), static_cast<std::size_t>(stream.gcount()));
-        count.take(text);
+        sum.take(text);
         out.write(text);
         interruption.check();
     }
     if (!stream.eof()) refuse(part.file, translatable("drillwave::Message", "cannot be read"));
-    const std::uint64_t header = part.shard.hasHeader() ? 1 : 0;
-    if (count.lines() == part.rows + header) return;
+    if (sum == part.sum) return;
     throw CommandError(
         ExitCode::invalidScenario,
         std::vector{Message(
             translatable("drillwave::Message",
-                         "%1: has %2 lines, but %3 by its record; it was changed or is of another run"),
-            {part.file, std::to_string(count.lines()), std::to_string(part.rows + header)})});
+                         "%1: is not what its record says: it has %2 bytes with checksum %3, and was written "
+                         "with %4 and %5; it was changed or is another part, run it again"),
+            {part.file, std::to_string(sum.bytes), sum.checksum(), std::to_string(part.sum.bytes),
+             part.sum.checksum()})});
+}
+
+/// The parts in a folder, by their records, without the rows there that are no part.
+std::vector<std::string> partsIn(const std::string& folder) {
+    std::vector<std::string> files;
+    const std::string ending = recordName({});
+    for (const auto& entry : std::filesystem::directory_iterator(folder)) {
+        std::string file = entry.path().string();
+        if (!file.ends_with(ending)) continue;
+        file.resize(file.size() - ending.size());
+        std::error_code error;
+        if (!std::filesystem::is_regular_file(file, error)) continue;
+        const std::string record = readStart(recordName(file), maximumInputBytes).bytes;
+        if (record.starts_with(rowRecordKey) && record.find("\npart: ") != std::string::npos)
+            files.push_back(std::move(file));
+    }
+    std::ranges::sort(files);
+    if (files.empty())
+        refuse(folder, translatable("drillwave::Message", "has no parts of --shard with their records"));
+    return files;
+}
+
+/// The files of rows that the operands name: a folder names the parts in it, a record beside its rows
+/// nothing.
+std::vector<std::string> filesOf(const std::vector<std::string>& operands) {
+    std::vector<std::string> files;
+    for (const std::string& operand : operands) {
+        std::error_code error;
+        const auto isRecordOf = [&](const std::string& other) { return operand == recordName(other); };
+        if (std::filesystem::is_directory(operand, error))
+            std::ranges::move(partsIn(operand), std::back_inserter(files));
+        else if (std::ranges::none_of(operands, isRecordOf))
+            files.push_back(operand);
+    }
+    return files;
 }
 
 ExitCode runJoin(const Arguments& arguments, const Drawing*) {
@@ -146,12 +169,13 @@ ExitCode runJoin(const Arguments& arguments, const Drawing*) {
             ExitCode::usage,
             translatable("drillwave::Message", "needs -o FILE, where to write; - is standard output"));
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
-    const std::vector<JoinedPart> parts = loadParts(arguments.operands());
+    const std::vector<JoinedPart> parts = loadParts(filesOf(arguments.operands()));
     std::vector<std::string> inputs;
-    std::uint64_t rows = 0;
+    WholeRows whole;
     for (const JoinedPart& one : parts) {
         inputs.insert(inputs.end(), {one.part.file, recordName(one.part.file)});
-        rows += one.part.rows;
+        whole.rows += one.part.rows;
+        whole.unsolved += one.part.unsolved;
     }
     for (const std::string& output : {*path, recordName(*path)}) {
         checkOutputIsNone(output, inputs);
@@ -161,7 +185,7 @@ ExitCode runJoin(const Arguments& arguments, const Drawing*) {
     const Interruption interruption;
     OutputFile out(*path, overwrite);
     {
-        ProgressBar bar(rows, translatable("drillwave::Message", "rows"), arguments.style());
+        ProgressBar bar(whole.rows, translatable("drillwave::Message", "rows"), arguments.style());
         std::uint64_t copied = 0;
         for (const JoinedPart& one : parts) {
             copyRows(one.part, out, interruption);
@@ -170,11 +194,13 @@ ExitCode runJoin(const Arguments& arguments, const Drawing*) {
     }
     const JoinedPart& first = parts.front();
     const std::string command = first.command + " " + first.arguments.shellText(partOption);
+    whole.sum = out.sum();
     if (!isStream(*path))
         out.add({recordName(std::filesystem::path(*path).filename().string()),
-                 wholeRecord(first.part, command, rows)});
+                 wholeRecord(first.part, command, whole)});
     out.commit(&interruption);
-    return ExitCode::done;
+    if (whole.unsolved == 0) return ExitCode::done;
+    throw CommandError(ExitCode::unsolvedOrFailed, unsolvedRows(whole.unsolved, whole.rows));
 }
 
 }  // namespace
@@ -185,12 +211,13 @@ const Command& joinCommand() {
         .operands = "PART…",
         .summary = "put the parts of a sweep, table or map of --shard together",
         .details =
-            "FILE and FILE.yaml come out byte for byte as from the run in one piece. The parts may be named "
-            "in\n"
-            "any order; each needs its record beside it. All must be of one run (scenario, axes, version, "
-            "number\n"
-            "of parts), and each be there once: what is missing, doubled or foreign is named, with exit code "
-            "5.",
+            "FILE and FILE.yaml come out byte for byte as from the run in one piece, with its exit code. A\n"
+            "PART is a file of rows with its record beside it, or a folder with all parts; any order will "
+            "do.\n"
+            "All must be of one run (scenario, axes, table of cases, build, number of parts), be there once\n"
+            "and have the size and checksum of their records: what is missing, doubled, foreign or changed "
+            "is\n"
+            "named, with exit code 5.",
         .options = {{"o", "FILE", "where to write, with FILE.yaml beside it; - is standard output"},
                     {"force", "", "overwrite existing files"}},
         .leastOperands = 1,

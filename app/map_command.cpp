@@ -69,10 +69,10 @@ MapFiles filesOf(const Arguments& arguments, const RowOptions& options, const Sc
                                          "%1 has no place where -o - prints the map; give -o FILE.csv"),
                             {std::string("--") + option}));
     if (!hasFile) return files;
-    checkRows(options, arguments.operands().front(), document);
+    checkRows(options, arguments, document);
     if (!arguments.has("level")) return files;
     files.contours = contoursName(options.path);
-    checkOutputIsNoInput(files.contours, arguments.operands().front(), document);
+    checkOutputIsNoInput(files.contours, arguments, document);
     checkOverwrite(files.contours, options.overwrite);
     return files;
 }
@@ -102,7 +102,7 @@ MapReport solve(const MapStudy& study, const std::vector<double>& levels, int jo
     return report;
 }
 
-void writeFiles(const MapFiles& files, const MapReport& report, const RowRecord& record,
+void writeFiles(const MapFiles& files, const MapReport& report, RowRecord record,
                 std::vector<NamedFile> beside, const Interruption& interruption) {
     OutputFile rows(files.rows.path, files.rows.overwrite);
     RowCsv csv([&](std::string_view text) {
@@ -112,7 +112,8 @@ void writeFiles(const MapFiles& files, const MapReport& report, const RowRecord&
     giveRows(report.study, report.grid, csv);
     if (!files.contours.empty())
         beside.push_back({std::filesystem::path(files.contours).filename(), contoursCsv(report)});
-    commitRows(rows, files.rows, record, std::move(beside), interruption);
+    record.unsolved = report.grid.failed();
+    commitRows(rows, files.rows, std::move(record), std::move(beside), interruption);
 }
 
 /// Done, or why not all of it is.
@@ -150,17 +151,18 @@ void checkPart(const Arguments& arguments) {
 
 ExitCode writePart(const MapStudy& study, const RowRecord& record, const RowOptions& options,
                    const ReadingStyle& style, const Interruption& interruption) {
-    const Sweep rows{.base = study.base,
-                     .axes = {study.x, study.y},
-                     .columns = {study.output},
-                     .shard = options.shard,
-                     .method = study.method,
-                     .workLimit = study.workLimit};
-    const auto run = [&](std::stop_token stop, RowSink& sink, const RowProgress& progress) {
+    Sweep rows{.base = study.base,
+               .axes = {study.x, study.y},
+               .columns = {study.output},
+               .shard = options.shard,
+               .method = study.method,
+               .workLimit = study.workLimit};
+    const auto run = [&](std::stop_token stop, RowSink& sink, const RowProgress& progress,
+                         std::uint64_t done) {
+        rows.done = done;
         return runSweep(rows, options.jobs, stop, sink, progress);
     };
-    OutputFile out(options.path, options.overwrite);
-    return writeRows(run, record, options, out, interruption, style);
+    return writeRows(run, record, options, interruption, style);
 }
 
 ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
@@ -185,7 +187,7 @@ ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
         throw CommandError(ExitCode::invalidScenario, eachAbout(path, std::move(problems)));
     const MapFiles files = filesOf(arguments, options, base);
     if (!arguments.has("o") || options.path != "-") checkStandardOutput();
-    plots.check(path, base, options.overwrite);
+    plots.check(arguments, base, options.overwrite);
     RowRecord record = recordOf("map", arguments, options, {&study.output, 1}, base,
                                 rowsOf(options.shard, x.count * y.count).size());
     for (const auto& [axis, option] : {std::pair{&x, "x"}, {&y, "y"}})
@@ -193,7 +195,8 @@ ExitCode runMap(const Arguments& arguments, const Drawing* drawing) {
 
     const Interruption interruption;
     remarkOnValues(base.scenario, path, arguments.style());
-    if (arguments.has("shard")) return writePart(study, record, options, arguments.style(), interruption);
+    if (arguments.has("shard") || options.resumes)
+        return writePart(study, record, options, arguments.style(), interruption);
     MapReport report = solve(study, levels, options.jobs, arguments.style(), interruption);
     report.scenarioText = record.scenario;
     if (arguments.has("o"))
@@ -217,6 +220,7 @@ std::vector<OptionSpec> mapOptions() {
               "wave pieces a point may take, 1000000 (at worst 2 s) if not given; else it has no output"},
              {"j", "N", "threads to use, all of them if not given"},
              shardOptionSpec(),
+             resumeOptionSpec(),
              {"o", "FILE.csv",
               "also write the points, with FILE.csv.yaml beside, contours into FILE_contours.csv; - prints "
               "the points instead"},

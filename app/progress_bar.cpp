@@ -18,14 +18,14 @@ namespace {
 /// Work that takes longer has its first line in a log after a second [s].
 constexpr double worthTelling = 10;
 
-std::string duration(double seconds) {
+}  // namespace
+
+std::string durationText(double seconds) {
     const auto whole = std::llround(std::min(seconds, 1e9));
     if (whole < 60) return std::to_string(whole) + " s";
     if (whole < 3600) return std::to_string(whole / 60) + " min " + std::to_string(whole % 60) + " s";
     return std::to_string(whole / 3600) + " h " + std::to_string(whole / 60 % 60) + " min";
 }
-
-}  // namespace
 
 ProgressBar::ProgressBar(std::uint64_t total, const Message& unit, const ReadingStyle& style,
                          const ProgressOutput& out)
@@ -72,8 +72,8 @@ std::string ProgressBar::numbers(std::uint64_t done) const {
     if (!m_unit.empty())
         text += "  " + std::to_string(static_cast<std::uint64_t>(rate)) + " " + m_unit + "/s";
     if (rate > 0)
-        text += "  " +
-                m_style.said({translatable("drillwave::Message", "%1 left"), {duration(secondsLeft(done))}});
+        text += "  " + m_style.said({translatable("drillwave::Message", "%1 left"),
+                                     {durationText(secondsLeft(done))}});
     return text;
 }
 
@@ -99,7 +99,7 @@ ElapsedTime::ElapsedTime(const ReadingStyle& style) {
             if (stop.stop_requested()) break;
             drawn = isTerminal;
             std::fprintf(stderr, isTerminal ? "\r\033[K%s" : "%s\n",
-                         Message(words.c_str(), {duration(seconds)}).text().c_str());
+                         Message(words.c_str(), {durationText(seconds)}).text().c_str());
         }
         if (drawn) std::fputs("\r\033[K", stderr);
     };

@@ -16,6 +16,9 @@ namespace drillwave {
 /// From line to line of a log.
 inline constexpr std::chrono::seconds linesBetween{15};
 
+/// "42 s", "3 min 20 s", "5 h 12 min".
+std::string durationText(double seconds);
+
 /// Where progress is told.
 struct ProgressOutput {
     std::FILE* stream = stderr;

@@ -2,13 +2,20 @@
 #include "app/row_options.h"
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
+#include <fstream>
+#include <memory>
 #include <thread>
 
 #include "app/method_options.h"
 #include "app/progress_bar.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
+#include "core/archive/kept_rows.h"
+#include "core/archive/result_scenario.h"
+#include "core/archive/row_part.h"
+#include "core/disk/file_bytes.h"
 #include "core/model/blow_traits.h"
 #include "core/text/decimal_text.h"
 #include "core/text/message_list.h"
@@ -30,7 +37,7 @@ OutputChoice outputsOf(const Arguments& arguments) {
 }
 
 /// What changes where the rows go and how fast, not what they are.
-constexpr std::string_view aboutTheFile[] = {"o", "force", "j", "plots", "gaps"};
+constexpr std::string_view aboutTheFile[] = {"o", "force", "j", "plots", "gaps", "resume"};
 
 Shard shardOf(const Arguments& arguments) {
     const std::string text = arguments.value("shard").value_or("1/1");
@@ -55,6 +62,20 @@ Message withLimitHint(const Message& reason, long workLimit) {
 long limitOf(const Arguments& arguments, const Scenario& scenario) {
     const long ofString = WorkLimits().cells / cellsOfPiece;
     return workLimitOf(arguments, isFollowedByEvents(scenario) ? defaultWorkLimit : ofString);
+}
+
+/// Rows that are kept have a file to be kept for, and are not in memory to be drawn.
+void checkResumes(const Arguments& arguments) {
+    if (isStream(arguments.value("o").value_or("-")))
+        throw CommandError(
+            ExitCode::usage,
+            translatable("drillwave::Message", "--resume is about the file of -o; add -o FILE.csv"));
+    for (const char* option : {"plots", "level", "json"})
+        if (arguments.has(option))
+            throw CommandError(ExitCode::usage,
+                               Message(translatable("drillwave::Message",
+                                                    "%1 needs the rows in one run; leave out --resume"),
+                                       {std::string("--") + option}));
 }
 
 /// "2 rows", to stand before a reason.
@@ -129,6 +150,7 @@ std::vector<OptionSpec> rowOptionSpecs() {
               "wave pieces a row may take, 1000000 (at worst 2 s) if not given; else its cells are empty"},
              {"j", "N", "threads to use, all of them if not given"},
              shardOptionSpec(),
+             resumeOptionSpec(),
              {"o", "FILE.csv",
               "where to write, with FILE.csv.yaml beside it; - is standard output, as without"},
              {"force", "", "overwrite existing files"}})
@@ -139,6 +161,11 @@ std::vector<OptionSpec> rowOptionSpecs() {
 OptionSpec shardOptionSpec() {
     return {"shard", "I/N",
             "only the I-th of N contiguous parts, for `drillwave join`; header only in part 1"};
+}
+
+OptionSpec resumeOptionSpec() {
+    return {"resume", "",
+            "keep rows in FILE.csv.partial as they are done, and go on behind those of a run that ended"};
 }
 
 std::string outputHelp(const ReadingStyle& style) {
@@ -165,6 +192,7 @@ std::string outputHelp(const ReadingStyle& style) {
 
 RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoice>& method) {
     OutputChoice outputs = outputsOf(arguments);
+    if (arguments.has("resume")) checkResumes(arguments);
     return {.columns = std::move(outputs.columns),
             .units = unitsOf(arguments),
             .allOutputs = outputs.all,
@@ -172,6 +200,7 @@ RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoi
             .shard = shardOf(arguments),
             .path = arguments.value("o").value_or("-"),
             .overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused,
+            .resumes = arguments.has("resume"),
             .method = methodChoice(arguments, method),
             .workLimit = workLimitOf(arguments)};
 }
@@ -203,46 +232,191 @@ RowRecord recordOf(std::string_view command, const Arguments& arguments, const R
     return record;
 }
 
-void checkRows(const RowOptions& options, const std::string& input, const ScenarioDocument& document,
-               const std::vector<std::string>& otherInputs) {
-    checkOutputIsNoInput(options.path, input, document, otherInputs);
-    checkOutput(options.path, options.overwrite);
-    if (isStream(options.path)) return;
+void checkRows(const RowOptions& options, const Arguments& arguments, const ScenarioDocument& document) {
     const std::string record = recordName(options.path);
-    checkOutputIsNoInput(record, input, document, otherInputs);
-    checkOverwrite(record, options.overwrite);
+    for (const std::string& output : {options.path, record})
+        checkOutputIsNoInput(output, arguments, document);
+    if (options.resumes) return;  // the rows that are there are looked at when it is known what they must be
+    checkOutput(options.path, options.overwrite);
+    if (!isStream(options.path)) checkOverwrite(record, options.overwrite);
 }
 
-void commitRows(OutputFile& rows, const RowOptions& options, const RowRecord& record,
-                std::vector<NamedFile> beside, const Interruption& interruption) {
+void commitRows(OutputFile& rows, const RowOptions& options, RowRecord record, std::vector<NamedFile> beside,
+                const Interruption& interruption) {
     if (!isStream(options.path)) {
         const std::string name = std::filesystem::path(options.path).filename();
+        record.file = rows.sum();
         rows.add({recordName(name), recordText(record)});
         for (NamedFile& file : beside) rows.add(std::move(file));
     }
     rows.commit(&interruption);
 }
 
-ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options, OutputFile& out,
+namespace {
+
+/// Whether FILE is there already, with the rows of this record; of them what the run in one piece would tell.
+std::optional<RowPart> rowsThere(const RowRecord& record, const std::string& path) {
+    const FileBytes there = readFile(recordName(path), maximumInputBytes);
+    std::ifstream rows(path, std::ios::binary);
+    if (!there.problem.isEmpty() || !rows) return std::nullopt;
+    try {
+        RowPart part = parseRowPart(there.bytes, path);
+        RowRecord same = record;
+        same.unsolved = part.unsolved;
+        same.file = sumOf(rows);
+        return recordText(same) == there.bytes ? std::optional(std::move(part)) : std::nullopt;
+    } catch (const ScenarioError&) {
+        return std::nullopt;
+    }
+}
+
+[[noreturn]] void refuseUnsolved(const RowCounts& counts, long workLimit) {
+    if (counts.failures.empty())
+        throw CommandError(ExitCode::unsolvedOrFailed, unsolvedRows(counts.failed, counts.rows));
+    throw CommandError(ExitCode::unsolvedOrFailed,
+                       Message("%1; %2", {unsolvedRows(counts.failed, counts.rows),
+                                          reasonsOf(counts, RowNoun::row, workLimit)}));
+}
+
+/// "1.6 MB", "40 TB".
+std::string bytesText(double bytes, const ReadingStyle& style) {
+    constexpr const char* units[] = {"bytes", "kB", "MB", "GB", "TB", "PB"};
+    std::size_t unit = 0;
+    for (; bytes >= 1000 && unit + 1 < std::size(units); ++unit) bytes /= 1000;
+    return style.number(bytes, 2) + " " + units[unit];
+}
+
+/// Tells once, as soon as the rate is known, what rows that take long will take, and refuses those that the
+/// disk has no room for.
+class RowForecast {
+  public:
+    RowForecast(const RowOptions& options, const RowsDone& begin, std::uint64_t rows,
+                const ReadingStyle& style)
+        : m_options(options), m_begin(begin), m_rows(rows), m_style(style) {}
+
+    /// Throws CommandError (unwritable output).
+    void show(std::uint64_t rows, std::uint64_t bytes) {
+        const double seconds = std::chrono::duration<double>(Clock::now() - m_start).count();
+        if (m_isDone || seconds < 1 || rows <= m_begin.rows) return;
+        m_isDone = true;
+        const double done = static_cast<double>(rows - m_begin.rows);
+        const double left = static_cast<double>(m_rows - rows);
+        const double bytesLeft = static_cast<double>(bytes - m_begin.sum.bytes) / done * left;
+        const double all = static_cast<double>(bytes) + bytesLeft;
+        if (!isStream(m_options.path)) checkRoom(all, bytesLeft);
+        if (seconds / done * left < worthTelling) return;
+        printRemark({translatable("drillwave::Message",
+                                  "%1 rows take about %2 and %3. A run that ends before its time leaves no "
+                                  "rows, but with --resume those that are done, and with --shard I/N the "
+                                  "parts that are done"),
+                     {std::to_string(m_rows), bytesText(all, m_style), durationText(seconds / done * left)}},
+                    m_style);
+    }
+
+  private:
+    using Clock = std::chrono::steady_clock;
+    static constexpr double worthTelling = 600;  // [s]
+
+    void checkRoom(double all, double needed) const {
+        std::error_code error;
+        const std::filesystem::path folder = std::filesystem::path(m_options.path).parent_path();
+        const auto space = std::filesystem::space(folder.empty() ? "." : folder, error);
+        if (error || needed <= static_cast<double>(space.available)) return;
+        throw CommandError(
+            ExitCode::unwritableOutput,
+            Message(translatable("drillwave::Message",
+                                 "%1: %2 rows take about %3, and the disk has %4 free; take fewer rows, or "
+                                 "write parts (--shard I/N) to several disks"),
+                    {m_options.path, std::to_string(m_rows), bytesText(all, m_style),
+                     bytesText(static_cast<double>(space.available), m_style)}));
+    }
+
+    const RowOptions& m_options;
+    RowsDone m_begin;
+    std::uint64_t m_rows;
+    const ReadingStyle& m_style;
+    Clock::time_point m_start = Clock::now();
+    bool m_isDone = false;
+};
+
+/// What an earlier run left of these rows, where this one goes on behind them. Throws CommandError.
+std::unique_ptr<KeptRows> keptRows(const RowRecord& record, const RowOptions& options) {
+    if (!options.resumes) return nullptr;
+    checkOutput(options.path, options.overwrite);
+    auto kept = std::make_unique<KeptRows>(
+        options.path, recordEntries(record),
+        options.overwrite == Overwrite::allowed ? KeptRows::Other::isReplaced : KeptRows::Other::isProblem);
+    if (!kept->problem().isEmpty()) throw CommandError(ExitCode::unwritableOutput, kept->problem());
+    return kept;
+}
+
+/// Throws CommandError: unwritable output.
+void note(KeptRows* kept, const RowsDone& done, WriteFailure (KeptRows::*how)(const RowsDone&)) {
+    if (!kept) return;
+    if (const WriteFailure failure = (kept->*how)(done))
+        throw CommandError(ExitCode::unwritableOutput, notWritten(recordName(kept->path()), failure));
+}
+
+}  // namespace
+
+Message unsolvedRows(std::uint64_t unsolved, std::uint64_t rows) {
+    return {
+        translatable("drillwave::Message", "%1 of %2 rows could not be solved: their output cells are empty"),
+        {std::to_string(unsolved), std::to_string(rows)}};
+}
+
+ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options,
                    const Interruption& interruption, const ReadingStyle& style, const DrawRows& draw) {
+    if (options.resumes)
+        if (const std::optional<RowPart> there = rowsThere(record, options.path)) {
+            printRemark(
+                {translatable("drillwave::Message", "%1: has all of these rows already"), {options.path}},
+                style);
+            if (there->unsolved == 0) return ExitCode::done;
+            throw CommandError(ExitCode::unsolvedOrFailed, unsolvedRows(there->unsolved, there->rows));
+        }
+    const std::unique_ptr<KeptRows> kept = keptRows(record, options);
+    const RowsDone begin = kept ? kept->done() : RowsDone();
+    RowsDone done = begin;
     RowCounts counts;
     {
+        OutputFile out = kept ? OutputFile(options.path, options.overwrite, *kept)
+                              : OutputFile(options.path, options.overwrite);
         ProgressBar bar(record.rows, translatable("drillwave::Message", "rows"), style);
+        RowForecast forecast(options, begin, record.rows, style);
         RowCsv csv([&](std::string_view text) {
             out.write(text);
             return true;
         });
-        counts = run(interruption.token(), csv, [&](const RowCounts& soFar) { bar.show(soFar.rows); });
+        counts = run(
+            interruption.token(), csv,
+            [&](const RowCounts& soFar) {
+                done = {begin.rows + soFar.rows, begin.unsolved + soFar.failed, out.sum()};
+                note(kept.get(), done, &KeptRows::note);
+                forecast.show(done.rows, done.sum.bytes);
+                bar.show(done.rows);
+            },
+            begin.rows);
+        counts.rows = done.rows;
+        counts.failed = done.unsolved;
+        if (counts.end == WorkEnd::stopped && kept) {
+            note(kept.get(), done, &KeptRows::noteNow);
+            throw CommandError(
+                ExitCode::interrupted,
+                Message(
+                    translatable("drillwave::Message",
+                                 "interrupted; %1 of %2 rows are kept in %3, and the same command goes on "
+                                 "behind them"),
+                    {std::to_string(done.rows), std::to_string(record.rows), kept->path()}));
+        }
+        if (counts.end == WorkEnd::stopped) interruption.check();
+        RowRecord whole = record;
+        whole.unsolved = counts.failed;
+        commitRows(out, options, std::move(whole), draw ? draw() : std::vector<NamedFile>(), interruption);
     }
-    if (counts.end == WorkEnd::stopped) interruption.check();
-    commitRows(out, options, record, draw ? draw() : std::vector<NamedFile>(), interruption);
-    if (counts.failed == 0) return ExitCode::done;
-    throw CommandError(
-        ExitCode::unsolvedOrFailed,
-        Message(translatable("drillwave::Message",
-                             "%1 of %2 rows could not be solved: their output cells are empty; %3"),
-                {std::to_string(counts.failed), std::to_string(counts.rows),
-                 reasonsOf(counts, RowNoun::row, options.workLimit)}));
+    if (kept) kept->remove();
+    if (counts.failed > 0) refuseUnsolved(counts, options.workLimit);
+    return ExitCode::done;
 }
 
 }  // namespace drillwave

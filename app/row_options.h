@@ -31,8 +31,9 @@ namespace drillwave {
 /// The common options, for both commands' tables of options.
 std::vector<OptionSpec> rowOptionSpecs();
 
-/// --shard, for a table of options.
+/// --shard and --resume, for a table of options.
 OptionSpec shardOptionSpec();
+OptionSpec resumeOptionSpec();
 
 /// The names for --outputs with their meanings, for the help of commands.
 std::string outputHelp(const ReadingStyle& style);
@@ -49,6 +50,7 @@ struct RowOptions {
     Shard shard;
     std::string path;  ///< "-" is standard output
     Overwrite overwrite = Overwrite::refused;
+    bool resumes = false;  ///< keeps rows of a run that ends, and goes on behind those of one that did
     MethodChoice method;
     long workLimit = defaultWorkLimit;  ///< wave pieces of a row
 
@@ -94,24 +96,28 @@ RowRecord recordOf(std::string_view command, const Arguments& arguments, const R
 
 /// Finds out before anything is computed whether rows can be written there, with a record beside a file.
 /// Throws CommandError: usage, where an input would be overwritten; unwritable output.
-void checkRows(const RowOptions& options, const std::string& input, const ScenarioDocument& document,
-               const std::vector<std::string>& otherInputs = {});
+void checkRows(const RowOptions& options, const Arguments& arguments, const ScenarioDocument& document);
 
 /// The file of rows with its record, and with pictures, see StudyPlots::besideFile(). Throws CommandError:
 /// unwritable output; interrupted.
-void commitRows(OutputFile& rows, const RowOptions& options, const RowRecord& record,
-                std::vector<NamedFile> beside, const Interruption& interruption);
+void commitRows(OutputFile& rows, const RowOptions& options, RowRecord record, std::vector<NamedFile> beside,
+                const Interruption& interruption);
 
-/// A run of rows: sweep or table.
-using RunRows = std::function<RowCounts(std::stop_token, RowSink& sink, const RowProgress& progress)>;
+/// "2 of 20 rows could not be solved: their output cells are empty".
+Message unsolvedRows(std::uint64_t unsolved, std::uint64_t rows);
+
+/// A run of rows, sweep or table, without the first ones of the part, which are done.
+using RunRows =
+    std::function<RowCounts(std::stop_token, RowSink& sink, const RowProgress& progress, std::uint64_t done)>;
 
 /// Draws what has been run; no function where nothing is to be drawn.
 using DrawRows = std::function<std::vector<NamedFile>()>;
 
-/// Runs into `out` and commits it with its record and what is drawn then, with progress on a terminal in that
-/// style. Failed rows are counted on stderr, with their reasons, and give ExitCode::unsolvedOrFailed; an
-/// interruption leaves no file.
-ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options, OutputFile& out,
+/// Runs into the file of -o and commits it with its record and what is drawn then, with progress on a
+/// terminal in that style. Rows that need more than the disk has free are refused, hours of work are told.
+/// Failed rows are counted on stderr, with their reasons, and give ExitCode::unsolvedOrFailed; an
+/// interruption leaves no file, or where the run resumes the rows so far.
+ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options,
                    const Interruption& interruption, const ReadingStyle& style, const DrawRows& draw = {});
 
 }  // namespace drillwave

@@ -53,14 +53,14 @@ ExitCode runSweepCommand(const Arguments& arguments, const Drawing* drawing) {
     checkNotSet(arguments, base.scenario, axes, words);
     const RowOptions options = rowOptions(arguments, input.method);
     checkMethodOfString(options.method, input.document.scenario, path);
-    checkRows(options, path, base);
-    plots.check(path, base, options.overwrite);
-    const Sweep sweep{.base = base.scenario,
-                      .axes = axes,
-                      .columns = options.columnsFor(sampleOf(base.scenario, axes)),
-                      .shard = options.shard,
-                      .method = options.method,
-                      .workLimit = options.workLimit};
+    checkRows(options, arguments, base);
+    plots.check(arguments, base, options.overwrite);
+    Sweep sweep{.base = base.scenario,
+                .axes = axes,
+                .columns = options.columnsFor(sampleOf(base.scenario, axes)),
+                .shard = options.shard,
+                .method = options.method,
+                .workLimit = options.workLimit};
     if (std::vector<Message> problems = problemsOf(sweep); !problems.empty())
         throw CommandError(ExitCode::invalidScenario, eachAbout(path, std::move(problems)));
 
@@ -71,14 +71,15 @@ ExitCode runSweepCommand(const Arguments& arguments, const Drawing* drawing) {
                                 rowsOf(sweep.shard, pointCount(sweep)).size());
     record.axes = recordedAxes(axes, arguments);
     const Interruption interruption;
-    OutputFile out(options.path, options.overwrite);
     SweepRows rows{.title = base.scenario.title, .axes = axes, .columns = sweep.columns, .numbers = {}};
-    const auto run = [&](std::stop_token stop, RowSink& sink, const RowProgress& progress) {
+    const auto run = [&](std::stop_token stop, RowSink& sink, const RowProgress& progress,
+                         std::uint64_t done) {
+        sweep.done = done;
         if (!plots.areWanted()) return runSweep(sweep, options.jobs, stop, sink, progress);
         RowKeeper keeper(sink, rows.numbers);
         return runSweep(sweep, options.jobs, stop, keeper, progress);
     };
-    return writeRows(run, record, options, out, interruption, arguments.style(),
+    return writeRows(run, record, options, interruption, arguments.style(),
                      [&] { return plots.draw(&rows, drawing, interruption); });
 }
 

@@ -36,24 +36,28 @@ ExitCode runTableCommand(const Arguments& arguments, const Drawing*) {
     const ScenarioDocument& base = input.document;
     const RowOptions options = rowOptions(arguments, input.method);
     checkMethodOfString(options.method, input.document.scenario, scenarioPath);
-    checkRows(options, scenarioPath, base, {path});
-    const Table table{.base = base.scenario,
-                      .source = inputName(path),
-                      .columns = options.columnsFor(base.scenario),
-                      .shard = options.shard,
-                      .method = options.method,
-                      .workLimit = options.workLimit};
+    checkRows(options, arguments, base);
+    Table table{.base = base.scenario,
+                .source = inputName(path),
+                .columns = options.columnsFor(base.scenario),
+                .shard = options.shard,
+                .method = options.method,
+                .workLimit = options.workLimit};
     RereadableInput cases(path, RereadableInput::mostKept, arguments.style());
     const Interruption interruption;
-    OutputFile out(options.path, options.overwrite);
     const std::uint64_t rows = check(table, cases.stream(), options.jobs, arguments.style(), interruption);
     RowRecord record =
         recordOf("table", arguments, options, table.columns, base, rowsOf(table.shard, rows).size());
     record.cases = inputName(path);
-    const auto run = [&](std::stop_token stop, RowSink& sink, const RowProgress& progress) {
+    record.casesFile = sumOf(cases.stream());
+    cases.stream().clear();
+    cases.stream().seekg(0);
+    const auto run = [&](std::stop_token stop, RowSink& sink, const RowProgress& progress,
+                         std::uint64_t done) {
+        table.done = done;
         return runTable(table, cases.stream(), rows, options.jobs, stop, sink, progress);
     };
-    return writeRows(run, record, options, out, interruption, arguments.style());
+    return writeRows(run, record, options, interruption, arguments.style());
 }
 
 }  // namespace

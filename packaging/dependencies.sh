@@ -2,7 +2,7 @@
 # Sourced by run, test and check-package: installs what is missing on Debian 12, or says which command would; shows how far a build is.
 
 build_packages=(g++ cmake ninja-build qt6-base-dev qt6-svg-dev qt6-tools-dev qt6-l10n-tools libqcustomplot-dev libboost-dev
-    libeigen3-dev libyaml-cpp-dev libgl-dev fonts-dejavu-core)
+    libeigen3-dev libyaml-cpp-dev zlib1g-dev libgl-dev fonts-dejavu-core)
 test_packages=(locales)
 
 is_installed() {

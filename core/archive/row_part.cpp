@@ -14,7 +14,7 @@
 namespace drillwave {
 namespace {
 
-constexpr std::string_view itsOwn[] = {"rows", "part", "command"};
+constexpr std::string_view itsOwn[] = {"rows", "unsolved", "bytes", "crc32", "part", "command"};
 
 /// The lines of a key at the top, with those that belong to it.
 struct Entry {
@@ -81,14 +81,30 @@ RowPart parseRowPart(std::string_view record, const std::string& file) {
         refusePart(file,
                    {translatable("drillwave::Message", "is of another format than %1, from a newer program"),
                     {known}});
+    const std::optional<std::string_view> entries = unsealed(record);
+    if (!entries)
+        refusePart(
+            file, translatable("drillwave::Message", "has no checksum, or was changed after it was written"));
     const std::string* command = tree.root.textOf("command");
-    const std::string* rows = tree.root.textOf("rows");
+    const std::string* checksum = tree.root.textOf("crc32");
     const YamlNode* part = tree.root.valueOf("part");
-    RowPart read{.file = file, .command = {}, .rows = 0, .shard = {}, .record = std::string(record)};
+    RowPart read;
+    read.file = file;
+    read.record = std::string(*entries);
     if (!command) refusePart(file, translatable("drillwave::Message", "has no command"));
-    const auto count = rows ? wholeNumberIn<std::uint64_t>(*rows) : std::nullopt;
-    if (!count) refusePart(file, translatable("drillwave::Message", "has no number of rows"));
-    read.rows = *count;
+    const auto numberOf = [&](const char* key) {
+        const std::string* text = tree.root.textOf(key);
+        const auto number = text ? wholeNumberIn<std::uint64_t>(*text) : std::nullopt;
+        if (!number)
+            refusePart(file, {translatable("drillwave::Message", "has no whole number `%1`"), {key}});
+        return *number;
+    };
+    read.rows = numberOf("rows");
+    read.unsolved = numberOf("unsolved");
+    read.sum.bytes = numberOf("bytes");
+    const std::optional<std::uint32_t> crc32 = checksum ? checksumOf(*checksum) : std::nullopt;
+    if (!crc32) refusePart(file, {translatable("drillwave::Message", "has no `%1`"), {"crc32"}});
+    read.sum.crc32 = *crc32;
     if (part) {
         const std::optional<Shard> shard = parseShard(part->text);
         if (!shard)
@@ -147,17 +163,21 @@ std::vector<Message> wholeProblems(std::span<const RowPart> parts) {
     return problems;
 }
 
-std::string wholeRecord(const RowPart& part, std::string_view command, std::uint64_t rows) {
+std::string wholeRecord(const RowPart& part, std::string_view command, const WholeRows& whole) {
     std::string record;
     for (const Entry& entry : entriesOf(part.record)) {
         if (entry.key == "command")
             record += "command: " + yamlScalar(command) + "\n";
         else if (entry.key == "rows")
-            record += "rows: " + std::to_string(rows) + "\n";
-        else if (entry.key != "part")
+            record += "rows: " + std::to_string(whole.rows) + "\n";
+        else if (entry.key == "unsolved")
+            record += "unsolved: " + std::to_string(whole.unsolved) + "\n";
+        else if (entry.key == "bytes")
+            record += sumLines("", whole.sum);
+        else if (entry.key != "crc32" && entry.key != "part")
             record += entry.lines;
     }
-    return record;
+    return sealed(std::move(record));
 }
 
 }  // namespace drillwave

@@ -33,15 +33,40 @@ std::string line(std::string_view key, std::string_view value) {
 }  // namespace
 
 std::string recordText(const RowRecord& record) {
+    return sealed(recordEntries(record));
+}
+
+std::string sumLines(std::string_view prefix, const FileSum& sum) {
+    const std::string begin(prefix);
+    return line(begin + "bytes", std::to_string(sum.bytes)) +
+           line(begin + "crc32", "\"" + sum.checksum() + "\"");
+}
+
+std::string sealed(std::string entries) {
+    entries += line(recordChecksumKey, "\"" + sumOf(entries).checksum() + "\"");
+    return entries;
+}
+
+std::optional<std::string_view> unsealed(std::string_view record) {
+    const std::size_t begin = record.rfind(recordChecksumKey);
+    if (begin == std::string_view::npos) return std::nullopt;
+    const std::string_view entries = record.substr(0, begin);
+    return sealed(std::string(entries)) == record ? std::optional(entries) : std::nullopt;
+}
+
+std::string recordEntries(const RowRecord& record) {
     std::string text = std::string(rowRecordKey) + " " + std::to_string(rowRecordFormat) + "\n" +
                        line("version", versionText) + line("command", yamlScalar(record.command));
     if (record.method) text += line("method", name(record.method->method));
     if (record.method && record.method->method == Method::lattice)
         text += line("segments", std::to_string(record.method->lattice.segments));
     text += line("rows", std::to_string(record.rows));
+    if (record.unsolved) text += line("unsolved", std::to_string(*record.unsolved));
+    if (record.file) text += sumLines("", *record.file);
     if (record.shard.count > 1)
         text += line("part", std::to_string(record.shard.index) + "/" + std::to_string(record.shard.count));
     if (!record.cases.empty()) text += line("cases", yamlScalar(record.cases));
+    if (record.casesFile) text += sumLines("cases_", *record.casesFile);
     if (!record.axes.empty()) text += "axes:\n";
     for (const RecordedAxis& axis : record.axes)
         text += "  - column: " + yamlScalar(axis.column) + "\n    values: " + yamlScalar(axis.values) +

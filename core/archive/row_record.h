@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/blow/method.h"
+#include "core/disk/file_sum.h"
 #include "core/study/rows/shard.h"
 
 namespace drillwave {
@@ -30,14 +31,32 @@ struct RowRecord {
     std::string command;                 ///< that gives the same rows
     std::optional<MethodChoice> method;  ///< nothing of what has only one
     std::uint64_t rows = 0;
+    std::optional<std::uint64_t> unsolved = {};  ///< of these, without outputs; nothing of what has none
+    std::optional<FileSum> file = {};            ///< of the file of the rows; nothing before it is written
     Shard shard;
-    std::vector<RecordedAxis> axes;    ///< of a sweep
-    std::string cases;                 ///< file of the rows of a table, as given; empty for a sweep
+    std::vector<RecordedAxis> axes;  ///< of a sweep
+    std::string cases;               ///< file of the rows of a table, as given; empty for a sweep
+    std::optional<FileSum> casesFile = {};
     std::vector<std::string> outputs;  ///< their columns
     std::string scenario;              ///< complete in itself, as YAML
 };
 
-/// The file. The scenario is in it as text, and parseInput() finds it there.
+/// The file: recordEntries() and its checksum, sealed().
 std::string recordText(const RowRecord& record);
+
+/// What the file says. The scenario is in it as text, and parseInput() finds it there.
+std::string recordEntries(const RowRecord& record);
+
+/// "bytes: 123" and "crc32: 0a1b2c3d", each on its line, behind such a beginning of their keys.
+std::string sumLines(std::string_view prefix, const FileSum& sum);
+
+/// The key of the last line of a record, the checksum of all lines before it.
+inline constexpr std::string_view recordChecksumKey = "record_crc32";
+
+/// Entries with that line behind them.
+std::string sealed(std::string entries);
+
+/// Entries without that line; nothing where it is missing or another text was sealed.
+std::optional<std::string_view> unsealed(std::string_view record);
 
 }  // namespace drillwave

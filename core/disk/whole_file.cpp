@@ -67,7 +67,7 @@ WriteFailure writeAll(int descriptor, std::string_view bytes) {
 
 WholeFile::~WholeFile() {
     if (m_descriptor >= 0) ::close(m_descriptor);
-    if (!m_beside.empty()) ::unlink(m_beside.c_str());
+    if (!m_beside.empty() && !m_isKept) ::unlink(m_beside.c_str());
 }
 
 WriteFailure WholeFile::open() {
@@ -92,6 +92,17 @@ WriteFailure WholeFile::open() {
         m_beside = std::move(name);
     }
     if (exists && ::fchmod(m_descriptor, before.st_mode & 0777) != 0) return writeFailure(errno);
+    return {};
+}
+
+WriteFailure WholeFile::openKept(const std::string& kept, std::uint64_t bytes) {
+    assert(m_descriptor < 0);
+    m_path = behindLinks(m_path);
+    m_descriptor = ::open(kept.c_str(), O_CREAT | O_WRONLY | O_APPEND | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (m_descriptor < 0 || ::ftruncate(m_descriptor, static_cast<off_t>(bytes)) != 0)
+        return writeFailure(errno);
+    m_beside = kept;
+    m_isKept = true;
     return {};
 }
 

@@ -2,6 +2,7 @@
 // A file written whole or not at all.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 
@@ -35,6 +36,9 @@ class WholeFile {
 
     /// Before anything else.
     WriteFailure open();
+    /// Instead: goes on behind the first `bytes` of the file `kept` on the same disk, which stays where the
+    /// file never takes its place.
+    WriteFailure openKept(const std::string& kept, std::uint64_t bytes);
     WriteFailure write(std::string_view bytes);
     /// Puts the file in place when all of it is on the disk.
     WriteFailure commit() { return commitAs(m_path); }
@@ -49,6 +53,7 @@ class WholeFile {
 
     std::string m_path;
     std::string m_beside;  // its name meanwhile, empty without
+    bool m_isKept = false;
     int m_descriptor = -1;
     WriteFailure m_failure;  // the first one of write()
 };

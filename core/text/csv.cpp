@@ -82,6 +82,27 @@ class CellScanner {
     Message m_problem;
 };
 
+/// Steps over a record and its line end, counting lines; false where it is blank.
+bool skipRecord(std::streambuf& in, int& line) {
+    bool isBlank = true, beginsCell = true;
+    for (int c = in.sgetc(); c != endOfInput; c = in.snextc()) {
+        if (beginsCell && c == '"') {
+            isBlank = false;
+            for (c = in.snextc(); c != endOfInput && c != '"'; c = in.snextc()) line += c == '\n';
+            if (c == endOfInput) break;
+            continue;  // a doubled quote ends one quotation and begins the next
+        }
+        if (c == '\n' || c == '\r') {
+            if (in.snextc() == '\n' && c == '\r') in.sbumpc();
+            ++line;
+            break;
+        }
+        isBlank = false;
+        beginsCell = c == ',';
+    }
+    return !isBlank;
+}
+
 void skipByteOrderMark(std::streambuf& in) {
     for (const int byte : {0xEF, 0xBB, 0xBF}) {
         if (in.sgetc() != byte) return;
@@ -106,16 +127,27 @@ std::string csvCell(std::string_view text) {
 CsvReader::CsvReader(std::istream& in, std::size_t maximumRecordBytes)
     : m_in(in), m_maximumRecordBytes(maximumRecordBytes) {}
 
-bool CsvReader::next(CsvRecord& record) {
+bool CsvReader::findRecord() {
     std::streambuf& in = *m_in.rdbuf();
     if (m_nextLine == 1) skipByteOrderMark(in);
-    while (in.sgetc() != endOfInput) {
-        m_line = m_nextLine;
-        if (m_first && in.sgetc() == '#') {
-            skipLine(in);
-            ++m_nextLine;
-            continue;
-        }
+    for (; m_first && in.sgetc() == '#'; ++m_nextLine) skipLine(in);
+    m_line = m_nextLine;
+    return in.sgetc() != endOfInput;
+}
+
+std::uint64_t CsvReader::skip(std::uint64_t most) {
+    std::uint64_t count = 0;
+    while (count < most && findRecord()) {
+        if (!skipRecord(*m_in.rdbuf(), m_nextLine)) continue;
+        m_first = false;
+        ++count;
+    }
+    return count;
+}
+
+bool CsvReader::next(CsvRecord& record) {
+    std::streambuf& in = *m_in.rdbuf();
+    while (findRecord()) {
         record = {};
         const bool quoted = in.sgetc() == '"';
         CellScanner scanner(in, m_maximumRecordBytes, m_nextLine);

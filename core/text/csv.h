@@ -2,6 +2,7 @@
 // CSV, RFC 4180: "," and ".", header row, shortest round-trip numbers, whatever the locale.
 #pragma once
 
+#include <cstdint>
 #include <istream>
 #include <string>
 #include <string_view>
@@ -27,9 +28,14 @@ class CsvReader {
     /// Reads the next record that is not empty and, before the header, does not begin with '#'. False at the
     /// end.
     bool next(CsvRecord& record);
+    /// Steps over the next `most` records without reading their cells, and says how many there were.
+    std::uint64_t skip(std::uint64_t most);
     int line() const { return m_line; }  ///< line on which the last record began, 1-based
 
   private:
+    /// Goes to the next record, which may be blank; false at the end.
+    bool findRecord();
+
     std::istream& m_in;
     std::size_t m_maximumRecordBytes;
     int m_line = 0;

@@ -4,6 +4,7 @@
 
 #include <QDir>
 #include <QTemporaryDir>
+#include <random>
 
 #include "tests/support/program.h"
 
@@ -29,6 +30,10 @@ class TestJoin : public QObject {
     void partsAreTheWholeByteForByte_data();
     void partsAreTheWholeByteForByte();
     void partsThatAreNoWholeAreNamed();
+    void aFolderIsItsParts();
+    void unsolvedRowsAreStillUnsolved();
+    void partsOfAnEditedTableAreNamed();
+    void damagedPartsAreNeverJoined();
     void partsOfAnotherRunAreNamed_data();
     void partsOfAnotherRunAreNamed();
     void partsThatCannotBeReadAreNamed();
@@ -92,7 +97,105 @@ void TestJoin::partsThatAreNoWholeAreNamed() {
     QByteArray rows = read(part(2));
     write(part(2), rows.left(rows.lastIndexOf('\n', -2) + 1));
     const QByteArray shorter = refusal(joinOf({1, 2, 3, 4}));
-    QVERIFY2(shorter.contains("part2.csv: has 8 lines, but 9 by its record"), shorter);
+    QVERIFY2(shorter.contains("part2.csv: is not what its record says"), shorter);
+}
+
+void TestJoin::aFolderIsItsParts() {
+    const QDir parts(path("parts"));
+    QVERIFY(parts.mkpath("."));
+    const QStringList words = sweepOf().mid(0, 5);
+    output(words + QStringList{"-o", parts.filePath("whole.csv")});
+    for (int index = 1; index <= 3; ++index)
+        output(words + QStringList{"--shard", QString("%1/3").arg(index), "-o",
+                                   parts.filePath(QString("p%1.csv").arg(index))});
+    output({"join", parts.path(), "-o", path("all.csv")});
+    QVERIFY(read(path("all.csv")) == read(parts.filePath("whole.csv")));
+    // What `p*` gives of them has the records too.
+    QStringList all{"join"};
+    for (const QString& file : parts.entryList({"p*"}, QDir::Files)) all << parts.filePath(file);
+    QCOMPARE(all.size(), 7);
+    QVERIFY(output(all + QStringList{"-o", "-"}) == read(parts.filePath("whole.csv")));
+    QVERIFY(QDir(path(".")).mkpath("none"));
+    const Finished none = run({"join", path("none"), "-o", path("x.csv")});
+    QCOMPARE(none.exitCode, 3);
+    QVERIFY2(none.error.contains("none: has no parts of --shard"), none.error);
+}
+
+void TestJoin::unsolvedRowsAreStillUnsolved() {
+    const QStringList words{"sweep", example("paper_fig4b"), "--vary", "beta=1,1e-300,2,3"};
+    const Finished whole = run(words + QStringList{"-o", path("whole.csv")});
+    QCOMPARE(whole.exitCode, 6);
+    for (int index = 1; index <= 2; ++index)
+        run(words + QStringList{"--shard", QString("%1/2").arg(index), "-o", part(index)});
+    const Finished joined = run(joinOf({1, 2}));
+    QCOMPARE(joined.exitCode, 6);
+    QVERIFY2(joined.error.contains("1 of 4 rows could not be solved"), joined.error);
+    QVERIFY(read(path("all.csv")) == read(path("whole.csv")));
+    QCOMPARE(read(path("all.csv.yaml")), read(path("whole.csv.yaml")));
+}
+
+void TestJoin::partsOfAnEditedTableAreNamed() {
+    write(path("cases.csv"), "beta\n1\n2\n3\n4\n");
+    const QStringList words{"table", example("paper_fig4b"), path("cases.csv")};
+    writePart(words, 1, 2);
+    write(path("cases.csv"), "beta\n1\n2\n3\n9\n");
+    writePart(words, 2, 2);
+    const Finished refused = run(joinOf({1, 2}));
+    QCOMPARE(refused.exitCode, 5);
+    QVERIFY2(refused.error.contains("its cases_crc32 differs"), refused.error);
+}
+
+void TestJoin::damagedPartsAreNeverJoined() {
+    const int trials = std::max(40, qEnvironmentVariableIntValue("DRILLWAVE_JOIN_TRIALS"));
+    const QStringList words{"sweep", example("paper_fig4b"), "--vary", "beta=0.1:10:20:log"};
+    output(words + QStringList{"-o", path("whole.csv")});
+    QList<QByteArray> files;
+    for (int index = 1; index <= 3; ++index) {
+        writePart(words, index, 3);
+        files << read(part(index)) << read(part(index) + ".yaml");
+    }
+    std::mt19937 random(55);
+    const auto below = [&](qsizetype end) {
+        return static_cast<qsizetype>(random() % static_cast<quint64>(end));
+    };
+    int joined = 0;
+    for (int trial = 0; trial < trials; ++trial) {
+        QList<QByteArray> damaged = files;
+        for (int n = 1 + static_cast<int>(random() % 2); n > 0; --n) {
+            QByteArray& file = damaged[below(damaged.size())];
+            const qsizetype at = below(file.size());
+            switch (random() % 7) {
+                case 0:
+                    file[at] = static_cast<char>(file[at] ^ (1 << random() % 8));
+                    break;
+                case 1:
+                    file.remove(at, 1 + below(20));
+                    break;
+                case 2:
+                    file.insert(at, "hello world");
+                    break;
+                case 3:
+                    file = damaged[below(damaged.size())];
+                    break;
+                case 4:
+                    file.replace("\n", "\r\n");
+                    break;
+                case 5:
+                    file.truncate(at);
+                    break;
+                default:
+                    file[at] = static_cast<char>('0' + random() % 10);
+            }
+        }
+        for (int i = 0; i < 6; ++i) write(part(i / 2 + 1) + (i % 2 == 0 ? "" : ".yaml"), damaged[i]);
+        const Finished finished = run(joinOf({1, 2, 3}) + QStringList{"--force"});
+        QVERIFY2(finished.exitCode == 0 || finished.exitCode == 3 || finished.exitCode == 5, finished.error);
+        if (finished.exitCode != 0) continue;
+        ++joined;
+        QVERIFY2(read(path("all.csv")) == read(path("whole.csv")), qPrintable(QString::number(trial)));
+        QVERIFY(damaged == files);
+    }
+    QVERIFY(joined < trials / 4);
 }
 
 void TestJoin::partsOfAnotherRunAreNamed_data() {

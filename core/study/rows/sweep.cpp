@@ -88,7 +88,7 @@ class GridRowMaker {
 };
 
 RowHeader headerOf(const Sweep& sweep) {
-    RowHeader header{.copied = {}, .columns = {}, .isFirstPart = sweep.shard.hasHeader()};
+    RowHeader header{.copied = {}, .columns = {}, .isFirstPart = sweep.shard.hasHeader() && sweep.done == 0};
     for (const SweepAxis& axis : sweep.axes) header.columns.push_back(axis.column());
     for (const OutputColumn& column : sweep.columns) header.columns.push_back({.header = column.header()});
     return header;
@@ -110,7 +110,7 @@ RowCounts runSweep(const Sweep& sweep, int jobs, std::stop_token stop, RowSink& 
     if (Message refusal = inOneLine(problemsOf(sweep)); !refusal.isEmpty())
         return {.failures = {}, .refusal = std::move(refusal)};
     const RowRange part = rowsOf(sweep.shard, pointCount(sweep));
-    std::uint64_t next = part.begin;
+    std::uint64_t next = std::min(part.begin + sweep.done, part.end);
     const auto fill = [&](GridChunk& chunk) {
         chunk.points = {next, std::min(next + chunkPoints, part.end)};
         next = chunk.points.end;

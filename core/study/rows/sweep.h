@@ -24,6 +24,7 @@ struct Sweep {
     std::vector<SweepAxis> axes;  ///< at least one
     std::vector<OutputColumn> columns;
     Shard shard;
+    std::uint64_t done = 0;  ///< rows of the part that are there already and are left out
     MethodChoice method = {};
     long workLimit = defaultWorkLimit;  ///< most wave pieces of a row; beyond, it is not solved
 };

@@ -27,16 +27,18 @@ struct TableChunk : RowChunk {
     std::vector<Message> problems;
 };
 
-/// Reads rows first … last − 1, numbered from the row below the header.
+/// Reads the rows of a range, numbered from the row below the header.
 class RowReader {
   public:
     RowReader(std::istream& cases, RowRange range) : m_reader(cases), m_range(range) {}
 
     bool header(CsvRecord& record) { return m_reader.next(record); }
+    /// Steps over the rows before the range.
+    void skip() { m_next = m_reader.skip(m_range.begin); }
     int line() const { return m_reader.line(); }
 
     bool fill(TableChunk& chunk) {
-        chunk.first = std::max(m_next, m_range.begin);
+        chunk.first = m_next;
         chunk.used = 0;
         std::size_t bytes = 0;
         while (m_next < m_range.end && chunk.used < chunkRows && bytes < chunkBytes) {
@@ -47,7 +49,7 @@ class RowReader {
             CsvRecord& record = chunk.records[chunk.used];
             if (!m_reader.next(record)) break;
             chunk.lines[chunk.used] = m_reader.line();
-            if (m_next++ < m_range.begin) continue;
+            ++m_next;
             for (const std::string& cell : record.cells) bytes += cell.size() + sizeof(std::string);
             ++chunk.used;
         }
@@ -99,7 +101,7 @@ class TableRowMaker {
 };
 
 RowHeader headerOf(const Table& table, const TableHeader& header) {
-    RowHeader all{.copied = {}, .columns = {}, .isFirstPart = table.shard.hasHeader()};
+    RowHeader all{.copied = {}, .columns = {}, .isFirstPart = table.shard.hasHeader() && table.done == 0};
     for (const CaseColumn& column : header.columns) all.copied.push_back(column.text);
     for (const OutputColumn& column : table.columns) all.columns.push_back({.header = column.header()});
     return all;
@@ -149,11 +151,24 @@ constexpr RowRange allRows{0, UINT64_MAX};
 
 }  // namespace
 
+std::uint64_t rowsOfTable(std::istream& cases) {
+    CsvReader reader(cases);
+    return std::max(reader.skip(UINT64_MAX), std::uint64_t{1}) - 1;
+}
+
 TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::stop_token stop) {
     TableCheck check;
-    RowReader reader(cases, allRows);
+    RowRange range = allRows;
+    if (table.shard.count > 1) {
+        check.rows = rowsOfTable(cases);
+        cases.clear();
+        cases.seekg(0);
+        range = rowsOf(table.shard, check.rows);
+    }
+    RowReader reader(cases, range);
     const TableHeader header = checkHeader(table, reader, check);
     if (!check.problems.empty()) return check;
+    reader.skip();
 
     const auto makeWorker = [&] {
         return [assigner = TableRowAssigner(table.base, table.source, header)](TableChunk& chunk,
@@ -165,7 +180,7 @@ TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::st
         };
     };
     const auto deliver = [&](TableChunk& chunk) {
-        check.rows += chunk.used;
+        if (table.shard.count == 1) check.rows += chunk.used;
         for (Message& problem : chunk.problems)
             if (check.problems.size() < maximumProblems) check.problems.push_back(std::move(problem));
         return check.problems.size() < maximumProblems;
@@ -177,9 +192,12 @@ TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::st
 
 RowCounts runTable(const Table& table, std::istream& cases, std::uint64_t rows, int jobs,
                    std::stop_token stop, RowSink& sink, const RowProgress& progress) {
-    RowReader reader(cases, rowsOf(table.shard, rows));
+    RowRange part = rowsOf(table.shard, rows);
+    part.begin = std::min(part.begin + table.done, part.end);
+    RowReader reader(cases, part);
     CsvRecord record;
     reader.header(record);
+    reader.skip();
     const TableHeader header = readTableHeader(record.cells, table.columns);
     return runRows<TableChunk>(
         jobs, stop, [&](TableChunk& chunk) { return reader.fill(chunk); },

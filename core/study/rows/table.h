@@ -25,6 +25,7 @@ struct Table {
     std::string source;  ///< name of the file, for messages
     std::vector<OutputColumn> columns;
     Shard shard;
+    std::uint64_t done = 0;  ///< rows of the part that are there already and are left out
     MethodChoice method = {};
     long workLimit = defaultWorkLimit;  ///< most wave pieces of a row; beyond, it is not solved
 };
@@ -37,7 +38,8 @@ struct TableCheck {
     WorkEnd end = WorkEnd::finished;
 };
 
-/// Reads all of `cases` (to be rewound afterwards) and checks every cell and every row.
+/// Reads `cases`, which can be rewound and is to be afterwards, and checks every cell of every row of the
+/// part; of the others it only counts how many there are.
 TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::stop_token stop);
 
 /// Gives the sink the rows in order: the cells of `cases` as text, as they were, and the outputs as numbers;

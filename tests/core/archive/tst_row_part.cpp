@@ -16,6 +16,8 @@ RowRecord recordOf(std::uint64_t index, std::uint64_t count, std::uint64_t rows)
                                   : std::string()),
             .method = MethodChoice(),
             .rows = rows,
+            .unsolved = index,
+            .file = FileSum{.bytes = 10 * rows, .crc32 = 7},
             .shard = {index, count},
             .axes = {{"beta", "1:2:11", 11}},
             .cases = {},
@@ -48,8 +50,20 @@ class TestRowPart : public QObject {
         const RowPart part = partOf(2, 3, 4);
         QCOMPARE(part.shard, (Shard{2, 3}));
         QCOMPARE(part.rows, std::uint64_t{4});
-        QCOMPARE(wholeRecord(part, "drillwave sweep S --vary beta=1:2:11", 11),
+        QCOMPARE(part.unsolved, std::uint64_t{2});
+        QCOMPARE(part.sum, (FileSum{.bytes = 40, .crc32 = 7}));
+        const WholeRows rows{.rows = 11, .unsolved = 1, .sum = {.bytes = 110, .crc32 = 7}};
+        QCOMPARE(wholeRecord(part, "drillwave sweep S --vary beta=1:2:11", rows),
                  recordText(recordOf(1, 1, 11)));
+    }
+
+    void aRecordThatWasChangedIsNone() {
+        const std::string record = recordText(recordOf(2, 3, 4));
+        for (std::size_t i = 0; i < record.size(); ++i) {
+            std::string changed = record;
+            changed[i] = static_cast<char>(changed[i] ^ 1);
+            QVERIFY_EXCEPTION_THROWN(parseRowPart(changed, "x"), ScenarioError);
+        }
     }
 
     void partsAgreeInAllButTheirOwn() {

@@ -48,6 +48,7 @@ class TestCsv : public QObject {
     void malformedRecordsAreReported();
     void aRecordIsNeverKeptBeyondItsLimit();
     void cellsReadBackAsTheyWereWritten();
+    void skippedRecordsAreThoseThatAreRead();
 };
 
 void TestCsv::recordsAreSplitIntoCells_data() {
@@ -137,6 +138,31 @@ void TestCsv::cellsReadBackAsTheyWereWritten() {
         const Contents contents = contentsOf(text + "\n");
         QCOMPARE(contents.problems, QStringList());
         QCOMPARE(contents.records, Records{cells});
+    }
+}
+
+void TestCsv::skippedRecordsAreThoseThatAreRead() {
+    constexpr std::string_view pieces[] = {"a",    "1.5", ",",    ",",        "\n",
+                                           "\r\n", "\r",  "\"",   "\"\"",     "\"b,c\"",
+                                           "#",    " ",   "\n\n", "\"d\ne\"", "\xEF\xBB\xBF"};
+    std::mt19937 random(55);
+    for (int trial = 0; trial < 20000; ++trial) {
+        std::string text;
+        for (std::size_t n = random() % 20; n > 0; --n) text += pieces[random() % std::size(pieces)];
+        std::istringstream all(text), skipped(text);
+        CsvReader reader(all), skipping(skipped);
+        CsvRecord record, other;
+        std::vector<CsvRecord> records;
+        std::vector<int> lines;
+        for (; reader.next(record); lines.push_back(reader.line())) records.push_back(record);
+        const std::uint64_t some = records.empty() ? 0 : random() % records.size();
+        QCOMPARE(skipping.skip(some), some);
+        for (std::size_t i = some; i < records.size(); ++i) {
+            QVERIFY2(skipping.next(other), text.c_str());
+            QVERIFY2(other.cells == records[i].cells && skipping.line() == lines[i], text.c_str());
+        }
+        std::istringstream again(text);
+        QCOMPARE(CsvReader(again).skip(UINT64_MAX), std::uint64_t{records.size()});
     }
 }
 
