@@ -13,6 +13,7 @@
 #include "app/study_plots.h"
 #include "core/archive/result_scenario.h"
 #include "core/model/blow_traits.h"
+#include "core/numeric/run_time.h"
 #include "core/report/accuracy_report.h"
 #include "core/report/blow_csv.h"
 #include "core/text/decimal_text.h"
@@ -82,13 +83,17 @@ AccuracyFiles measure(const Arguments& arguments, const ScenarioDocument& docume
                       const std::vector<int>& ladder, const StudyPlots& plots, const Drawing* drawing,
                       const Interruption& interruption) {
     const Scenario& scenario = document.scenario;
+    const Stopwatch watch;
     const auto told = [&](const auto& accuracy, bool isSolved, const Message& reason) -> AccuracyFiles {
         interruption.check();
         if (!isSolved)
             throw CommandError(ExitCode::unsolvedOrFailed,
                                couldNotBeSolved(arguments.operands().front(), reason));
         return {accuracyCsv(accuracy),
-                arguments.has("json") ? accuracyJson(scenario, completeScenarioText(document), accuracy)
+                arguments.has("json") ? accuracyJson({.scenario = scenario,
+                                                      .scenarioText = completeScenarioText(document),
+                                                      .runTime = watch.seconds()},
+                                                     accuracy)
                                       : accuracyText(scenario, accuracy, arguments.style()),
                 plots.draw(&accuracy, drawing, interruption)};
     };

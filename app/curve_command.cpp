@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave curve FILE --along KEY=…
 #include <algorithm>
-#include <chrono>
 #include <filesystem>
 
 #include "app/axis_argument.h"
@@ -11,6 +10,7 @@
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
+#include "core/numeric/run_time.h"
 #include "core/report/curve_csv.h"
 #include "core/report/curve_json.h"
 #include "core/report/curve_text.h"
@@ -88,11 +88,10 @@ CurveQuestion questionOf(const Arguments& arguments, const RowOptions& options, 
 CurveReport study(const CurveQuestion& question, int jobs, const ReadingStyle& style,
                   const Interruption& interruption) {
     ShareBar bar(style);
-    using Clock = std::chrono::steady_clock;
-    const auto begin = Clock::now();
+    const Stopwatch watch;
     CurveReport report{studyCurve(question, jobs, interruption.token(), bar.progress()), 0, {}};
     interruption.check();
-    report.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
+    report.runTime = watch.seconds();
     return report;
 }
 

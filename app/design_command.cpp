@@ -13,6 +13,7 @@
 #include "app/study_plots.h"
 #include "core/archive/result_scenario.h"
 #include "core/archive/study_files.h"
+#include "core/numeric/run_time.h"
 #include "core/report/design_csv.h"
 #include "core/report/design_json.h"
 #include "core/report/design_text.h"
@@ -133,7 +134,9 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     checkStandardOutput();
     const Interruption interruption;
     remarkOnValues(document.scenario, path, arguments.style());
+    const Stopwatch watch;
     report.findings = solve(report.study, jobs, arguments.style(), interruption);
+    report.runTime = watch.seconds();
     checkFeasible(report.study, report.findings, path, arguments.style());
     if (folder)
         writeFolder(*folder, filesOf(report, document, plots.draw(&report, drawing, interruption)), overwrite,

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave map FILE --x KEY=… --y KEY=…
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <filesystem>
 
@@ -12,6 +11,7 @@
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
+#include "core/numeric/run_time.h"
 #include "core/report/map_report.h"
 #include "core/study/map/map_rows.h"
 #include "core/study/rows/sweep.h"
@@ -79,8 +79,7 @@ MapFiles filesOf(const Arguments& arguments, const RowOptions& options, const Sc
 
 MapReport solve(const MapStudy& study, const std::vector<double>& levels, int jobs, const ReadingStyle& style,
                 const Interruption& interruption) {
-    using Clock = std::chrono::steady_clock;
-    const auto begin = Clock::now();
+    const Stopwatch watch;
     MapReport report{.study = study, .grid = {}, .contours = {}, .runTime = 0, .scenarioText = {}};
     {
         ProgressBar bar(study.x.count * study.y.count, translatable("drillwave::Message", "points"), style);
@@ -98,7 +97,7 @@ MapReport solve(const MapStudy& study, const std::vector<double>& levels, int jo
             }));
         interruption.check();
     }
-    report.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
+    report.runTime = watch.seconds();
     return report;
 }
 

@@ -7,6 +7,7 @@
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/study_plots.h"
+#include "core/numeric/run_time.h"
 #include "core/report/stability_report.h"
 
 namespace drillwave {
@@ -30,9 +31,11 @@ ExitCode runStability(const Arguments& arguments, const Drawing* drawing) {
     const std::vector<StabilityCase> cases = stabilityCases();
     ProgressBar bar(cases.size(), translatable("drillwave::Message", "cases"), arguments.style());
     const int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
+    const Stopwatch watch;
     const StabilityReport report =
         checkStability(cases, jobs, interruption.token(),
                        [&bar](const StabilityReport& soFar) { bar.show(soFar.rows.size()); });
+    const double runTime = watch.seconds();
     interruption.check();
     if (directory == "-") {
         printText(stabilityCsv(report));
@@ -44,7 +47,8 @@ ExitCode runStability(const Arguments& arguments, const Drawing* drawing) {
         folder.files.push_back({stabilityCsvName, stabilityCsv(report)});
         writeFolder(directory, folder, overwrite, &interruption);
     }
-    printText(arguments.has("json") ? stabilityJson(report) : stabilityText(report, arguments.style()));
+    printText(arguments.has("json") ? stabilityJson(report, runTime)
+                                    : stabilityText(report, arguments.style()));
     return endOf(report);
 }
 

@@ -13,6 +13,7 @@
 #include "core/archive/result_scenario.h"
 #include "core/blow/thrust.h"
 #include "core/model/parameter_text.h"
+#include "core/numeric/run_time.h"
 #include "core/report/blow_csv.h"
 #include "core/report/report_text.h"
 #include "core/report/thrust_report.h"
@@ -136,11 +137,13 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
     if (csvPath != "-") checkStandardOutput();
     const Interruption interruption;
     remarkOnValues(report.scenario, path, arguments.style());
+    const Stopwatch watch;
     if (axis)
         report.along = ThrustAlong{
             *axis, curveAlong(report.scenario, *axis, jobs, limits, arguments.style(), interruption)};
     // Before anything is written: whoever interrupts it leaves nothing behind.
     if (csvPath != "-") report.study = study(report.scenario, limits, arguments.style(), interruption);
+    report.runTime = watch.seconds();
     if (csvPath)
         writeStudy(*csvPath, scenarioHeader(report.scenarioText) + thrustCsv(*report.along),
                    plots.draw(&report, drawing, interruption), overwrite, interruption);

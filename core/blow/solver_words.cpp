@@ -6,16 +6,20 @@
 
 namespace drillwave {
 
+std::string_view methodKey(const Scenario& scenario, Method method) {
+    return isFollowedByEvents(scenario) ? name(method) : methodOfStrings;
+}
+
 SolverWords solverWords(const Blow& blow) {
+    const std::string key(methodKey(blow.scenario, blow.method.method));
     const std::string count = std::to_string(blow.impact.pieces);
     if (!isFollowedByEvents(blow.scenario)) {
-        const std::string key(methodOfStrings);
         const Message cells = translatable("drillwave::Message", "polynomial cells");
         return {
             key, cells, cells, "method " + key, {translatable("drillwave::Message", "%1 cells"), {count}}};
     }
     const MethodChoice& choice = blow.method;
-    const std::string key(name(choice.method)), remark = describe(choice);
+    const std::string remark = describe(choice);
     const Message word = nameMessage(choice.method), asked = methodMessage(choice);
     if (choice.method != Method::lattice)
         return {key, word, asked, remark, {translatable("drillwave::Message", "%1 pieces"), {count}}};

@@ -3,11 +3,15 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "core/blow/blow.h"
 #include "core/text/message.h"
 
 namespace drillwave {
+
+/// Returns the method as JSON names it: "polynomial_cells" of a drill string, whichever is given.
+std::string_view methodKey(const Scenario& scenario, Method method);
 
 struct SolverWords {
     std::string key;     ///< in JSON: "polynomial_cells"

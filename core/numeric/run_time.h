@@ -3,11 +3,23 @@
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <ctime>
 #include <stop_token>
 #include <vector>
 
 namespace drillwave {
+
+/// Wall clock time since it was made.
+class Stopwatch {
+  public:
+    double seconds() const {
+        return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
+    }
+
+  private:
+    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
+};
 
 /// Seconds of one run, over several runs after a warm-up: processor time of the thread, so that other work on
 /// the machine counts as little as possible.

@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/version.h"
 #include "core/report/accuracy_columns.h"
-#include "core/report/json_value.h"
 #include "core/report/report_text.h"
 #include "core/text/csv.h"
 #include "core/text/text_layout.h"
@@ -169,31 +167,25 @@ std::string accuracyText(const Scenario& scenario, const Accuracy& accuracy, con
     return text + checks(accuracy, style);
 }
 
-std::string accuracyJson(const Scenario& scenario, const std::string& scenarioText,
-                         const Accuracy& accuracy) {
+std::string accuracyJson(const JsonHead& head, const Accuracy& accuracy) {
     const EquationResiduals& residuals = accuracy.residuals;
     JsonArray rows;
     for (const AccuracyRow& row : accuracy.rows) rows.emplace_back(rowJson(row));
-    const JsonObject object{
-        {"version", versionText},
-        {"title", scenario.title},
-        {"scenario", scenarioText},
-        {"pulse", name(scenario.pulse.shape)},
-        {"groups", groupsJson(accuracy.groups)},
-        {"cor", accuracy.exact.cor},
-        {"peak_force", accuracy.exact.peakForce},
-        {"extended", JsonObject{{"cor", accuracy.extended.cor},
-                                {"cor_error", accuracy.extended.corError},
-                                {"bits", accuracy.extendedDigits},
-                                {"seconds", accuracy.extendedTime}}},
-        {"residuals", JsonObject{{"wave", residuals.wave},
-                                 {"rate", residuals.rate},
-                                 {"law", residuals.law},
-                                 {"least_force", residuals.leastForce},
-                                 {"points", residuals.points}}},
-        {"lattice_order", accuracy.latticeOrder},
-        {"rows", rows},
-    };
+    JsonObject object = headJson(head);
+    object["pulse"] = name(head.scenario.pulse.shape);
+    object["cor"] = accuracy.exact.cor;
+    object["peak_force"] = accuracy.exact.peakForce;
+    object["extended"] = JsonObject{{"cor", accuracy.extended.cor},
+                                    {"cor_error", accuracy.extended.corError},
+                                    {"bits", accuracy.extendedDigits},
+                                    {"seconds", accuracy.extendedTime}};
+    object["residuals"] = JsonObject{{"wave", residuals.wave},
+                                     {"rate", residuals.rate},
+                                     {"law", residuals.law},
+                                     {"least_force", residuals.leastForce},
+                                     {"points", residuals.points}};
+    object["lattice_order"] = accuracy.latticeOrder;
+    object["rows"] = rows;
     return Json(object).text();
 }
 
@@ -234,19 +226,18 @@ std::string accuracyText(const Scenario& scenario, const StringAccuracy& accurac
                style);
 }
 
-std::string accuracyJson(const Scenario&, const std::string& scenarioText, const StringAccuracy& accuracy) {
+std::string accuracyJson(const JsonHead& head, const StringAccuracy& accuracy) {
     JsonArray rows;
     for (const StringAccuracyRow& row : accuracy.rows) {
         JsonObject object{{"method", name(row.method)}};
         addMembers(object, stringAccuracyColumns, row);
         rows.emplace_back(object);
     }
-    return Json(JsonObject{{"version", versionText},
-                           {"efficiency", accuracy.efficiency},
-                           {"efficiency_error", accuracy.reference},
-                           {"rows", rows},
-                           {"scenario", scenarioText}})
-        .text();
+    JsonObject object = headJson(head);
+    object["efficiency"] = accuracy.efficiency;
+    object["efficiency_error"] = accuracy.reference;
+    object["rows"] = rows;
+    return Json(object).text();
 }
 
 std::string accuracyCsv(const StringAccuracy& accuracy) {

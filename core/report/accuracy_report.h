@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/model/scenario.h"
+#include "core/report/json_value.h"
 #include "core/study/proof/accuracy.h"
 #include "core/study/proof/string_accuracy.h"
 #include "core/text/handy_text.h"
@@ -17,10 +17,9 @@ std::string accuracyText(const Scenario& scenario, const Accuracy& accuracy,
 std::string accuracyText(const Scenario& scenario, const StringAccuracy& accuracy,
                          const ReadingStyle& style = plainStyle());
 
-/// One JSON object, with the text that gives the scenario again; numbers that there are none of are null.
-std::string accuracyJson(const Scenario& scenario, const std::string& scenarioText, const Accuracy& accuracy);
-std::string accuracyJson(const Scenario& scenario, const std::string& scenarioText,
-                         const StringAccuracy& accuracy);
+/// Returns one JSON object behind its head; numbers that there are none of are null.
+std::string accuracyJson(const JsonHead& head, const Accuracy& accuracy);
+std::string accuracyJson(const JsonHead& head, const StringAccuracy& accuracy);
 
 /// One row for each method and resolution; empty cells where there is no number.
 std::string accuracyCsv(const Accuracy& accuracy);

@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-#include "core/blow/solver_words.h"
 #include "core/model/blow_traits.h"
-#include "core/model/version.h"
 #include "core/report/alert_words.h"
 #include "core/report/blow_csv.h"
 #include "core/report/json_value.h"
@@ -33,18 +31,25 @@ JsonObject dimensionlessJson(const Blow& blow) {
     return object;
 }
 
-/// All that the scenario has, and the SI unit of each, "1" for what has none.
-void addSi(JsonObject& report, const Blow& blow) {
-    JsonObject si, units;
+/// All that the scenario has.
+JsonObject siJson(const Blow& blow) {
+    JsonObject si;
     for (const Output& output : outputs()) {
         if (!output.problem(blow.scenario).isEmpty()) continue;
         std::optional<double> value = valueOf(blow, output);
         if (value) value = inSi(output, *value, blow);
         si[output.name] = numberJson(value);
-        units[output.name] = unitJson(output.siQuantity());
     }
-    report["si"] = si;
-    report["units"] = units;
+    return si;
+}
+
+/// The SI unit of each, "1" for what has none; nothing of a scenario in groups.
+JsonObject siUnitsJson(const Blow& blow) {
+    JsonObject units;
+    if (!hasUnits(blow.scenario)) return units;
+    for (const Output& output : outputs())
+        if (output.problem(blow.scenario).isEmpty()) units[output.name] = unitJson(output.siQuantity());
+    return units;
 }
 
 JsonArray eventsJson(const Impact& impact) {
@@ -129,24 +134,20 @@ double inSi(const Output& output, double value, const Blow& blow) {
 
 std::string blowJson(const Blow& blow, const std::string& scenarioText) {
     const Impact& impact = blow.impact;
-    JsonObject object{
-        {"version", versionText},
-        {"title", blow.scenario.title},
-        {"method", solverWords(blow).key},
-        {"outcome", outcomeName(blow)},
-        {"run_time", blow.runTime},
-        {"groups", groupsJson(blow.groups)},
-        {"dimensionless", dimensionlessJson(blow)},
-        {"events", eventsJson(impact)},
-        {"contacts", impact.contacts},
-        {"pieces", impact.pieces},
-        {"alerts", alertsJson(blow.alerts)},
-    };
-    if (blow.method.method == Method::lattice) object["segments"] = blow.method.lattice.segments;
+    JsonObject object = headJson({.scenario = blow.scenario,
+                                  .scenarioText = scenarioText,
+                                  .method = blow.method,
+                                  .units = siUnitsJson(blow),
+                                  .runTime = blow.runTime});
+    object["outcome"] = outcomeName(blow);
+    object["dimensionless"] = dimensionlessJson(blow);
+    if (hasUnits(blow.scenario)) object["si"] = siJson(blow);
+    object["events"] = eventsJson(impact);
+    object["contacts"] = impact.contacts;
+    object["pieces"] = impact.pieces;
+    object["alerts"] = alertsJson(blow.alerts);
     if (!blow.isSolved()) object["reason"] = impact.reason.text();
     if (blow.isSolved() && hasSections(blow.scenario)) object["sections"] = sectionsJson(blow);
-    object["scenario"] = scenarioText;
-    if (hasUnits(blow.scenario)) addSi(object, blow);
     return Json(object).text();
 }
 

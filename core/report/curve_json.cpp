@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/curve_json.h"
 
-#include "core/model/scales.h"
-#include "core/model/version.h"
 #include "core/report/goal_report.h"
 #include "core/report/json_value.h"
 
@@ -75,24 +73,20 @@ std::string curveJson(const CurveReport& report) {
     JsonArray lines, levels;
     for (const CurveLine& line : report.study.lines) lines.emplace_back(json(line, question));
     for (const double level : question.levels) levels.emplace_back(level);
-    JsonObject object{
-        {"version", versionText},
-        {"title", question.base.title},
-        {"scenario", report.scenarioText},
-        {"groups", groupsJson(groupsOf(question.base))},
-        {"method", name(question.method.method)},
-        {"along", JsonObject{{"key", question.along.key()},
-                             {"start", range.start},
-                             {"stop", range.stop},
-                             {"log", range.spacing == CurveRange::Spacing::logarithmic}}},
-        {"family", question.family ? Json(question.family->key()) : Json()},
-        {"levels", levels},
-        {"goal", question.goal ? Json(*question.goal) : Json()},
-        {"lines", lines},
-        {"units", unitsJson(question)},
-        {"solves", report.study.solves},
-        {"run_time", report.runTime},
-    };
+    JsonObject object = headJson({.scenario = question.base,
+                                  .scenarioText = report.scenarioText,
+                                  .method = question.method,
+                                  .units = unitsJson(question),
+                                  .runTime = report.runTime});
+    object["along"] = JsonObject{{"key", question.along.key()},
+                                 {"start", range.start},
+                                 {"stop", range.stop},
+                                 {"log", range.spacing == CurveRange::Spacing::logarithmic}};
+    object["family"] = question.family ? Json(question.family->key()) : Json();
+    object["levels"] = levels;
+    object["goal"] = question.goal ? Json(*question.goal) : Json();
+    object["lines"] = lines;
+    object["solves"] = report.study.solves;
     return Json(object).text();
 }
 

@@ -101,15 +101,6 @@ std::string table(const DesignReport& report, bool paretoAlone) {
     return csv;
 }
 
-/// Keys that scatter, in the order of a table of cases.
-std::vector<KeptParameter> scattered(const DesignStudy& study) {
-    std::vector<KeptParameter> parameters;
-    for (const UncertainInput& input : study.uncertain) parameters.push_back(input.parameter);
-    if (study.draws)
-        parameters.insert(parameters.end(), study.draws->parameters.begin(), study.draws->parameters.end());
-    return parameters;
-}
-
 }  // namespace
 
 std::string designsCsv(const DesignReport& report) {
@@ -144,7 +135,7 @@ std::string sensitivityCsv(const DesignReport& report) {
 
 std::string worstCsv(const DesignReport& report) {
     const DesignStudy& study = report.study;
-    const std::vector<KeptParameter> parameters = scattered(study);
+    const std::vector<KeptParameter> parameters = study.scattered();
     std::vector<std::string> keys, titles;
     for (const KeptParameter& parameter : parameters) {
         keys.emplace_back(parameter->key);

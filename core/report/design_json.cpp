@@ -4,7 +4,6 @@
 #include <cmath>
 
 #include "core/model/parameter.h"
-#include "core/model/version.h"
 #include "core/report/design_words.h"
 #include "core/report/json_value.h"
 
@@ -158,6 +157,18 @@ JsonArray worstJson(const DesignReport& report) {
     return array;
 }
 
+/// Units of the parameters and outputs that stand in the object under their names.
+JsonObject unitsJson(const DesignStudy& study) {
+    JsonObject units;
+    for (const KeptParameter& parameter : study.scattered())
+        units[parameter->key] = unitJson(parameter->quantity);
+    for (const SweepAxis& axis : study.choices)
+        if (axis.parameter) units[axis.key()] = unitJson(axis.parameter->quantity);
+    for (const OutputColumn& column : study.columns())
+        units[column.output->name] = unitOf(study, *column.output);
+    return units;
+}
+
 }  // namespace
 
 std::string designJson(const DesignReport& report) {
@@ -174,25 +185,27 @@ std::string designJson(const DesignReport& report) {
     const auto number = [](const std::optional<std::size_t>& design) {
         return design ? Json(*design + 1) : Json();
     };
-    return Json(JsonObject{{"version", versionText},
-                           {"title", study.base.title},
-                           {"samples", study.samples},
-                           {"replicates", replicateCount},
-                           {"seed", study.seed},
-                           {"keep_energy", study.keepsEnergy},
-                           {"uncertain", uncertainJson(study)},
-                           {"choose", chooseJson(study)},
-                           {"aims", aimsJson(study)},
-                           {"limits", limitsJson(study)},
-                           {"designs", designs},
-                           {"nominal_best", number(best.nominal)},
-                           {"robust_best", number(best.robust)},
-                           {"ties", ties},
-                           {"sensitivity", sensitivityJson(report)},
-                           {"worst", worstJson(report)},
-                           {"remarks", remarks},
-                           {"scenario", report.scenarioText}})
-        .text();
+    JsonObject object = headJson({.scenario = study.base,
+                                  .scenarioText = report.scenarioText,
+                                  .method = MethodChoice{},
+                                  .units = unitsJson(study),
+                                  .runTime = report.runTime});
+    object["samples"] = study.samples;
+    object["replicates"] = replicateCount;
+    object["seed"] = study.seed;
+    object["keep_energy"] = study.keepsEnergy;
+    object["uncertain"] = uncertainJson(study);
+    object["choose"] = chooseJson(study);
+    object["aims"] = aimsJson(study);
+    object["limits"] = limitsJson(study);
+    object["designs"] = designs;
+    object["nominal_best"] = number(best.nominal);
+    object["robust_best"] = number(best.robust);
+    object["ties"] = ties;
+    object["sensitivity"] = sensitivityJson(report);
+    object["worst"] = worstJson(report);
+    object["remarks"] = remarks;
+    return Json(object).text();
 }
 
 }  // namespace drillwave

@@ -13,6 +13,7 @@ struct DesignReport {
     DesignStudy study;
     DesignFindings findings;
     std::string scenarioText;  ///< gives the same base again
+    double runTime = 0;        ///< [s]
 };
 
 }  // namespace drillwave

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/contact/contact_law.h"
-#include "core/model/version.h"
 #include "core/report/alert_words.h"
 #include "core/report/blow_csv.h"
 #include "core/report/json_value.h"
@@ -233,17 +232,18 @@ std::string drillingJson(const DrillingReport& report, OutputUnits units) {
     const auto number = [&](double value, DrillingMeasure measure) {
         return valueOf(value, measure, result, units);
     };
-    JsonObject object{
-        {"version", versionText},
-        {"title", result.scenario.title},
-        {"method", "cells"},
-        {"outcome", name(result.outcome)},
-        {"reason", result.outcome == DrillingOutcome::done ? Json() : Json(whyNoStatistics(result).text())},
-        {"run_time", result.runTime},
-        {"blows", result.settings.blows},
-        {"settle", result.settings.settle},
-        {"cells_per_duration", result.cellsPerDuration},
-        {"blow_frequency_used", result.frequencyUsed}};
+    JsonObject object = headJson({.scenario = result.scenario,
+                                  .scenarioText = report.scenarioText,
+                                  .units = unitsJson(result, units),
+                                  .runTime = result.runTime});
+    object["method"] = drillingMethod;
+    object["outcome"] = name(result.outcome);
+    object["reason"] =
+        result.outcome == DrillingOutcome::done ? Json() : Json(whyNoStatistics(result).text());
+    object["blows"] = result.settings.blows;
+    object["settle"] = result.settings.settle;
+    object["cells_per_duration"] = result.cellsPerDuration;
+    object["blow_frequency_used"] = result.frequencyUsed;
     JsonObject groupObject = groupsJson(groups.blow);
     groupObject["phi"] = groups.phi;
     groupObject["round_trips"] = groups.roundTrips;
@@ -287,8 +287,6 @@ std::string drillingJson(const DrillingReport& report, OutputUnits units) {
     const std::string advice = adviceSentence(result).text();
     object["advice"] = advice.empty() ? Json() : Json(advice);
     object["alerts"] = alertList(result.alerts);
-    object["units"] = unitsJson(result, units);
-    object["scenario"] = report.scenarioText;
     return Json(object).text();
 }
 

@@ -16,6 +16,9 @@
 
 namespace drillwave {
 
+/// The method of consecutive blows in JSON.
+inline constexpr const char* drillingMethod = "cells";
+
 /// Many blows, and the text of the scenario they are of.
 struct DrillingReport {
     DrillingResult result;

@@ -6,12 +6,11 @@
 #include <map>
 #include <optional>
 
-#include "core/model/version.h"
 #include "core/report/blow_csv.h"
 #include "core/report/curve_text.h"
+#include "core/report/json_value.h"
 #include "core/report/report_text.h"
 #include "core/study/drilling/drilling_numbers.h"
-#include "core/text/json.h"
 #include "core/text/number_text.h"
 #include "core/text/unit_heading.h"
 
@@ -228,16 +227,19 @@ std::string drillingScanJson(const DrillingScanReport& report, OutputUnits units
             row[columns[i].output->name] = values[i] ? Json(*values[i]) : Json();
         rows.emplace_back(row);
     }
-    return Json(JsonObject{{"version", versionText},
-                           {"title", scan.base.title},
-                           {"method", "cells"},
-                           {"key", scan.axis.key()},
-                           {"blows", scan.settings.blows},
-                           {"settle", scan.settings.settle},
-                           {"run_time", scan.runTime},
-                           {"rows", rows},
-                           {"scenario", report.scenarioText}})
-        .text();
+    JsonObject unitNames;
+    if (scan.axis.parameter) unitNames[scan.axis.key()] = unitJson(scan.axis.parameter->quantity);
+    for (const OutputColumn& column : columns) unitNames[column.output->name] = unitJson(column.quantity());
+    JsonObject object = headJson({.scenario = scan.base,
+                                  .scenarioText = report.scenarioText,
+                                  .units = unitNames,
+                                  .runTime = scan.runTime});
+    object["method"] = drillingMethod;
+    object["key"] = scan.axis.key();
+    object["blows"] = scan.settings.blows;
+    object["settle"] = scan.settings.settle;
+    object["rows"] = rows;
+    return Json(object).text();
 }
 
 }  // namespace drillwave

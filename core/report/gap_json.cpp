@@ -2,7 +2,6 @@
 #include "core/report/gap_json.h"
 
 #include "core/model/scales.h"
-#include "core/model/version.h"
 #include "core/report/json_value.h"
 #include "core/text/enum_names.h"
 #include "core/text/handy_text.h"
@@ -90,30 +89,30 @@ JsonArray kinksJson(const GapStatistics& statistics) {
 }  // namespace
 
 std::string gapJson(const GapReport& report) {
-    JsonObject object{
-        {"version", versionText},
-        {"title", report.scenario.title},
-        {"scenario", report.scenarioText},
-        {"groups", groupsJson(groupsOf(report.scenario))},
-        {"depends_on_gap", report.curve.dependsOnGap},
-        {"period", JsonObject{{"start", report.curve.periodStart}, {"end", report.curve.end}}},
-        {"remark", report.periodRemark().text()},
-        {"uniform", uniformJson(report.statistics)},
-        {"normal", normalJson(report)},
-        {"crossings", crossingsJson(report.statistics)},
-        {"kinks", kinksJson(report.statistics)},
-        {"solves", report.curve.solves},
-        {"solver_error", report.curve.solverError},
-        {"unsolved", report.curve.unsolved},
-        {"run_time", report.runTime},
-    };
+    JsonObject units;
+    if (hasUnits(report.scenario))
+        units = {{"gap", unitJson(Quantity::length)},
+                 {"impulse", unitJson(Quantity::impulse)},
+                 {"peak_force", unitJson(Quantity::force)}};
+    JsonObject object = headJson({.scenario = report.scenario,
+                                  .scenarioText = report.scenarioText,
+                                  .method = MethodChoice{},
+                                  .units = units,
+                                  .runTime = report.runTime});
+    object["depends_on_gap"] = report.curve.dependsOnGap;
+    object["period"] = JsonObject{{"start", report.curve.periodStart}, {"end", report.curve.end}};
+    object["remark"] = report.periodRemark().text();
+    object["uniform"] = uniformJson(report.statistics);
+    object["normal"] = normalJson(report);
+    object["crossings"] = crossingsJson(report.statistics);
+    object["kinks"] = kinksJson(report.statistics);
+    object["solves"] = report.curve.solves;
+    object["solver_error"] = report.curve.solverError;
+    object["unsolved"] = report.curve.unsolved;
     if (hasUnits(report.scenario)) {
         const Scales scales = scalesOf(report.scenario);
         object["si_scales"] = JsonObject{
             {"gap", scales.penetration}, {"impulse", scales.impulse}, {"peak_force", scales.force}};
-        object["units"] = JsonObject{{"gap", unitJson(Quantity::length)},
-                                     {"impulse", unitJson(Quantity::impulse)},
-                                     {"peak_force", unitJson(Quantity::force)}};
     }
     return Json(object).text();
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/map_report.h"
 
-#include "core/model/version.h"
 #include "core/report/json_value.h"
 #include "core/report/report_text.h"
 #include "core/text/message_list.h"
@@ -173,19 +172,23 @@ std::string mapJson(const MapReport& report) {
     const OutputColumn& output = report.study.output;
     for (const Contour& contour : report.contours)
         contours.emplace_back(contourJson(contour, output.output->needsDrilling()));
-    return Json(JsonObject{{"version", versionText},
-                           {"title", report.study.base.title},
-                           {"scenario", report.scenarioText},
-                           {"output", output.output->name},
-                           {"unit", unitJson(output.quantity())},
-                           {"x", axisJson(report.study.x)},
-                           {"y", axisJson(report.study.y)},
-                           {"points", report.grid.size()},
-                           {"range", rangeJson(report)},
-                           {"unsolved", unsolvedJson(report.grid)},
-                           {"contours", contours},
-                           {"run_time", report.runTime}})
-        .text();
+    const MapStudy& study = report.study;
+    JsonObject object = headJson({.scenario = study.base,
+                                  .scenarioText = report.scenarioText,
+                                  .method = study.method,
+                                  .units = {{study.x.key(), unitJson(study.x.parameter->quantity)},
+                                            {study.y.key(), unitJson(study.y.parameter->quantity)},
+                                            {output.output->name, unitJson(output.quantity())}},
+                                  .runTime = report.runTime});
+    object["output"] = output.output->name;
+    object["unit"] = unitJson(output.quantity());
+    object["x"] = axisJson(study.x);
+    object["y"] = axisJson(study.y);
+    object["points"] = report.grid.size();
+    object["range"] = rangeJson(report);
+    object["unsolved"] = unsolvedJson(report.grid);
+    object["contours"] = contours;
+    return Json(object).text();
 }
 
 std::string contoursCsv(const MapReport& report) {

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "core/model/version.h"
 #include "core/report/study_column.h"
 #include "core/text/csv.h"
 #include "core/text/handy_text.h"
@@ -228,13 +229,12 @@ std::string stabilityText(const StabilityReport& report, const ReadingStyle& sty
            "\n";
 }
 
-std::string stabilityJson(const StabilityReport& report) {
+std::string stabilityJson(const StabilityReport& report, double runTime) {
     JsonArray rows;
     for (const StabilityRow& row : report.rows) rows.emplace_back(jsonOf(row));
-    const JsonObject object{{"cases", report.rows.size()},
-                            {"not_solved", report.notSolved()},
-                            {"failed", report.failed()},
-                            {"rows", rows}};
+    const JsonObject object{{"version", versionText},      {"run_time", runTime},
+                            {"cases", report.rows.size()}, {"not_solved", report.notSolved()},
+                            {"failed", report.failed()},   {"rows", rows}};
     return Json(object).text();
 }
 

@@ -13,8 +13,8 @@ namespace drillwave {
 /// for each case that failed.
 std::string stabilityText(const StabilityReport& report, const ReadingStyle& style = plainStyle());
 
-/// One JSON object with all cases; null where a check does not apply.
-std::string stabilityJson(const StabilityReport& report);
+/// Returns one JSON object with all cases, which took `runTime` [s]; null where a check does not apply.
+std::string stabilityJson(const StabilityReport& report, double runTime);
 
 /// One row for each case; empty cells where a check does not apply.
 std::string stabilityCsv(const StabilityReport& report);

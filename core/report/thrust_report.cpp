@@ -7,8 +7,6 @@
 #include "core/model/alerts.h"
 #include "core/model/blow_interval.h"
 #include "core/model/blow_traits.h"
-#include "core/model/scales.h"
-#include "core/model/version.h"
 #include "core/report/alert_words.h"
 #include "core/report/curve_text.h"
 #include "core/report/feed_words.h"
@@ -236,33 +234,31 @@ std::string thrustText(const ThrustReport& report, const ReadingStyle& style) {
 std::string thrustJson(const ThrustReport& report) {
     const ThrustStudy& study = report.study;
     const std::optional<FeedForce> feed = feedForceOf(report.scenario);
-    JsonObject object{
-        {"version", versionText},
-        {"title", report.scenario.title},
-        {"scenario", report.scenarioText},
-        {"units", JsonObject{{"thrust", unitJson(Quantity::force)},
-                             {"installed_thrust", unitJson(Quantity::force)},
-                             {"weight_along_hole", unitJson(Quantity::force)},
-                             {"effective_force", unitJson(Quantity::force)},
-                             {"impulse", unitJson(Quantity::impulse)},
-                             {"gap_at_blow", unitJson(Quantity::length)},
-                             {"frequency_limit", unitJson(Quantity::frequency)},
-                             {"blow_frequency", unitJson(Quantity::frequency)}}},
-        {"groups", groupsJson(groupsOf(report.scenario))},
-        {"blow_frequency", *report.scenario.drill.blowFrequency},
-        {"impulse", impulseOf(report)},
-        {"round_trips", *roundTripsBetweenBlows(report.scenario)},
-        {"installed_thrust", report.scenario.drill.thrust},
-        {"weight_along_hole", weightAlongHole(report.scenario)},
-        {"effective_force", feed ? std::optional(feed->effective()) : std::nullopt},
-        {"thrust_balance", study.verdict.balance},
-        {"needs", needsJson(study.needs)},
-        {"share_of_gaps_held", study.shareFull},
-        {"thrust_margin", study.margin()},
-        {"feed", name(study.verdict.feed)},
-        {"advice", feedAdvice(study.verdict.feed)},
-        {"verdict", feedDecisionText(decisionOf(report.judged()))},
-    };
+    JsonObject object = headJson({.scenario = report.scenario,
+                                  .scenarioText = report.scenarioText,
+                                  .method = MethodChoice{},
+                                  .units = {{"thrust", unitJson(Quantity::force)},
+                                            {"installed_thrust", unitJson(Quantity::force)},
+                                            {"weight_along_hole", unitJson(Quantity::force)},
+                                            {"effective_force", unitJson(Quantity::force)},
+                                            {"impulse", unitJson(Quantity::impulse)},
+                                            {"gap_at_blow", unitJson(Quantity::length)},
+                                            {"frequency_limit", unitJson(Quantity::frequency)},
+                                            {"blow_frequency", unitJson(Quantity::frequency)}},
+                                  .runTime = report.runTime});
+    object["blow_frequency"] = *report.scenario.drill.blowFrequency;
+    object["impulse"] = impulseOf(report);
+    object["round_trips"] = *roundTripsBetweenBlows(report.scenario);
+    object["installed_thrust"] = report.scenario.drill.thrust;
+    object["weight_along_hole"] = weightAlongHole(report.scenario);
+    object["effective_force"] = feed ? std::optional(feed->effective()) : std::nullopt;
+    object["thrust_balance"] = study.verdict.balance;
+    object["needs"] = needsJson(study.needs);
+    object["share_of_gaps_held"] = study.shareFull;
+    object["thrust_margin"] = study.margin();
+    object["feed"] = name(study.verdict.feed);
+    object["advice"] = feedAdvice(study.verdict.feed);
+    object["verdict"] = feedDecisionText(decisionOf(report.judged()));
     if (report.along) object["along"] = alongJson(*report.along);
     return Json(object).text();
 }

@@ -29,6 +29,7 @@ struct ThrustReport {
     ThrustStudy study;
     std::optional<ThrustAlong> along;
     std::string scenarioText;  ///< gives the same scenario again
+    double runTime = 0;        ///< [s]
 
     JudgedNeeds judged() const { return {scenario, study.needs, study.verdict, study.shareFull}; }
 };

@@ -113,6 +113,13 @@ std::vector<Statistic> DesignStudy::statisticsOf(const Output& output) const {
     return statistics;
 }
 
+std::vector<KeptParameter> DesignStudy::scattered() const {
+    std::vector<KeptParameter> parameters;
+    for (const UncertainInput& input : uncertain) parameters.push_back(input.parameter);
+    if (draws) parameters.insert(parameters.end(), draws->parameters.begin(), draws->parameters.end());
+    return parameters;
+}
+
 StatisticPlace DesignStudy::placeOf(const Output& output, const Statistic& statistic) const {
     const std::vector<OutputColumn> all = columns();
     const std::vector<Statistic> statistics = statisticsOf(output);

@@ -70,6 +70,8 @@ struct DesignStudy {
     std::vector<Statistic> statisticsOf(const Output& output) const;
     /// Uncertain numbers that scatter independently.
     std::size_t dimensions() const { return uncertain.size() + (draws ? 1 : 0); }
+    /// Parameters that scatter, those of the draws last.
+    std::vector<KeptParameter> scattered() const;
     /// Where the statistic of an aim or limit is in DesignSamples.
     StatisticPlace placeOf(const Output& output, const Statistic& statistic) const;
     bool operator==(const DesignStudy&) const = default;
