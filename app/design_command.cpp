@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "app/axis_argument.h"
 #include "app/command.h"
 #include "app/design_options.h"
 #include "app/interruption.h"
