@@ -7,6 +7,7 @@
 
 #include "app/command_error.h"
 #include "core/text/decimal_text.h"
+#include "core/text/lower_case.h"
 
 namespace drillwave {
 
@@ -17,8 +18,13 @@ std::string variableWord() {
     return variable ? variable : "";
 }
 
+/// Returns the language of "de", "DE", or of a locale as systems write it, "de_DE.UTF-8"; else nullptr.
+const Language* languageOfLocale(const std::string& word) {
+    return findLanguage(lowerCase(word.substr(0, word.find_first_of("_-.@"))));
+}
+
 const Language* languageNamed(const std::string& code, const std::string& by) {
-    if (const Language* found = findLanguage(code)) return found;
+    if (const Language* found = languageOfLocale(code)) return found;
     std::string known;
     for (const Language& language : languages)
         known += (known.empty() ? "" : ", ") + std::string(language.code);
@@ -33,7 +39,7 @@ const Language* languageNamed(const std::string& code, const std::string& by) {
 }  // namespace
 
 const Language& languageOfEnvironment() {
-    const Language* found = findLanguage(variableWord());
+    const Language* found = languageOfLocale(variableWord());
     return found ? *found : languages[0];
 }
 

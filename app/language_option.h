@@ -17,7 +17,7 @@ inline constexpr OptionSpec languageOption{"language", "CODE",
 /// The variable of the environment that says it for all commands.
 inline constexpr const char* languageVariable = "DRILLWAVE_LANGUAGE";
 
-/// That of the variable; English where it names none.
+/// Returns the language of the variable, "de" or "de_DE.UTF-8"; English where the variable names none.
 const Language& languageOfEnvironment();
 
 /// Throws CommandError (usage) where the variable is there and names no language.

@@ -57,10 +57,33 @@ class TestLanguageOption : public QObject {
         QCOMPARE(refusal({"run"}), QString());
     }
 
+    void localesOfSystemsNameALanguage_data() {
+        QTest::addColumn<QByteArray>("word");
+        QTest::addColumn<QByteArray>("code");
+        for (const auto& [word, code] : {std::pair{"DE", "de"},
+                                         {"de_DE.UTF-8", "de"},
+                                         {"sv_SE", "sv"},
+                                         {"sv-SE", "sv"},
+                                         {"de@euro", "de"},
+                                         {"en_GB.UTF-8", "en"}})
+            QTest::newRow(word) << QByteArray(word) << QByteArray(code);
+    }
+
+    void localesOfSystemsNameALanguage() {
+        QFETCH(QByteArray, word);
+        QFETCH(QByteArray, code);
+        qputenv(languageVariable, word);
+        QCOMPARE(&languageOfEnvironment(), findLanguage(code.toStdString()));
+        QCOMPARE(refusal({"run"}), QString());
+        Words words{"run", "--language", word.toStdString()};
+        QCOMPARE(takeLanguage(words), findLanguage(code.toStdString()));
+    }
+
     void othersAreRefused() {
         QCOMPARE(refusal({"run", "--language"}), QString("--language needs one of en, de, sv"));
         QCOMPARE(refusal({"run", "--language="}), QString("--language needs one of en, de, sv"));
         QCOMPARE(refusal({"--language", "fr"}), QString("--language: `fr` is not one of en, de, sv"));
+        QCOMPARE(refusal({"--language", "_DE"}), QString("--language: `_DE` is not one of en, de, sv"));
         QCOMPARE(refusal({"--language", "de", "--language=de"}),
                  QString("`--language` is given twice; give it once"));
         qputenv(languageVariable, "Deutsch");
