@@ -68,6 +68,8 @@ edit resources/manual/commands.md 's/--segments//'
 refuses check_names.sh "option --segments"
 edit resources/manual/tutorial.md 's/0\.936617 F0/0.936618 F0/'
 refuses check_printed.sh "tutorial.md: drillwave run t38_medium_rock does not print \"  peak force            0.936618 F0"
+edit resources/manual/tutorial.md 's/rebound\.csv/map.csv/'
+refuses check_tutorial.sh "-o map.csv: exit code 4: drillwave map: map.csv: exists already"
 
 [ "$failed" = 0 ] && echo "the checks of the manual find what is wrong"
 exit "$failed"
