@@ -75,7 +75,7 @@ ExitCode runExamples(const Arguments& arguments, const Drawing*) {
         throw CommandError(ExitCode::usage, translatable("drillwave::Message",
                                                          "--force is about the files of -o; add -o DIR"));
     OutputFile out("-", Overwrite::allowed);
-    if (directory)
+    if (directory || !arguments.operands().empty())
         print(examples, out);
     else
         list(examples, arguments.style(), out);
@@ -89,8 +89,8 @@ const Command& examplesCommand() {
     static const Command command{
         .name = "examples",
         .operands = "[NAME]…",
-        .summary = "list the built-in scenarios, or write them",
-        .details = "`drillwave examples t38_medium_rock -o -` prints one.",
+        .summary = "list the built-in scenarios, print those of NAME, or write them into a folder",
+        .details = "`drillwave examples t38_string > my.yaml` makes a file to change.",
         .options = {{"o", "DIR", "write them as scenario files into DIR; - prints them"},
                     {"force", "", "overwrite existing files"}},
         .leastOperands = 0,
