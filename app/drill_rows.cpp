@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "core/archive/study_files.h"
 
