@@ -17,9 +17,10 @@ constexpr const char* beforeCommands =
     "       drillwave COMMAND ARGUMENTS  work without a window\n"
     "\nCommands:\n";
 constexpr const char* behindCommands =
-    "\n  drillwave help TOPIC  says more: of a command, as COMMAND --help and -h do; of a parameter\n"
-    "  (help bit_rock.gamma), an output (help cor), a symbol; it prints chapters of the manual and\n"
-    "  sections of them (help theory 10). drillwave version prints the version.\n"
+    "\n  drillwave help TOPIC  prints the help of a command, as COMMAND --help and -h do, of a parameter\n"
+    "  (help bit_rock.gamma), an output (help cor) or an option (help --shard), a chapter of the manual\n"
+    "  or a section of it (help theory 10), and for any other word (help feed) the places of the\n"
+    "  manual that have it. drillwave version prints the version.\n"
     "  Chapters: %1.\n"
     "  Without a display the window needs `-platform offscreen`.\n"
     "  drillwave --reset-ui  opens the window with its first layout, page, units and choices;\n"
@@ -27,7 +28,7 @@ constexpr const char* behindCommands =
     "  Commands have --language, too; for all of them set DRILLWAVE_LANGUAGE=de.\n"
     "\nExit codes: %2.\n";
 constexpr std::string_view optionsTitle = "Options:";
-constexpr std::string_view ownHelp = "this text";
+constexpr std::string_view thisText = "this text";
 constexpr std::string_view versionHelp = "version of the program";
 
 std::string line(const std::string& left, std::string_view right, std::size_t width) {
@@ -76,15 +77,26 @@ std::string commandHelp(const Command& command, const ReadingStyle& style) {
     for (const OptionSpec& option : options) width = std::max(width, synopsis(option).size());
     help += "\n" + said(optionsTitle) + "\n";
     for (const OptionSpec& option : options) help += line(synopsis(option), said(option.help), width);
-    help += line("-h, --help", said(ownHelp), width) + line("--version", said(versionHelp), width);
+    help += line("-h, --help", said(thisText), width) + line("--version", said(versionHelp), width);
     if (const std::string details = detailsOf(command, style); !details.empty())
         help += "\n" + details + "\n";
     return help;
 }
 
+std::string ownHelp(std::string_view name, const ReadingStyle& style) {
+    const auto help = [&](const std::string& usage, std::string_view summary) {
+        return style.said({translatable("drillwave::Message", "Usage: drillwave %1\n"), {usage}}) + "\n" +
+               style.patternFor(std::string(summary)) + ".\n";
+    };
+    if (name == "help")
+        return help("help [TOPIC]", helpSummary) + "\n" + style.patternFor(std::string(helpDetails)) + "\n";
+    return name == "version" ? help("version", versionSummary) : std::string();
+}
+
 std::vector<std::string_view> helpTexts() {
     std::vector<std::string_view> texts{beforeCommands, behindCommands, scenarioOperandHelp, exitCodesHelp,
-                                        optionsTitle,   ownHelp,        versionHelp};
+                                        optionsTitle,   thisText,       versionHelp,         helpSummary,
+                                        helpDetails,    versionSummary};
     for (const Command* command : commands()) {
         texts.push_back(command->summary);
         if (!command->details.empty()) texts.push_back(command->details);

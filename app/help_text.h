@@ -20,7 +20,11 @@ inline constexpr std::string_view helpSummary =
     "print the help of a command, a chapter of the manual, a parameter, an output";
 inline constexpr std::string_view helpDetails =
     "TOPIC is a command (run), a chapter of the manual (theory) or a section of it (theory 10), a\n"
-    "parameter (bit_rock.gamma), an output (cor), a symbol (e), or what else a table of the manual names.";
+    "parameter (bit_rock.gamma), an output (cor), a symbol (e), an option (--shard), or any other word\n"
+    "(feed, units, exit codes): then the places of the manual that have it, the best first.";
+
+/// What `version` does.
+inline constexpr std::string_view versionSummary = "print the version of the program";
 
 /// "--set KEY=VALUE", "--json".
 std::string synopsis(const OptionSpec& option);
@@ -36,6 +40,9 @@ std::string programHelp(const ReadingStyle& style = plainStyle());
 
 /// Help of one subcommand.
 std::string commandHelp(const Command& command, const ReadingStyle& style = plainStyle());
+
+/// Help of `help` and `version`, which are no Command; empty for other names.
+std::string ownHelp(std::string_view name, const ReadingStyle& style = plainStyle());
 
 /// The English texts of all that, which the catalogues have as "help".
 std::vector<std::string_view> helpTexts();

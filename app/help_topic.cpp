@@ -2,6 +2,8 @@
 #include "app/help_topic.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 #include "app/command.h"
 #include "app/help_text.h"
@@ -10,9 +12,12 @@
 #include "core/manual/inline_text.h"
 #include "core/manual/plain_text.h"
 #include "core/manual/reference.h"
+#include "core/manual/word_places.h"
 #include "core/model/parameter_table.h"
 #include "core/text/decimal_text.h"
+#include "core/text/lower_case.h"
 #include "core/text/nearest_name.h"
+#include "core/text/text_layout.h"
 
 namespace drillwave {
 namespace {
@@ -112,6 +117,132 @@ std::string rowText(std::span<const Chapter> manual, std::string_view name, std:
     return text;
 }
 
+/// Words that the manual does not use for what people mean by them.
+constexpr auto otherWords = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"rop", "penetration rate"},
+    {"getting started", "tutorial"},
+    {"quick start", "tutorial"},
+    {"introduction", "tutorial"},
+});
+
+/// "a, b, c".
+std::string listOf(std::span<const std::string> words) {
+    std::string text;
+    for (const std::string& word : words) text += (text.empty() ? "" : ", ") + word;
+    return text;
+}
+
+/// The option of that name, "--shard", "shard" or "-j", of every command that has it, as a table with a row
+/// for each meaning; empty where no command has it.
+std::string optionText(std::string_view word, std::size_t width, const ReadingStyle& style) {
+    std::vector<std::pair<OptionSpec, std::vector<std::string>>> meanings;
+    for (const Command* command : commands())
+        for (const OptionSpec& option : optionsOf(*command)) {
+            if (option.text() != word && (option.name != word || !option.isLong())) continue;
+            const auto found = std::ranges::find_if(meanings, [&option](const auto& each) {
+                return each.first.help == option.help && each.first.value == option.value;
+            });
+            if (found != meanings.end())
+                found->second.emplace_back(command->name);
+            else
+                meanings.push_back({option, {std::string(command->name)}});
+        }
+    if (meanings.empty()) return {};
+    ManualBlock table{Kind::table, 0, {}, {}};
+    table.rows.push_back({style.said(translatable("drillwave::Message", "option")),
+                          style.said(translatable("drillwave::Message", "does")),
+                          style.said(translatable("drillwave::Message", "of the commands"))});
+    for (const auto& [option, owners] : meanings)
+        table.rows.push_back({synopsis(option), style.patternFor(std::string(option.help)),
+                              owners.size() == commands().size()
+                                  ? style.said(translatable("drillwave::Message", "all"))
+                                  : listOf(owners)});
+    return plainText(std::span(&table, 1), width);
+}
+
+/// Keys of parameters and names of outputs that have the words in their name, or else in what they mean.
+std::vector<std::string> namesWith(std::string_view words) {
+    constexpr std::size_t mostNames = 8;
+    std::vector<std::string> named, meant;
+    const auto take = [&](std::string_view name, std::string_view meaning) {
+        std::string spoken(name);
+        for (char& c : spoken) c = c == '_' || c == '.' ? ' ' : c;
+        if (hasWords(spoken, words))
+            named.emplace_back(name);
+        else if (hasWords(meaning, words))
+            meant.emplace_back(name);
+    };
+    for (const Parameter& parameter : parameters()) take(parameter.key, parameter.meaning);
+    for (const WordParameter& parameter : wordParameters()) take(parameter.key, {});
+    take(restrikeKey, {});
+    for (const auto table : {outputs(), drillOutputs()})
+        for (const Output& output : table) take(output.name, output.meaning);
+    named.insert(named.end(), meant.begin(), meant.end());
+    if (named.size() > mostNames) named.resize(mostNames);
+    return named;
+}
+
+/// The best places as a table: what prints each, and what is there.
+std::string placesText(std::span<const WordPlace> places, std::size_t width, const ReadingStyle& style) {
+    ManualBlock table{Kind::table, 0, {}, {}};
+    table.rows.push_back(
+        {"drillwave help …", style.said(translatable("drillwave::Message", "what is there"))});
+    for (const WordPlace& place : places)
+        table.rows.push_back(
+            {place.number.empty() ? place.chapter : place.chapter + " " + place.number, place.shown});
+    return plainText(std::span(&table, 1), width);
+}
+
+/// Everything that has the words without being called so: options, a section with that very title or rows of
+/// tables, places of the manual, parameters and outputs. Empty where there is none.
+std::string searchText(std::span<const Chapter> manual, const std::string& words, std::size_t width,
+                       const ReadingStyle& style) {
+    constexpr std::size_t mostPlaces = 12;
+    constexpr std::size_t longestSymbol = 2;  // columns: e and d0 stand everywhere
+    const auto other = std::ranges::find(otherWords, lowerCase(words),
+                                         &std::pair<std::string_view, std::string_view>::first);
+    const std::string meant = other != otherWords.end() ? std::string(other->second) : words;
+    std::vector<WordPlace> places = placesOfWords(manual, meant);
+    const auto isTitled = [&](WordPlace::Rank rank) {
+        return !places.empty() && places.front().rank <= rank;
+    };
+    std::string text = optionText(words, width, style);
+    const auto add = [&text](const std::string& more) {
+        text += text.empty() || more.empty() ? more : "\n" + more;
+    };
+    const auto addSentence = [&](const Message& message) {
+        add(plainText(std::vector{ManualBlock{Kind::paragraph, 0, {}, style.said(message)}}, width));
+    };
+    if (isTitled(WordPlace::Rank::wholeTitle) && !places.front().number.empty()) {
+        add(chapterText(manual, std::vector{places.front().chapter, places.front().number}, width));
+        places.erase(places.begin());
+    } else if (!isTitled(WordPlace::Rank::title)) {
+        const std::string rows = rowText(manual, words, width);
+        if (!rows.empty() && text.empty() && columnsOf(words) <= longestSymbol) return rows;
+        if (!rows.empty())
+            std::erase_if(places, [](const WordPlace& place) { return place.rank == WordPlace::Rank::row; });
+        add(rows);
+    }
+    if (places.size() > mostPlaces) places.resize(mostPlaces);
+    if (!places.empty()) {
+        addSentence(
+            {translatable("drillwave::Message", "The manual has `%1` in these places, the best first:"),
+             {meant}});
+        add(placesText(places, width, style));
+    }
+    if (const std::vector<std::string> names = namesWith(meant); !names.empty())
+        addSentence({translatable("drillwave::Message", "Parameters and outputs: %1."), {listOf(names)}});
+    return text;
+}
+
+/// "`bit_rock.gamma`" of "gamma": the parameters whose last part is that name.
+std::string keysEndingIn(const std::string& name) {
+    std::vector<std::string> keys;
+    for (const std::string& key : parameterNames())
+        if (key.ends_with("." + name)) keys.push_back("`" + key + "`");
+    return listOf(keys);
+}
+
 std::string nearest(std::string_view name) {
     std::vector<std::string> found;
     const std::string lastPart = "." + std::string(name);
@@ -126,9 +257,7 @@ std::string nearest(std::string_view name) {
     found.erase(std::unique(found.begin(), found.end()), found.end());
     constexpr std::size_t most = 5;
     if (found.size() > most) found.resize(most);
-    std::string text;
-    for (const std::string& each : found) text += (text.empty() ? "" : ", ") + each;
-    return text;
+    return listOf(found);
 }
 
 }  // namespace
@@ -150,17 +279,22 @@ std::vector<std::string> topicNames() {
 }
 
 std::string topicText(std::span<const std::string> words, std::size_t width, const ReadingStyle& style) {
-    const std::string& name = words.front();
+    const std::vector<Chapter> manual = manualChapters(style);
+    if (words.size() > 1 && findChapter(manual, words[0])) return chapterText(manual, words, width);
+    std::string name;
+    for (const std::string& word : words) name += (name.empty() ? "" : " ") + word;
     std::string text;
     const auto add = [&text](const std::string& more) {
         text += text.empty() || more.empty() ? more : "\n" + more;
     };
-    if (words.size() == 1)
-        if (const Command* command = findCommand(name)) add(commandHelp(*command, style));
-    const std::vector<Chapter> manual = manualChapters(style);
-    add(chapterText(manual, words, width));
-    if (words.size() == 1) add(referenceText(name, width, style));
-    if (words.size() == 1 && text.empty()) add(rowText(manual, name, width));
+    const Command* command = findCommand(name);
+    add(command ? commandHelp(*command, style) : ownHelp(name, style));
+    add(chapterText(manual, std::span(&name, 1), width));
+    add(referenceText(name, width, style));
+    if (text.empty())
+        text = searchText(manual, name, width, style);
+    else if (const std::string keys = keysEndingIn(name); !keys.empty())
+        add(style.said({translatable("drillwave::Message", "See also %1."), {keys}}) + "\n");
     if (!text.empty()) return text;
     const std::string near = nearest(name);
     if (near.empty())

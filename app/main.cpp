@@ -87,15 +87,16 @@ std::size_t readableWidth() {
     return std::clamp<std::size_t>(size.ws_col, narrowest, widest);
 }
 
-/// `drillwave help [TOPIC]`; of a chapter also the number of a section.
+/// `drillwave help [TOPIC]` and `drillwave --help [TOPIC]`; TOPIC may be several words.
 int printHelp(std::span<const std::string> words, const ReadingStyle& style) {
-    if (words.empty() || asksForHelp(words)) return print(programHelp(style));
-    refuseMore(words, 2);
-    if (words.front() == "help" || words.front() == "version") return print(programHelp(style));
+    std::vector<std::string> topic(words.begin(), words.end());
+    std::erase_if(topic, [](const std::string& word) { return word == "--help" || word == "-h"; });
+    if (words.empty()) return print(programHelp(style));
+    if (topic.empty()) topic.emplace_back("help");
+    if (findCommand(topic.front())) refuseMore(topic, 1);
     const std::vector<std::string> chapters = chapterNames();
-    if (words.size() > 1 && std::ranges::find(chapters, words.front()) == chapters.end())
-        refuseMore(words, 1);
-    return print(topicText(words, readableWidth(), style));
+    if (std::ranges::find(chapters, topic.front()) != chapters.end()) refuseMore(topic, 2);
+    return print(topicText(topic, readableWidth(), style));
 }
 
 int runCommand(const Command& command, std::span<const std::string> words, const Language& language, int argc,
@@ -162,7 +163,8 @@ int main(int argc, char** argv) {
     std::string who = "drillwave: ";
     const Language* language = &languageOfEnvironment();
     try {
-        const Language* asked = takeLanguage(words);
+        const bool asksForLanguageOption = words == std::vector<std::string>{"help", languageOption.text()};
+        const Language* asked = asksForLanguageOption ? nullptr : takeLanguage(words);
         if (asked) language = asked;
         const ReadingStyle& style = styleOf(*language);
         const std::string first = words.empty() ? std::string() : words.front();
@@ -172,7 +174,7 @@ int main(int argc, char** argv) {
             if (!asked) checkLanguageVariable();
             return runCommand(*command, behind, *language, argc, argv);
         }
-        if (first == "help") return printHelp(behind, style);
+        if (first == "help" || first == "--help" || first == "-h") return printHelp(behind, style);
         if (asksForHelp(words)) return print(programHelp(style));
         if (first == "version") return printVersionAlone(behind, style);
         if (asksForVersion(words)) return printVersion();

@@ -78,7 +78,7 @@ std::string fishCompletion() {
     };
     for (const Command* command : commands()) add(command->name, command->summary);
     add("help", helpSummary);
-    add("version", "print the version of the program");
+    add("version", versionSummary);
     text += "complete -c drillwave -n __fish_use_subcommand" + choice(ValueKind::scenario) +
             "\ncomplete -c drillwave -n '__fish_seen_subcommand_from help'" + choice(ValueKind::topic) + "\n";
     for (const Command* command : commands()) text += fishLines(*command);

@@ -85,7 +85,8 @@ std::string zshCompletion() {
     for (const Command* command : commands())
         text += "        '" + std::string(command->name) + ":" + zshText(command->summary, ":\\") + "'\n";
     text += "        'help:" + zshText(helpSummary, ":\\") +
-            "'\n        'version:print the version of the program'\n    )\n"
+            "'\n        'version:" + std::string(versionSummary) +
+            "'\n    )\n"
             "    _describe command commands\n}\n"
             "\n_drillwave() {\n"
             "    if ((CURRENT == 2)); then\n        _drillwave_command\n        _drillwave_scenario\n        "

@@ -29,6 +29,9 @@ class TestCommandLine : public QObject {
     void helpAndVersionAreEverywhere();
     void helpTellsOfWhateverHasAName_data();
     void helpTellsOfWhateverHasAName();
+    void helpFindsEverydayWords_data();
+    void helpFindsEverydayWords();
+    void helpOptionBeforeACommandPrintsItsHelp();
     void mistakesGetOneLineAndTheirExitCode_data();
     void mistakesGetOneLineAndTheirExitCode();
     void mistakesAreToldInTheLanguageOfTheCommand();
@@ -88,6 +91,7 @@ void TestCommandLine::helpTellsOfWhateverHasAName_data() {
     QTest::newRow("a section with its sign") << QStringList{"theory", "§2.1"} << "`trapezoid`";
     QTest::newRow("a symbol") << QStringList{"β"} << "k t0/Z";
     QTest::newRow("an alert") << QStringList{"super_rebound"} << "e > 1";
+    QTest::newRow("the last part of a key") << QStringList{"gamma"} << "See also `bit_rock.gamma`.";
 }
 
 void TestCommandLine::helpTellsOfWhateverHasAName() {
@@ -97,6 +101,63 @@ void TestCommandLine::helpTellsOfWhateverHasAName() {
     QCOMPARE(help.exitCode, 0);
     QCOMPARE(help.error, QByteArray());
     QVERIFY2(help.out.contains(told.toUtf8()) && help.out.endsWith('\n'), help.out);
+}
+
+// What is in the first lines: a place of the manual, a section of that very title, or the commands that have
+// an option.
+void TestCommandLine::helpFindsEverydayWords_data() {
+    QTest::addColumn<QString>("place");
+    for (const auto& [words, place] : {std::pair{"feed", "glossary 7"},
+                                       {"rock", "files 1.4"},
+                                       {"hammer", "theory 2.1"},
+                                       {"bit", "glossary 3"},
+                                       {"string", "files 1.3"},
+                                       {"coupling", "glossary 7"},
+                                       {"damper", "files 4"},
+                                       {"blow", "files 1.1"},
+                                       {"penetration", "glossary 7"},
+                                       {"fatigue", "files 1.3"},
+                                       {"error", "theory 11"},
+                                       {"rop", "penetration_rate"},
+                                       {"csv", "§6 CSV"},
+                                       {"json", "§5 JSON"},
+                                       {"exit", "commands 6"},
+                                       {"exit codes", "§6 Exit codes"},
+                                       {"slurm", "commands 4.12"},
+                                       {"shard", "sweep, table, map"},
+                                       {"signal", "files 8"},
+                                       {"measured", "files 8"},
+                                       {"import", "files 8"},
+                                       {"plots", "accuracy, stability"},
+                                       {"language", "commands 1"},
+                                       {"scenario", "files 1"},
+                                       {"units", "§2.1 Units"},
+                                       {"--set", "--set KEY=VALUE"},
+                                       {"-j", "threads"},
+                                       {"--language", "--language CODE"},
+                                       {"TMPDIR", "commands 2"},
+                                       {"DRILLWAVE_LANGUAGE", "commands 1"},
+                                       {"getting started", "tutorial"}})
+        QTest::newRow(words) << QString::fromUtf8(place);
+}
+
+void TestCommandLine::helpFindsEverydayWords() {
+    QFETCH(QString, place);
+    const QString words = QTest::currentDataTag();
+    const Finished help = run(QStringList{"help"} + words.split(' '));
+    QCOMPARE(help.exitCode, 0);
+    QVERIFY2(help.out.contains(place.toUtf8()), help.out);
+    const qsizetype list = help.out.indexOf("drillwave help …");
+    const QByteArray places = list < 0 ? QByteArray() : help.out.mid(list);
+    QVERIFY2(places.count('\n') < 40, places);
+    QVERIFY(!help.out.startsWith("files §5 JSON"));
+}
+
+void TestCommandLine::helpOptionBeforeACommandPrintsItsHelp() {
+    for (const char* option : {"--help", "-h"})
+        QCOMPARE(run({option, "sweep"}).out, run({"sweep", "--help"}).out);
+    QVERIFY(run({"help", "help"}).out.startsWith("Usage: drillwave help [TOPIC]\n"));
+    QCOMPARE(run({"--help", "theory", "10"}).out, run({"help", "theory", "10"}).out);
 }
 
 void TestCommandLine::mistakesGetOneLineAndTheirExitCode_data() {

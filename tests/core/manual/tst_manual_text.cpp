@@ -7,6 +7,7 @@
 #include "core/manual/parameter_facts.h"
 #include "core/manual/plain_text.h"
 #include "core/manual/reference.h"
+#include "core/manual/word_places.h"
 
 using namespace drillwave;
 
@@ -41,6 +42,8 @@ class TestManualText : public QObject {
     void everyChapterIsThere();
     void noTextOfAChapterIsLost();
     void aParameterIsToldWithItsPresetsAndTheirSources();
+    void wholeWordsAreCountedInSingularAndPlural();
+    void titlesComeBeforeTermsAndText();
 };
 
 void TestManualText::linesThatBelongTogetherAreOneBlock() {
@@ -151,6 +154,33 @@ void TestManualText::aParameterIsToldWithItsPresetsAndTheirSources() {
         QStringLiteral("0.1: soft rock; medium rock (the paper's value for percussive drilling)")));
     QVERIFY(plain(referenceOf(*findParameter("string.rod.length"), plainStyle()))
                 .contains(QStringLiteral("1 um – 100000 m")));
+}
+
+void TestManualText::wholeWordsAreCountedInSingularAndPlural() {
+    QCOMPARE(countOfWord("Units; a unit, united", "units"), 2U);
+    QCOMPARE(countOfWord("a unit", "UNIT"), 1U);
+    QCOMPARE(countOfWord("loss, los", "loss"), 1U);
+    QCOMPARE(countOfWord("Stöße, Stößel", "Stöße"), 1U);
+    QCOMPARE(countOfWord("`--set`, --settle", "--set"), 1U);
+    QVERIFY(hasWords("Exit codes", "code exit") && !hasWords("Exit codes", "code other") &&
+            hasWords("x", ""));
+}
+
+void TestManualText::titlesComeBeforeTermsAndText() {
+    const std::vector<Chapter> manual{
+        chapterOf("commands", "# Commands\n\nA *feed* here, a feed there.\n\n## §1 Other\n\none feed\n"),
+        chapterOf("glossary",
+                  "# Glossary\n\n## §1 Terms\n\n- **feed force**: it pushes\n- **bit**: no feed\n"),
+        chapterOf("files",
+                  "# Files\n\n## §1 The feed\n\n## §2 Feed\n\n## §3 X\n\n| a | b |\n|-|-|\n| feed | c |\n")};
+    QStringList found;
+    for (const WordPlace& place : placesOfWords(manual, "feed"))
+        found.append(QString::fromStdString(place.chapter + " " + place.number + ": " + place.shown));
+    QCOMPARE(found, (QStringList{"files 2: Feed", "files 1: The feed", "glossary 1: feed force: it pushes",
+                                 "glossary 1: bit: no feed", "files 3: feed: c",
+                                 "commands : Commands: A feed here, a feed there. ",
+                                 "commands 1: Other: one feed "}));
+    QVERIFY(placesOfWords(manual, "").empty() && placesOfWords(manual, "nothing").empty());
 }
 
 QTEST_APPLESS_MAIN(TestManualText)
