@@ -32,6 +32,15 @@ std::string_view manCharacter(const char& character) {
     }
 }
 
+/// Returns the text with three dots for each "…", which terminals without UTF-8 do not have.
+std::string withDots(std::string_view text) {
+    constexpr std::string_view ellipsis = "…";
+    std::string shown(text);
+    for (std::size_t at = shown.find(ellipsis); at != std::string::npos; at = shown.find(ellipsis, at))
+        shown.replace(at, ellipsis.size(), "...");
+    return shown;
+}
+
 std::string bold(std::string_view text) {
     return "\\fB" + manText(text) + "\\fR";
 }
@@ -104,7 +113,8 @@ std::string manText(std::string_view text) {
     std::string shown;
     bool isBold = false;
     bool beginsLine = true;
-    for (const char& character : text) {
+    const std::string dotted = withDots(text);
+    for (const char& character : dotted) {
         // A dot or a quote that begins a line would be a request.
         if (beginsLine && (character == '.' || character == '\'')) shown += "\\&";
         if (character == '`') {
@@ -148,7 +158,7 @@ std::string manPage(std::string_view date) {
     std::string page = heading("DRILLWAVE", date) +
                        ".SH NAME\ndrillwave \\- simulate percussive top\\-hammer drilling of rock\n"
                        ".SH SYNOPSIS\n.B drillwave\n.RI [ FILE ]\n.br\n.B drillwave\n.I COMMAND\n"
-                       ".RI [ ARGUMENT …]\n.br\n.B drillwave help\n.RI [ TOPIC ]\n"
+                       ".RI [ ARGUMENT ...]\n.br\n.B drillwave help\n.RI [ TOPIC ]\n"
                        ".SH DESCRIPTION\n";
     page +=
         manText(
@@ -164,7 +174,9 @@ std::string manPage(std::string_view date) {
     page += ".SS help\n.B drillwave help\n.RI [ TOPIC ]\n.PP\n" + manText(helpSummary) + ".\n" +
             manText(helpDetails) +
             "\n"
-            ".SS version\n.B drillwave version\n.PP\nprint the version of the program.\n"
+            ".SS version\n.B drillwave version\n.PP\n" +
+            manText(versionSummary) +
+            ".\n"
             ".SH OPTIONS\nEvery command also has\n" +
             item(bold("-h") + ", " + bold("--help"), "what it takes") +
             item(bold("--version"), "version of the program") +
