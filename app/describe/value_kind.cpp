@@ -9,10 +9,14 @@
 #include "core/blow/method.h"
 #include "core/blow/outputs.h"
 #include "core/model/parameter.h"
+#include "core/model/section_field.h"
+#include "core/model/word_parameter.h"
+#include "core/study/design/statistic.h"
 #include "core/text/enum_names.h"
 #include "core/text/languages.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/preset_file.h"
+#include "core/yaml/scenario_file.h"
 
 namespace drillwave {
 
@@ -24,6 +28,9 @@ constexpr EnumNames<ValueKind> kindNames{{{ValueKind::free, "free"},
                                           {ValueKind::scenario, "scenario"},
                                           {ValueKind::example, "example"},
                                           {ValueKind::parameter, "parameter"},
+                                          {ValueKind::aim, "aim"},
+                                          {ValueKind::limit, "limit"},
+                                          {ValueKind::statistic, "statistic"},
                                           {ValueKind::output, "output"},
                                           {ValueKind::outputs, "outputs"},
                                           {ValueKind::formats, "formats"},
@@ -44,9 +51,37 @@ constexpr NamedKind namedKinds[]{{"outputs", ValueKind::outputs},   {"output", V
                                  {"language", ValueKind::language}, {"rod", ValueKind::rod},
                                  {"hammer", ValueKind::hammer},     {"rock", ValueKind::rock}};
 
+/// "string.rod.length" and "hammer.1.length", with the names that the built-in strings give to sections.
+std::vector<std::string> sectionKeys() {
+    std::vector<std::string> owners{"hammer.1"};
+    for (const Example& example : builtInExamples()) {
+        if (!example.ofString) continue;
+        const ScenarioDocument document = parseScenario(example.text, example.name);
+        for (const StringPart& part : document.scenario.drillString.parts)
+            for (const Section& section : part.sections) {
+                const std::string owner = "string." + section.name;
+                const bool isWord = !section.name.empty() && owner.find(' ') == std::string::npos;
+                if (isWord && std::ranges::find(owners, owner) == owners.end()) owners.push_back(owner);
+            }
+    }
+    std::vector<std::string> keys{"string.repeat"};
+    for (const std::string& owner : owners)
+        for (const SectionField& field : sectionFields())
+            keys.push_back(owner + "." + std::string(field.key));
+    return keys;
+}
+
 std::vector<std::string> parameterWords() {
-    std::vector<std::string> words = parameterNames();
-    for (std::string& word : words) word += "=";
+    std::vector<std::string> words;
+    for (const std::string& key : parameterNames()) {
+        words.push_back(key + "=");
+        if (key == restrikeKey)
+            for (const char* value : {"true", "false"}) words.push_back(key + "=" + value);
+        if (const WordParameter* word = findWordParameter(key))
+            for (const std::string_view value : word->words())
+                words.push_back(key + "=" + std::string(value));
+    }
+    for (const std::string& key : sectionKeys()) words.push_back(key + "=");
     return words;
 }
 
@@ -54,6 +89,25 @@ std::vector<std::string> outputWords() {
     std::vector<std::string> words;
     for (const std::span<const Output> table : {outputs(), drillOutputs()})
         for (const Output& output : table) words.emplace_back(output.name);
+    return words;
+}
+
+std::vector<std::string> statisticWords() {
+    std::vector<std::string> words{Statistic{Statistic::Kind::nominal}.name()};
+    for (const Statistic& statistic : customaryStatistics()) words.push_back(statistic.name());
+    return words;
+}
+
+/// "max:efficiency@" behind "max:".
+std::vector<std::string> outputsBetween(std::string_view before, std::string_view behind) {
+    std::vector<std::string> words = outputWords();
+    for (std::string& word : words) word = std::string(before) + word + std::string(behind);
+    return words;
+}
+
+std::vector<std::string> aimWords() {
+    std::vector<std::string> words = outputsBetween("max:", "@");
+    for (const std::string& word : outputsBetween("min:", "@")) words.push_back(word);
     return words;
 }
 
@@ -86,6 +140,8 @@ ValueKind valueKind(const OptionSpec& option) {
     const auto named = std::ranges::find(namedKinds, option.name, &NamedKind::option);
     if (named != std::end(namedKinds)) return named->kind;
     if (option.value.starts_with("KEY=")) return ValueKind::parameter;
+    if (option.value.starts_with("max:")) return ValueKind::aim;
+    if (option.value.starts_with("OUTPUT@")) return ValueKind::limit;
     if (option.value == "DIR") return ValueKind::folder;
     return option.value.find("FILE") == std::string_view::npos ? ValueKind::free : ValueKind::file;
 }
@@ -96,6 +152,10 @@ ValueKind operandKind(const Command& command) {
     return command.operands.starts_with("FILE") ? ValueKind::scenario : ValueKind::file;
 }
 
+bool isStaged(ValueKind kind) {
+    return kind == ValueKind::parameter || kind == ValueKind::aim || kind == ValueKind::limit;
+}
+
 std::vector<std::string> wordsOf(ValueKind kind) {
     switch (kind) {
         case ValueKind::scenario:
@@ -103,6 +163,12 @@ std::vector<std::string> wordsOf(ValueKind kind) {
             return exampleWords();
         case ValueKind::parameter:
             return parameterWords();
+        case ValueKind::aim:
+            return aimWords();
+        case ValueKind::limit:
+            return outputsBetween({}, "@");
+        case ValueKind::statistic:
+            return statisticWords();
         case ValueKind::output:
         case ValueKind::outputs:
             return outputWords();

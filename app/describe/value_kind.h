@@ -17,7 +17,10 @@ enum class ValueKind {
     file,       ///< to read or to write
     scenario,   ///< a file, or the name of an example
     example,    ///< the name of one
-    parameter,  ///< KEY=…, of the table of parameters
+    parameter,  ///< KEY=…, of the table of parameters and of sections; with the values of words
+    aim,        ///< max:OUTPUT@STATISTIC, or min:…
+    limit,      ///< OUTPUT@STATISTIC=…
+    statistic,  ///< "mean", what follows the @ of an aim or a limit
     output,     ///< one of the table of outputs
     outputs,    ///< several, with commas between them
     formats,    ///< of pictures, likewise
@@ -32,13 +35,20 @@ enum class ValueKind {
 /// Its name, which the scripts of shells use.
 std::string_view name(ValueKind kind);
 
+/// Options that may stand before a command.
+inline constexpr std::string_view programOptions[]{"--help", "--version", "--language", "--reset-ui"};
+
 /// What an option takes.
 ValueKind valueKind(const OptionSpec& option);
 
 /// What stands where no option is: of the first operand, and of all behind it.
 ValueKind operandKind(const Command& command);
 
-/// The words of a kind that has a list of them, of parameters with "=" behind; else none.
+/// Returns whether words of a kind are typed in stages, up to the next of "=", ":" and "@".
+bool isStaged(ValueKind kind);
+
+/// The words of a kind that has a list of them, of parameters with "=" behind; else none. Aims and limits end
+/// with "@". Words that agree up to one of "=", ":" and "@" are neighbours.
 std::vector<std::string> wordsOf(ValueKind kind);
 
 }  // namespace drillwave

@@ -181,6 +181,36 @@ class TestDescriptions : public QObject {
         QTest::newRow("a second one")
             << QStringList{"run", "--set", "rod.length", "=", "4m", "bet"} << QStringList{"beta="};
         QTest::newRow("its value") << QStringList{"run", "--set", "rod.length", "="} << QStringList{};
+        QTest::newRow("one of the words that a parameter may be")
+            << QStringList{"run", "x", "--set", "pulse.shape", "=", "half"} << QStringList{"half_sine"};
+        QTest::newRow("a word where bash does not split")
+            << QStringList{"run", "x", "--set", "bit_rock.law=po"} << QStringList{"power"};
+        QTest::newRow("true or false")
+            << QStringList{"run", "x", "--set", "hammer.restrike", "="} << QStringList{"true", "false"};
+        QTest::newRow("a section of a string") << QStringList{"run", "x", "--set", "string.coupling.diam"}
+                                               << QStringList{"string.coupling.diameter="};
+        QTest::newRow("a key after an axis with colons")
+            << QStringList{"sweep", "x", "--vary", "beta", "=", "0.1", ":", "10", ":", "5", "pulse.sh"}
+            << QStringList{"pulse.shape="};
+        QTest::newRow("the sense of an aim")
+            << QStringList{"design", "x", "--aim", "m"} << QStringList{"max:", "min:"};
+        QTest::newRow("its output") << QStringList{"design", "x", "--aim", "max", ":", "rock_w"}
+                                    << QStringList{"rock_work@"};
+        QTest::newRow("its statistic")
+            << QStringList{"design", "x", "--aim", "max", ":", "cor", "@", "q0"} << QStringList{"q05"};
+        QTest::newRow("a limit") << QStringList{"design", "x", "--at-most", "peak_fo"}
+                                 << QStringList{"peak_force@"};
+        QTest::newRow("its statistic, a value follows")
+            << QStringList{"design", "x", "--at-most", "cor", "@", "m"}
+            << QStringList{"mean=", "min=", "max="};
+        QTest::newRow("a second limit")
+            << QStringList{"design", "x", "--at-most", "cor", "@", "mean", "=", "1", "peak_fo"}
+            << QStringList{"peak_force@"};
+        QTest::newRow("an option of the program")
+            << QStringList{"--"} << QStringList{"--help", "--version", "--language", "--reset-ui"};
+        QTest::newRow("a language before a command") << QStringList{"--language", "s"} << QStringList{"sv"};
+        QTest::newRow("a command after a language")
+            << QStringList{"--language", "de", "stab"} << QStringList{"stability"};
         QTest::newRow("an axis") << QStringList{"map", "x", "--y", "delt"} << QStringList{"delta="};
         QTest::newRow("an output") << QStringList{"sweep", "x", "--outputs", "rebound_e"}
                                    << QStringList{"rebound_energy"};
@@ -188,6 +218,8 @@ class TestDescriptions : public QObject {
                                   << QStringList{"cor,rebound_energy"};
         QTest::newRow("an output of many blows")
             << QStringList{"sweep", "x", "--outputs", "drill_gap_d"} << QStringList{"drill_gap_deviation"};
+        QTest::newRow("formats not given yet")
+            << QStringList{"run", "x", "--plots", "png,"} << QStringList{"png,svg", "png,pdf"};
         QTest::newRow("a format") << QStringList{"run", "x", "--plots", "png,s"} << QStringList{"png,svg"};
         QTest::newRow("a method") << QStringList{"run", "x", "--method", "c"} << QStringList{"closed_form"};
         QTest::newRow("a rod") << QStringList{"run", "x", "--rod", "T45"}
@@ -206,6 +238,32 @@ class TestDescriptions : public QObject {
         QFETCH(QStringList, words);
         QFETCH(QStringList, expected);
         QCOMPARE(offered(QStringList{"drillwave"} + words), expected);
+    }
+
+    // With "-o filenames" bash would write pulse.shape\=.
+    void bashTakesNoKeyForAFile() {
+        QProcess bash;
+        const QString script =
+            QString::fromStdString(bashCompletion()) +
+            "\ncompopt() { [[ $2 != filenames ]] || echo asked; }\nCOMP_WORDS=(drillwave run --set "
+            "a = 1 '')\nCOMP_CWORD=6\n_drillwave\n";
+        bash.setWorkingDirectory("/");
+        bash.start("bash", {"--norc", "-c", script});
+        QVERIFY(bash.waitForFinished(60000));
+        QCOMPARE(bash.readAllStandardOutput(), QByteArray());
+    }
+
+    // Interactive shells are not driven here: what their scripts say is.
+    void fishAndZshOfferTheSameStages() {
+        const QString fish = QString::fromStdString(fishCompletion()),
+                      zsh = QString::fromStdString(zshCompletion());
+        QVERIFY(fish.contains("run; and __drillwave_follows --set' -a '(__drillwave_parameter)'"));
+        QVERIFY(fish.contains("-n __drillwave_use_subcommand -l language -x"));
+        QVERIFY(zsh.contains(":*-*:KEY=VALUE:_drillwave_parameter'"));
+        QVERIFY(zsh.contains("compadd -- --help --version --language --reset-ui"));
+        for (const QString& script : {fish, zsh})
+            for (const char* word : {"'pulse.shape=half_sine'", "'string.coupling.diameter='", "'max:cor@'"})
+                QVERIFY2(script.contains(word), word);
     }
 
     void shellsReadTheirScripts() {
