@@ -23,7 +23,7 @@ inline constexpr std::string_view helpDetails =
     "parameter (bit_rock.gamma), an output (cor), a symbol (e), an option (--shard), or any other word\n"
     "(feed, units, exit codes): then the places of the manual that have it, the best first.";
 
-/// What `version` does.
+/// The summary of `version`.
 inline constexpr std::string_view versionSummary = "print the version of the program";
 
 /// "--set KEY=VALUE", "--json".

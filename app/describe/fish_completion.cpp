@@ -24,7 +24,7 @@ std::string functionName(ValueKind kind) {
     return "__drillwave_" + std::string(name(kind));
 }
 
-/// What does not depend on the tables.
+/// Functions that do not depend on the tables.
 constexpr std::string_view fishFunctions = R"fish(
 # Whether a command is still to come: options of the program may stand before it.
 function __drillwave_use_subcommand

@@ -164,7 +164,7 @@ class PlaceFinder {
         m_places.push_back({rank, m_chapter, m_section.number, shortenedText(text), 0});
     }
 
-    // Of the glossary, the entries are places themselves.
+    // Ends a section. The entries of the glossary are places themselves.
     void endSection() {
         const bool isFound =
             m_section.rank != Rank::text || (m_chapter != glossary && has(m_title + "\n" + m_text));

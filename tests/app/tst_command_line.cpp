@@ -103,8 +103,7 @@ void TestCommandLine::helpTellsOfWhateverHasAName() {
     QVERIFY2(help.out.contains(told.toUtf8()) && help.out.endsWith('\n'), help.out);
 }
 
-// What is in the first lines: a place of the manual, a section of that very title, or the commands that have
-// an option.
+// Each word finds a place of the manual, a section of that very title, or the commands that have an option.
 void TestCommandLine::helpFindsEverydayWords_data() {
     QTest::addColumn<QString>("place");
     for (const auto& [words, place] : {std::pair{"feed", "glossary 7"},
