@@ -22,10 +22,10 @@ void goOnBeside(char** argv) {
     if (!error) ::execv((self.parent_path() / "drillwave-window").c_str(), argv);
 }
 
-constexpr const char* builtWithout = translatable(
+constexpr const char* noWindowProgram = translatable(
     "drillwave::Message",
-    "there is no drillwave-window beside this program, which was built without it (DRILLWAVE_GUI), or "
-    "installed without it (the package drillwave)");
+    "there is no drillwave-window beside this program; install the package drillwave, or build the "
+    "program with DRILLWAVE_GUI=ON");
 
 }  // namespace
 
@@ -35,8 +35,9 @@ int openWindow(int argc, char** argv) {
     windowArguments(std::vector<std::string>(argv + 1, argv + argc));
     throw CommandError(
         ExitCode::usage,
-        Message(translatable("drillwave::Message", "no window: %1; use `drillwave run FILE` (see --help)"),
-                {builtWithout}));
+        Message(translatable("drillwave::Message",
+                             "no window: %1; without it use `drillwave run FILE` (see --help)"),
+                {noWindowProgram}));
 }
 
 std::unique_ptr<const Drawing> startDrawing(int, char** argv, const Language&) {
@@ -47,8 +48,9 @@ std::unique_ptr<const Drawing> startDrawing(int, char** argv, const Language&) {
     throw CommandError(
         ExitCode::usage,
         Message(translatable("drillwave::Message",
-                             "no pictures: %1; leave out what draws them, or run the whole program"),
-                {builtWithout}));
+                             "no pictures: %1; without it leave out --plots, and write a report with "
+                             "--no-plots"),
+                {noWindowProgram}));
 }
 
 }  // namespace drillwave

@@ -11,6 +11,8 @@
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "core/archive/report_file.h"
+#include "core/archive/study_files.h"
+#include "core/report/report_html.h"
 #include "core/text/name_text.h"
 
 namespace drillwave {
@@ -18,6 +20,7 @@ namespace drillwave {
 namespace {
 
 constexpr std::string_view stem = "report";  // of the files in a folder
+constexpr std::string_view withoutPlots = "no-plots";
 
 /// What -o asks for.
 struct ReportPlace {
@@ -50,6 +53,11 @@ ReportPlace placeOf(const Arguments& arguments) {
     std::error_code ignored;
     std::string ending = std::filesystem::path(*path).extension().string();
     for (char& c : ending) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    const bool hasPlots = !arguments.has(withoutPlots);
+    if (ending == ".pdf" && !hasPlots)
+        throw CommandError(ExitCode::usage,
+                           translatable("drillwave::Message",
+                                        "--no-plots: a PDF is drawn with its plots; give -o FILE.html"));
     if (ending == ".html" || ending == ".pdf") return {*path, false, {ending.substr(1)}};
     const bool isFolder = path->ends_with('/') || std::filesystem::is_directory(*path, ignored);
     if (!ending.empty() && !isFolder)
@@ -59,6 +67,7 @@ ReportPlace placeOf(const Arguments& arguments) {
                   translatable(
                       "drillwave::Message",
                       "a report is FILE.html or FILE.pdf; for a folder of that name put / behind it")));
+    if (!hasPlots) return {*path, true, {"html"}};
     return {*path, true, {"html", "pdf"}};
 }
 
@@ -89,6 +98,11 @@ void write(const ReportPlace& place, std::vector<NamedFile> files, Overwrite ove
     }
     FolderFiles folder;
     folder.files = std::move(files);
+    // A page without plots comes without a PDF.
+    folder.outdated = [&folder](const std::string& there) {
+        return folder.files.size() > 1 ? std::vector<std::string>()
+                                       : reportFilesThere(there, folder.files.front().name);
+    };
     writeFolder(place.path, folder, overwrite, &interruption);
 }
 
@@ -120,8 +134,12 @@ ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
             ExitCode::unsolvedOrFailed,
             couldNotBeSolved(path, reasonWithHint(report.blow.impact.reason, arguments, document.scenario,
                                                   report.blow.impact.hindrance)));
-    std::vector<NamedFile> files =
-        drawing->report(report, {std::string(stem), place.formats, interruption.token()});
+    std::vector<NamedFile> files;
+    if (drawing)
+        files = drawing->report(report, {std::string(stem), place.formats, interruption.token()});
+    else
+        files.push_back(
+            {place.names().front(), reportHtml(report, {}, ReportMedium::screen, arguments.style())});
     interruption.check();
     write(place, std::move(files), overwrite, interruption);
     if (!isStream(place.path))
@@ -145,16 +163,18 @@ const Command& reportCommand() {
             "units, and those of `run --json`; the source of a value is the comment behind it in the file. "
             "Of a\n"
             "drill string also its sections, drawn to scale, with their largest stresses.",
-        .options = scenarioOptions({{"project", "TEXT", "below the title: what the report is for"},
-                                    {"author", "TEXT", "who wrote it"},
-                                    {"customer", "TEXT", "whom it is for"},
-                                    {"date", "TEXT", "of when it is, as it is to be read; none unless given"},
-                                    workLimitSpec(),
-                                    {"o", "DIR|FILE.html|FILE.pdf", "where to write; - prints the HTML"},
-                                    {"force", "", "overwrite existing files"}}),
+        .options = scenarioOptions(
+            {{"project", "TEXT", "below the title: what the report is for"},
+             {"author", "TEXT", "who wrote it"},
+             {"customer", "TEXT", "whom it is for"},
+             {"date", "TEXT", "of when it is, as it is to be read; none unless given"},
+             {withoutPlots, "", "leave the plots out, and with them the PDF: works without the window"},
+             workLimitSpec(),
+             {"o", "DIR|FILE.html|FILE.pdf", "where to write; - prints the HTML"},
+             {"force", "", "overwrite existing files"}}),
         .leastOperands = 1,
         .mostOperands = 1,
-        .draws = [](const Arguments&) { return true; },
+        .draws = [](const Arguments& arguments) { return !arguments.has(withoutPlots); },
         .run = runReport,
     };
     return command;

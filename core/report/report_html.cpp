@@ -415,9 +415,13 @@ class Page {
         return html;
     }
 
-    /// But for the one that stands at the top.
+    /// But for the one that stands at the top. A page without any says why.
     std::string plots(const std::vector<ReportPicture>& pictures) const {
         std::string html;
+        if (pictures.empty() && isScreen())
+            html = paragraph(translatable("drillwave::Message",
+                                          "The plots are left out because this report was written with "
+                                          "--no-plots. Write it again without that option to get them."));
         for (const ReportPicture& picture : pictures)
             if (picture.name != leadName(pictures)) html += isScreen() ? figure(picture) : printed(picture);
         return html.empty() ? html : heading(translatable("drillwave::Message", "Plots")) + html;

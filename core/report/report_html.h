@@ -33,7 +33,8 @@ inline constexpr std::size_t mostPaperLines = 180;
 /// Title with the head of the report, what is to be done about the feed, the first of the pictures, verdict,
 /// alerts, results, studies, inputs with sources, the other pictures, scenario, and last how well it is
 /// solved; no time and no place but those of the head. Numbers are in the style of the reader. On the screen
-/// each number stands in full in `data-value` of its cell. The blow must be solved.
+/// each number stands in full in `data-value` of its cell, and a page without pictures says that they were
+/// left out by --no-plots. The blow must be solved.
 std::string reportHtml(const BlowReport& report, const std::vector<ReportPicture>& pictures,
                        ReportMedium medium, const ReadingStyle& style = plainStyle(),
                        std::size_t paperLines = mostPaperLines);

@@ -41,6 +41,7 @@ class TestReport : public QObject {
     void badPlacesAreRefused();
     void existingFilesAreOverwrittenOnlyOnRequest();
     void whatCannotBeSolvedLeavesNothing();
+    void reportsWithoutPlotsNeedNoWindow();
 };
 
 void TestReport::everyExampleMakesAPageAndTwoToFiveSheets_data() {
@@ -234,6 +235,37 @@ void TestReport::whatCannotBeSolvedLeavesNothing() {
     QCOMPARE(finished.exitCode, 6);
     QVERIFY2(finished.error.contains("could not be solved"), finished.error);
     QCOMPARE(contents(place.path()), QStringList());
+}
+
+void TestReport::reportsWithoutPlotsNeedNoWindow() {
+    // A copy has no drillwave-window beside it, as where the commands alone are installed.
+    const QTemporaryDir place;
+    const QString bare = place.filePath("drillwave"), folder = place.filePath("out");
+    QVERIFY(QFile::copy(QStringLiteral(DRILLWAVE_PROGRAM), bare));
+    const auto runBare = [&bare](const QStringList& words) {
+        QProcess process;
+        process.start(bare, words);
+        return process.waitForFinished(60000) ? Finished{process.exitCode(), process.readAllStandardOutput(),
+                                                         process.readAllStandardError()}
+                                              : Finished{};
+    };
+    const Finished refused = runBare({"report", "t38_medium_rock", "-o", folder});
+    QCOMPARE(refused.exitCode, 2);
+    QVERIFY2(refused.error.contains("install the package drillwave") && refused.error.contains("--no-plots"),
+             refused.error);
+    QCOMPARE(runBare({"report", "t38_medium_rock", "--no-plots", "-o", folder}).exitCode, 0);
+    QCOMPARE(contents(folder), QStringList{"report.html"});
+    const QByteArray html = read(folder + "/report.html");
+    QVERIFY(html.contains("The plots are left out because") && !html.contains("<img"));
+    QCOMPARE(json({"run", folder + "/report.html"})["si"], json({"run", "t38_medium_rock"})["si"]);
+    const Finished pdf = run({"report", "t38_medium_rock", "--no-plots", "-o", place.filePath("a.pdf")});
+    QCOMPARE(pdf.exitCode, 2);
+    QVERIFY2(pdf.error.contains("give -o FILE.html"), pdf.error);
+    // The PDF of an earlier report goes with the page that it belongs to.
+    QCOMPARE(run({"report", "t38_medium_rock", "--force", "-o", folder}).exitCode, 0);
+    QCOMPARE(contents(folder), (QStringList{"report.html", "report.pdf"}));
+    QCOMPARE(run({"report", "t38_medium_rock", "--no-plots", "--force", "-o", folder}).exitCode, 0);
+    QCOMPARE(contents(folder), QStringList{"report.html"});
 }
 
 QTEST_GUILESS_MAIN(TestReport)

@@ -33,6 +33,7 @@ same() {
 for name in $("$bare" examples | awk '{ print $1 }'); do same run "$name" --json; done
 same sweep reference_case --vary gamma=0.05:1:8 --outputs all
 same help
+same report reference_case --no-plots -o -
 code=0
 said=$("$bare" run reference_case -o "$work/out" --plots png 2>&1) || code=$?
 [ "$code" = 2 ] && [[ $said == *DRILLWAVE_GUI* ]] || fail "pictures without Qt: exit $code, $said"
