@@ -216,9 +216,9 @@ std::string searchText(std::span<const Chapter> manual, const std::string& words
     if (isTitled(WordPlace::Rank::wholeTitle) && !places.front().number.empty()) {
         add(chapterText(manual, std::vector{places.front().chapter, places.front().number}, width));
         places.erase(places.begin());
-    } else if (!isTitled(WordPlace::Rank::title)) {
+    } else if (text.empty() && !isTitled(WordPlace::Rank::title)) {
         const std::string rows = rowText(manual, words, width);
-        if (!rows.empty() && text.empty() && columnsOf(words) <= longestSymbol) return rows;
+        if (!rows.empty() && columnsOf(words) <= longestSymbol) return rows;
         if (!rows.empty())
             std::erase_if(places, [](const WordPlace& place) { return place.rank == WordPlace::Rank::row; });
         add(rows);
