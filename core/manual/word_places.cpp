@@ -55,9 +55,9 @@ std::size_t findWord(std::string_view text, std::string_view word, std::size_t f
     for (std::size_t at = text.find(stem, from); at != std::string_view::npos; at = text.find(stem, at + 1)) {
         if (beginsInLetter(stem) && endsInLetter(text.substr(0, at))) continue;
         std::string_view behind = text.substr(at + stem.size());
-        for (const std::string_view ending : {"", "s", "es"})
-            if (behind.starts_with(ending) &&
-                !(endsInLetter(stem) && beginsInLetter(behind.substr(ending.size()))))
+        for (const std::string_view wordEnd : {"", "s", "es"})
+            if (behind.starts_with(wordEnd) &&
+                !(endsInLetter(stem) && beginsInLetter(behind.substr(wordEnd.size()))))
                 return at;
     }
     return std::string_view::npos;

@@ -370,20 +370,19 @@ void TestDrill::allThatIsWrongIsToldAtOnce() {
     QVERIFY(file.open(QIODevice::WriteOnly));
     const QByteArray text = read(example("t38_medium_rock"));
     file.write(text.left(text.indexOf("\ndrill:")) +
-               "\ndrill: {damper_damping: 6 kN s/m, blows: 10, settle: 20}\n");
+               "\ndrill: {damper_damping: 6 kN s/m, blows: 10, settle: 5}\n");
     file.close();
     const Finished finished = run({"drill", path});
     QCOMPARE(finished.exitCode, 5);
-    for (const char* says :
-         {"drill.blow_frequency", "drill.thrust", "needs drill.machine_mass", "drill.settle"})
+    for (const char* says : {"drill.blow_frequency", "drill.thrust", "needs drill.machine_mass"})
         QVERIFY2(finished.error.contains(says), finished.error);
-    QCOMPARE(finished.error.trimmed().count('\n'), 3);
+    QCOMPARE(finished.error.trimmed().count('\n'), 2);
 }
 
 // A damper whose rates no cell of the march can follow.
 void TestDrill::whatCannotBeMarchedEndsWithSix() {
     const QString file = example("t38_medium_rock");
-    const QStringList stiff{"--set", "drill.machine_mass=1kg", "drill.damper_stiffness=1e20N/m", "--blows",
+    const QStringList stiff{"--set", "drill.machine_mass=1kg", "drill.damper_stiffness=1e18N/m", "--blows",
                             "20"};
     const Finished alone = run(QStringList{"drill", file} + stiff);
     QVERIFY2(alone.exitCode == 6, alone.error);
@@ -391,7 +390,7 @@ void TestDrill::whatCannotBeMarchedEndsWithSix() {
     QTemporaryDir folder;
     const QString rows = folder.filePath("scan.csv");
     const Finished scan = run(QStringList{"drill", file, "--set", "drill.machine_mass=1kg", "--blows", "20",
-                                          "--scan", "drill.damper_stiffness=1e6N/m,1e20N/m", "-o", rows});
+                                          "--scan", "drill.damper_stiffness=1e6N/m,1e18N/m", "-o", rows});
     QVERIFY2(scan.exitCode == 6, scan.error);
     QVERIFY2(scan.error.contains("1 of 2 rows"), scan.error);
     QCOMPARE(rowsOf(read(rows)).size(), 3);

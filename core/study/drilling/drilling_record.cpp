@@ -44,6 +44,21 @@ Message workProblem(const DrillingMarch& march, const RecordLength& length) {
         {rounded(all, 2), rounded(length.mostWork, 2)}};
 }
 
+/// Wave cells that a march keeps at once, of all sections: some 2 GB with the march beside it.
+constexpr double mostKeptCells = 2e7;
+
+/// Why a march cannot be kept in memory; empty where it can.
+Message memoryProblem(const DrillingGrid& grid) {
+    double kept = 0;
+    for (const double trip : grid.roundTrips)
+        kept += std::ceil(trip) * static_cast<double>(grid.cuts.count());
+    if (kept <= mostKeptCells) return {};
+    return {translatable("drillwave::Message",
+                         "the waves on the way through it take %1 wave cells at once, more than the %2 "
+                         "permitted; a longer blow, a shorter string or fewer --cells take less"),
+            {rounded(kept, 2), rounded(mostKeptCells, 2)}};
+}
+
 /// Takes the blows of a march on a thread of its own, one whenever it is told.
 class MarchBeside {
   public:
@@ -126,6 +141,10 @@ DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid
     // compared at the given frequency, not at the one rounded to cells
     if (problem.blow.isForced() && problem.feedForce * problem.interval < 1 - equalThrust) {
         result.outcome = DrillingOutcome::pushedBack;
+        return result;
+    }
+    if (result.reason = memoryProblem(grid); !result.reason.isEmpty()) {
+        result.outcome = DrillingOutcome::notSolved;
         return result;
     }
     DrillingMarch main(problem, grid);
