@@ -6,7 +6,6 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
-#include <thread>
 
 #include "app/method_options.h"
 #include "app/progress_bar.h"
@@ -17,6 +16,7 @@
 #include "core/archive/row_part.h"
 #include "core/disk/file_bytes.h"
 #include "core/model/blow_traits.h"
+#include "core/numeric/available_threads.h"
 #include "core/text/decimal_text.h"
 #include "core/text/message_list.h"
 
@@ -47,10 +47,6 @@ Shard shardOf(const Arguments& arguments) {
                                                                  "--shard %1: needs I/N, 1 <= I <= N <= %2"),
                                                     {shortened(text), std::to_string(maximumShards)}));
     return *shard;
-}
-
-int allThreads() {
-    return static_cast<int>(std::clamp(std::thread::hardware_concurrency(), 1U, 1024U));
 }
 
 Message withLimitHint(const Message& reason, long workLimit) {
@@ -206,7 +202,8 @@ RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoi
 }
 
 int jobsOf(const Arguments& arguments) {
-    return static_cast<int>(arguments.number("j", allThreads(), 1, maximumJobs));
+    return static_cast<int>(
+        arguments.number("j", std::min(static_cast<long>(availableThreads()), maximumJobs), 1, maximumJobs));
 }
 
 std::vector<OutputColumn> RowOptions::columnsFor(const Scenario& scenario) const {

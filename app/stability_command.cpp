@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave stability
-#include <algorithm>
-
 #include "app/command.h"
 #include "app/interruption.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/study_plots.h"
+#include "core/numeric/available_threads.h"
 #include "core/numeric/run_time.h"
 #include "core/report/stability_report.h"
 
@@ -30,10 +29,9 @@ ExitCode runStability(const Arguments& arguments, const Drawing* drawing) {
     const Interruption interruption;
     const std::vector<StabilityCase> cases = stabilityCases();
     ProgressBar bar(cases.size(), translatable("drillwave::Message", "cases"), arguments.style());
-    const int jobs = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
     const Stopwatch watch;
     const StabilityReport report =
-        checkStability(cases, jobs, interruption.token(),
+        checkStability(cases, availableThreads(), interruption.token(),
                        [&bar](const StabilityReport& soFar) { bar.show(soFar.rows.size()); });
     const double runTime = watch.seconds();
     interruption.check();

@@ -2,12 +2,11 @@
 #include "ui/pages/accuracy/proof_study.h"
 
 #include <QCoreApplication>
-#include <algorithm>
 #include <chrono>
 #include <stdexcept>
-#include <thread>
 
 #include "core/model/blow_traits.h"
+#include "core/numeric/available_threads.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -59,9 +58,8 @@ ProofAnswer proveStability(const ProofQuestion& question, const StudyFeed<ProofA
     };
     feed.show(answer({}));
     const std::vector<StabilityCase> cases = stabilityCases();
-    const int jobs = static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
     auto last = Clock::now();
-    return answer(checkStability(cases, jobs, feed.stop, [&](const StabilityReport& soFar) {
+    return answer(checkStability(cases, availableThreads(), feed.stop, [&](const StabilityReport& soFar) {
         feed.tell({.done = soFar.rows.size(), .wanted = cases.size()});
         if (Clock::now() - last < between) return;
         last = Clock::now();
