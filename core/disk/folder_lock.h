@@ -17,8 +17,11 @@ class FolderLock {
     FolderLock(const FolderLock&) = delete;
     FolderLock& operator=(const FolderLock&) = delete;
 
-    /// 0 when it is held, EWOULDBLOCK while another one holds it, or the errno of why it cannot be had.
+    /// Returns 0 when it is held, EWOULDBLOCK while another one holds it, or the errno of why not. Leaves no
+    /// file behind on a disk without locks. Does not follow a link of that name.
     int tryLock();
+
+    const std::string& path() const { return m_path; }
 
   private:
     std::string m_path;

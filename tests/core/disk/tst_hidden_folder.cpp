@@ -4,11 +4,13 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <cstdio>
 #include <functional>
 #include <thread>
 
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -20,6 +22,9 @@ using namespace drillwave;
 using namespace drillwave::test;
 
 namespace {
+
+/// What every lock fails with; 0 for locks as the system has them.
+int lockError = 0;
 
 const std::vector<std::string> names{"picture", "record", "rows"};
 
@@ -45,6 +50,13 @@ void move(const std::string& from, const std::string& to) {
 
 }  // namespace
 
+/// Stands before that of the C library: a disk without locks (Lustre, NFS).
+extern "C" int flock(int descriptor, int operation) noexcept {
+    if (lockError == 0) return static_cast<int>(::syscall(SYS_flock, descriptor, operation));
+    errno = lockError;
+    return -1;
+}
+
 class TestHiddenFolder : public QObject {
     Q_OBJECT
 
@@ -58,6 +70,8 @@ class TestHiddenFolder : public QObject {
     void aRunThatDiesOnceItHasMadeTheFolderLeavesNothing();
     void aLivingRunIsLeftAlone();
     void makersAndMendersDoNotMeet();
+    void disksWithoutLocksKeepNothingBehind_data();
+    void disksWithoutLocksKeepNothingBehind();
 
   private:
     std::string path(const std::string& name) const { return m_place->path().toStdString() + "/" + name; }
@@ -196,6 +210,26 @@ void TestHiddenFolder::makersAndMendersDoNotMeet() {
     QCOMPARE(wrong.load(), 0);
     mendFolder(folder);
     QCOMPARE(contents(m_place->path()), QStringList());
+}
+
+void TestHiddenFolder::disksWithoutLocksKeepNothingBehind_data() {
+    QTest::addColumn<int>("error");
+    QTest::newRow("Lustre as mounted by default") << ENOSYS;
+    QTest::newRow("NFS without a lock service") << ENOLCK;
+    QTest::newRow("not supported") << EOPNOTSUPP;
+}
+
+void TestHiddenFolder::disksWithoutLocksKeepNothingBehind() {
+    QFETCH(int, error);
+    const std::string folder = m_place->path().toStdString();
+    const FolderFiles files{.files = {{"rows", "new"}}, .outdated = {}};
+    lockError = error;
+    const FolderEnd first = writeWholeFolder(folder, files, ExistingFiles::kept);
+    const FolderEnd second = writeWholeFolder(folder, files, ExistingFiles::replaced);
+    mendFolder(folder);
+    lockError = 0;
+    QVERIFY2(first.isWritten() && second.isWritten(), second.problem.text().c_str());
+    QCOMPARE(contents(m_place->path()), QStringList{"rows"});
 }
 
 QTEST_GUILESS_MAIN(TestHiddenFolder)
