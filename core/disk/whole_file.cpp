@@ -74,8 +74,7 @@ WriteFailure WholeFile::open() {
     assert(m_descriptor < 0);
     struct stat before {};
     const bool exists = ::stat(m_path.c_str(), &before) == 0;
-    if (exists && ::access(m_path.c_str(), W_OK) != 0)
-        return {"Existing file " + m_path + " is not writable", false};
+    if (exists && ::access(m_path.c_str(), W_OK) != 0) return writeFailure(errno);
     if (exists && S_ISDIR(before.st_mode)) return {"Filename refers to a directory", false};
     m_path = behindLinks(m_path);
     // Until it has the permissions of what it replaces, nobody else shall read it.

@@ -305,7 +305,7 @@ Message folderProblem(const std::string& folder, const std::vector<std::string>&
     std::error_code ignored;
     if (!isFolder(nearest))
         return notMade(folder, reasonOf(fs::is_symlink(nearest, ignored) ? ENOENT : ENOTDIR));
-    if (::access(nearest.c_str(), W_OK) != 0) return notMade(folder, reasonOf(EACCES));
+    if (::access(nearest.c_str(), W_OK) != 0) return notMade(folder, reasonOf(errno));
     return namesProblem(folder, names, existing);
 }
 

@@ -105,6 +105,7 @@ try_locked_disk() {
     attempt
     expect_all_or_nothing "$1" "$2" 4
     expect "is done" ended_with 4
+    expect "does not name the disk" grep -q "Read-only file system" "$work/err"
     unmount_disk
 }
 
