@@ -21,6 +21,7 @@ namespace {
 int wakeUp[2] = {-1, -1};
 /// A signal handler cannot look for words.
 std::string lineOfInterruption = "drillwave: interrupted\n";
+const ReadingStyle* styleOfCommand = nullptr;
 constexpr char interrupted = 'i';
 constexpr char ended = 'e';
 
@@ -66,6 +67,7 @@ void handleOnce(void (*handler)(int)) {
 }  // namespace
 
 void speakOnInterruption(const ReadingStyle& style) {
+    styleOfCommand = &style;
     lineOfInterruption = "drillwave: " + style.said(translatable("drillwave::Message", "interrupted")) + "\n";
 }
 
@@ -112,6 +114,10 @@ Interruption::~Interruption() {
     m_watcher.join();
     ::close(wakeUp[0]);
     ::close(wakeUp[1]);
+}
+
+const ReadingStyle& Interruption::style() const {
+    return styleOfCommand ? *styleOfCommand : plainStyle();
 }
 
 void Interruption::ignoreFromNowOn() const {

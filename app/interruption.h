@@ -13,7 +13,7 @@ namespace drillwave {
 /// ExitCode::interrupted, in one line: there is nothing yet that could be left behind.
 void exitOnInterruption();
 
-/// In which style that line is.
+/// In which style that line is, for as long as the program runs.
 void speakOnInterruption(const ReadingStyle& style);
 
 /// Keeps these signals waiting until exitOnInterruption(), also in the program that this one goes on as.
@@ -42,6 +42,8 @@ class Interruption {
     void check() const;
     /// What was asked for is in place: a signal that comes now comes too late, until the program ends.
     void ignoreFromNowOn() const;
+    /// That of speakOnInterruption().
+    const ReadingStyle& style() const;
 
   private:
     std::stop_source m_source;

@@ -85,6 +85,8 @@ void checkOutput(const std::string& path, Overwrite overwrite, LeftBeside leftBe
     if (isStream(path)) return;
     const std::string folder = folderOf(path);
     mendFolder(folder);
+    if (const Message problem = lockProblem(folder); !problem.isEmpty())
+        throw CommandError(ExitCode::unwritableOutput, problem);
     checkOverwrite(path, overwrite);
     for (const std::string& name : leftBeside(folder, nameOf(path)))
         checkOverwrite(pathInside(folder, name), overwrite);

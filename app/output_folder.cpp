@@ -2,6 +2,7 @@
 #include "app/output_folder.h"
 
 #include "app/command_error.h"
+#include "app/scenario_argument.h"
 #include "core/disk/hidden_folder.h"
 
 namespace drillwave {
@@ -25,8 +26,14 @@ void checkFolder(const std::string& path, const std::vector<std::string>& names,
 void writeFolder(const std::string& path, const FolderFiles& files, Overwrite overwrite,
                  const Interruption* interruption) {
     const auto existing = overwrite == Overwrite::allowed ? ExistingFiles::replaced : ExistingFiles::kept;
-    const FolderEnd end =
-        writeWholeFolder(path, files, existing, interruption ? interruption->token() : std::stop_token());
+    const auto onLongWait = [&](const std::string& lock) {
+        printRemark({translatable("drillwave::Message",
+                                  "waiting for another run of drillwave, which holds %1; Ctrl-C ends it"),
+                     {lock}},
+                    interruption ? interruption->style() : plainStyle());
+    };
+    const FolderEnd end = writeWholeFolder(
+        path, files, existing, interruption ? interruption->token() : std::stop_token(), onLongWait);
     if (end.isWritten()) {
         if (interruption) interruption->ignoreFromNowOn();
         return;

@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 
 /// Others hold the lock for the milliseconds of some renames; longer than this, one of them hangs.
 constexpr std::chrono::seconds longestWait{20};
+constexpr std::chrono::seconds silentWait{2};          // after which the one who waits is told so
 constexpr std::chrono::milliseconds lockPatience{10};  // between looks at the lock and at the stop token
 
 /// Parents that vanish between being made and being used: another run that failed took its own away.
@@ -39,6 +40,17 @@ std::string reasonOf(int error) {
 Message notMade(const std::string& folder, const std::string& reason) {
     return {translatable("drillwave::Message", "%1: the folder cannot be made: %2; choose another one"),
             {folder, reason}};
+}
+
+Message notLocked(const std::string& lockPath, int error) {
+    std::error_code ignored;
+    const Message reason = fs::is_symlink(lockPath, ignored)
+                               ? Message(translatable("drillwave::Message", "it is a link"))
+                               : Message(reasonOf(error));
+    return {translatable("drillwave::Message",
+                         "%1: this lock of the folder cannot be opened: %2; remove it or choose another "
+                         "folder"),
+            {lockPath, reason}};
 }
 
 /// 0, or the errno.
@@ -145,8 +157,12 @@ class Moves {
 class Delivery {
   public:
     Delivery(const std::string& folder, const FolderFiles& files, ExistingFiles existing,
-             const std::stop_token& stop)
-        : m_folder(withoutTrailingSlashes(folder)), m_files(files), m_existing(existing), m_stop(stop) {}
+             const std::stop_token& stop, const OnLongWait& onLongWait)
+        : m_folder(withoutTrailingSlashes(folder)),
+          m_files(files),
+          m_existing(existing),
+          m_stop(stop),
+          m_onLongWait(onLongWait) {}
 
     FolderEnd run() {
         if (isThere(m_folder) && !isFolder(m_folder)) return failed(notMade(m_folder, reasonOf(ENOTDIR)));
@@ -201,12 +217,17 @@ class Delivery {
 
     FolderEnd exchangeLocked() {
         FolderLock lock(m_folder);
-        const auto end = std::chrono::steady_clock::now() + longestWait;
+        const auto begin = std::chrono::steady_clock::now();
+        bool isTold = !m_onLongWait;
         while (const int error = lock.tryLock()) {
             if (m_stop.stop_requested()) return {FolderEnd::Kind::stopped, {}};
             if (areLocksUnknown(error)) break;
-            if (error != EWOULDBLOCK) return failed(notWritten(m_folder, {reasonOf(error), false}));
-            if (std::chrono::steady_clock::now() > end)
+            if (error != EWOULDBLOCK)
+                return failed(isThere(lock.path()) ? notLocked(lock.path(), error)
+                                                   : notWritten(m_folder, {reasonOf(error), false}));
+            const auto waited = std::chrono::steady_clock::now() - begin;
+            if (waited > silentWait && !std::exchange(isTold, true)) m_onLongWait(lock.path());
+            if (waited > longestWait)
                 return failed(
                     {translatable("drillwave::Message",
                                   "%1: another run has been writing there for %2 seconds; wait for it or "
@@ -263,6 +284,7 @@ class Delivery {
     const FolderFiles& m_files;
     ExistingFiles m_existing;
     std::stop_token m_stop;
+    const OnLongWait& m_onLongWait;
     Parents m_parents;  // outlives what is in them
     HiddenFolder m_hidden;
 };
@@ -295,8 +317,16 @@ std::vector<std::string> FolderFiles::names() const {
 }
 
 FolderEnd writeWholeFolder(const std::string& folder, const FolderFiles& files, ExistingFiles existing,
-                           const std::stop_token& stop) {
-    return Delivery(folder, files, existing, stop).run();
+                           const std::stop_token& stop, const OnLongWait& onLongWait) {
+    return Delivery(folder, files, existing, stop, onLongWait).run();
+}
+
+Message lockProblem(const std::string& folder) {
+    FolderLock lock(folder);
+    if (!isThere(lock.path())) return {};
+    const int error = lock.tryLock();
+    return error == 0 || error == EWOULDBLOCK || areLocksUnknown(error) ? Message()
+                                                                        : notLocked(lock.path(), error);
 }
 
 Message folderProblem(const std::string& folder, const std::vector<std::string>& names,
@@ -306,6 +336,7 @@ Message folderProblem(const std::string& folder, const std::vector<std::string>&
     if (!isFolder(nearest))
         return notMade(folder, reasonOf(fs::is_symlink(nearest, ignored) ? ENOENT : ENOTDIR));
     if (::access(nearest.c_str(), W_OK) != 0) return notMade(folder, reasonOf(errno));
+    if (Message problem = lockProblem(folder); !problem.isEmpty()) return problem;
     return namesProblem(folder, names, existing);
 }
 

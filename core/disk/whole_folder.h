@@ -43,6 +43,9 @@ struct FolderEnd {
     bool isWritten() const { return kind == Kind::written; }
 };
 
+/// Called once with the path of the lock that another run has held for a while.
+using OnLongWait = std::function<void(const std::string& lockPath)>;
+
 /// Writes files into a folder, which afterwards holds all of them or is as it was: also on a failure, on a
 /// stop, and with other runs of this program writing there at the same time, of which at most one succeeds
 /// where existing files are kept, and the last one wins whole where they are replaced.
@@ -55,11 +58,15 @@ struct FolderEnd {
 /// every run begins with, puts right. Files of other names are never touched. A link of such a name is
 /// replaced, not followed.
 FolderEnd writeWholeFolder(const std::string& folder, const FolderFiles& files, ExistingFiles existing,
-                           const std::stop_token& stop = {});
+                           const std::stop_token& stop = {}, const OnLongWait& onLongWait = {});
 
 /// Why writeWholeFolder() would fail, as far as that can be told without writing; empty when it should not.
 Message folderProblem(const std::string& folder, const std::vector<std::string>& names,
                       ExistingFiles existing);
+
+/// Why the lock of a folder cannot be opened, in one line that begins with its path; empty when it can or
+/// there is none.
+Message lockProblem(const std::string& folder);
 
 /// Whether anything of that name is there, also a link that leads nowhere.
 bool isThere(const std::string& path);

@@ -7,6 +7,7 @@
 #include <system_error>
 #include <thread>
 
+#include "core/disk/folder_lock.h"
 #include "core/disk/whole_file.h"
 #include "core/disk/whole_folder.h"
 #include "tests/support/files.h"
@@ -49,6 +50,9 @@ class TestWholeFolder : public QObject {
     void aLinkToAFolderIsFollowed();
     void obstaclesAreKnownBefore();
     void writersAtTheSameTimeNeverMix();
+    void locksThatCannotBeOpenedAreNamed();
+    void linksInPlaceOfLocksAreNotFollowed();
+    void waitingForALockIsToldAndCanBeStopped();
 
   private:
     QString path(const char* name) const { return m_place->filePath(QLatin1String(name)); }
@@ -226,6 +230,42 @@ void TestWholeFolder::writersAtTheSameTimeNeverMix() {
             QCOMPARE(written.load(), existing == ExistingFiles::kept ? 1 : writers);
             QVERIFY(QDir(folder).removeRecursively());
         }
+}
+
+void TestWholeFolder::locksThatCannotBeOpenedAreNamed() {
+    QVERIFY(QDir(m_place->path()).mkpath("f/.drillwave.lock"));
+    const std::string told =
+        plain("f/.drillwave.lock: this lock of the folder cannot be opened: ") + reason(EISDIR);
+    const std::string before = folderProblem(plain("f"), {"a"}, ExistingFiles::kept).text();
+    QVERIFY2(before.starts_with(told), before.c_str());
+    const FolderEnd end = writeWholeFolder(plain("f"), set("1"), ExistingFiles::kept);
+    QVERIFY2(end.problem.text().starts_with(told), end.problem.text().c_str());
+    QCOMPARE(contents(path("f")), QStringList{".drillwave.lock"});
+}
+
+void TestWholeFolder::linksInPlaceOfLocksAreNotFollowed() {
+    QVERIFY(QDir(m_place->path()).mkdir("f"));
+    QVERIFY(QFile::link(path("target"), path("f/.drillwave.lock")));
+    const FolderEnd end = writeWholeFolder(plain("f"), set("1"), ExistingFiles::kept);
+    QVERIFY2(end.problem.text().find("cannot be opened: it is a link") != std::string::npos,
+             end.problem.text().c_str());
+    QVERIFY(!QFileInfo::exists(path("target")));
+}
+
+void TestWholeFolder::waitingForALockIsToldAndCanBeStopped() {
+    QVERIFY(QDir(m_place->path()).mkdir("f"));
+    FolderLock held(plain("f"));
+    QCOMPARE(held.tryLock(), 0);
+    std::vector<std::string> told;
+    std::stop_source stop;
+    const FolderEnd end = writeWholeFolder(plain("f"), set("1"), ExistingFiles::kept, stop.get_token(),
+                                           [&](const std::string& lock) {
+                                               told.push_back(lock);
+                                               stop.request_stop();
+                                           });
+    QCOMPARE(end.kind, FolderEnd::Kind::stopped);
+    QCOMPARE(told, std::vector{plain("f/.drillwave.lock")});
+    QCOMPARE(contents(path("f")), QStringList{".drillwave.lock"});
 }
 
 QTEST_GUILESS_MAIN(TestWholeFolder)
