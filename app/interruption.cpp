@@ -95,14 +95,9 @@ Interruption::Interruption() {
     handleOnce(onSignal);
     try {
         m_watcher = std::jthread(watch);
-    } catch (const std::system_error& error) {
+    } catch (const std::system_error&) {
+        // No thread is left: a signal ends the program at once.
         exitOnInterruption();
-        throw CommandError(
-            ExitCode::internalError,
-            Message(
-                translatable("drillwave::Message",
-                             "no thread can be started: %1; raise the limit of processes or memory (ulimit)"),
-                {error.code().message()}));
     }
 }
 
@@ -111,7 +106,7 @@ Interruption::~Interruption() {
     ::sigaction(SIGINT, nullptr, &now);
     if (now.sa_handler != SIG_IGN) exitOnInterruption();
     send(ended);
-    m_watcher.join();
+    if (m_watcher.joinable()) m_watcher.join();
     ::close(wakeUp[0]);
     ::close(wakeUp[1]);
 }

@@ -29,7 +29,7 @@ class HeldInterruptions {
 };
 
 /// While one exists, the first of these signals requests a stop instead of ending the program; a second one
-/// of its kind ends it at once. At most one at a time.
+/// of its kind ends it at once. Where no thread can be started, the first one ends it. At most one at a time.
 class Interruption {
   public:
     Interruption();

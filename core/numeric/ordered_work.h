@@ -31,7 +31,8 @@ enum class WorkEnd {
 /// - `deliver(Chunk&) -> bool` runs on the calling thread; false stops the run.
 ///
 /// Chunks are reused, at most four for each thread are in work at once. An exception of any of the three ends
-/// the run and leaves this function. Where the system has fewer threads left, those do all the work.
+/// the run and leaves this function. Where the system has fewer threads left, those do all the work; where it
+/// has none, the calling thread does.
 template <typename Chunk, typename Fill, typename MakeWorker, typename Deliver>
 WorkEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker makeWorker, Deliver deliver) {
     jobs = std::max(jobs, 1);
@@ -98,6 +99,16 @@ WorkEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker mak
         }
     };
 
+    const auto workAlone = [&] {
+        auto worker = makeWorker();
+        Chunk& chunk = places.front().chunk;
+        while (!ending.stop_requested() && fill(chunk)) {
+            worker(chunk, ending.get_token());
+            if (ending.stop_requested() || !deliver(chunk)) return WorkEnd::stopped;
+        }
+        return ending.stop_requested() ? WorkEnd::stopped : WorkEnd::finished;
+    };
+
     WorkEnd end = WorkEnd::stopped;
     {
         std::vector<std::jthread> threads;
@@ -111,11 +122,10 @@ WorkEnd processInOrder(int jobs, std::stop_token stop, Fill fill, MakeWorker mak
             try {
                 threads.emplace_back(runThread);
             } catch (const std::system_error&) {
-                if (threads.empty()) throw;
                 break;  // fewer will do
             }
         }
-        end = deliverChunks();
+        end = threads.empty() ? workAlone() : deliverChunks();
     }
     if (failure) std::rethrow_exception(failure);
     return end;

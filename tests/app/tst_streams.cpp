@@ -43,6 +43,7 @@ class TestStreams : public QObject {
     void aFileIsNoFolder();
     void theRightPresetsAreNamed();
     void tooLittleMemoryIsNoFaultOfTheProgram();
+    void withoutFurtherThreadsTheWorkIsDone();
     void tooFewFilesAreAnOutputThatCannotBeWritten();
     void drawingLeavesNothingInTheTemporaryFolder();
     void aSignalIsAnsweredWhileTheDrawingProgramIsLoaded();
@@ -128,6 +129,23 @@ void TestStreams::tooLittleMemoryIsNoFaultOfTheProgram() {
                                     place.filePath("x") + " 2>&1 | tail -n 1");
     QVERIFY2(finished.out.contains("out of memory: this needs more than is free"), finished.out);
     QVERIFY2(!finished.out.contains("please report"), finished.out);
+}
+
+void TestStreams::withoutFurtherThreadsTheWorkIsDone() {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    QSKIP("sanitizers reserve more addresses than the limit");
+#endif
+    // The stack of a thread, as large as the limit of it, does not fit in the addresses.
+    const QString limits = "ulimit -s 4000000 && ulimit -v 2000000 && ";
+    for (const QString& line :
+         {"drillwave sweep " + example("t38_medium_rock") + " --vary gamma=0.1,0.2 -j 2",
+          "drillwave drill " + example("t38_medium_rock") +
+              " --set drill.blow_frequency=50Hz drill.thrust=8kN --blows 30 --settle 10 --cells 10 -j 2"}) {
+        const Finished few = shell(limits + line), usual = shell(line);
+        QCOMPARE(few.error, usual.error);
+        QCOMPARE(few.out, usual.out);
+        QCOMPARE(few.exitCode, usual.exitCode);
+    }
 }
 
 void TestStreams::tooFewFilesAreAnOutputThatCannotBeWritten() {

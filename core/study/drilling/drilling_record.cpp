@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 #include <semaphore>
+#include <system_error>
 #include <thread>
 
 #include "core/contact/contact_law.h"
@@ -160,7 +161,13 @@ DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid
         beside->approach(main, displacement);
     }
     std::optional<MarchBeside> thread;
-    if (beside && length.jobs > 1) thread.emplace(*beside, stop);
+    if (beside && length.jobs > 1) {
+        try {
+            thread.emplace(*beside, stop);
+        } catch (const std::system_error&) {
+            // No thread can be started: this one takes both marches.
+        }
+    }
     const auto takeBlow = [&] {
         if (!thread) return main.takeBlow(stop) && (!beside || beside->takeBlow(stop));
         thread->beginBlow();

@@ -129,7 +129,8 @@ class MarchStudy {
                 full = marchAtFullRate();
         };
         if (m_wants.jobs > 1) {
-            std::future<void> pressed = std::async(std::launch::async, marchFull);
+            // Deferred where no thread can be started.
+            std::future<void> pressed = std::async(std::launch::async | std::launch::deferred, marchFull);
             marchOther();
             pressed.get();
         } else {
