@@ -8,6 +8,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFileInfo>
+#include <QFontMetrics>
 #include <QLocale>
 #include <clocale>
 #include <cstdio>
@@ -182,6 +183,13 @@ std::unique_ptr<const Drawing> startDrawing(int argc, char** argv, const Languag
     const RuntimeFolder runtimeFolder;
     auto drawing = std::make_unique<const QtDrawing>(argc, argv, language);
     writePlainly();
+    // Qt names families that it has no fonts for.
+    if (!QFontMetrics(QApplication::font()).inFont(QLatin1Char('a')))
+        throw CommandError(
+            ExitCode::unwritableOutput,
+            translatable("drillwave::Message",
+                         "there are no fonts for the letters of the pictures; install some "
+                         "(Debian: apt install fonts-dejavu-core), or leave out the pictures"));
     return drawing;
 }
 

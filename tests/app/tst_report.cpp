@@ -42,6 +42,7 @@ class TestReport : public QObject {
     void existingFilesAreOverwrittenOnlyOnRequest();
     void whatCannotBeSolvedLeavesNothing();
     void reportsWithoutPlotsNeedNoWindow();
+    void withoutFontsPicturesAreRefused();
 };
 
 void TestReport::everyExampleMakesAPageAndTwoToFiveSheets_data() {
@@ -266,6 +267,27 @@ void TestReport::reportsWithoutPlotsNeedNoWindow() {
     QCOMPARE(contents(folder), (QStringList{"report.html", "report.pdf"}));
     QCOMPARE(run({"report", "t38_medium_rock", "--no-plots", "--force", "-o", folder}).exitCode, 0);
     QCOMPARE(contents(folder), QStringList{"report.html"});
+}
+
+void TestReport::withoutFontsPicturesAreRefused() {
+    const QTemporaryDir place;
+    write(place.filePath("fonts.conf"), "<fontconfig/>");
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert("FONTCONFIG_FILE", place.filePath("fonts.conf"));
+    const QString paper = example("paper_fig4a");
+    for (const QStringList& words : {QStringList{"report", paper, "-o", "out"},
+                                     {"run", paper, "--plots", "png", "-o", "out"},
+                                     {"figures", "-o", "out"},
+                                     {"gap", paper, "--plots", "svg", "-o", "out.csv"}}) {
+        QStringList there = words;
+        there.last() = place.filePath(there.last());
+        const Finished refused = run(there, environment);
+        QCOMPARE(refused.exitCode, 4);
+        QVERIFY2(refused.error.contains("there are no fonts") && refused.error.contains("fonts-dejavu-core"),
+                 refused.error);
+        QCOMPARE(QDir(place.path()).entryList(QDir::AllEntries | QDir::NoDotAndDotDot).size(), 1);
+    }
+    QCOMPARE(run({"run", paper, "-o", place.filePath("out")}, environment).exitCode, 0);
 }
 
 QTEST_GUILESS_MAIN(TestReport)
