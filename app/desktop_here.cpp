@@ -10,14 +10,17 @@
 #include <QFileInfo>
 #include <QFontMetrics>
 #include <QLocale>
+#include <QTemporaryDir>
 #include <clocale>
 #include <cstdio>
 #include <cstdlib>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/command_error.h"
 #include "app/interruption.h"
+#include "app/language_option.h"
 #include "app/open_files.h"
 #include "app/window_arguments.h"
 #include "core/model/version.h"
@@ -54,16 +57,71 @@ bool hasDisplay() {
     return !qEnvironmentVariableIsEmpty("DISPLAY") || !qEnvironmentVariableIsEmpty("WAYLAND_DISPLAY");
 }
 
+/// The displays that the session names: ":77", "wayland-0, :77"; empty without.
+std::string namedDisplays() {
+    std::string names;
+    for (const char* variable : {"WAYLAND_DISPLAY", "DISPLAY"})
+        if (const std::string name = qgetenv(variable).toStdString(); !name.empty())
+            names += (names.empty() ? "" : ", ") + name;
+    return names;
+}
+
+/// Why the window cannot be opened, prepared for onStartupMessage(), which is given no words of its own.
+std::string lineOfFailure;
+
+void prepareFailure(bool isPlatformChosen) {
+    const ReadingStyle& style = styleOf(languageOfEnvironment());
+    lineOfFailure =
+        "drillwave: " +
+        style.said(
+            isPlatformChosen
+                ? Message(translatable("drillwave::Message",
+                                       "the window cannot be opened on the platform of -platform or "
+                                       "QT_QPA_PLATFORM; use `drillwave run FILE` or `-platform offscreen`"))
+                : Message(translatable("drillwave::Message",
+                                       "display %1 cannot be reached; set DISPLAY to one that is there, use "
+                                       "`drillwave run FILE` (see --help), or `drillwave -platform "
+                                       "offscreen`"),
+                          {namedDisplays()})) +
+        "\n";
+}
+
 /// Qt aborts when it finds no platform it can use; this says so in one line.
-void onStartupMessage(QtMsgType type, const QMessageLogContext&, const QString& message) {
+void onStartupMessage(QtMsgType type, const QMessageLogContext&, const QString&) {
     if (type != QtFatalMsg) return;
-    const std::string reason = message.section('\n', 0, 0).toStdString();
-    std::fprintf(
-        stderr,
-        "drillwave: the window cannot be opened: %s Use `drillwave run FILE` or `-platform offscreen`\n",
-        reason.c_str());
+    std::fputs(lineOfFailure.c_str(), stderr);
     std::_Exit(static_cast<int>(ExitCode::usage));
 }
+
+QtMessageHandler usualHandler = nullptr;
+
+/// The platform without a display says of each window what it cannot do.
+void onWindowMessage(QtMsgType type, const QMessageLogContext& context, const QString& message) {
+    if (!message.startsWith(QLatin1String("This plugin does not support")))
+        usualHandler(type, context, message);
+}
+
+bool isHome(const QString& path) {
+    return !path.isEmpty() && QFileInfo(path).isDir();
+}
+
+/// A session without a home folder gets one, or Qt would make folders in the root of the disk, or where HOME
+/// says: that of the user where HOME is not set, else one that goes with the window.
+class Home {
+  public:
+    Home() {
+        if (isHome(qEnvironmentVariable("HOME"))) return;
+        const passwd* user = ::getpwuid(::geteuid());
+        QString home =
+            user && !qEnvironmentVariableIsSet("HOME") ? QString::fromLocal8Bit(user->pw_dir) : QString();
+        if (!isHome(home))
+            home = m_folder.emplace(QDir::tempPath() + QStringLiteral("/drillwave-XXXXXX")).path();
+        qputenv("HOME", QFile::encodeName(home));
+    }
+
+  private:
+    std::optional<QTemporaryDir> m_folder;
+};
 
 /// The words that Qt has left, without the name of the program.
 WindowArguments wordsFor(const QStringList& words) {
@@ -147,9 +205,11 @@ int openWindow(int argc, char** argv) {
         windowArguments(std::vector<std::string>(argv + 1, argv + argc));
         throw CommandError(ExitCode::usage, noDisplay);
     }
-    const QtMessageHandler usual = qInstallMessageHandler(onStartupMessage);
+    const Home home;
+    prepareFailure(choosesPlatform(argc, argv));
+    usualHandler = qInstallMessageHandler(onStartupMessage);
     QApplication application(argc, argv);
-    qInstallMessageHandler(usual);
+    qInstallMessageHandler(onWindowMessage);
     QCoreApplication::setApplicationName("Drillwave");
     QCoreApplication::setOrganizationName("Drillwave");
     QCoreApplication::setApplicationVersion(versionText);

@@ -50,6 +50,7 @@ class TestCommandLine : public QObject {
     void resettingTheWindowForgetsItsChoices();
     void aMissingDisplayIsToldInOneLine_data();
     void aMissingDisplayIsToldInOneLine();
+    void aWindowWithoutAHomeMakesNoFolders();
 };
 
 void TestCommandLine::helpAndVersionAreEverywhere_data() {
@@ -649,6 +650,29 @@ void TestCommandLine::aMissingDisplayIsToldInOneLine() {
     QCOMPARE(finished.exitCode, 2);
     QCOMPARE(finished.error.count('\n'), 1);
     QVERIFY(finished.error.contains("-platform offscreen") && finished.error.contains("drillwave run FILE"));
+    QVERIFY2(display.isEmpty() || finished.error.contains("display :9977 cannot be reached"), finished.error);
+    QVERIFY2(!finished.error.contains("Reinstalling"), finished.error);
+}
+
+void TestCommandLine::aWindowWithoutAHomeMakesNoFolders() {
+    const QTemporaryDir place;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    for (const char* name : {"XDG_CONFIG_HOME", "XDG_DATA_HOME", "XDG_CACHE_HOME", "XDG_STATE_HOME"})
+        environment.remove(name);
+    environment.insert("HOME", place.filePath("missing"));
+    environment.insert("TMPDIR", place.path());
+    QProcess window;
+    window.setProcessEnvironment(environment);
+    window.start(QStringLiteral(DRILLWAVE_PROGRAM), {"-platform", "offscreen"});
+    // What it keeps is below the folder of its own.
+    QTRY_VERIFY_WITH_TIMEOUT(!QDir(place.path()).entryList({"drillwave-*"}, QDir::Dirs).isEmpty(), 30000);
+    const QString home = place.filePath(QDir(place.path()).entryList({"drillwave-*"}, QDir::Dirs).first());
+    QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(home + "/.local/share/drillwave"), 30000);
+    QVERIFY(!QFileInfo::exists(place.filePath("missing")));
+    window.kill();
+    QVERIFY(window.waitForFinished());
+    const QByteArray error = window.readAllStandardError();
+    QVERIFY2(!error.contains("does not support"), error);
 }
 
 QTEST_GUILESS_MAIN(TestCommandLine)
