@@ -66,7 +66,7 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const std::optional<std::string> out = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
-    if (arguments.has("force") && !out)
+    if (arguments.has("force") && !out && !arguments.has("gaps"))
         throw CommandError(ExitCode::usage,
                            translatable("drillwave::Message",
                                         "--force is about the files of -o; add -o FILE.csv or -o DIR"));

@@ -47,6 +47,7 @@ class TestDrill : public QObject {
     void picturesGoWithWhatIsWritten();
     void aThrustBelowTheReactionIsAnAnswer();
     void aScanTellsEveryValue();
+    void gapsAloneAreOverwrittenOnRequest();
     void theSameOnAnyNumberOfThreads();
     void outputsOfManyBlowsAreThoseOfAScan();
     void outputsOfManyBlowsAreThereByNameAlone();
@@ -182,6 +183,19 @@ void TestDrill::aScanTellsEveryValue() {
     QCOMPARE(rows[2][1], QByteArray("rest"));
     QVERIFY(rows.last()[2].toDouble() < rows[2][2].toDouble());
     QVERIFY(rowsOf(read(gaps)).size() >= 2 * 48);
+}
+
+void TestDrill::gapsAloneAreOverwrittenOnRequest() {
+    QTemporaryDir folder;
+    const QString gaps = folder.filePath("gaps.csv");
+    write(gaps, "old");
+    QStringList words = soft({"--scan", "drill.thrust=8kN", "--gaps", gaps});
+    words.removeAll("drill.thrust=4.3kN");
+    const Finished refused = run(words);
+    QCOMPARE(refused.exitCode, 4);
+    QVERIFY2(refused.error.contains("use --force to overwrite it"), refused.error);
+    output(words + QStringList{"--force"});
+    QVERIFY(rowsOf(read(gaps)).size() > 2);
 }
 
 void TestDrill::theSameOnAnyNumberOfThreads() {
