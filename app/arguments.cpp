@@ -48,6 +48,12 @@ constexpr auto otherNames = std::to_array<std::pair<std::string_view, std::strin
     {"axis", "vary"},
 });
 
+/// What is one option by two names: each command has the one that fits the number of outputs it takes.
+constexpr auto sameNames = std::to_array<std::pair<std::string_view, std::string_view>>({
+    {"output", "outputs"},
+    {"outputs", "output"},
+});
+
 /// The option most like an unknown long one; nothing is like a single letter.
 const OptionSpec* nearestOption(std::string_view name, std::span<const OptionSpec> options) {
     std::vector<std::string_view> names;
@@ -87,8 +93,14 @@ bool isOption(std::string_view word) {
 /// The one that a word names, if any.
 const OptionSpec* optionNamed(const OptionWord& given, const std::string& word,
                               std::span<const OptionSpec> options) {
-    const auto option = std::ranges::find(options, given.name, &OptionSpec::name);
-    return option == options.end() || option->isLong() != word.starts_with("--") ? nullptr : &*option;
+    const auto find = [&](std::string_view name) {
+        const auto option = std::ranges::find(options, name, &OptionSpec::name);
+        return option == options.end() || option->isLong() != word.starts_with("--") ? nullptr : &*option;
+    };
+    if (const OptionSpec* option = find(given.name)) return option;
+    for (const auto& [name, other] : sameNames)
+        if (name == given.name) return find(other);
+    return nullptr;
 }
 
 /// The word behind an option that takes one. An option of the command is none: its value is missing.

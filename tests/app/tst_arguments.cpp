@@ -50,6 +50,7 @@ class TestArguments : public QObject {
     void everySpellingOfAnOptionIsRead();
     void aListTakesTheAssignmentsBehindIt();
     void twoHyphensEndTheOptions();
+    void outputAndOutputsAreOneOption();
     void mistakesAreNamed_data();
     void mistakesAreNamed();
     void whatOnlyLooksLikeAnOptionIsAValue();
@@ -88,6 +89,14 @@ void TestArguments::twoHyphensEndTheOptions() {
     const Arguments arguments = Arguments::parse(Words{"--json", "--", "--json", "-"}, specs);
     QVERIFY(arguments.has("json"));
     QCOMPARE(arguments.operands(), (Words{"--json", "-"}));
+}
+
+void TestArguments::outputAndOutputsAreOneOption() {
+    const std::array many{OptionSpec{"outputs", "A,B", ""}, OptionSpec{"o", "FILE", ""}};
+    const std::array one{OptionSpec{"output", "A", ""}};
+    QCOMPARE(Arguments::parse(Words{"--output", "cor"}, many).value("outputs").value(), std::string("cor"));
+    QCOMPARE(Arguments::parse(Words{"--outputs=cor"}, one).value("output").value(), std::string("cor"));
+    QVERIFY_EXCEPTION_THROWN(Arguments::parse(Words{"--output=cor", "--outputs=cor"}, many), CommandError);
 }
 
 void TestArguments::mistakesAreNamed_data() {
