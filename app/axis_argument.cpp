@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/axis_argument.h"
 
+#include <utility>
+
 #include "app/command_error.h"
 #include "core/text/decimal_text.h"
 
@@ -26,7 +28,12 @@ SweepAxis axisArgument(const std::string& option, const std::string& word) {
 }
 
 SweepAxis rangeArgument(const std::string& option, const std::string& word) {
-    return checked(parseRange(word), option);
+    ParsedAxis parsed = parseRange(word);
+    if (parsed.axis.count == 2 && parsed.axis.start > parsed.axis.stop) {
+        std::swap(parsed.axis.start, parsed.axis.stop);
+        parsed.problem = followProblem(parsed.axis);
+    }
+    return checked(std::move(parsed), option);
 }
 
 std::string quotedAxis(const std::string& option, const std::string& word) {

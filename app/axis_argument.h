@@ -15,7 +15,8 @@ namespace drillwave {
 /// for a value that the parameter cannot take.
 SweepAxis axisArgument(const std::string& option, const std::string& word);
 
-/// The range that `word` says, see parseRange(); throws likewise.
+/// The range that `word` says, see parseRange(), or from STOP up to START where that is lower; throws
+/// likewise.
 SweepAxis rangeArgument(const std::string& option, const std::string& word);
 
 /// "--vary beta=1,2", for messages.

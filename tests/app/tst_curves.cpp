@@ -34,6 +34,7 @@ class TestCurves : public QObject {
     void aGoalIsGivenByAllItsValues();
     void whatGivesAGoalIsWrittenBeside();
     void aGoalThatNothingGivesIsToldWithTheNearest();
+    void aFallingRangeIsFollowedFromItsLowerEnd();
     void whereThereIsNoAnswerCellsAreEmpty();
     void whatIsWrongIsSaid_data();
     void whatIsWrongIsSaid();
@@ -210,6 +211,12 @@ void TestCurves::aGoalThatNothingGivesIsToldWithTheNearest() {
     QVERIFY(finished.out.simplified().contains("None: no beta"));
 }
 
+void TestCurves::aFallingRangeIsFollowedFromItsLowerEnd() {
+    const QStringList curve{"curve", example("paper_fig4a"), "-o", "-", "--along"};
+    QCOMPARE(rowsOf(output(curve + QStringList{"beta=2:1:log"})),
+             rowsOf(output(curve + QStringList{"beta=1:2:log"})));
+}
+
 void TestCurves::whereThereIsNoAnswerCellsAreEmpty() {
     const Finished finished =
         run({"curve", example("paper_fig4a"), "--along", "tau=0.2:5", "--method", "closed_form", "-o", "-"});
@@ -229,7 +236,7 @@ void TestCurves::whatIsWrongIsSaid_data() {
     };
     add("no range", {}, 2, "needs --along");
     add("a list", {"--along", "beta=1,2,3"}, 2, "beta needs START:STOP");
-    add("downwards", {"--along", "beta=2:1"}, 2, "must end above its beginning");
+    add("a point", {"--along", "beta=1:1"}, 2, "must end above its beginning");
     add("out of range", {"--along", "gamma=0.5:2"}, 5, "must be in (0, 1]");
     add("without meaning", {"--along", "rod.length=1m:2m"}, 5, "has no meaning here");
     add("set and varied", {"--along", "beta=1:2", "--set", "beta=3"}, 2, "beta");
@@ -251,7 +258,9 @@ void TestCurves::whatIsWrongIsSaid_data() {
     add("a goal of a word", {"--along", "beta=1:2", "--outputs", "feed", "--goal", "1"}, 2, "feed");
     add("a goal along words", {"--along", "pulse.shape=rectangular:half_sine", "--goal", "1"}, 2,
         "pulse.shape");
-    add("a goal downwards", {"--along", "beta=2:1", "--goal", "1"}, 2, "must end above its beginning");
+    add("a goal at a point", {"--along", "beta=1:1", "--goal", "1"}, 2, "must end above its beginning");
+    add("downwards from nowhere", {"--along", "beta=2:much"}, 5, "beta = much");
+    add("downwards below zero by ratios", {"--along", "delta=1:0:log"}, 2, "must begin and end above 0");
     add("a goal on standard output", {"--along", "beta=1:2", "--goal", "1", "-o", "-"}, 2,
         "--goal has no place");
     add("force without a file", {"--along", "beta=1:2", "--force"}, 2, "--force is about the file of -o");
