@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // drillwave map FILE --x KEY=… --y KEY=…
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <filesystem>
@@ -29,6 +30,14 @@ SweepAxis axisOf(const Arguments& arguments, const std::string& option) {
             Message(translatable("drillwave::Message",
                                  "needs --x KEY=START:STOP:COUNT[:log] and --y likewise; %1 is missing"),
                     {"--" + option}));
+    // A map lies between even steps: axisArgument() would take a list, and name it where it takes none.
+    const auto colons = std::ranges::count(*word, ':');
+    if (colons < 2 || colons > 3)
+        throw CommandError(ExitCode::usage,
+                           about(quotedAxis(option, *word),
+                                 translatable("drillwave::Message",
+                                              "a map needs KEY=START:STOP:COUNT or KEY=START:STOP:COUNT:log; "
+                                              "`drillwave sweep` takes a list")));
     return axisArgument(option, *word);
 }
 

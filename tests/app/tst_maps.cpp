@@ -168,8 +168,10 @@ void TestMaps::whatIsWrongIsSaid_data() {
     QTest::newRow("one axis") << x << 2 << QByteArray("--y is missing");
     QTest::newRow("one dash") << QStringList{"-x", "beta=1:2:3"} + y << 2
                               << QByteArray("unknown option `-x`");
-    QTest::newRow("a list") << QStringList{"--x", "beta=1,2"} + y << 5
-                            << QByteArray("of a map needs START:STOP:COUNT");
+    QTest::newRow("a list") << QStringList{"--x", "beta=1,2"} + y << 2
+                            << QByteArray("a map needs KEY=START:STOP:COUNT");
+    QTest::newRow("no count") << QStringList{"--x", "beta=1:2"} + y << 2
+                              << QByteArray("KEY=START:STOP:COUNT:log; `drillwave sweep` takes a list");
     QTest::newRow("no parameter") << QStringList{"--x", "bet=1:2:3"} + y << 2
                                   << QByteArray("did you mean `beta`?");
     QTest::newRow("out of range") << QStringList{"--x", "gamma=0.5:2:3"} + y << 5

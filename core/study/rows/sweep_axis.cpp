@@ -180,8 +180,9 @@ Message readKey(ParsedAxis& parsed, std::string_view text, std::string_view& val
     parsed.axis.words = findWordParameter(key);
     if (parsed.axis.parameter || parsed.axis.words) return {};
     if (key == restrikeKey)
-        return {translatable("drillwave::Message", "%1 has no numbers to go along; give it with --set"),
-                {std::string(key)}};
+        return {
+            translatable("drillwave::Message", "%1 is true or false, which is no axis; give it with --set"),
+            {std::string(key)}};
     return notAParameter(key);
 }
 
