@@ -111,6 +111,7 @@ AccuracyFiles measure(const Arguments& arguments, const ScenarioDocument& docume
 ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    arguments.checkOnePrinted();
     const std::vector<int> ladder = ladderOf(arguments);
     const std::string directory = arguments.value("o").value_or(std::string());
     const StudyPlots plots = StudyPlots::inFolder(arguments, "accuracy");

@@ -190,6 +190,12 @@ void Arguments::replaceValue(std::string_view option, std::string value) {
         std::move(value);
 }
 
+void Arguments::checkOnePrinted() const {
+    if (has("json") && value("o") == "-")
+        refuse({translatable("drillwave::Message",
+                             "--json and -o - would both print to standard output; take one")});
+}
+
 std::string Arguments::optionsText(std::span<const std::string_view> without) const {
     std::string text;
     for (const auto& [name, value] : m_options) {

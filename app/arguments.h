@@ -47,6 +47,9 @@ class Arguments {
     void replaceValue(std::string_view option, std::string value);
     const std::vector<std::string>& operands() const { return m_operands; }
 
+    /// Throws CommandError (usage) where --json and -o - would both print to standard output.
+    void checkOnePrinted() const;
+
     /// The words again as a shell takes them, operands first, without the options named.
     std::string shellText(std::span<const std::string_view> without) const;
     /// Of these the options alone.

@@ -153,10 +153,7 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
     if (arguments.has("force") && !writesFile)
         throw CommandError(ExitCode::usage, translatable("drillwave::Message",
                                                          "--force is about the file of -o; add -o FILE.csv"));
-    if (arguments.has("json") && arguments.value("o") == "-")
-        throw CommandError(ExitCode::usage,
-                           translatable("drillwave::Message",
-                                        "--json and -o - would both print to standard output; take one"));
+    arguments.checkOnePrinted();
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const ScenarioInput input = loadScenarioInput(path, arguments);
     const ScenarioDocument& base = input.document;

@@ -70,10 +70,7 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
         throw CommandError(ExitCode::usage,
                            translatable("drillwave::Message",
                                         "--force is about the files of -o; add -o FILE.csv or -o DIR"));
-    if (out == "-" && arguments.has("json"))
-        throw CommandError(ExitCode::usage,
-                           translatable("drillwave::Message",
-                                        "--json and -o - would both print to standard output; take one"));
+    arguments.checkOnePrinted();
     if (arguments.has("gaps") && !arguments.has("scan"))
         throw CommandError(
             ExitCode::usage,

@@ -22,6 +22,7 @@ ExitCode endOf(const StabilityReport& report) {
 ExitCode runStability(const Arguments& arguments, const Drawing* drawing) {
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const std::string directory = arguments.value("o").value_or(std::string());
+    arguments.checkOnePrinted();
     const bool inFolder = !directory.empty() && directory != "-";
     const StudyPlots plots = StudyPlots::inFolder(arguments, "stability");
     if (inFolder) checkFolder(directory, plots.namesWith({stabilityCsvName}), overwrite);

@@ -111,10 +111,7 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
     if (arguments.has("force") && !csvPath)
         throw CommandError(ExitCode::usage, translatable("drillwave::Message",
                                                          "--force is about the file of -o; add -o FILE.csv"));
-    if (csvPath == "-" && arguments.has("json"))
-        throw CommandError(ExitCode::usage,
-                           translatable("drillwave::Message",
-                                        "--json and -o - would both print to standard output; take one"));
+    arguments.checkOnePrinted();
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const int jobs = jobsOf(arguments);
     const WorkLimits limits = workLimitsOf(arguments);

@@ -94,9 +94,13 @@ void TestStreams::aReportGoesToADevice() {
 }
 
 void TestStreams::onlyOneThingIsPrinted() {
-    const Finished both = run({"gap", example("t38_medium_rock"), "--json", "-o", "-"});
-    QCOMPARE(both.exitCode, 2);
-    QVERIFY2(both.error.contains("--json and -o - would both print"), both.error);
+    for (const QStringList& command : {QStringList{"gap", example("t38_medium_rock")},
+                                       {"accuracy", example("paper_fig4a")},
+                                       {"stability"}}) {
+        const Finished both = run(command + QStringList{"--json", "-o", "-"});
+        QCOMPARE(both.exitCode, 2);
+        QVERIFY2(both.error.contains("--json and -o - would both print"), both.error);
+    }
 }
 
 void TestStreams::aFileIsNoFolder() {
