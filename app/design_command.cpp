@@ -98,6 +98,15 @@ FolderFiles filesOf(const DesignReport& report, ScenarioDocument document, std::
             .outdated = [](const std::string& there) { return studyFilesThere(there, pictureOwner); }};
 }
 
+/// Samples are taken in powers of two: says so where it asks for another number.
+void remarkOnSamples(const Arguments& arguments, std::uint64_t taken) {
+    const std::optional<std::string> asked = arguments.value("samples");
+    if (asked && *asked != std::to_string(taken))
+        printRemark({translatable("drillwave::Message", "--samples %1: takes %2, a power of two"),
+                     {*asked, std::to_string(taken)}},
+                    arguments.style());
+}
+
 ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     const std::string path = fileOf(arguments);
     const std::optional<std::string> folder = arguments.value("o");
@@ -135,6 +144,7 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     checkStandardOutput();
     const Interruption interruption;
     remarkOnValues(document.scenario, path, arguments.style());
+    remarkOnSamples(arguments, report.study.samples);
     const Stopwatch watch;
     report.findings = solve(report.study, jobs, arguments.style(), interruption);
     report.runTime = watch.seconds();

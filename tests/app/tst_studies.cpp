@@ -36,6 +36,7 @@ class TestStudies : public QObject {
     void figuresNeverOverwriteUnasked();
     void anInterruptedStudyLeavesNothing();
     void germanUsersGetTheSameNumbers();
+    void roundedNumbersOfSamplesAreTold();
 };
 
 // theory §7; half a unit of the last digit given there.
@@ -311,6 +312,15 @@ void TestStudies::germanUsersGetTheSameNumbers() {
          {QStringList{"thrust", example("t38_medium_rock"), "--frequency", "37.5Hz,60Hz"},
           QStringList{"figures", "-o", "-"}, QStringList{"gap", example("paper_fig4a"), "-o", "-"}})
         QCOMPARE(run(words, german).out, output(words));
+}
+
+void TestStudies::roundedNumbersOfSamplesAreTold() {
+    const QStringList design{"design", example("t38_medium_rock"), "--uncertain", "bit_rock.gap=0mm:1mm",
+                             "--samples"};
+    const Finished rounded = run(design + QStringList{"100"}), taken = run(design + QStringList{"128"});
+    QCOMPARE(rounded.error, QByteArray("--samples 100: takes 128, a power of two\n"));
+    QCOMPARE(taken.error, QByteArray());
+    QCOMPARE(rounded.out, taken.out);
 }
 
 QTEST_GUILESS_MAIN(TestStudies)
