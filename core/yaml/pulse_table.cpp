@@ -61,7 +61,10 @@ class TableReader {
     }
 
     void readHeader(const CsvRecord& record, int line) {
-        if (!record.problem.isEmpty() || record.cells.size() != 2) {
+        const bool isHeader =
+            record.problem.isEmpty() && record.cells.size() == 2 &&
+            (splitHeading(record.cells[0]).name == "time" || splitHeading(record.cells[1]).name == "force");
+        if (!isHeader) {
             report(line, record.problem.isEmpty()
                              ? Message(translatable("drillwave::Message", "the header must be %1"),
                                        {"`" + expectedHeader() + "`"})

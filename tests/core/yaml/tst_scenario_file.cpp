@@ -166,7 +166,10 @@ void TestScenarioFile::problemsOfATableFileHaveItsLines_data() {
     QTest::newRow("wrong unit") << QByteArray("time [us],force [mm]\n0,1\n1,1\n")
                                 << "blow.csv:1:1: `force [mm]`";
     QTest::newRow("wrong columns") << QByteArray("force [kN],time [us]\n0,1\n")
-                                   << "blow.csv:1:1: `force [kN]` (the header";
+                                   << "blow.csv:1:1: the header must be";
+    QTest::newRow("wrong second column")
+        << QByteArray("time [us],load [kN]\n0,1\n") << "blow.csv:1:1: `load [kN]` (the header";
+    QTest::newRow("no header") << QByteArray("0,0\n1,1\n") << "blow.csv:1:1: the header must be";
     QTest::newRow("three columns") << QByteArray("time [us],force [kN]\n0,1\n1,1,1\n")
                                    << "blow.csv:3:1: a row must be";
     QTest::newRow("word") << QByteArray("time [us],force [kN]\n0,1\n1,much\n")
