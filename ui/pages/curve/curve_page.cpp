@@ -3,13 +3,13 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QThread>
 #include <algorithm>
 #include <utility>
 
 #include "core/model/blow_traits.h"
 #include "core/model/section_choice.h"
 #include "core/model/section_parameter.h"
+#include "core/numeric/available_threads.h"
 #include "core/report/curve_csv.h"
 #include "ui/form/choice_box.h"
 #include "ui/pages/curve/curve_plot.h"
@@ -38,7 +38,7 @@ constexpr int pointsOfCurve[] = {51, 101, 201, 401, 1001};
 CurvePageStudy solve(const CurvePageQuestion& question, const StudyFeed<CurvePageStudy>& feed) {
     constexpr double parts = 1000;
     return studyCurvePage(
-        question, std::max(1, QThread::idealThreadCount()), feed.stop,
+        question, availableThreads(), feed.stop,
         [&](double done) {
             feed.tell({static_cast<std::size_t>(done * parts), static_cast<std::size_t>(parts)});
         },

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/design/design_answer.h"
 
-#include <QThread>
 #include <algorithm>
 
 #include "core/model/blow_traits.h"
+#include "core/numeric/available_threads.h"
 #include "core/study/design/design_check.h"
 
 namespace drillwave {
@@ -27,9 +27,7 @@ DesignAnswer answerDesign(const DesignStudy& asked, const StudyFeed<DesignAnswer
     // The searches for worst cases take what they take: a stage counts no more than was thought of it, so
     // that the count never goes back where the next one begins.
     std::uint64_t done = 0, end = 0;
-    const DesignWork work{.jobs = std::max(1, QThread::idealThreadCount()),
-                          .stop = feed.stop,
-                          .progress = [&](std::uint64_t more) {
+    const DesignWork work{.jobs = availableThreads(), .stop = feed.stop, .progress = [&](std::uint64_t more) {
                               done = std::min(done + more, end);
                               feed.tell({done, wanted});
                           }};

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/drilling/drilling_question.h"
 
-#include <QThread>
 #include <algorithm>
 
 #include "core/blow/blow.h"
 #include "core/model/blow_traits.h"
+#include "core/numeric/available_threads.h"
 
 namespace drillwave {
 namespace {
@@ -34,10 +34,6 @@ Scenario withoutWords(Scenario scenario) {
     forgetStrengths(scenario.drillString.hammer.sections);
     for (StringPart& part : scenario.drillString.parts) forgetStrengths(part.sections);
     return scenario;
-}
-
-int threads() {
-    return std::max(1, QThread::idealThreadCount());
 }
 
 /// The dashpot of a bracket and no spring.
@@ -153,7 +149,7 @@ DrillingScanAnswer answerDrillingScan(const DrillingScanQuestion& question,
         if (feed.stop.stop_requested()) return;
         auto end = std::make_shared<const DrillingScan>(
             scanDrilling(base, parsed.axis, question.settings,
-                         {.jobs = threads(),
+                         {.jobs = availableThreads(),
                           .stop = feed.stop,
                           .progress =
                               [&](long more) {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/map/map_question.h"
 
-#include <QThread>
 #include <algorithm>
 #include <array>
 #include <chrono>
 
+#include "core/numeric/available_threads.h"
 #include "core/study/rows/axis_scenario.h"
 
 namespace drillwave {
@@ -85,7 +85,7 @@ bool MapQuestion::operator==(const MapQuestion& other) const {
 }
 
 MapReport answerMap(const MapQuestion& question, const StudyFeed<MapReport>& feed) {
-    const int jobs = std::max(1, QThread::idealThreadCount());
+    const int jobs = availableThreads();
     MapReport report{.study = question.study, .grid = {}, .contours = {}, .runTime = 0, .scenarioText = {}};
     std::stop_source ending;
     const std::stop_callback relay(feed.stop, [&ending] { ending.request_stop(); });
