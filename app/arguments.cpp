@@ -48,7 +48,7 @@ constexpr auto otherNames = std::to_array<std::pair<std::string_view, std::strin
     {"axis", "vary"},
 });
 
-/// What is one option by two names: each command has the one that fits the number of outputs it takes.
+/// Two names of one option: each command has the one that fits the number of outputs it takes.
 constexpr auto sameNames = std::to_array<std::pair<std::string_view, std::string_view>>({
     {"output", "outputs"},
     {"outputs", "output"},

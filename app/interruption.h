@@ -42,7 +42,7 @@ class Interruption {
     void check() const;
     /// What was asked for is in place: a signal that comes now comes too late, until the program ends.
     void ignoreFromNowOn() const;
-    /// That of speakOnInterruption().
+    /// The style of speakOnInterruption().
     const ReadingStyle& style() const;
 
   private:

@@ -27,10 +27,11 @@ void writeFolder(const std::string& path, const FolderFiles& files, Overwrite ov
                  const Interruption* interruption) {
     const auto existing = overwrite == Overwrite::allowed ? ExistingFiles::replaced : ExistingFiles::kept;
     const auto onLongWait = [&](const std::string& lock) {
-        printRemark({translatable("drillwave::Message",
-                                  "waiting for another run of drillwave, which holds %1; Ctrl-C ends it"),
-                     {lock}},
-                    interruption ? interruption->style() : plainStyle());
+        printRemark(
+            {translatable("drillwave::Message",
+                          "waiting for another run of drillwave, which holds the lock %1; Ctrl-C gives up"),
+             {lock}},
+            interruption ? interruption->style() : plainStyle());
     };
     const FolderEnd end = writeWholeFolder(
         path, files, existing, interruption ? interruption->token() : std::stop_token(), onLongWait);

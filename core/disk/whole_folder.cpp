@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 /// Others hold the lock for the milliseconds of some renames; longer than this, one of them hangs.
 constexpr std::chrono::seconds longestWait{20};
-constexpr std::chrono::seconds silentWait{2};          // after which the one who waits is told so
+constexpr std::chrono::seconds silentWait{2};          // after which the caller is notified
 constexpr std::chrono::milliseconds lockPatience{10};  // between looks at the lock and at the stop token
 
 /// Parents that vanish between being made and being used: another run that failed took its own away.
@@ -218,7 +218,7 @@ class Delivery {
     FolderEnd exchangeLocked() {
         FolderLock lock(m_folder);
         const auto begin = std::chrono::steady_clock::now();
-        bool isTold = !m_onLongWait;
+        bool isNotified = !m_onLongWait;
         while (const int error = lock.tryLock()) {
             if (m_stop.stop_requested()) return {FolderEnd::Kind::stopped, {}};
             if (areLocksUnknown(error)) break;
@@ -226,7 +226,7 @@ class Delivery {
                 return failed(isThere(lock.path()) ? notLocked(lock.path(), error)
                                                    : notWritten(m_folder, {reasonOf(error), false}));
             const auto waited = std::chrono::steady_clock::now() - begin;
-            if (waited > silentWait && !std::exchange(isTold, true)) m_onLongWait(lock.path());
+            if (waited > silentWait && !std::exchange(isNotified, true)) m_onLongWait(lock.path());
             if (waited > longestWait)
                 return failed(
                     {translatable("drillwave::Message",

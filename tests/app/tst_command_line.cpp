@@ -664,7 +664,7 @@ void TestCommandLine::aWindowWithoutAHomeMakesNoFolders() {
     QProcess window;
     window.setProcessEnvironment(environment);
     window.start(QStringLiteral(DRILLWAVE_PROGRAM), {"-platform", "offscreen"});
-    // What it keeps is below the folder of its own.
+    // The window keeps its files below a folder of its own.
     QTRY_VERIFY_WITH_TIMEOUT(!QDir(place.path()).entryList({"drillwave-*"}, QDir::Dirs).isEmpty(), 30000);
     const QString home = place.filePath(QDir(place.path()).entryList({"drillwave-*"}, QDir::Dirs).first());
     QTRY_VERIFY_WITH_TIMEOUT(QFileInfo::exists(home + "/.local/share/drillwave"), 30000);

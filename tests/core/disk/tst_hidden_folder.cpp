@@ -23,7 +23,7 @@ using namespace drillwave::test;
 
 namespace {
 
-/// What every lock fails with; 0 for locks as the system has them.
+/// The errno of every lock; 0 for locks as the system has them.
 int lockError = 0;
 
 const std::vector<std::string> names{"picture", "record", "rows"};
