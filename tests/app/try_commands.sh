@@ -34,7 +34,7 @@ for language in en de sv; do
     expect 0 map $rod --x gamma=0.1:1:4 --y delta=0:1:4 --level 0.5
     expect 0 drill r32_hard_rock "${marched[@]}"
     expect 0 drill r32_hard_rock "${marched[@]}" --scan drill.thrust=3kN,6kN
-    expect 0 design $rod --uncertain gamma=0.1:0.3 --choose rod.length=3m,4m --samples 16
+    expect 0 design $rod --uncertain gamma=0.1:0.3 --choose rod.length=3m,4m --samples 64
     expect 0 accuracy $rod --segments 100
     expect 0 presets --search T38
     expect 0 help

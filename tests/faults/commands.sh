@@ -8,7 +8,7 @@ drawing=(run_drawn map_drawn report figures)
 printing=("run SCENARIO" "sweep SCENARIO --vary gamma=0.05:1:200 -o -" "curve SCENARIO --along gamma=0.05:1" "gap SCENARIO -o -"
     "map SCENARIO --x gamma=0.05:1:9 --y delta=0:2:9 -o -" "table SCENARIO CASES" "thrust SCENARIO" "examples"
     "examples r32_hard_rock -o -" "presets" "accuracy SCENARIO --segments 100 -o -" "help theory" "help run" "version" "--help"
-    "design SCENARIO --uncertain bit_rock.gamma=0.05:0.3 --samples 16" "join PART1 PART2 -o -" "report SCENARIO -o -"
+    "design SCENARIO --uncertain bit_rock.gamma=0.05:0.3 --samples 64" "join PART1 PART2 -o -" "report SCENARIO -o -"
     "drill SCENARIO --blows 30 --settle 10 --cells 10 -o -" "figures -o -")
 
 work=$(mktemp -d) || exit 2
@@ -46,7 +46,7 @@ words_of() {
         thrust) words=(thrust "$from" --along beta=0.5:2:4 -o "$to/out.csv") ;;
         drill) words=(drill "$from" "${marched[@]}" -o "$to/out") ;;
         scan) words=(drill "$from" "${marched[@]}" --scan drill.thrust=3kN,6kN -o "$to/out.csv" --gaps "$to/gaps.csv") ;;
-        design) words=(design "$from" --uncertain bit_rock.gap=0mm:1mm --choose pulse.duration=120us,160us --samples 16 -o "$to/out") ;;
+        design) words=(design "$from" --uncertain bit_rock.gap=0mm:1mm --choose pulse.duration=120us,160us --samples 64 -o "$to/out") ;;
         report) words=(report "$from" -o "$to/out/") ;;
         examples) words=(examples -o "$to/out") ;;
         figures) words=(figures --plots "${formats[$2]}" -o "$to/out") ;;

@@ -26,7 +26,7 @@ no_file_named() {
     case $1 in /*) echo "$1" ;; nameless) ;; *) echo "$place/$1" ;; esac
 }
 readings=("run FILE" "validate FILE" "presets FILE" "run SCENARIO --presets FILE --rock x" "table SCENARIO FILE" "join FILE PART1 -o -"
-    "design SCENARIO --draws FILE --samples 16" "sweep FILE --vary delta=0:2:5")
+    "design SCENARIO --draws FILE --samples 64" "sweep FILE --vary delta=0:2:5")
 
 list_names() {
     local command closed name i

@@ -63,7 +63,7 @@ write_words() {
     say "$name.accuracy.txt" accuracy "$name" "${segments[@]}"
     say "$name.drill.txt" drill "$name" "${marched[@]}"
     say "$name.scan.txt" drill "$name" "${marched[@]}" --scan drill.thrust=3kN,9kN
-    say "$name.design.txt" design "$name" --uncertain gamma=0.1:0.3 --choose "$chosen" --samples 16
+    say "$name.design.txt" design "$name" --uncertain gamma=0.1:0.3 --choose "$chosen" --samples 64
 }
 
 # The files of every study of an example, with pictures in the formats $plots.
@@ -85,7 +85,7 @@ write_files() {
     say "$name.scan_files.txt" drill "$name" "${marched[@]}" --scan drill.thrust=3kN:9kN:3 -o "$name.scan_files.csv" \
         --gaps "$name.scan_gaps.csv" --plots "$plots"
     say "$name.design_files.txt" design "$name" --uncertain gamma=0.1:0.3 --choose "$chosen" \
-        --at-least efficiency@q05=0.3 --samples 16 -o "$name.design" --plots "$plots"
+        --at-least efficiency@q05=0.3 --samples 64 -o "$name.design" --plots "$plots"
     say "$name.accuracy_files.txt" accuracy "$name" "${segments[@]}" -o "$name.accuracy" --plots "$plots"
 }
 
@@ -125,7 +125,7 @@ write_numbers() {
     say "$name.drill_si.csv" drill "$name" "${marched[@]}" --si -o -
     say "$name.scan.json" drill "$name" "${marched[@]}" --scan drill.thrust=3kN:9kN:3 --json
     say "$name.scan_rows.csv" drill "$name" "${marched[@]}" --scan drill.thrust=3kN:9kN:3 --dimensionless -o -
-    say "$name.design.json" design "$name" --uncertain gamma=0.1:0.3 --choose "$chosen" --samples 16 --json
+    say "$name.design.json" design "$name" --uncertain gamma=0.1:0.3 --choose "$chosen" --samples 64 --json
     say "$name.lattice.json" run "$name" --method lattice --segments 2000 --json
     say "$name.closed_form.json" run "$name" --method closed_form --json
     say "$name.closed_form.txt" run "$name" --method closed_form
