@@ -7973,10 +7973,6 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>nennt keinen Befehl</translation>
     </message>
     <message>
-        <source>has no number of rows</source>
-        <translation>nennt keine Anzahl von Zeilen</translation>
-    </message>
-    <message>
         <source>part: %1 is no part I/N</source>
         <translation>part: %1 ist kein Teil I/N</translation>
     </message>
@@ -9317,10 +9313,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 hat keine Zahlen zum Verfolgen; eine Schar von Wörtern daraus machen</translation>
     </message>
     <message>
-        <source>%1 has no numbers to go along; give it with --set</source>
-        <translation>%1 hat keine Zahlen zum Verfolgen; mit --set angeben</translation>
-    </message>
-    <message>
         <source>`%1` is no axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C</source>
         <translation>`%1` ist keine Achse: KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log oder KEY=A,B,C schreiben</translation>
     </message>
@@ -9645,18 +9637,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>braucht OUTPUT@STATISTIC=VALUE</translation>
     </message>
     <message>
-        <source>there is no drillwave-window beside this program, which was built without it (DRILLWAVE_GUI), or installed without it (the package drillwave)</source>
-        <translation>neben diesem Programm fehlt drillwave-window, da es ohne Fenster gebaut (DRILLWAVE_GUI) oder ohne Fenster installiert wurde (nur das Paket drillwave)</translation>
-    </message>
-    <message>
-        <source>no window: %1; use `drillwave run FILE` (see --help)</source>
-        <translation>kein Fenster: %1; `drillwave run FILE` nehmen (siehe --help)</translation>
-    </message>
-    <message>
-        <source>no pictures: %1; leave out what draws them, or run the whole program</source>
-        <translation>keine Bilder: %1; alles weglassen, was sie zeichnet, oder das vollständige Programm nehmen</translation>
-    </message>
-    <message>
         <source>no display to open the window on; use `drillwave run FILE` (see --help), or `drillwave -platform offscreen`</source>
         <translation>keine Anzeige für das Fenster; `drillwave run FILE` nehmen (siehe --help), oder `drillwave -platform offscreen`</translation>
     </message>
@@ -9819,10 +9799,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>abgebrochen</translation>
     </message>
     <message>
-        <source>no thread can be started: %1; raise the limit of processes or memory (ulimit)</source>
-        <translation>es lässt sich kein Thread starten: %1; die Grenze für Prozesse oder Speicher erhöhen (ulimit)</translation>
-    </message>
-    <message>
         <source>interrupted; no output was left behind</source>
         <translation>abgebrochen; es wurde keine Ausgabe hinterlassen</translation>
     </message>
@@ -9857,10 +9833,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>cannot be read</source>
         <translation>kann nicht gelesen werden</translation>
-    </message>
-    <message>
-        <source>%1: has %2 lines, but %3 by its record; it was changed or is of another run</source>
-        <translation>%1: hat %2 Zeilen, nach der .yaml daneben aber %3; die Datei wurde geändert oder stammt aus einem anderen Lauf</translation>
     </message>
     <message>
         <source>needs -o FILE, where to write; - is standard output</source>
@@ -10101,10 +10073,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>Of many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency and drill.thrust:</source>
         <translation>Aus vielen Schlägen, nur namentlich (je Fall eine Rechnung); mit drill.blow_frequency und drill.thrust:</translation>
-    </message>
-    <message>
-        <source>%1 of %2 rows could not be solved: their output cells are empty; %3</source>
-        <translation>%1 von %2 Zeilen ohne Lösung, ihre Ergebniszellen bleiben leer; %3</translation>
     </message>
     <message>
         <source>note: the waves of this blow are more than can be kept: no histories.csv and no plots</source>
@@ -10601,6 +10569,160 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>must have no sections in a uniform rod: they belong to `drillwave: 2`</source>
         <translation>darf bei einer gleichförmigen Stange keine Abschnitte haben: sie gehören zu `drillwave: 2`</translation>
+    </message>
+    <message>
+        <source>%1: another process writes these rows; wait for it, or end it</source>
+        <translation>%1: ein anderer Prozess schreibt diese Zeilen; auf ihn warten oder ihn beenden</translation>
+    </message>
+    <message>
+        <source>%1: is of another run (other options, inputs or build); use --force to begin anew, or choose another name</source>
+        <translation>%1: gehört zu einem anderen Lauf (andere Optionen, Eingaben oder anderes Programm); mit --force neu beginnen oder einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>has no checksum, or was changed after it was written</source>
+        <translation>hat keine Prüfsumme oder wurde verändert, nachdem es geschrieben war</translation>
+    </message>
+    <message>
+        <source>has no whole number `%1`</source>
+        <translation>hat keine ganze Zahl `%1`</translation>
+    </message>
+    <message>
+        <source>has no `%1`</source>
+        <translation>hat kein `%1`</translation>
+    </message>
+    <message>
+        <source>it is a link</source>
+        <translation>es ist eine Verknüpfung</translation>
+    </message>
+    <message>
+        <source>%1: this lock of the folder cannot be opened: %2; remove it or choose another folder</source>
+        <translation>%1: diese Sperre des Ordners kann nicht geöffnet werden: %2; sie löschen oder einen anderen Ordner wählen</translation>
+    </message>
+    <message>
+        <source>The plots are left out because this report was written with --no-plots. Write it again without that option to get them.</source>
+        <translation>Die Diagramme fehlen, weil dieser Bericht mit --no-plots geschrieben wurde. Ohne diese Option noch einmal geschrieben, enthält er sie.</translation>
+    </message>
+    <message>
+        <source>the waves on the way through it take %1 wave cells at once, more than the %2 permitted; a longer blow, a shorter string or fewer --cells take less</source>
+        <translation>die Wellen unterwegs brauchen %1 Wellenzellen zugleich, erlaubt sind %2; ein längerer Schlag, ein kürzerer Strang oder weniger --cells brauchen weniger</translation>
+    </message>
+    <message>
+        <source>%1 is true or false, which is no axis; give it with --set</source>
+        <translation>%1 ist wahr oder falsch (true, false) und damit keine Achse; mit --set angeben</translation>
+    </message>
+    <message>
+        <source>--samples %1: takes %2, a power of two</source>
+        <translation>--samples %1: nimmt %2, eine Zweierpotenz</translation>
+    </message>
+    <message>
+        <source>there is no drillwave-window beside this program; install the package drillwave, or build the program with DRILLWAVE_GUI=ON</source>
+        <translation>neben diesem Programm gibt es kein drillwave-window; das Paket drillwave installieren oder das Programm mit DRILLWAVE_GUI=ON bauen</translation>
+    </message>
+    <message>
+        <source>no window: %1; without it use `drillwave run FILE` (see --help)</source>
+        <translation>kein Fenster: %1; ohne dieses `drillwave run FILE` verwenden (siehe --help)</translation>
+    </message>
+    <message>
+        <source>no pictures: %1; without it leave out --plots, and write a report with --no-plots</source>
+        <translation>keine Bilder: %1; ohne dieses --plots weglassen und einen Bericht mit --no-plots schreiben</translation>
+    </message>
+    <message>
+        <source>the window cannot be opened on the platform of -platform or QT_QPA_PLATFORM; use `drillwave run FILE` or `-platform offscreen`</source>
+        <translation>das Fenster kann auf der Plattform von -platform oder QT_QPA_PLATFORM nicht geöffnet werden; `drillwave run FILE` oder `-platform offscreen` verwenden</translation>
+    </message>
+    <message>
+        <source>display %1 cannot be reached; set DISPLAY to one that is there, use `drillwave run FILE` (see --help), or `drillwave -platform offscreen`</source>
+        <translation>die Anzeige %1 ist nicht erreichbar; DISPLAY auf eine vorhandene setzen, `drillwave run FILE` (siehe --help) oder `drillwave -platform offscreen` verwenden</translation>
+    </message>
+    <message>
+        <source>there are no fonts for the letters of the pictures; install some (Debian: apt install fonts-dejavu-core), or leave out the pictures</source>
+        <translation>es gibt keine Schriften für die Beschriftung der Bilder; welche installieren (Debian: apt install fonts-dejavu-core) oder die Bilder weglassen</translation>
+    </message>
+    <message>
+        <source>Usage: drillwave %1
+</source>
+        <translation>Aufruf: drillwave %1
+</translation>
+    </message>
+    <message>
+        <source>option</source>
+        <translation>Option</translation>
+    </message>
+    <message>
+        <source>does</source>
+        <translation>bewirkt</translation>
+    </message>
+    <message>
+        <source>of the commands</source>
+        <translation>bei den Befehlen</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>what is there</source>
+        <translation>was dort steht</translation>
+    </message>
+    <message>
+        <source>The manual has `%1` in these places, the best first:</source>
+        <translation>Im Handbuch kommt `%1` an diesen Stellen vor, die besten zuerst:</translation>
+    </message>
+    <message>
+        <source>Parameters and outputs: %1.</source>
+        <translation>Parameter und Ergebnisse: %1.</translation>
+    </message>
+    <message>
+        <source>See also %1.</source>
+        <translation>Siehe auch %1.</translation>
+    </message>
+    <message>
+        <source>%1: is not what its record says: it has %2 bytes with checksum %3, and was written with %4 and %5; it was changed or is another part, run it again</source>
+        <translation>%1: ist nicht, was sein Protokoll sagt: hat %2 Bytes mit der Prüfsumme %3, geschrieben wurden %4 mit %5; die Datei wurde verändert oder ist ein anderer Teil, ihn noch einmal rechnen</translation>
+    </message>
+    <message>
+        <source>has no parts of --shard with their records</source>
+        <translation>hat keine Teile von --shard mit ihren Protokollen</translation>
+    </message>
+    <message>
+        <source>a map needs KEY=START:STOP:COUNT or KEY=START:STOP:COUNT:log; `drillwave sweep` takes a list</source>
+        <translation>eine Karte braucht KEY=START:STOP:COUNT oder KEY=START:STOP:COUNT:log; eine Liste nimmt `drillwave sweep`</translation>
+    </message>
+    <message>
+        <source>waiting for another run of drillwave, which holds the lock %1; Ctrl-C gives up</source>
+        <translation>wartet auf einen anderen Lauf von drillwave, der die Sperre %1 hält; Strg-C bricht ab</translation>
+    </message>
+    <message>
+        <source>--no-plots: a PDF is drawn with its plots; give -o FILE.html</source>
+        <translation>--no-plots: ein PDF wird mit seinen Diagrammen gezeichnet; -o FILE.html angeben</translation>
+    </message>
+    <message>
+        <source>--resume is about the file of -o; add -o FILE.csv</source>
+        <translation>--resume gilt für die Datei von -o; -o FILE.csv angeben</translation>
+    </message>
+    <message>
+        <source>%1 needs the rows in one run; leave out --resume</source>
+        <translation>%1 braucht die Zeilen aus einem Lauf; --resume weglassen</translation>
+    </message>
+    <message>
+        <source>%1 rows take about %2 and %3. A run that ends before its time leaves no rows, but with --resume those that are done, and with --shard I/N the parts that are done</source>
+        <translation>%1 Zeilen brauchen etwa %2 und %3. Ein Lauf, der vorzeitig endet, hinterlässt keine Zeilen, mit --resume aber die fertigen und mit --shard I/N die fertigen Teile</translation>
+    </message>
+    <message>
+        <source>%1: %2 rows take about %3, and the disk has %4 free; take fewer rows, or write parts (--shard I/N) to several disks</source>
+        <translation>%1: %2 Zeilen brauchen etwa %3, frei sind auf der Platte %4; weniger Zeilen nehmen oder Teile (--shard I/N) auf mehrere Platten schreiben</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows could not be solved: their output cells are empty</source>
+        <translation>%1 von %2 Zeilen ließen sich nicht lösen: ihre Ergebniszellen sind leer</translation>
+    </message>
+    <message>
+        <source>%1: has all of these rows already</source>
+        <translation>%1: hat alle diese Zeilen schon</translation>
+    </message>
+    <message>
+        <source>interrupted; %1 of %2 rows are kept in %3, and the same command goes on behind them</source>
+        <translation>unterbrochen; %1 von %2 Zeilen stehen in %3, derselbe Befehl geht dahinter weiter</translation>
     </message>
 </context>
 <context>
@@ -13414,33 +13536,6 @@ Befehle:
 </translation>
     </message>
     <message>
-        <source>
-  drillwave help TOPIC  says more: of a command, as COMMAND --help and -h do; of a parameter
-  (help bit_rock.gamma), an output (help cor), a symbol; it prints chapters of the manual and
-  sections of them (help theory 10). drillwave version prints the version.
-  Chapters: %1.
-  Without a display the window needs `-platform offscreen`.
-  drillwave --reset-ui  opens the window with its first layout, page, units and choices;
-  drillwave --language de  in German this once (sv: Swedish, en: English).
-  Commands have --language, too; for all of them set DRILLWAVE_LANGUAGE=de.
-
-Exit codes: %2.
-</source>
-        <translation>
-  drillwave help TOPIC  sagt mehr: zu einem Befehl, wie auch COMMAND --help und -h; zu einem
-  Parameter (help bit_rock.gamma), einem Ergebnis (help cor), einem Formelzeichen; es gibt
-  Kapitel des Handbuchs und Abschnitte daraus aus (help theory 10). drillwave version gibt die
-  Version aus.
-  Kapitel: %1.
-  Ohne Bildschirm braucht das Fenster `-platform offscreen`.
-  drillwave --reset-ui  öffnet es mit Anordnung, Seite, Einheiten und Auswahl wie beim ersten Mal;
-  drillwave --language de  dieses eine Mal auf Deutsch (sv: Schwedisch, en: Englisch).
-  Auch die Befehle kennen --language; für alle zugleich DRILLWAVE_LANGUAGE=de setzen.
-
-Exit-Codes: %2.
-</translation>
-    </message>
-    <message>
         <source>FILE is a scenario, a result that holds one (summary.json, histories.csv, map.csv.yaml …), the name of
 a built-in example, or - for standard input.</source>
         <translation>FILE ist ein Szenario, ein Ergebnis, das eines enthält (summary.json, histories.csv,
@@ -13704,15 +13799,6 @@ Ergebnis dort springt.</translation>
     <message>
         <source>put the parts of a sweep, table or map of --shard together</source>
         <translation>die mit --shard gerechneten Teile von sweep, table oder map zusammenfügen</translation>
-    </message>
-    <message>
-        <source>FILE and FILE.yaml come out byte for byte as from the run in one piece. The parts may be named in
-any order; each needs its record beside it. All must be of one run (scenario, axes, version, number
-of parts), and each be there once: what is missing, doubled or foreign is named, with exit code 5.</source>
-        <translation>FILE und FILE.yaml werden Byte für Byte wie aus einem Lauf in einem Stück. Die Teile können in
-beliebiger Reihenfolge genannt werden; jeder braucht seine .yaml daneben. Alle müssen aus demselben
-Lauf stammen (Szenario, Achsen, Version, Anzahl der Teile), und jeder muss genau einmal da sein: was
-fehlt, doppelt oder fremd ist, wird genannt, mit Exit-Code 5.</translation>
     </message>
     <message>
         <source>where to write, with FILE.yaml beside it; - is standard output</source>
@@ -14068,14 +14154,6 @@ unter 1, und tau unter 0,1 bei exponentiellen Schlägen und Kolbenschlägen.</tr
         <translation>Sagt nichts zu einer Datei ohne Fehler. Nimmt auch Dateien mit Voreinstellungen.</translation>
     </message>
     <message>
-        <source>list the built-in scenarios, or write them</source>
-        <translation>die eingebauten Szenarien auflisten, oder sie schreiben</translation>
-    </message>
-    <message>
-        <source>`drillwave examples t38_medium_rock -o -` prints one.</source>
-        <translation>`drillwave examples t38_medium_rock -o -` gibt eines aus.</translation>
-    </message>
-    <message>
         <source>write them as scenario files into DIR; - prints them</source>
         <translation>sie als Szenariodateien nach DIR schreiben; - gibt sie aus</translation>
     </message>
@@ -14171,6 +14249,80 @@ des Fensters eingesetzt werden.</translation>
     <message>
         <source>error of the balance of energy of all blows, over the hammer work</source>
         <translation>Fehler der Energiebilanz aller Schläge, Anteil an der Hammerarbeit</translation>
+    </message>
+    <message>
+        <source>
+  drillwave help TOPIC  prints the help of a command, as COMMAND --help and -h do, of a parameter
+  (help bit_rock.gamma), an output (help cor) or an option (help --shard), a chapter of the manual
+  or a section of it (help theory 10), and for any other word (help feed) the places of the
+  manual that have it. drillwave version prints the version.
+  Chapters: %1.
+  Without a display the window needs `-platform offscreen`.
+  drillwave --reset-ui  opens the window with its first layout, page, units and choices;
+  drillwave --language de  in German this once (sv: Swedish, en: English).
+  Commands have --language, too; for all of them set DRILLWAVE_LANGUAGE=de.
+
+Exit codes: %2.
+</source>
+        <translation>
+  drillwave help TOPIC  gibt die Hilfe zu einem Befehl aus, wie auch COMMAND --help und -h, zu
+  einem Parameter (help bit_rock.gamma), einem Ergebnis (help cor) oder einer Option (help
+  --shard), ein Kapitel des Handbuchs oder einen Abschnitt daraus (help theory 10) und zu jedem
+  anderen Wort (help Vorschub) die Stellen des Handbuchs, an denen es vorkommt. drillwave version
+  gibt die Version aus.
+  Kapitel: %1.
+  Ohne Bildschirm braucht das Fenster `-platform offscreen`.
+  drillwave --reset-ui  öffnet es mit Anordnung, Seite, Einheiten und Auswahl wie beim ersten Mal;
+  drillwave --language de  dieses eine Mal auf Deutsch (sv: Schwedisch, en: Englisch).
+  Auch die Befehle kennen --language; für alle zugleich DRILLWAVE_LANGUAGE=de setzen.
+
+Exit-Codes: %2.
+</translation>
+    </message>
+    <message>
+        <source>print the help of a command, a chapter of the manual, a parameter, an output</source>
+        <translation>die Hilfe zu einem Befehl, ein Kapitel des Handbuchs, einen Parameter oder ein Ergebnis ausgeben</translation>
+    </message>
+    <message>
+        <source>TOPIC is a command (run), a chapter of the manual (theory) or a section of it (theory 10), a
+parameter (bit_rock.gamma), an output (cor), a symbol (e), an option (--shard), or any other word
+(feed, units, exit codes): then the places of the manual that have it, the best first.</source>
+        <translation>TOPIC ist ein Befehl (run), ein Kapitel des Handbuchs (theory) oder ein Abschnitt daraus
+(theory 10), ein Parameter (bit_rock.gamma), ein Ergebnis (cor), ein Formelzeichen (e), eine
+Option (--shard) oder ein beliebiges anderes Wort (Vorschub, units, exit codes): dann die Stellen
+des Handbuchs, an denen es vorkommt, die besten zuerst.</translation>
+    </message>
+    <message>
+        <source>print the version of the program</source>
+        <translation>die Version des Programms ausgeben</translation>
+    </message>
+    <message>
+        <source>keep rows in FILE.csv.partial as they are done, and go on behind those of a run that ended</source>
+        <translation>fertige Zeilen in FILE.csv.partial behalten und hinter denen eines beendeten Laufs weitergehen</translation>
+    </message>
+    <message>
+        <source>FILE and FILE.yaml come out byte for byte as from the run in one piece, with its exit code. A
+PART is a file of rows with its record beside it, or a folder with all parts; any order will do.
+All must be of one run (scenario, axes, table of cases, build, number of parts), be there once
+and have the size and checksum of their records: what is missing, doubled, foreign or changed is
+named, with exit code 5.</source>
+        <translation>FILE und FILE.yaml sind Byte für Byte die des Laufs in einem Stück, mit seinem Exit-Code. Ein
+PART ist eine Datei mit Zeilen und ihrem Protokoll daneben, oder ein Ordner mit allen Teilen, in
+beliebiger Reihenfolge. Alle müssen aus einem Lauf sein (Szenario, Achsen, Tabelle der Fälle, Programm,
+Zahl der Teile), je einmal da sein und Größe und Prüfsumme ihrer Protokolle haben: was fehlt, doppelt,
+fremd oder verändert ist, wird genannt, mit Exit-Code 5.</translation>
+    </message>
+    <message>
+        <source>leave the plots out, and with them the PDF: works without the window</source>
+        <translation>die Diagramme und damit das PDF weglassen: geht ohne das Fenster</translation>
+    </message>
+    <message>
+        <source>list the built-in scenarios, print those of NAME, or write them into a folder</source>
+        <translation>eingebaute Szenarien auflisten, die von NAME ausgeben oder in einen Ordner schreiben</translation>
+    </message>
+    <message>
+        <source>`drillwave examples t38_string &gt; my.yaml` makes a file to change.</source>
+        <translation>`drillwave examples t38_string &gt; my.yaml` ergibt eine Datei, die man ändern kann.</translation>
     </message>
 </context>
 </TS>

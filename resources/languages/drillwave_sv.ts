@@ -7973,10 +7973,6 @@ en projektion av fler dimensioner</translation>
         <translation>saknar kommando</translation>
     </message>
     <message>
-        <source>has no number of rows</source>
-        <translation>saknar antal rader</translation>
-    </message>
-    <message>
         <source>part: %1 is no part I/N</source>
         <translation>part: %1 är ingen del I/N</translation>
     </message>
@@ -9317,10 +9313,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 har inga tal att följa; gör en skara av ord</translation>
     </message>
     <message>
-        <source>%1 has no numbers to go along; give it with --set</source>
-        <translation>%1 har inga tal att följa; ange värdet med --set</translation>
-    </message>
-    <message>
         <source>`%1` is no axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C</source>
         <translation>`%1` är ingen axel: skriv KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log eller KEY=A,B,C</translation>
     </message>
@@ -9645,18 +9637,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>behöver OUTPUT@STATISTIC=VALUE</translation>
     </message>
     <message>
-        <source>there is no drillwave-window beside this program, which was built without it (DRILLWAVE_GUI), or installed without it (the package drillwave)</source>
-        <translation>det finns inget drillwave-window bredvid detta program, som byggdes utan det (DRILLWAVE_GUI) eller installerades utan det (paketet drillwave)</translation>
-    </message>
-    <message>
-        <source>no window: %1; use `drillwave run FILE` (see --help)</source>
-        <translation>inget fönster: %1; använd `drillwave run FILE` (se --help)</translation>
-    </message>
-    <message>
-        <source>no pictures: %1; leave out what draws them, or run the whole program</source>
-        <translation>inga bilder: %1; utelämna det som ritar dem, eller kör hela programmet</translation>
-    </message>
-    <message>
         <source>no display to open the window on; use `drillwave run FILE` (see --help), or `drillwave -platform offscreen`</source>
         <translation>ingen bildskärm att öppna fönstret på; använd `drillwave run FILE` (se --help) eller `drillwave -platform offscreen`</translation>
     </message>
@@ -9819,10 +9799,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>avbrutet</translation>
     </message>
     <message>
-        <source>no thread can be started: %1; raise the limit of processes or memory (ulimit)</source>
-        <translation>ingen tråd kan startas: %1; höj gränsen för processer eller minne (ulimit)</translation>
-    </message>
-    <message>
         <source>interrupted; no output was left behind</source>
         <translation>avbrutet; inga utdata lämnades kvar</translation>
     </message>
@@ -9857,10 +9833,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>cannot be read</source>
         <translation>kan inte läsas</translation>
-    </message>
-    <message>
-        <source>%1: has %2 lines, but %3 by its record; it was changed or is of another run</source>
-        <translation>%1: har %2 rader, men %3 enligt sin .yaml-fil; den är ändrad eller hör till en annan körning</translation>
     </message>
     <message>
         <source>needs -o FILE, where to write; - is standard output</source>
@@ -10101,10 +10073,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>Of many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency and drill.thrust:</source>
         <translation>Över många slag, bara vid namn (en egen beräkning var); FILE behöver drill.blow_frequency, drill.thrust:</translation>
-    </message>
-    <message>
-        <source>%1 of %2 rows could not be solved: their output cells are empty; %3</source>
-        <translation>%1 av %2 rader kunde inte lösas: deras resultatceller är tomma; %3</translation>
     </message>
     <message>
         <source>note: the waves of this blow are more than can be kept: no histories.csv and no plots</source>
@@ -10601,6 +10569,160 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>must have no sections in a uniform rod: they belong to `drillwave: 2`</source>
         <translation>får inte ha sektioner i en likformig stång: de hör till `drillwave: 2`</translation>
+    </message>
+    <message>
+        <source>%1: another process writes these rows; wait for it, or end it</source>
+        <translation>%1: en annan process skriver dessa rader; vänta på den, eller avsluta den</translation>
+    </message>
+    <message>
+        <source>%1: is of another run (other options, inputs or build); use --force to begin anew, or choose another name</source>
+        <translation>%1: hör till en annan körning (andra val, indata eller annat program); börja om med --force, eller välj ett annat namn</translation>
+    </message>
+    <message>
+        <source>has no checksum, or was changed after it was written</source>
+        <translation>har ingen kontrollsumma, eller ändrades efter att det skrevs</translation>
+    </message>
+    <message>
+        <source>has no whole number `%1`</source>
+        <translation>har inget heltal `%1`</translation>
+    </message>
+    <message>
+        <source>has no `%1`</source>
+        <translation>har inget `%1`</translation>
+    </message>
+    <message>
+        <source>it is a link</source>
+        <translation>det är en länk</translation>
+    </message>
+    <message>
+        <source>%1: this lock of the folder cannot be opened: %2; remove it or choose another folder</source>
+        <translation>%1: mappens lås kan inte öppnas: %2; ta bort det eller välj en annan mapp</translation>
+    </message>
+    <message>
+        <source>The plots are left out because this report was written with --no-plots. Write it again without that option to get them.</source>
+        <translation>Diagrammen är utelämnade eftersom rapporten skrevs med --no-plots. Skriv den igen utan flaggan för att få dem.</translation>
+    </message>
+    <message>
+        <source>the waves on the way through it take %1 wave cells at once, more than the %2 permitted; a longer blow, a shorter string or fewer --cells take less</source>
+        <translation>vågorna på väg genom den tar %1 vågceller samtidigt, tillåtna är %2; ett längre slag, en kortare sträng eller färre --cells tar mindre</translation>
+    </message>
+    <message>
+        <source>%1 is true or false, which is no axis; give it with --set</source>
+        <translation>%1 är sant eller falskt (true, false) och därmed ingen axel; ange det med --set</translation>
+    </message>
+    <message>
+        <source>--samples %1: takes %2, a power of two</source>
+        <translation>--samples %1: tar %2, en tvåpotens</translation>
+    </message>
+    <message>
+        <source>there is no drillwave-window beside this program; install the package drillwave, or build the program with DRILLWAVE_GUI=ON</source>
+        <translation>det finns inget drillwave-window bredvid programmet; installera paketet drillwave eller bygg programmet med DRILLWAVE_GUI=ON</translation>
+    </message>
+    <message>
+        <source>no window: %1; without it use `drillwave run FILE` (see --help)</source>
+        <translation>inget fönster: %1; utan det används `drillwave run FILE` (se --help)</translation>
+    </message>
+    <message>
+        <source>no pictures: %1; without it leave out --plots, and write a report with --no-plots</source>
+        <translation>inga bilder: %1; utan det utelämnas --plots, och en rapport skrivs med --no-plots</translation>
+    </message>
+    <message>
+        <source>the window cannot be opened on the platform of -platform or QT_QPA_PLATFORM; use `drillwave run FILE` or `-platform offscreen`</source>
+        <translation>fönstret kan inte öppnas på plattformen från -platform eller QT_QPA_PLATFORM; använd `drillwave run FILE` eller `-platform offscreen`</translation>
+    </message>
+    <message>
+        <source>display %1 cannot be reached; set DISPLAY to one that is there, use `drillwave run FILE` (see --help), or `drillwave -platform offscreen`</source>
+        <translation>skärmen %1 kan inte nås; sätt DISPLAY till en som finns, använd `drillwave run FILE` (se --help) eller `drillwave -platform offscreen`</translation>
+    </message>
+    <message>
+        <source>there are no fonts for the letters of the pictures; install some (Debian: apt install fonts-dejavu-core), or leave out the pictures</source>
+        <translation>det finns inga typsnitt för bildernas text; installera några (Debian: apt install fonts-dejavu-core) eller utelämna bilderna</translation>
+    </message>
+    <message>
+        <source>Usage: drillwave %1
+</source>
+        <translation>Användning: drillwave %1
+</translation>
+    </message>
+    <message>
+        <source>option</source>
+        <translation>flagga</translation>
+    </message>
+    <message>
+        <source>does</source>
+        <translation>gör</translation>
+    </message>
+    <message>
+        <source>of the commands</source>
+        <translation>till kommandona</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alla</translation>
+    </message>
+    <message>
+        <source>what is there</source>
+        <translation>vad som står där</translation>
+    </message>
+    <message>
+        <source>The manual has `%1` in these places, the best first:</source>
+        <translation>I handboken förekommer `%1` på dessa ställen, de bästa först:</translation>
+    </message>
+    <message>
+        <source>Parameters and outputs: %1.</source>
+        <translation>Parametrar och resultat: %1.</translation>
+    </message>
+    <message>
+        <source>See also %1.</source>
+        <translation>Se även %1.</translation>
+    </message>
+    <message>
+        <source>%1: is not what its record says: it has %2 bytes with checksum %3, and was written with %4 and %5; it was changed or is another part, run it again</source>
+        <translation>%1: är inte vad dess protokoll säger: har %2 byte med kontrollsumman %3, skrivna blev %4 med %5; filen har ändrats eller är en annan del, kör den igen</translation>
+    </message>
+    <message>
+        <source>has no parts of --shard with their records</source>
+        <translation>har inga delar av --shard med sina protokoll</translation>
+    </message>
+    <message>
+        <source>a map needs KEY=START:STOP:COUNT or KEY=START:STOP:COUNT:log; `drillwave sweep` takes a list</source>
+        <translation>en karta behöver KEY=START:STOP:COUNT eller KEY=START:STOP:COUNT:log; `drillwave sweep` tar en lista</translation>
+    </message>
+    <message>
+        <source>waiting for another run of drillwave, which holds the lock %1; Ctrl-C gives up</source>
+        <translation>väntar på en annan körning av drillwave, som håller låset %1; Ctrl-C avbryter</translation>
+    </message>
+    <message>
+        <source>--no-plots: a PDF is drawn with its plots; give -o FILE.html</source>
+        <translation>--no-plots: en PDF ritas med sina diagram; ange -o FILE.html</translation>
+    </message>
+    <message>
+        <source>--resume is about the file of -o; add -o FILE.csv</source>
+        <translation>--resume gäller filen i -o; ange -o FILE.csv</translation>
+    </message>
+    <message>
+        <source>%1 needs the rows in one run; leave out --resume</source>
+        <translation>%1 kräver raderna från en enda körning; utelämna --resume</translation>
+    </message>
+    <message>
+        <source>%1 rows take about %2 and %3. A run that ends before its time leaves no rows, but with --resume those that are done, and with --shard I/N the parts that are done</source>
+        <translation>%1 rader tar ungefär %2 och %3. En körning som slutar i förtid lämnar inga rader, men med --resume de färdiga och med --shard I/N de färdiga delarna</translation>
+    </message>
+    <message>
+        <source>%1: %2 rows take about %3, and the disk has %4 free; take fewer rows, or write parts (--shard I/N) to several disks</source>
+        <translation>%1: %2 rader tar ungefär %3, och disken har %4 ledigt; ta färre rader, eller skriv delar (--shard I/N) till flera diskar</translation>
+    </message>
+    <message>
+        <source>%1 of %2 rows could not be solved: their output cells are empty</source>
+        <translation>%1 av %2 rader kunde inte lösas: deras utdataceller är tomma</translation>
+    </message>
+    <message>
+        <source>%1: has all of these rows already</source>
+        <translation>%1: har redan alla dessa rader</translation>
+    </message>
+    <message>
+        <source>interrupted; %1 of %2 rows are kept in %3, and the same command goes on behind them</source>
+        <translation>avbruten; %1 av %2 rader finns i %3, och samma kommando fortsätter efter dem</translation>
     </message>
 </context>
 <context>
@@ -13414,33 +13536,6 @@ Kommandon:
 </translation>
     </message>
     <message>
-        <source>
-  drillwave help TOPIC  says more: of a command, as COMMAND --help and -h do; of a parameter
-  (help bit_rock.gamma), an output (help cor), a symbol; it prints chapters of the manual and
-  sections of them (help theory 10). drillwave version prints the version.
-  Chapters: %1.
-  Without a display the window needs `-platform offscreen`.
-  drillwave --reset-ui  opens the window with its first layout, page, units and choices;
-  drillwave --language de  in German this once (sv: Swedish, en: English).
-  Commands have --language, too; for all of them set DRILLWAVE_LANGUAGE=de.
-
-Exit codes: %2.
-</source>
-        <translation>
-  drillwave help TOPIC  säger mer: om ett kommando, liksom COMMAND --help och -h; om en parameter
-  (help bit_rock.gamma), ett resultat (help cor) eller en symbol; det skriver även ut kapitel ur
-  handboken och avsnitt ur dem (help theory 10). drillwave version skriver ut versionen.
-  Kapitel i handboken:
-  %1.
-  Utan bildskärm behöver fönstret `-platform offscreen`.
-  drillwave --reset-ui  öppnar fönstret med ursprunglig layout, sida, enheter och val;
-  drillwave --language de  på tyska just denna gång (sv: svenska, en: engelska).
-  Även kommandon har --language; för alla på en gång sätts DRILLWAVE_LANGUAGE=de.
-
-Slutkoder: %2.
-</translation>
-    </message>
-    <message>
         <source>FILE is a scenario, a result that holds one (summary.json, histories.csv, map.csv.yaml …), the name of
 a built-in example, or - for standard input.</source>
         <translation>FILE är ett scenario, ett resultat som innehåller ett (summary.json, histories.csv,
@@ -13699,15 +13794,6 @@ resultatet gör ett språng där.</translation>
     <message>
         <source>put the parts of a sweep, table or map of --shard together</source>
         <translation>sätt ihop de delar som sweep, table eller map har skrivit med --shard</translation>
-    </message>
-    <message>
-        <source>FILE and FILE.yaml come out byte for byte as from the run in one piece. The parts may be named in
-any order; each needs its record beside it. All must be of one run (scenario, axes, version, number
-of parts), and each be there once: what is missing, doubled or foreign is named, with exit code 5.</source>
-        <translation>FILE och FILE.yaml blir byte för byte som från en körning i ett stycke. Delarna får anges i vilken
-ordning som helst; var och en behöver sin .yaml-fil bredvid sig. Alla måste höra till samma körning
-(scenario, axlar, version, antal delar), och var och en måste finnas exakt en gång: delar som
-saknas, är dubbla eller hör till något annat räknas upp, med slutkod 5.</translation>
     </message>
     <message>
         <source>where to write, with FILE.yaml beside it; - is standard output</source>
@@ -14060,14 +14146,6 @@ tau under 0,1 med exponentiella slag och kolvslag.</translation>
         <translation>Säger inget om en fil utan fel. Tar även filer med förval.</translation>
     </message>
     <message>
-        <source>list the built-in scenarios, or write them</source>
-        <translation>lista de inbyggda scenarierna, eller skriv dem</translation>
-    </message>
-    <message>
-        <source>`drillwave examples t38_medium_rock -o -` prints one.</source>
-        <translation>`drillwave examples t38_medium_rock -o -` skriver ut ett.</translation>
-    </message>
-    <message>
         <source>write them as scenario files into DIR; - prints them</source>
         <translation>skriv dem som scenariofiler till DIR; - skriver ut dem</translation>
     </message>
@@ -14162,6 +14240,80 @@ och borrkronor är delar till borrsträngar, som läggs in på fönstrets sida S
     <message>
         <source>error of the balance of energy of all blows, over the hammer work</source>
         <translation>fel i energibalansen för alla slag, genom hammarens arbete</translation>
+    </message>
+    <message>
+        <source>
+  drillwave help TOPIC  prints the help of a command, as COMMAND --help and -h do, of a parameter
+  (help bit_rock.gamma), an output (help cor) or an option (help --shard), a chapter of the manual
+  or a section of it (help theory 10), and for any other word (help feed) the places of the
+  manual that have it. drillwave version prints the version.
+  Chapters: %1.
+  Without a display the window needs `-platform offscreen`.
+  drillwave --reset-ui  opens the window with its first layout, page, units and choices;
+  drillwave --language de  in German this once (sv: Swedish, en: English).
+  Commands have --language, too; for all of them set DRILLWAVE_LANGUAGE=de.
+
+Exit codes: %2.
+</source>
+        <translation>
+  drillwave help TOPIC  skriver ut hjälpen till ett kommando, liksom COMMAND --help och -h, till en
+  parameter (help bit_rock.gamma), ett resultat (help cor) eller en flagga (help --shard), ett
+  kapitel i handboken eller ett avsnitt ur det (help theory 10), och för varje annat ord (help
+  matning) de ställen i handboken där ordet förekommer. drillwave version skriver ut versionen.
+  Kapitel i handboken:
+  %1.
+  Utan bildskärm behöver fönstret `-platform offscreen`.
+  drillwave --reset-ui  öppnar fönstret med ursprunglig layout, sida, enheter och val;
+  drillwave --language de  på tyska just denna gång (sv: svenska, en: engelska).
+  Även kommandon har --language; för alla på en gång sätts DRILLWAVE_LANGUAGE=de.
+
+Slutkoder: %2.
+</translation>
+    </message>
+    <message>
+        <source>print the help of a command, a chapter of the manual, a parameter, an output</source>
+        <translation>skriva ut hjälpen till ett kommando, ett kapitel i handboken, en parameter eller ett resultat</translation>
+    </message>
+    <message>
+        <source>TOPIC is a command (run), a chapter of the manual (theory) or a section of it (theory 10), a
+parameter (bit_rock.gamma), an output (cor), a symbol (e), an option (--shard), or any other word
+(feed, units, exit codes): then the places of the manual that have it, the best first.</source>
+        <translation>TOPIC är ett kommando (run), ett kapitel i handboken (theory) eller ett avsnitt ur det
+(theory 10), en parameter (bit_rock.gamma), ett resultat (cor), en symbol (e), en flagga
+(--shard) eller vilket annat ord som helst (matning, units, exit codes): då de ställen i
+handboken där ordet förekommer, de bästa först.</translation>
+    </message>
+    <message>
+        <source>print the version of the program</source>
+        <translation>skriva ut programmets version</translation>
+    </message>
+    <message>
+        <source>keep rows in FILE.csv.partial as they are done, and go on behind those of a run that ended</source>
+        <translation>behåll färdiga rader i FILE.csv.partial, och fortsätt efter dem från en avslutad körning</translation>
+    </message>
+    <message>
+        <source>FILE and FILE.yaml come out byte for byte as from the run in one piece, with its exit code. A
+PART is a file of rows with its record beside it, or a folder with all parts; any order will do.
+All must be of one run (scenario, axes, table of cases, build, number of parts), be there once
+and have the size and checksum of their records: what is missing, doubled, foreign or changed is
+named, with exit code 5.</source>
+        <translation>FILE och FILE.yaml blir byte för byte de från körningen i ett stycke, med dess avslutningskod. En
+PART är en fil med rader och dess protokoll intill, eller en mapp med alla delar; ordningen är fri.
+Alla måste vara från en körning (scenario, axlar, falltabell, program, antal delar), finnas en gång
+och ha protokollens storlek och kontrollsumma: det som saknas, är dubbelt, främmande eller ändrat
+nämns, med avslutningskod 5.</translation>
+    </message>
+    <message>
+        <source>leave the plots out, and with them the PDF: works without the window</source>
+        <translation>utelämna diagrammen och därmed PDF-filen: fungerar utan fönstret</translation>
+    </message>
+    <message>
+        <source>list the built-in scenarios, print those of NAME, or write them into a folder</source>
+        <translation>lista de inbyggda scenarierna, skriva ut dem som NAME anger eller skriva dem i en mapp</translation>
+    </message>
+    <message>
+        <source>`drillwave examples t38_string &gt; my.yaml` makes a file to change.</source>
+        <translation>`drillwave examples t38_string &gt; my.yaml` ger en fil som kan ändras.</translation>
     </message>
 </context>
 </TS>
