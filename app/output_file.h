@@ -53,7 +53,7 @@ class OutputFile {
     OutputFile& operator=(const OutputFile&) = delete;
 
     void write(std::string_view text);
-    /// Of all that was written, the kept rows included.
+    /// Size and checksum of all that was written, the kept rows included.
     const FileSum& sum() const { return m_sum; }
     /// A file to be beside this one, which must be no stream.
     void add(NamedFile beside);

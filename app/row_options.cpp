@@ -336,7 +336,7 @@ class RowForecast {
     bool m_isDone = false;
 };
 
-/// What an earlier run left of these rows, where this one goes on behind them. Throws CommandError.
+/// Opens the rows that an earlier run left, where this one goes on behind them. Throws CommandError.
 std::unique_ptr<KeptRows> keptRows(const RowRecord& record, const RowOptions& options) {
     if (!options.resumes) return nullptr;
     checkOutput(options.path, options.overwrite);

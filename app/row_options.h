@@ -114,8 +114,8 @@ using RunRows =
 using DrawRows = std::function<std::vector<NamedFile>()>;
 
 /// Runs into the file of -o and commits it with its record and what is drawn then, with progress on a
-/// terminal in that style. Rows that need more than the disk has free are refused, hours of work are told.
-/// Failed rows are counted on stderr, with their reasons, and give ExitCode::unsolvedOrFailed; an
+/// terminal in that style. Rows that need more than the disk has free are refused, hours of work are
+/// announced. Failed rows are counted on stderr, with their reasons, and give ExitCode::unsolvedOrFailed; an
 /// interruption leaves no file, or where the run resumes the rows so far.
 ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options,
                    const Interruption& interruption, const ReadingStyle& style, const DrawRows& draw = {});

@@ -45,7 +45,7 @@ std::optional<RowsDone> readNote(std::string_view line) {
     return noteOf(done) == std::string(line) + "\n" ? std::optional(done) : std::nullopt;
 }
 
-/// Of the first bytes of a file.
+/// The sum of the first bytes of a file.
 FileSum sumOfStart(const std::string& path, std::uint64_t bytes) {
     std::ifstream stream(path, std::ios::binary);
     std::vector<char> block(std::size_t{1} << 18);
@@ -101,7 +101,7 @@ void KeptRows::open(const std::string& entries, Other other) {
     if (other == Other::isProblem && !std::string_view(entries).starts_with(begun)) {
         m_problem = {translatable("drillwave::Message",
                                   "%1: is of another run (other options, inputs or build); use "
-                                  "--force to begin anew, or choose another name"),
+                                  "--force to begin again, or choose another name"),
                      {m_notes, m_path}};
         return;
     }

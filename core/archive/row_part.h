@@ -37,7 +37,7 @@ std::string differingKey(const RowPart& one, const RowPart& other);
 /// ones, doubled ones, ones with other rows than are theirs. Empty for a whole.
 std::vector<Message> wholeProblems(std::span<const RowPart> parts);
 
-/// What the rows of all parts are together.
+/// The rows of all parts together.
 struct WholeRows {
     std::uint64_t rows = 0;
     std::uint64_t unsolved = 0;

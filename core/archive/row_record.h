@@ -44,7 +44,7 @@ struct RowRecord {
 /// The file: recordEntries() and its checksum, sealed().
 std::string recordText(const RowRecord& record);
 
-/// What the file says. The scenario is in it as text, and parseInput() finds it there.
+/// The lines of the file. The scenario is in it as text, and parseInput() finds it there.
 std::string recordEntries(const RowRecord& record);
 
 /// "bytes: 123" and "crc32: 0a1b2c3d", each on its line, behind such a beginning of their keys.

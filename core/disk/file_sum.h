@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// Of the bytes taken so far.
+/// Size and checksum of the bytes taken so far.
 struct FileSum {
     std::uint64_t bytes = 0;
     std::uint32_t crc32 = 0;  ///< CRC-32 of ISO 3309, as gzip and zip have it

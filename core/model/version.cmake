@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 # The version of this build, DRILLWAVE_VERSION: that of the project, and behind it the commits since it was given: "0.2.0+203.ga059c129".
-# Without git, as in an archive of the sources, that of the project alone.
+# Without git, as in an archive of the sources, it is only that of the project.
 
 # drillwave_git(VARIABLE ARGUMENT…): what git prints; empty where it fails.
 function(drillwave_git variable)

@@ -44,7 +44,7 @@ void appendText(std::string& text, std::string_view value) {
             appendEscaped(escaped, byte);
         else
             escaped += byte;
-    // What is left and cannot be printed is beyond ASCII, where printable() writes as JSON does.
+    // Beyond ASCII printable() writes as JSON does.
     text += isUtf8(escaped) ? printable(escaped) : escaped;
     text += '"';
 }

@@ -10575,7 +10575,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1: ein anderer Prozess schreibt diese Zeilen; auf ihn warten oder ihn beenden</translation>
     </message>
     <message>
-        <source>%1: is of another run (other options, inputs or build); use --force to begin anew, or choose another name</source>
+        <source>%1: is of another run (other options, inputs or build); use --force to begin again, or choose another name</source>
         <translation>%1: gehört zu einem anderen Lauf (andere Optionen, Eingaben oder anderes Programm); mit --force neu beginnen oder einen anderen Namen wählen</translation>
     </message>
     <message>

@@ -10575,7 +10575,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1: en annan process skriver dessa rader; vänta på den, eller avsluta den</translation>
     </message>
     <message>
-        <source>%1: is of another run (other options, inputs or build); use --force to begin anew, or choose another name</source>
+        <source>%1: is of another run (other options, inputs or build); use --force to begin again, or choose another name</source>
         <translation>%1: hör till en annan körning (andra val, indata eller annat program); börja om med --force, eller välj ett annat namn</translation>
     </message>
     <message>

@@ -35,7 +35,7 @@ const QByteArray drillString = "drillwave: 2\ntitle: " + title +
                                "bit_rock: {stiffness: 100 MN/m, gamma: 0.2, gap: 0 mm}\n"
                                "drill: {blow_frequency: 50 Hz, thrust: 5 kN}\n";
 
-/// What neither a file that is handed over nor a terminal may hold.
+/// Whether a text holds characters that a file to hand over and a terminal must not.
 bool isObeyed(const QString& text) {
     static const QRegularExpression obeyed("[\\x{0001}-\\x{0008}\\x{007F}-\\x{009F}\\x{202A}-\\x{202E}]");
     return text.contains(obeyed);

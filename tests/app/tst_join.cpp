@@ -110,7 +110,7 @@ void TestJoin::aFolderIsItsParts() {
                                    parts.filePath(QString("p%1.csv").arg(index))});
     output({"join", parts.path(), "-o", path("all.csv")});
     QVERIFY(read(path("all.csv")) == read(parts.filePath("whole.csv")));
-    // What `p*` gives of them has the records too.
+    // `p*` names the records too.
     QStringList all{"join"};
     for (const QString& file : parts.entryList({"p*"}, QDir::Files)) all << parts.filePath(file);
     QCOMPARE(all.size(), 7);

@@ -9,7 +9,7 @@ namespace drillwave {
 
 /// Subscripts and superscripts of Unicode ("N₀ₚ", "10⁻⁵"), which many fonts lack, become smaller letters
 /// below or above the line; ¹, ² and ³ alone stay. Texts in `family` may be set in a common font where it is
-/// missing. What cannot be printed (printable()) is written so, as XML may not hold it.
+/// missing. Characters that XML may not hold are written as printable() writes them.
 QByteArray withCommonText(const QByteArray& svg, const QString& family);
 
 }  // namespace drillwave

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include "core/archive/report_file.h"
+#include "core/model/version.h"
 #include "core/report/report_html.h"
 #include "core/yaml/examples.h"
 #include "tests/support/marked_style.h"
@@ -67,6 +68,7 @@ void TestReportWords::everyWordCanBeTranslated() {
         named(section.name);
         ofSource(ofSource, section.source);
     }
+    named(std::string(versionText));
     names << "Drillwave"
           << "MPa"
           << "GPa"

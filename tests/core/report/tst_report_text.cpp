@@ -76,7 +76,7 @@ void TestReportText::linesHaveNoBlanksAtTheirEnd() {
 void TestReportText::aTitleTakesOneLine() {
     Scenario scenario;
     scenario.title = "two\nlines\x1b[2J";
-    QVERIFY(headingOf(scenario).starts_with("two lines [2J\n  beta "));
+    QVERIFY(headingOf(scenario).starts_with("two lines\\x1B[2J\n  beta "));
     scenario.title.clear();
     QVERIFY(headingOf(scenario).starts_with("  beta "));
 }
