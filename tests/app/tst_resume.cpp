@@ -45,6 +45,8 @@ class TestResume : public QObject {
     void rowsThatAreThereAreLeft();
     void itNeedsAFileAndRowsAlone_data();
     void itNeedsAFileAndRowsAlone();
+    void hoursOfWorkAreAnnounced();
+    void rowsThatNoDiskHoldsAreRefused();
 
   private:
     QString path(const QString& name) const { return m_place->filePath(name); }
@@ -175,6 +177,31 @@ void TestResume::itNeedsAFileAndRowsAlone() {
         more);
     QCOMPARE(refused.exitCode, 2);
     QVERIFY2(refused.error.contains("--resume"), refused.error);
+}
+
+void TestResume::hoursOfWorkAreAnnounced() {
+    QProcess process;
+    process.setStandardOutputFile(QProcess::nullDevice());
+    process.start(program,
+                  {"sweep", example("paper_fig4b"), "--vary", "beta=0.1:10:100000", "delta=0:1:1000000"});
+    QByteArray error;
+    process.setReadChannel(QProcess::StandardError);
+    while (!error.contains('\n') && process.waitForReadyRead(60000)) error += process.readAllStandardError();
+    process.kill();
+    process.waitForFinished();
+    QVERIFY2(error.startsWith("100000000000 rows take about ") && error.contains("--resume") &&
+                 error.contains("--shard"),
+             error);
+}
+
+void TestResume::rowsThatNoDiskHoldsAreRefused() {
+    const Finished refused = run({"sweep", example("paper_fig4b"), "--vary", "beta=0.1:10:1000000",
+                                  "delta=0:1:1000000", "-o", path("rows.csv")});
+    QCOMPARE(refused.exitCode, 4);
+    QVERIFY2(
+        refused.error.contains("1000000000000 rows take about") && refused.error.contains("the disk has"),
+        refused.error);
+    QCOMPARE(QDir(m_place->path()).entryList(QDir::Files | QDir::Hidden), QStringList());
 }
 
 QTEST_GUILESS_MAIN(TestResume)
