@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/model/parameter.h"
+#include "core/report/design_words.h"
 #include "core/study/design/constant_energy.h"
 #include "core/text/csv.h"
 #include "core/text/number_text.h"
@@ -75,10 +76,11 @@ std::string table(const DesignReport& report, bool paretoAlone) {
             if (statistic.hasError()) titles.push_back(headed(column, statistic.name() + "_error"));
         }
     }
-    titles.emplace_back("pareto");
+    titles.insert(titles.end(), {"pareto", "marks"});
     std::string csv;
     addRow(csv, titles);
     const auto word = [](bool holds) { return std::string(holds ? "true" : "false"); };
+    const std::optional<std::size_t> present = presentDesign(study);
     for (std::size_t d = 0; d < report.findings.designs.size(); ++d) {
         if (paretoAlone && !report.findings.best.pareto[d]) continue;
         const DesignSamples& design = report.findings.designs[d];
@@ -96,6 +98,10 @@ std::string table(const DesignReport& report, bool paretoAlone) {
             }
         }
         cells.push_back(word(report.findings.best.pareto[d]));
+        std::string marks;
+        for (const std::string_view mark : marksOf(report, d, present))
+            marks += (marks.empty() ? "" : " ") + std::string(mark);
+        cells.push_back(marks);
         addRow(csv, cells);
     }
     return csv;

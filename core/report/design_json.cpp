@@ -82,10 +82,13 @@ JsonArray limitsJson(const DesignStudy& study) {
     return array;
 }
 
-JsonObject designJson(const DesignReport& report, std::size_t number) {
+JsonObject designJson(const DesignReport& report, std::size_t number, std::optional<std::size_t> present) {
     const DesignStudy& study = report.study;
     const DesignSamples& design = report.findings.designs[number];
     JsonObject choice, nominal, statistics;
+    JsonArray marks;
+    for (const std::string_view mark : marksOf(report, number, present))
+        marks.emplace_back(std::string(mark));
     const std::vector<double> values = study.choice(number);
     for (std::size_t i = 0; i < values.size(); ++i)
         choice[study.choices[i].key()] = choiceValue(study.choices[i], values[i]);
@@ -107,7 +110,8 @@ JsonObject designJson(const DesignReport& report, std::size_t number) {
             {"uncertain_share", design.uncertainShare},
             {"nominal", nominal},
             {"statistics", statistics},
-            {"pareto", bool(report.findings.best.pareto[number])}};
+            {"pareto", bool(report.findings.best.pareto[number])},
+            {"marks", marks}};
 }
 
 JsonArray sensitivityJson(const DesignReport& report) {
@@ -175,8 +179,9 @@ std::string designJson(const DesignReport& report) {
     const DesignStudy& study = report.study;
     const BestDesigns& best = report.findings.best;
     JsonArray designs, ties, remarks;
+    const std::optional<std::size_t> present = presentDesign(study);
     for (std::size_t d = 0; d < report.findings.designs.size(); ++d)
-        designs.emplace_back(designJson(report, d));
+        designs.emplace_back(designJson(report, d, present));
     for (const std::size_t tie : best.ties) ties.emplace_back(tie + 1);
     for (const DesignRemark& remark : remarksOn(report))
         remarks.emplace_back(JsonObject{{"code", remark.code},
@@ -199,6 +204,8 @@ std::string designJson(const DesignReport& report) {
     object["aims"] = aimsJson(study);
     object["limits"] = limitsJson(study);
     object["designs"] = designs;
+    const std::optional<DesignHeadline> headline = headlineOf(report);
+    object["headline"] = headline ? Json(std::string(name(*headline))) : Json();
     object["nominal_best"] = number(best.nominal);
     object["robust_best"] = number(best.robust);
     object["ties"] = ties;

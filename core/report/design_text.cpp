@@ -72,13 +72,6 @@ std::string aimedText(const DesignReport& report, const DesignAim& aim, std::siz
     return text;
 }
 
-/// The number of the design that is FILE itself, where there is one.
-std::optional<std::size_t> ofFile(const DesignStudy& study) {
-    for (std::uint64_t d = 0; d < study.designCount(); ++d)
-        if (Scenario scenario = designScenario(study, d); scenario == study.base) return d;
-    return std::nullopt;
-}
-
 /// The best designs with what they come to.
 class DesignTable {
   public:
@@ -121,7 +114,7 @@ std::string bestText(const DesignReport& report, const ReadingStyle& style) {
     table.add(style.said(translatable("drillwave::Message", "robust best")), *best.robust);
     if (best.nominal)
         table.add(style.said(translatable("drillwave::Message", "nominal best")), *best.nominal);
-    if (const auto file = ofFile(report.study); file && report.study.designCount() > 1)
+    if (const auto file = presentDesign(report.study); file && report.study.designCount() > 1)
         table.add("FILE", *file);
     return table.text();
 }
@@ -244,6 +237,7 @@ Message worstMessage(const DesignReport& report, std::size_t a, const ReadingSty
 std::string designText(const DesignReport& report, const ReadingStyle& style) {
     std::string text = titleLine(report.study.base);
     const auto add = [&](const Message& message) { text += paragraph(style.said(message)); };
+    if (const Message headline = headlineMessage(report, style); !headline.isEmpty()) add(headline);
     add(uncertainMessage(report.study, style));
     add(chosenMessage(report.study));
     add(samplesMessage(report.study));

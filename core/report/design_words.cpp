@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/model/parameter.h"
+#include "core/text/enum_names.h"
 #include "core/text/handy_text.h"
 
 namespace drillwave {
@@ -93,12 +94,26 @@ void addTies(const DesignReport& report, const ReadingStyle& style, std::vector<
            outputText(report.study, *next.output, aimedValue(report, next, *best.nextBest).value, style)}}});
 }
 
+/// The place on an axis next to the one that is at an end of its values.
+std::uint64_t nextTo(const SweepAxis& axis, std::uint64_t end) {
+    std::uint64_t next = end;
+    for (std::uint64_t n = 0; n < axis.count; ++n) {
+        if (axis.value(n) == axis.value(end)) continue;
+        const auto distance = [&](std::uint64_t at) { return std::abs(axis.value(at) - axis.value(end)); };
+        if (next == end || distance(n) < distance(next)) next = n;
+    }
+    return next;
+}
+
+/// Only where the end is better than its neighbour by more than the errors.
 void addEdges(const DesignReport& report, std::vector<DesignRemark>& remarks) {
-    std::uint64_t rest = *report.findings.best.robust;
+    const BestDesigns& best = report.findings.best;
+    std::uint64_t rest = *best.robust, stride = 1;
     for (std::size_t i = report.study.choices.size(); i-- > 0;) {
         const SweepAxis& axis = report.study.choices[i];
-        const std::uint64_t index = rest % axis.count;
+        const std::uint64_t index = rest % axis.count, step = stride;
         rest /= axis.count;
+        stride *= axis.count;
         if (!axis.parameter || axis.count < 2) continue;
         double least = axis.value(0), most = least;
         for (std::uint64_t n = 1; n < axis.count; ++n) {
@@ -106,7 +121,9 @@ void addEdges(const DesignReport& report, std::vector<DesignRemark>& remarks) {
             most = std::max(most, axis.value(n));
         }
         const double value = axis.value(index);
-        if (value != least && value != most) continue;
+        if ((value != least && value != most) || least == most) continue;
+        const std::size_t neighbour = *best.robust - index * step + nextTo(axis, index) * step;
+        if (std::ranges::find(best.ties, neighbour) != best.ties.end()) continue;
         remarks.push_back(
             {false,
              "optimum_at_edge",
@@ -150,7 +167,113 @@ void addGamma(const DesignReport& report, std::vector<DesignRemark>& remarks) {
     }
 }
 
+/// "nothing from 100 us to 300 us", "none of 24 designs".
+Message othersMessage(const DesignReport& report, const ReadingStyle& style) {
+    const DesignStudy& study = report.study;
+    const std::size_t count = report.findings.designs.size();
+    if (study.choices.size() != 1 || !study.choices.front().parameter)
+        return {translatable("drillwave::Message", "none of %1 designs"), {std::to_string(count)}};
+    const SweepAxis& axis = study.choices.front();
+    std::size_t least = 0, most = 0;
+    for (std::size_t d = 1; d < count; ++d) {
+        if (axis.value(d) < axis.value(least)) least = d;
+        if (axis.value(d) > axis.value(most)) most = d;
+    }
+    return {translatable("drillwave::Message", "nothing from %1 to %2"),
+            {designName(study, least, style), designName(study, most, style)}};
+}
+
+/// "0.712 +- 0.001"
+std::string aimedWithError(const DesignReport& report, const DesignAim& aim, std::size_t design,
+                           const ReadingStyle& style) {
+    const SampledValue& value = aimedValue(report, aim, design);
+    std::string text = outputText(report.study, *aim.output, value.value, style);
+    if (aim.statistic.hasError())
+        text += " +- " + outputText(report.study, *aim.output, value.error(), style, 1);
+    return text;
+}
+
+/// The first aim in which the design to take differs from the present one by more than the errors.
+const DesignAim& decidingAim(const DesignReport& report, std::size_t present) {
+    for (const DesignAim& aim : report.study.aims) {
+        const SampledValue& chosen = aimedValue(report, aim, *report.findings.best.chosen);
+        const SampledValue& now = aimedValue(report, aim, present);
+        if (!(std::abs(chosen.value - now.value) < errorOfDifference(chosen, now))) return aim;
+    }
+    return report.study.aims.front();
+}
+
+Message noDifferenceMessage(const DesignReport& report, const ReadingStyle& style) {
+    const DesignAim& aim = report.study.aims.front();
+    const SampledValue& chosen = aimedValue(report, aim, *report.findings.best.chosen);
+    double apart = 0;
+    for (std::size_t d = 0; d < report.findings.designs.size(); ++d) {
+        const SampledValue& value = aimedValue(report, aim, d);
+        apart = std::max({apart, std::abs(value.value - chosen.value),
+                          aim.statistic.hasError() ? errorOfDifference(value, chosen) : 0.0});
+    }
+    return {translatable("drillwave::Message",
+                         "%1 makes no difference: %2 is %3, within %4, for all %5 designs."),
+            {report.study.choices.size() == 1 ? Message(std::string(report.study.choices.front().key()))
+                                              : Message(translatable("drillwave::Message", "The choice")),
+             aimedName(aim), outputText(report.study, *aim.output, chosen.value, style),
+             outputText(report.study, *aim.output, apart, style, 1),
+             std::to_string(report.findings.designs.size())}};
+}
+
 }  // namespace
+
+std::string_view name(DesignHeadline headline) {
+    static constexpr EnumNames<DesignHeadline> names{{{DesignHeadline::keep, "keep"},
+                                                      {DesignHeadline::change, "change"},
+                                                      {DesignHeadline::noDifference, "no_difference"},
+                                                      {DesignHeadline::noneFeasible, "none_feasible"}}};
+    return names[headline];
+}
+
+std::optional<DesignHeadline> headlineOf(const DesignReport& report) {
+    const BestDesigns& best = report.findings.best;
+    if (report.findings.designs.size() < 2) return {};
+    if (!best.chosen) return DesignHeadline::noneFeasible;
+    if (best.equal.size() == report.findings.designs.size()) return DesignHeadline::noDifference;
+    const std::optional<std::size_t> present = presentDesign(report.study);
+    return present && std::ranges::find(best.equal, *present) != best.equal.end() ? DesignHeadline::keep
+                                                                                  : DesignHeadline::change;
+}
+
+Message headlineMessage(const DesignReport& report, const ReadingStyle& style) {
+    const std::optional<DesignHeadline> headline = headlineOf(report);
+    if (!headline || *headline == DesignHeadline::noneFeasible) return {};
+    if (*headline == DesignHeadline::noDifference) return noDifferenceMessage(report, style);
+    const std::optional<std::size_t> present = presentDesign(report.study);
+    const DesignAim& first = report.study.aims.front();
+    if (*headline == DesignHeadline::keep)
+        return {translatable("drillwave::Message", "Keep %1: %2 is better in %3 (%4)."),
+                {designName(report.study, *present, style), othersMessage(report, style), aimedName(first),
+                 aimedWithError(report, first, *present, style)}};
+    const std::size_t chosen = *report.findings.best.chosen;
+    const std::string name = designName(report.study, chosen, style);
+    if (!present || std::isnan(aimedValue(report, first, *present).value))
+        return {translatable("drillwave::Message", "Take %1: %2 is %3."),
+                {name, aimedName(first), aimedWithError(report, first, chosen, style)}};
+    const DesignAim& deciding = decidingAim(report, *present);
+    return {
+        translatable("drillwave::Message", "Change from %1 to %2: %3 becomes %4 instead of %5."),
+        {designName(report.study, *present, style), name, aimedName(deciding),
+         aimedWithError(report, deciding, chosen, style), aimedWithError(report, deciding, *present, style)}};
+}
+
+std::vector<std::string_view> marksOf(const DesignReport& report, std::size_t design,
+                                      std::optional<std::size_t> present) {
+    const BestDesigns& best = report.findings.best;
+    std::vector<std::string_view> marks;
+    if (best.robust == design) marks.emplace_back("best_uncertain");
+    if (best.nominal == design) marks.emplace_back("best_nominal");
+    if (best.equal.size() > 1 && std::ranges::find(best.equal, design) != best.equal.end())
+        marks.emplace_back("equal");
+    if (present == design) marks.emplace_back("present");
+    return marks;
+}
 
 std::vector<DesignRemark> remarksOn(const DesignReport& report, const ReadingStyle& style) {
     std::vector<DesignRemark> remarks;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/report/design_report.h"
@@ -20,6 +21,25 @@ struct DesignRemark {
     Message text;
 };
 std::vector<DesignRemark> remarksOn(const DesignReport& report, const ReadingStyle& style = plainStyle());
+
+/// The answer of a study, as the aims decide in their order.
+enum class DesignHeadline {
+    keep,          ///< no design is better than the present one
+    change,        ///< one is, or none of them is the present one
+    noDifference,  ///< all are feasible and equal, but for errors
+    noneFeasible,  ///< none meets the limits
+};
+/// "keep", "change", "no_difference", "none_feasible".
+std::string_view name(DesignHeadline headline);
+/// Nothing of a study without choices.
+std::optional<DesignHeadline> headlineOf(const DesignReport& report);
+/// The headline as a sentence; empty where there is none.
+Message headlineMessage(const DesignReport& report, const ReadingStyle& style = plainStyle());
+
+/// The marks of a design: "best_uncertain", "best_nominal", "equal" to the design to take, "present".
+/// `present` is presentDesign().
+std::vector<std::string_view> marksOf(const DesignReport& report, std::size_t design,
+                                      std::optional<std::size_t> present);
 
 /// Whether a study has samples enough to say which share of a scatter a number has at all.
 bool carriesShares(const DesignStudy& study);

@@ -3451,10 +3451,6 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <translation>nichts ergibt %1</translation>
     </message>
     <message>
-        <source>nothing in this range gives %1: the nearest is %2 at %3</source>
-        <translation>nichts in diesem Bereich ergibt %1: am nächsten kommt %2 bei %3</translation>
-    </message>
-    <message>
         <source>nothing that is known gives %1: the nearest is %2 at %3</source>
         <translation>nichts Bekanntes ergibt %1: am nächsten kommt %2 bei %3</translation>
     </message>
@@ -3577,6 +3573,22 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
     <message>
         <source>Energy of the hammer before the blow; all shares are of it, its work on the string is less</source>
         <translation>Energie des Hammers vor dem Schlag; alle Anteile beziehen sich auf sie, seine Arbeit am Strang ist kleiner</translation>
+    </message>
+    <message>
+        <source>no %1 from %2 to %3 gives %4: the nearest is %5 at %6</source>
+        <translation>kein Wert von %1 zwischen %2 und %3 ergibt %4: am nächsten kommt %5 bei %6</translation>
+    </message>
+    <message>
+        <source>%1 does at %2</source>
+        <translation>%1 erreicht es bei %2</translation>
+    </message>
+    <message>
+        <source>%1 is above it everywhere</source>
+        <translation>%1 liegt überall darüber</translation>
+    </message>
+    <message>
+        <source>%1 is below it everywhere</source>
+        <translation>%1 liegt überall darunter</translation>
     </message>
 </context>
 <context>
@@ -4552,6 +4564,10 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>There is no scan of this scenario yet.</source>
         <translation>Von diesem Szenario gibt es noch keinen Durchlauf.</translation>
+    </message>
+    <message>
+        <source>Following the blows one after another …</source>
+        <translation>Die Schläge werden einer nach dem anderen verfolgt …</translation>
     </message>
 </context>
 <context>
@@ -10723,6 +10739,34 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>interrupted; %1 of %2 rows are kept in %3, and the same command goes on behind them</source>
         <translation>unterbrochen; %1 von %2 Zeilen stehen in %3, derselbe Befehl geht dahinter weiter</translation>
+    </message>
+    <message>
+        <source>none of %1 designs</source>
+        <translation>keine von %1 Auslegungen</translation>
+    </message>
+    <message>
+        <source>nothing from %1 to %2</source>
+        <translation>nichts von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1 makes no difference: %2 is %3, within %4, for all %5 designs.</source>
+        <translation>%1 macht keinen Unterschied: %2 ist bei allen %5 Auslegungen %3, auf %4 genau.</translation>
+    </message>
+    <message>
+        <source>The choice</source>
+        <translation>Die Wahl</translation>
+    </message>
+    <message>
+        <source>Keep %1: %2 is better in %3 (%4).</source>
+        <translation>%1 behalten: %2 ist besser in %3 (%4).</translation>
+    </message>
+    <message>
+        <source>Take %1: %2 is %3.</source>
+        <translation>%1 nehmen: %2 ist %3.</translation>
+    </message>
+    <message>
+        <source>Change from %1 to %2: %3 becomes %4 instead of %5.</source>
+        <translation>Von %1 zu %2 wechseln: %3 wird %4 statt %5.</translation>
     </message>
 </context>
 <context>

@@ -3451,10 +3451,6 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
         <translation>inget ger %1</translation>
     </message>
     <message>
-        <source>nothing in this range gives %1: the nearest is %2 at %3</source>
-        <translation>inget i det här området ger %1: närmast kommer %2 vid %3</translation>
-    </message>
-    <message>
         <source>nothing that is known gives %1: the nearest is %2 at %3</source>
         <translation>inget känt ger %1: närmast kommer %2 vid %3</translation>
     </message>
@@ -3577,6 +3573,22 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
     <message>
         <source>Energy of the hammer before the blow; all shares are of it, its work on the string is less</source>
         <translation>Hammarens energi före slaget; alla andelar är av den, dess arbete på strängen är mindre</translation>
+    </message>
+    <message>
+        <source>no %1 from %2 to %3 gives %4: the nearest is %5 at %6</source>
+        <translation>inget värde på %1 från %2 till %3 ger %4: närmast kommer %5 vid %6</translation>
+    </message>
+    <message>
+        <source>%1 does at %2</source>
+        <translation>%1 når det vid %2</translation>
+    </message>
+    <message>
+        <source>%1 is above it everywhere</source>
+        <translation>%1 ligger överallt över</translation>
+    </message>
+    <message>
+        <source>%1 is below it everywhere</source>
+        <translation>%1 ligger överallt under</translation>
     </message>
 </context>
 <context>
@@ -4552,6 +4564,10 @@ Det som visas gäller värdet dessförinnan.</translation>
     <message>
         <source>There is no scan of this scenario yet.</source>
         <translation>Det finns inget svep av detta scenario än.</translation>
+    </message>
+    <message>
+        <source>Following the blows one after another …</source>
+        <translation>Slagen följs ett efter ett …</translation>
     </message>
 </context>
 <context>
@@ -10723,6 +10739,34 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>interrupted; %1 of %2 rows are kept in %3, and the same command goes on behind them</source>
         <translation>avbruten; %1 av %2 rader finns i %3, och samma kommando fortsätter efter dem</translation>
+    </message>
+    <message>
+        <source>none of %1 designs</source>
+        <translation>ingen av %1 konstruktioner</translation>
+    </message>
+    <message>
+        <source>nothing from %1 to %2</source>
+        <translation>inget från %1 till %2</translation>
+    </message>
+    <message>
+        <source>%1 makes no difference: %2 is %3, within %4, for all %5 designs.</source>
+        <translation>%1 gör ingen skillnad: %2 är %3, inom %4, för alla %5 konstruktioner.</translation>
+    </message>
+    <message>
+        <source>The choice</source>
+        <translation>Valet</translation>
+    </message>
+    <message>
+        <source>Keep %1: %2 is better in %3 (%4).</source>
+        <translation>Behåll %1: %2 är bättre i %3 (%4).</translation>
+    </message>
+    <message>
+        <source>Take %1: %2 is %3.</source>
+        <translation>Ta %1: %2 är %3.</translation>
+    </message>
+    <message>
+        <source>Change from %1 to %2: %3 becomes %4 instead of %5.</source>
+        <translation>Byt från %1 till %2: %3 blir %4 i stället för %5.</translation>
     </message>
 </context>
 <context>

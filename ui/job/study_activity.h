@@ -36,6 +36,8 @@ class StudyActivity : public QObject {
     /// How many values have come, of earlier studies too: while it grows the window keeps up with the hand.
     std::uint64_t answers() const { return m_answers; }
     virtual void cancel() = 0;
+    /// Stops the study and drops what there is to show.
+    virtual void forget() = 0;
 
   signals:
     /// State, progress or value have changed.

@@ -39,6 +39,7 @@ class StudyJob : public StudyActivity {
     void submit(Study study);
     /// Stops the study. What it has shown so far stays.
     void cancel() override;
+    void forget() override;
     /// The last that was shown, or the result; nullptr before the first.
     const std::shared_ptr<const Value>& value() const { return m_value; }
     bool isCurrent() const override { return m_value && m_valueOf == m_asked; }
@@ -100,6 +101,15 @@ void StudyJob<Value>::cancel() {
     m_dropped = m_asked;
     m_worker.cancel();
     m_state = StudyState::stopped;
+    emit changed();
+}
+
+template <class Value>
+void StudyJob<Value>::forget() {
+    cancel();
+    m_state = StudyState::idle;
+    m_value.reset();
+    m_valueOf = 0;
     emit changed();
 }
 

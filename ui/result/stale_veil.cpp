@@ -13,14 +13,31 @@ constexpr int plateMargin = 6;  // [px]
 
 }  // namespace
 
-StaleVeil::StaleVeil(QWidget* over) : QWidget(over->parentWidget()), m_over(over) {
+StaleVeil::StaleVeil(QWidget* over) : QWidget(over->parentWidget()) {
     setObjectName(QStringLiteral("staleVeil"));
     setAttribute(Qt::WA_TransparentForMouseEvents);
     setFocusPolicy(Qt::NoFocus);
     setAccessibleName(words());
-    setGeometry(over->geometry());
-    over->installEventFilter(this);
+    cover(over);
     hide();
+}
+
+void StaleVeil::cover(QWidget* sibling) {
+    m_over.append(sibling);
+    sibling->installEventFilter(this);
+    follow();
+}
+
+void StaleVeil::setOpaque(bool opaque) {
+    m_isOpaque = opaque;
+    update();
+}
+
+void StaleVeil::follow() {
+    QRect all;
+    for (const QWidget* over : m_over)
+        if (!over->isHidden()) all = all.united(over->geometry());
+    setGeometry(all);
 }
 
 QString StaleVeil::words() {
@@ -28,15 +45,16 @@ QString StaleVeil::words() {
 }
 
 bool StaleVeil::eventFilter(QObject* watched, QEvent* event) {
-    if (event->type() == QEvent::ParentChange && m_over->parentWidget()) setParent(m_over->parentWidget());
-    if (event->type() == QEvent::Resize || event->type() == QEvent::Move) setGeometry(m_over->geometry());
+    if (event->type() == QEvent::ParentChange && m_over.first()->parentWidget())
+        setParent(m_over.first()->parentWidget());
+    if (event->type() == QEvent::Resize || event->type() == QEvent::Move) follow();
     return QWidget::eventFilter(watched, event);
 }
 
 void StaleVeil::paintEvent(QPaintEvent* /*event*/) {
     QPainter painter(this);
     QColor grey = palette().color(QPalette::Window);
-    grey.setAlpha(greyness);
+    grey.setAlpha(m_isOpaque ? 255 : greyness);
     painter.fillRect(rect(), grey);
     QColor line = palette().color(QPalette::WindowText);
     line.setAlpha(40);

@@ -2,6 +2,7 @@
 // Lies over a result that is not of the present input.
 #pragma once
 
+#include <QList>
 #include <QWidget>
 
 namespace drillwave {
@@ -14,6 +15,11 @@ class StaleVeil : public QWidget {
     /// Lies over a widget, as its sibling, wherever that goes.
     explicit StaleVeil(QWidget* over);
 
+    /// Lies over this sibling of the widget too, and over all between them.
+    void cover(QWidget* sibling);
+    /// Nothing of what is below shows through: it is of another scenario.
+    void setOpaque(bool opaque);
+
     /// What is written on it.
     static QString words();
 
@@ -22,7 +28,10 @@ class StaleVeil : public QWidget {
     bool eventFilter(QObject* watched, QEvent* event) override;
 
   private:
-    QWidget* m_over;
+    void follow();
+
+    QList<QWidget*> m_over;
+    bool m_isOpaque = false;
 };
 
 }  // namespace drillwave

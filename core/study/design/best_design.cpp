@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <iterator>
 
 namespace drillwave {
 
@@ -53,6 +54,31 @@ bool areTied(const DesignSamples& one, const DesignSamples& best, const AimOrder
     return areEqual || (aim.place.hasError && std::abs(a.value - b.value) < errorOfDifference(a, b));
 }
 
+/// Those of the candidates that are best in an aim or tied with the best.
+std::vector<std::size_t> bestIn(const AimOrder& aim, std::span<const DesignSamples> designs,
+                                std::span<const std::size_t> candidates) {
+    const std::size_t best = *std::ranges::max_element(
+        candidates, {}, [&](std::size_t design) { return aimed(designs[design], aim); });
+    std::vector<std::size_t> left;
+    std::ranges::copy_if(candidates, std::back_inserter(left), [&](std::size_t design) {
+        return design == best || areTied(designs[design], designs[best], aim);
+    });
+    return left;
+}
+
+/// Follows the aims in their order.
+void followAims(std::span<const DesignSamples> designs, std::span<const AimOrder> aims,
+                std::vector<std::size_t> feasible, BestDesigns& best) {
+    if (feasible.empty()) return;
+    for (const AimOrder& aim : aims) feasible = bestIn(aim, designs, feasible);
+    best.equal = std::move(feasible);
+    best.chosen = std::ranges::find(best.equal, *best.robust) != best.equal.end()
+                      ? *best.robust
+                      : *std::ranges::max_element(best.equal, {}, [&](std::size_t design) {
+                            return aimed(designs[design], aims.back());
+                        });
+}
+
 }  // namespace
 
 Feasibility feasibilityOf(const DesignSamples& design, std::span<const AimOrder> aims,
@@ -90,6 +116,7 @@ BestDesigns bestOf(std::span<const DesignSamples> designs, std::span<const AimOr
         best.pareto[d] = std::ranges::none_of(
             feasible, [&](std::size_t other) { return dominates(designs[other], designs[d], aims); });
     }
+    followAims(designs, aims, feasible, best);
     if (aims.size() < 2 || best.ties.empty()) return best;
     best.nextBest = best.robust;
     for (const std::size_t tie : best.ties)

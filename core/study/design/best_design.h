@@ -53,6 +53,10 @@ struct BestDesigns {
     /// Of the robust best and its ties the best in the next aim; nothing where there is no such aim or no
     /// tie.
     std::optional<std::size_t> nextBest;
+    /// Feasible, and best or tied with the best in every aim, each aim deciding among those that the aims
+    /// before it left; ascending.
+    std::vector<std::size_t> equal;
+    std::optional<std::size_t> chosen;  ///< of these the robust best, or else the best in the last aim
     std::vector<bool> pareto;  ///< of each design: feasible, and none is better in one aim and worse in none
 };
 

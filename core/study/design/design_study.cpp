@@ -137,6 +137,14 @@ Scenario designScenario(const DesignStudy& study, std::uint64_t design) {
     return scenario;
 }
 
+std::optional<std::size_t> presentDesign(const DesignStudy& study) {
+    if (study.choices.empty()) return 0;
+    AxisScenario scenario(study.base, study.choices);
+    for (std::uint64_t d = 0; d < study.designCount(); ++d)
+        if (scenario.set(study.choice(d)) == study.base) return d;
+    return std::nullopt;
+}
+
 std::uint64_t designSolves(const DesignStudy& study) {
     return study.designCount() * study.samples + sensitivitySolves(study.dimensions(), study.samples) +
            worstSolves(study.dimensions(), study.samples);

@@ -101,6 +101,9 @@ struct DesignFindings {
 /// A scenario for every design, valid, with its energy kept.
 Scenario designScenario(const DesignStudy& study, std::uint64_t design);
 
+/// The number of the design that is the base itself; nothing where it is none of the choices.
+std::optional<std::size_t> presentDesign(const DesignStudy& study);
+
 /// About how many blows runDesign() solves.
 std::uint64_t designSolves(const DesignStudy& study);
 

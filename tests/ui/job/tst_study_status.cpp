@@ -19,6 +19,7 @@ class FakeStudy : public StudyActivity {
     }
     bool isCurrent() const override { return false; }
     void cancel() override { set(StudyState::stopped, m_progress); }
+    void forget() override { cancel(); }
 };
 
 }  // namespace

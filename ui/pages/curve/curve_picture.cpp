@@ -168,14 +168,49 @@ QString goalWords(const CurvePicture& picture, const CurveLine& line, const QLoc
         const QString value =
             shownText(answer.nearest->value.value * picture.valueFactor, picture.value, locale);
         const QString at = shownText(answer.nearest->x.value * picture.x.factor, picture.x, locale);
-        return (isWhole ? tr("nothing in this range gives %1: the nearest is %2 at %3")
-                        : tr("nothing that is known gives %1: the nearest is %2 at %3"))
-            .arg(goal, value, at);
+        if (!isWhole)
+            return tr("nothing that is known gives %1: the nearest is %2 at %3").arg(goal, value, at);
+        return tr("no %1 from %2 to %3 gives %4: the nearest is %5 at %6")
+            .arg(picture.xName, shownText(picture.from, picture.x, locale),
+                 shownText(picture.to, picture.x, locale), goal, value, at);
     }
     constexpr int mostTold = 6;
     if (places.size() > mostTold) return tr("%1 at %2 places").arg(goal).arg(places.size());
     return (isWhole ? tr("%1 at %2, nowhere else in this range") : tr("%1 at %2, perhaps elsewhere too"))
         .arg(goal, places.join(QStringLiteral("; ")));
+}
+
+/// Where another line takes a goal that the marked one does not: "γ = 0.3 does at 140 MN/m", "γ = 1 is above
+/// it everywhere". Empty where that is not known.
+QString otherGoalWords(const CurvePicture& picture, const DrawnCurve& drawn, const CurveLine& line,
+                       const QLocale& locale) {
+    for (const GoalPlace& place : line.goal->places)
+        if (place.isGiven() && place.kind != GoalPlace::Kind::everywhere)
+            return tr("%1 does at %2")
+                .arg(drawn.name, shownText(place.x.value * picture.x.factor, picture.x, locale));
+    const CurveFeature* least = line.outputs.front().extreme(CurveFeature::Kind::minimum);
+    const CurveFeature* most = line.outputs.front().extreme(CurveFeature::Kind::maximum);
+    if (!line.goal->isComplete || !least || !most) return {};
+    if (least->value.value * picture.valueFactor > *picture.goal)
+        return tr("%1 is above it everywhere").arg(drawn.name);
+    return most->value.value * picture.valueFactor < *picture.goal
+               ? tr("%1 is below it everywhere").arg(drawn.name)
+               : QString();
+}
+
+/// The same of all other lines, where the marked one does not take the goal.
+QStringList otherGoals(const CurvePicture& picture, const CurvePageStudy& study, const CurveLine& marked,
+                       const QLocale& locale) {
+    QStringList words;
+    if (!marked.goal || marked.goal->isReached()) return words;
+    for (const DrawnCurve& drawn : picture.lines) {
+        if (drawn.kind != DrawnCurve::Kind::curve) continue;
+        const CurveLine& line = study.curve.lines[static_cast<std::size_t>(drawn.number)];
+        if (&line == &marked || !line.goal) continue;
+        if (const QString other = otherGoalWords(picture, drawn, line, locale); !other.isEmpty())
+            words << other;
+    }
+    return words;
 }
 
 /// Of the line that is marked.
@@ -187,6 +222,7 @@ QString summaryOf(const CurvePicture& picture, const CurvePageStudy& study, cons
     const auto shown = [&](double value, const ShownUnit& unit) { return shownText(value, unit, locale); };
     QStringList parts;
     if (marked.goal) parts << goalWords(picture, marked, locale);
+    parts << otherGoals(picture, study, marked, locale);
     const auto add = [&](CurveFeature::Kind kind, const QString& words) {
         const CurveFeature* found = output.extreme(kind);
         if (!found || found->shape == CurveFeature::Shape::everywhere) return;

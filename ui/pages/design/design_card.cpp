@@ -141,7 +141,10 @@ DesignCard::DesignCard(QWidget* parent) : QTextBrowser(parent) {
 void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
     const DesignReport& report = answer.report;
     const BestDesigns& best = report.findings.best;
-    QStringList paragraphs{bestSentences(answer, units)};
+    QStringList paragraphs;
+    if (const Message headline = headlineMessage(report); !headline.isEmpty())
+        paragraphs << QStringLiteral("<b>%1</b>").arg(translated(withTitles(headline)).toHtmlEscaped());
+    paragraphs << bestSentences(answer, units);
     if (!report.study.choices.empty()) {
         paragraphs << loadLink(linkToDesign(*best.robust), tr("Load the robust best"));
         if (best.nominal && *best.nominal != *best.robust)

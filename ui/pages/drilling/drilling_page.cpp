@@ -44,7 +44,7 @@ DrillingPage::DrillingPage(Document& document, QWidget* parent)
       m_runMeans(runMeans) {
     m_axis = new AxisFields(tr("scan over"), {"drill.thrust"}, document.units(), this, StudyOf::manyBlows);
     PlotWidget* widget = arrange({m_missing, m_axis, makeScanControls()});
-    static_cast<QBoxLayout*>(layout())->addWidget(m_table);
+    addBelow(m_table);
     setLeastLines(plotLinesOfMarch);
     m_plot = new DrillingPlot(widget);
     useFrame(*m_plot, tr("Many blows under a feed"));
@@ -178,9 +178,9 @@ void DrillingPage::draw(const DrillingAnswer& answer) {
                        CurveMeaning::overParameter(picture.units.along.unit, QStringLiteral("%")));
     if (answer.result && answer.result->statistics)
         m_table->present(*answer.result, document().units());
-    else if (answer.result)
+    else
         m_table->clearNumbers();
-    if (answer.result) say(wordsOf(answer));
+    say(answer.result ? wordsOf(answer) : tr("Following the blows one after another …"));
     redraw();
 }
 
@@ -233,7 +233,7 @@ QString DrillingPage::wordsOf(const DrillingAnswer& answer) const {
                              translated(alertMessage(alert, style));
     if (const DrillingScanAnswer* scan = m_scan.value(); scan && m_scan.job().isCurrent()) {
         for (const Message& refusal : scan->refusals) sentences << tr("No scan: %1").arg(translated(refusal));
-        if (scan->scan && m_scan.job().state() == StudyState::finished)
+        if (scan->scan && isScanNew())
             sentences << tr("The scan below: %1").arg(translated(scanSentence(*scan->scan, style)));
     }
     return sentences.join(QLatin1Char(' '));

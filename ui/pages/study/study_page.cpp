@@ -34,6 +34,7 @@ StudyPage::StudyPage(Document& document, QWidget* parent) : PlotPage(parent), m_
         m_refusal.clear();
         askSoon();
     });
+    connect(&document, &Document::replaced, this, &StudyPage::forget);
 }
 
 PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside) {
@@ -55,14 +56,16 @@ PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside)
     PlotWidget* plot = makePlot();
     setLeastLines(plotLines);
     m_veil = new StaleVeil(plot);
-    connect(&m_late, &QTimer::timeout, m_veil, [this] {
-        m_veil->raise();
-        m_veil->show();
-    });
+    m_veil->cover(m_words);
+    connect(&m_late, &QTimer::timeout, this, [this] { setStale(true); });
     auto* center = new QHBoxLayout;
     center->setSpacing(0);
     center->addWidget(plot, 3);
-    if (beside) center->addWidget(beside, 1);
+    if (beside) {
+        center->addWidget(beside, 1);
+        m_veil->cover(beside);
+        m_answer.append(beside);
+    }
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
@@ -70,6 +73,31 @@ PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside)
     layout->addWidget(m_words);
     layout->addLayout(center, 1);
     return plot;
+}
+
+void StudyPage::addBelow(QWidget* table) {
+    static_cast<QBoxLayout*>(layout())->addWidget(table);
+    m_veil->cover(table);
+    m_answer.append(table);
+}
+
+// Links and buttons of an old answer do nothing.
+void StudyPage::setStale(bool isStale) {
+    if (!isStale) m_isForeign = false;
+    m_veil->setOpaque(m_isForeign);
+    m_veil->raise();
+    m_veil->setVisible(isStale);
+    for (QWidget* part : std::as_const(m_answer)) part->setEnabled(!isStale);
+}
+
+// Another scenario has come: its answers are not known yet, and those of the former one are none of it.
+void StudyPage::forget() {
+    for (StudyActivity* beside : std::as_const(m_beside)) beside->forget();
+    if (m_activity->answers() == 0) return;
+    m_late.stop();
+    m_isForeign = true;
+    setStale(true);
+    showWords();
 }
 
 void StudyPage::watch(StudyActivity& activity) {
@@ -118,7 +146,7 @@ void StudyPage::follow() {
     const bool isNews = std::exchange(m_answers, m_activity->answers()) != m_activity->answers();
     if (answered || isNews || m_activity->state() == StudyState::failed) {
         m_late.stop();
-        m_veil->hide();
+        setStale(false);
     }
     if (!answered && m_activity->state() == StudyState::running && !m_late.isActive() && m_veil->isHidden()) {
         m_late.start();
@@ -161,6 +189,7 @@ void StudyPage::showWords() {
     const QString problem = m_activity->problem();
     m_words->setText(!m_refusal.isEmpty() ? QStringLiteral("⚠ ") + m_refusal
                      : !problem.isEmpty() ? QStringLiteral("⚠ ") + problem
+                     : m_isForeign        ? QString()
                                           : m_sentence);
     layout()->activate();  // a sentence of more lines has its room at once
 }

@@ -16,8 +16,9 @@ class StaleVeil;
 
 /// A page around one plot of a study of the scenario that is being edited. Its controls stand above the plot,
 /// with a line of words between. A study that may have changed is asked for while the page can be seen, or
-/// as soon as it can; a page that goes out of sight stops its study. What is shown of an earlier scenario for
-/// more than a moment is veiled.
+/// as soon as it can; a page that goes out of sight stops its study. Sentence, plot and what stands beside
+/// and below them are veiled where they are of an earlier input for more than a moment, and hidden where they
+/// are of another scenario.
 ///
 /// A page implements ask() (hand its question to its job, whose question is compared with the last),
 /// present(), csv() and commandWords(), and calls arrange() and watch() as it is made.
@@ -58,6 +59,8 @@ class StudyPage : public PlotPage {
 
     /// Puts the controls in a row that wraps, the plot below, `beside` to its right; returns the plot. Once.
     PlotWidget* arrange(const QList<QWidget*>& controls, QWidget* beside = nullptr);
+    /// Puts it below the plot, where it belongs to the answer.
+    void addBelow(QWidget* table);
     /// The page's job. Once.
     void watch(StudyActivity& activity);
     /// Jobs beside it: present() is called when one has news, and out of sight they are stopped, to
@@ -89,6 +92,8 @@ class StudyPage : public PlotPage {
   private:
     void askNow();
     void follow();
+    void forget();
+    void setStale(bool isStale);
     void showWords();
 
     Document& m_document;
@@ -100,8 +105,10 @@ class StudyPage : public PlotPage {
     bool m_inputCurrent = true;  // the blow on show answers the present input
     ScrolledLabel* m_words = nullptr;
     QString m_sentence;
-    QString m_refusal;  // why a value could not be taken over
+    QString m_refusal;         // why a value could not be taken over
+    QList<QWidget*> m_answer;  // what stands beside and below the plot
     StaleVeil* m_veil = nullptr;
+    bool m_isForeign = false;  // the answer is of another scenario
     QTimer m_late;
     std::uint64_t m_answers = 0;  // of the job, when it was looked at last
 };

@@ -46,7 +46,7 @@ ThrustPage::ThrustPage(Document& document, QWidget* parent)
           return student->answer(question, feed);
       }) {
     PlotWidget* widget = arrange({m_axis, m_missing});
-    static_cast<QBoxLayout*>(layout())->addWidget(m_table);
+    addBelow(m_table);
     m_plot = new ThrustPlot(widget);
     m_drag = new ThrustDrag(*widget, *m_plot);
     useFrame(*m_plot, tr("Needs of the thrust"));

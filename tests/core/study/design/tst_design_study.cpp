@@ -6,6 +6,8 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 #include "core/model/parameter.h"
@@ -85,6 +87,44 @@ double solvedAt(const DesignStudy& study, std::size_t design, std::size_t aim, c
     return outputs[study.placeOf(*study.aims[aim].output, {}).output];
 }
 
+/// Five designs of 100 to 300 us, of which 200 us is the present one, with such values of two aims: the first
+/// to be large, the second small. Values of NaN are not feasible.
+DesignReport reportOf(const std::vector<double>& first, const std::vector<double>& second, double error) {
+    DesignReport report;
+    DesignStudy& study = report.study;
+    study.base = parseScenario(findExample("t38_medium_rock")->text, "").scenario;
+    study.base.pulse.duration = 200e-6;
+    SweepAxis axis;
+    axis.kind = SweepAxis::Kind::list;
+    axis.parameter = findParameter("pulse.duration");
+    axis.unit = &axis.parameter->displayUnit();
+    axis.list = {100e-6, 150e-6, 200e-6, 250e-6, 300e-6};
+    axis.count = axis.list.size();
+    study.choices = {axis};
+    const Statistic mean{.kind = Statistic::Kind::mean};
+    study.aims = {{Sense::largest, findOutput("efficiency"), mean},
+                  {Sense::least, findOutput("peak_force"), mean}};
+    std::vector<AimOrder> orders;
+    for (const DesignAim& aim : study.aims)
+        orders.push_back({aim.sense, study.placeOf(*aim.output, aim.statistic)});
+    for (std::size_t d = 0; d < first.size(); ++d) {
+        DesignSamples samples;
+        for (const OutputColumn& column : study.columns()) {
+            const double value = column.output->name == "efficiency" ? first[d] : second[d];
+            SampledValue sampled{.value = value};
+            // Replicates of every other design scatter the other way: the errors add up.
+            for (std::size_t r = 0; r < replicateCount; ++r)
+                sampled.replicates[r] = value + ((r + d) % 2 == 0 ? error : -error) / 2;
+            samples.nominal.push_back(value);
+            samples.statistics.emplace_back(study.statisticsOf(*column.output).size(), sampled);
+        }
+        report.findings.designs.push_back(samples);
+        report.findings.feasibility.push_back(feasibilityOf(samples, orders, {}));
+    }
+    report.findings.best = bestOf(report.findings.designs, orders, {});
+    return report;
+}
+
 }  // namespace
 
 class TestDesignStudy : public QObject {
@@ -98,6 +138,8 @@ class TestDesignStudy : public QObject {
     void problemsAreToldTogether();
     void aStopEndsTheCheckOfDesigns();
     void whatToMeasureIsSaidOnceTheSamplesCarryIt();
+    void headlinesFollowTheAims_data();
+    void headlinesFollowTheAims();
     void drawsNeedEveryCell();
 };
 
@@ -278,6 +320,60 @@ void TestDesignStudy::whatToMeasureIsSaidOnceTheSamplesCarryIt() {
     QVERIFY(!firstToMeasure(report, 2));
     report.study.samples = 16;
     QVERIFY(!firstToMeasure(report, 0));
+}
+
+void TestDesignStudy::headlinesFollowTheAims_data() {
+    QTest::addColumn<QList<double>>("first");
+    QTest::addColumn<QList<double>>("second");
+    QTest::addColumn<double>("error");
+    QTest::addColumn<QString>("headline");
+    QTest::addColumn<QString>("begins");
+    QTest::addColumn<bool>("widens");
+    const QList<double> same{1, 1, 1, 1, 1};
+    const auto row = [](const char* name, const QList<double>& first, const QList<double>& second,
+                        double error, const char* headline, const char* begins, bool widens) {
+        QTest::newRow(name) << first << second << error << headline << begins << widens;
+    };
+    row("the present one is best", {0.5, 0.6, 0.7, 0.6, 0.5}, same, 1e-4, "keep",
+        "Keep 200 us: nothing from 100 us to 300 us is better in efficiency mean", false);
+    row("another is better", {0.5, 0.6, 0.7, 0.8, 0.5}, same, 1e-4, "change",
+        "Change from 200 us to 250 us: efficiency mean becomes 0.8", false);
+    row("another is better by less than the errors", {0.5, 0.6, 0.7, 0.701, 0.5}, same, 1e-2, "keep",
+        "Keep 200 us", false);
+    row("the next aim decides", {0.5, 0.7, 0.7, 0.7, 0.5}, {9, 1, 2, 3, 9}, 1e-4, "change",
+        "Change from 200 us to 150 us: peak_force mean becomes 1", false);
+    row("ties in all aims", {0.5, 0.7, 0.7, 0.7, 0.5}, same, 1e-4, "keep", "Keep 200 us", false);
+    row("flat", {0.7, 0.7, 0.7, 0.7, 0.7}, same, 1e-3, "no_difference",
+        "pulse.duration makes no difference: efficiency mean is 0.7, within ", false);
+    row("flat but for rounding", {0.7, 0.7, 0.7 + 1e-15, 0.7, 0.7}, same, 0, "no_difference", "pulse", false);
+    row("the end is better", {0.5, 0.6, 0.7, 0.8, 0.9}, same, 1e-4, "change", "Change from 200 us to 300 us",
+        true);
+    row("the other end is better", {0.9, 0.8, 0.7, 0.6, 0.5}, same, 1e-4, "change",
+        "Change from 200 us to 100 us", true);
+    row("the end is no better than its neighbour", {0.5, 0.6, 0.7, 0.9, 0.9001}, same, 1e-2, "change",
+        "Change from 200 us to 300 us", false);
+    row("the present one has no answer", {0.5, 0.6, NAN, 0.7, 0.5}, same, 1e-4, "change",
+        "Take 250 us: efficiency mean is 0.7", false);
+    row("none is feasible", {NAN, NAN, NAN, NAN, NAN}, same, 1e-4, "none_feasible", "", false);
+}
+
+void TestDesignStudy::headlinesFollowTheAims() {
+    QFETCH(QList<double>, first);
+    QFETCH(QList<double>, second);
+    QFETCH(double, error);
+    QFETCH(QString, headline);
+    QFETCH(QString, begins);
+    QFETCH(bool, widens);
+    const DesignReport report = reportOf({first.begin(), first.end()}, {second.begin(), second.end()}, error);
+    const std::string_view found = name(headlineOf(report).value());
+    QCOMPARE(QString::fromUtf8(found.data(), static_cast<qsizetype>(found.size())), headline);
+    const QString sentence = QString::fromStdString(headlineMessage(report).text());
+    QVERIFY2(sentence.startsWith(begins) && sentence.isEmpty() == begins.isEmpty(), qPrintable(sentence));
+    if (!report.findings.best.robust) return;
+    const std::vector<DesignRemark> remarks = remarksOn(report);
+    QCOMPARE(std::ranges::find(remarks, "optimum_at_edge", &DesignRemark::code) != remarks.end(), widens);
+    const auto marks = marksOf(report, 2, presentDesign(report.study));
+    QVERIFY(std::ranges::find(marks, "present") != marks.end());
 }
 
 void TestDesignStudy::drawsNeedEveryCell() {

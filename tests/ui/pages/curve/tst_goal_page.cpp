@@ -43,6 +43,7 @@ class TestGoalPage : public QObject, private CurvePageFixture {
     void everyPlaceOfTheGoalIsMarked();
     void aClickTakesTheValueInOneStep();
     void whatNothingGivesIsToldWithTheNearest();
+    void otherLinesThatReachTheGoalAreNamed();
     void eachResultHasItsOwnGoal();
     void theGoalFollowsTheUnits();
     void whatIsNoGoalStaysAndChangesNothing_data();
@@ -120,8 +121,19 @@ void TestGoalPage::whatNothingGivesIsToldWithTheNearest() {
     showPage();
     type(QStringLiteral("2"));
     QVERIFY(goalMarks(*m_page).isEmpty());
-    QVERIFY2(words().contains(QStringLiteral("nothing in this range gives COR e = 2: the nearest is 1.4141")),
+    QVERIFY2(words().contains(QStringLiteral(" gives COR e = 2: the nearest is 1.4141")),
              qPrintable(words()));
+}
+
+void TestGoalPage::otherLinesThatReachTheGoalAreNamed() {
+    showPage();
+    type(QStringLiteral("1"));
+    QVERIFY2(words().contains(QStringLiteral("no stiffness k from 10")) &&
+                 words().contains(QStringLiteral("gives COR e = 1: the nearest is")) &&
+                 words().contains(QStringLiteral("γ = 1 is above it everywhere")),
+             qPrintable(words()));
+    type(QStringLiteral("0.6"));
+    QVERIFY2(!words().contains(QStringLiteral("everywhere")), qPrintable(words()));
 }
 
 void TestGoalPage::eachResultHasItsOwnGoal() {

@@ -6,6 +6,7 @@
 #include <QTest>
 #include <QVBoxLayout>
 
+#include "core/yaml/examples.h"
 #include "ui/job/asked_study.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/command_text.h"
@@ -25,7 +26,8 @@ class StiffnessPage : public StudyPage {
               while ((m_slow || stiffness >= m_held) && !feed.stop.stop_requested()) QThread::msleep(1);
               return stiffness;
           }) {
-        arrange({});
+        arrange({}, new QLabel(QStringLiteral("card")));
+        addBelow(new QLabel(QStringLiteral("table")));
         watch(m_study.job());
     }
     ~StiffnessPage() override {
@@ -68,6 +70,8 @@ class TestStudyPage : public QObject {
     void theSameQuestionIsAskedOnce();
     void outOfSightItsStudyStopsAndIsAskedAgainLater();
     void whatIsLateIsVeiled();
+    void theVeilLiesOverAllOfTheAnswer();
+    void anotherScenarioHidesTheFormerAnswer();
     void answersToEarlierQuestionsLiftTheVeil();
     void aClickIsOneUndoStep();
     void whatCannotBeTakenOverIsSaid();
@@ -130,6 +134,43 @@ void TestStudyPage::whatIsLateIsVeiled() {
     QTRY_VERIFY(veil->isHidden());
     QVERIFY(m_page->plot()->isCurrent());
     QCOMPARE(m_page->shown(), 3e8);
+}
+
+void TestStudyPage::theVeilLiesOverAllOfTheAnswer() {
+    m_page->resize(600, 500);
+    m_page->show();
+    QTRY_COMPARE(m_page->activity()->state(), StudyState::finished);
+    m_page->setSlow(true);
+    m_document->assign(*findParameter("bit_rock.stiffness"), 3e8, m_document->newGesture());
+    auto* veil = m_page->findChild<StaleVeil*>();
+    QTRY_VERIFY(veil->isVisible());
+    QVERIFY(veil->geometry().contains(m_page->plot()->geometry()));
+    for (const QLabel* part : m_page->findChildren<QLabel*>()) {
+        const QRect area(part->mapTo(m_page.get(), QPoint(0, 0)), part->size());
+        QVERIFY2(veil->geometry().intersects(area), qPrintable(part->text()));
+        if (part->text() == QStringLiteral("card") || part->text() == QStringLiteral("table"))
+            QVERIFY(veil->geometry().contains(area) && !part->isEnabled());
+    }
+    m_page->setSlow(false);
+    QTRY_VERIFY(veil->isHidden());
+    for (const QLabel* part : m_page->findChildren<QLabel*>()) QVERIFY(part->isEnabled());
+}
+
+void TestStudyPage::anotherScenarioHidesTheFormerAnswer() {
+    m_page->resize(600, 500);
+    m_page->show();
+    QTRY_COMPARE(m_page->activity()->state(), StudyState::finished);
+    m_page->setSlow(true);
+    QCOMPARE(m_document->startFrom(findExample("t51_soft_rock")->text, QStringLiteral("other")), QString());
+    auto* veil = m_page->findChild<StaleVeil*>();
+    QVERIFY(veil->isVisible());
+    QCOMPARE(m_page->findChild<QLabel*>(QStringLiteral("words"))->text(), QString());
+    // Nothing shows through.
+    const QColor window = m_page->palette().color(QPalette::Window);
+    const QPoint corner = veil->geometry().bottomLeft() + QPoint(2, -2);
+    QCOMPARE(m_page->grab().toImage().pixelColor(corner).value(), window.value());
+    m_page->setSlow(false);
+    QTRY_VERIFY(veil->isHidden());
 }
 
 // While a value is dragged every answer is of an earlier one: what follows the hand is not stale.
