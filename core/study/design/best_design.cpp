@@ -54,7 +54,7 @@ bool areTied(const DesignSamples& one, const DesignSamples& best, const AimOrder
     return areEqual || (aim.place.hasError && std::abs(a.value - b.value) < errorOfDifference(a, b));
 }
 
-/// Those of the candidates that are best in an aim or tied with the best.
+/// The candidates that are best in an aim or tied with the best.
 std::vector<std::size_t> bestIn(const AimOrder& aim, std::span<const DesignSamples> designs,
                                 std::span<const std::size_t> candidates) {
     const std::size_t best = *std::ranges::max_element(
