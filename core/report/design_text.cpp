@@ -63,15 +63,6 @@ std::string aimWords(const DesignAim& aim) {
     return (aim.sense == Sense::largest ? "max " : "min ") + aimedName(aim);
 }
 
-std::string aimedText(const DesignReport& report, const DesignAim& aim, std::size_t design,
-                      const ReadingStyle& style) {
-    const SampledValue& value = aimedValue(report, aim, design);
-    std::string text = outputText(report.study, *aim.output, value.value, style);
-    if (aim.statistic.hasError() && !std::isnan(value.value))
-        text += " +- " + outputText(report.study, *aim.output, value.error(), style, 1);
-    return text;
-}
-
 /// The best designs with what they come to.
 class DesignTable {
   public:
@@ -93,7 +84,7 @@ class DesignTable {
             const std::size_t output = study.placeOf(*aim.output, {}).output;
             cells.push_back(
                 outputText(study, *aim.output, m_report.findings.designs[design].nominal[output], m_style));
-            cells.push_back(aimedText(m_report, aim, design, m_style));
+            cells.push_back(aimedWithError(m_report, aim, design, m_style));
         }
         if (m_report.findings.feasibility[design].marginal)
             cells.push_back(m_style.said(translatable("drillwave::Message", "marginal")));

@@ -183,16 +183,6 @@ Message othersMessage(const DesignReport& report, const ReadingStyle& style) {
             {designName(study, least, style), designName(study, most, style)}};
 }
 
-/// "0.712 +- 0.001"
-std::string aimedWithError(const DesignReport& report, const DesignAim& aim, std::size_t design,
-                           const ReadingStyle& style) {
-    const SampledValue& value = aimedValue(report, aim, design);
-    std::string text = outputText(report.study, *aim.output, value.value, style);
-    if (aim.statistic.hasError())
-        text += " +- " + outputText(report.study, *aim.output, value.error(), style, 1);
-    return text;
-}
-
 /// The first aim in which the design to take differs from the present one by more than the errors.
 const DesignAim& decidingAim(const DesignReport& report, std::size_t present) {
     for (const DesignAim& aim : report.study.aims) {
@@ -305,6 +295,15 @@ std::optional<std::size_t> firstToMeasure(const DesignReport& report, std::size_
 const SampledValue& aimedValue(const DesignReport& report, const DesignAim& aim, std::size_t design) {
     const StatisticPlace place = report.study.placeOf(*aim.output, aim.statistic);
     return report.findings.designs[design].statistics[place.output][place.statistic];
+}
+
+std::string aimedWithError(const DesignReport& report, const DesignAim& aim, std::size_t design,
+                           const ReadingStyle& style) {
+    const SampledValue& value = aimedValue(report, aim, design);
+    std::string text = outputText(report.study, *aim.output, value.value, style);
+    if (aim.statistic.hasError() && !std::isnan(value.value))
+        text += " +- " + outputText(report.study, *aim.output, value.error(), style, 1);
+    return text;
 }
 
 std::string aimedName(const DesignAim& aim) {

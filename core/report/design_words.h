@@ -51,6 +51,10 @@ std::optional<std::size_t> firstToMeasure(const DesignReport& report, std::size_
 /// What an aim is about, of a design (from 0).
 const SampledValue& aimedValue(const DesignReport& report, const DesignAim& aim, std::size_t design);
 
+/// "0.712 +- 0.001": the same as people read it, with its error where it has one.
+std::string aimedWithError(const DesignReport& report, const DesignAim& aim, std::size_t design,
+                           const ReadingStyle& style = plainStyle());
+
 /// "thrust q95"
 std::string aimedName(const DesignAim& aim);
 
