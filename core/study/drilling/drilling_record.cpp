@@ -45,12 +45,14 @@ Message workProblem(const DrillingMarch& march, const RecordLength& length) {
         {rounded(all, 2), rounded(length.mostWork, 2)}};
 }
 
-/// Wave cells that a march keeps at once, of all sections: some 2 GB with the march beside it.
-constexpr double mostKeptCells = 2e7;
+/// Wave cells that a march keeps at once, of all sections and of the force: well above those of any rig, in
+/// some 0.1 GB.
+constexpr double mostKeptCells = 2e6;
 
 /// Why a march cannot be kept in memory; empty where it can.
-Message memoryProblem(const DrillingGrid& grid) {
-    double kept = 0;
+Message memoryProblem(const DrillingProblem& problem, const DrillingGrid& grid) {
+    const double force = problem.blow.isForced() ? problem.blow.force().end / grid.cell : 0;
+    double kept = std::ceil(force) * static_cast<double>(grid.cuts.count());
     for (const double trip : grid.roundTrips)
         kept += std::ceil(trip) * static_cast<double>(grid.cuts.count());
     if (kept <= mostKeptCells) return {};
@@ -144,7 +146,7 @@ DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid
         result.outcome = DrillingOutcome::pushedBack;
         return result;
     }
-    if (result.reason = memoryProblem(grid); !result.reason.isEmpty()) {
+    if (result.reason = memoryProblem(problem, grid); !result.reason.isEmpty()) {
         result.outcome = DrillingOutcome::notSolved;
         return result;
     }
