@@ -149,18 +149,19 @@ TableHeader checkHeader(const Table& table, RowReader& reader, TableCheck& check
 
 constexpr RowRange allRows{0, UINT64_MAX};
 
-}  // namespace
-
-std::uint64_t rowsOfTable(std::istream& cases) {
+/// Rows below the header, counted without reading their cells.
+std::uint64_t countRows(std::istream& cases) {
     CsvReader reader(cases);
     return std::max(reader.skip(UINT64_MAX), std::uint64_t{1}) - 1;
 }
+
+}  // namespace
 
 TableCheck checkTable(const Table& table, std::istream& cases, int jobs, std::stop_token stop) {
     TableCheck check;
     RowRange range = allRows;
     if (table.shard.count > 1) {
-        check.rows = rowsOfTable(cases);
+        check.rows = countRows(cases);
         cases.clear();
         cases.seekg(0);
         range = rowsOf(table.shard, check.rows);
