@@ -18,6 +18,7 @@
 #include "core/archive/study_files.h"
 #include "core/report/drilling_report.h"
 #include "core/report/drilling_text.h"
+#include "core/study/thrust/thrust_margins.h"
 
 namespace drillwave {
 
@@ -116,6 +117,7 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
     DrillingReport report{
         .result = studyDrilling(document.scenario, settings, wants, interruption.token(),
                                 [&](long more) { bar.show(done += static_cast<std::uint64_t>(more)); }),
+        .feed = solveFeedEstimate(document.scenario, interruption.token()),
         .scenarioText = completeScenarioText(document)};
     interruption.check();
     if (report.result.outcome == DrillingOutcome::notSolved)
@@ -140,12 +142,12 @@ const Command& drillCommand() {
     static const Command command{
         .name = "drill",
         .operands = "FILE",
-        .summary = "many blows under a feed: gaps, penetration, whether the bit stays on the rock",
+        .summary = "a sequence of blows under a feed: penetration rate, gap and contact, with errors",
         .details =
             "Follows blow after blow: waves, motions and the machine on its damper live on between them,\n"
-            "the rock is new for every blow. Told are the means with their errors, how many blows begin on\n"
-            "the rock, whether the motion repeats, where the energy goes, and in a sentence what the\n"
-            "thrust is good for with this damper. FILE needs drill.blow_frequency and drill.thrust.\n"
+            "the rock is new for every blow. Prints penetration and rate with their errors, how many blows\n"
+            "start in contact, whether the motion repeats and where the energy goes. FILE needs\n"
+            "drill.blow_frequency and drill.thrust.\n"
             "Penetrations are upper limits. With --scan the same over a parameter, each value from rest\n"
             "and from bouncing. DIR gets scenario.yaml, summary.json, blows.csv, with --histories\n"
             "histories.csv, and with --plots drilling.png.",

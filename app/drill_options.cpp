@@ -4,16 +4,10 @@
 #include "app/command_error.h"
 #include "app/input_text.h"
 #include "app/scenario_argument.h"
+#include "core/study/drilling/quick_march.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
-
-namespace {
-
-/// Cells times nodes that are marched in about a second.
-constexpr double workOfSecond = 2e7;
-
-}  // namespace
 
 double permittedDrillWork(const Arguments& arguments) {
     const std::optional<std::string> text = arguments.value("work-limit");

@@ -9,6 +9,7 @@
 #include "app/command_error.h"
 #include "app/input_text.h"
 #include "app/preset_options.h"
+#include "core/archive/outputs_changes.h"
 #include "core/model/alerts.h"
 #include "core/model/assignments.h"
 #include "core/model/blow_traits.h"
@@ -120,6 +121,11 @@ void tellNewerVersion(const std::string& path, const std::string& version, const
             style);
 }
 
+void tellOlderVersion(const std::string& path, const ScenarioInput& input, const ReadingStyle& style) {
+    if (Message changes = changesSentence(input.version, input.document.scenario); !changes.isEmpty())
+        printRemark({translatable("drillwave::Message", "%1: note: %2"), {path, std::move(changes)}}, style);
+}
+
 }  // namespace
 
 void printRemark(const Message& remark, const ReadingStyle& style) {
@@ -193,6 +199,7 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
                                         "FILE - and --presets - would both read standard input; take one"));
     ScenarioInput input = loadScenarioFile(path, arguments.style());
     tellNewerVersion(inputName(path), input.version, arguments.style());
+    tellOlderVersion(inputName(path), input, arguments.style());
     Scenario& scenario = input.document.scenario;
     applyPresets(scenario, arguments, inputName(path));
     std::vector<Message> problems;

@@ -15,8 +15,8 @@ namespace drillwave {
 namespace {
 
 constexpr char indexName[] = "runs.csv";
-constexpr char indexHeader[] = "file,name,shown,reference,cor";
-constexpr std::size_t indexColumns = 5;
+constexpr char indexHeader[] = "file,name,shown,reference,cor,version";
+constexpr std::size_t indexColumns = 6, oldIndexColumns = 5;
 constexpr std::size_t maximumIndexBytes = std::size_t{1} << 16;
 constexpr char ending[] = ".yaml";
 
@@ -64,7 +64,7 @@ class RunsReader {
     }
 
     void readRow(const std::string& place, const std::vector<std::string>& cells) {
-        if (cells.size() != indexColumns)
+        if (cells.size() != indexColumns && cells.size() != oldIndexColumns)
             return refuse(place, "has " + std::to_string(cells.size()) + " cells in place of " + indexHeader +
                                      "; this run is left out");
         const std::optional<int> number = numberOf(cells[0]);
@@ -80,7 +80,8 @@ class RunsReader {
                                    .contents = parseScenario(file.bytes, m_scenarioPath),
                                    .isShown = cells[2] != "no",
                                    .isReference = cells[3] == "yes",
-                                   .cor = parseNumber(cells[4])});
+                                   .cor = parseNumber(cells[4]),
+                                   .version = cells.size() == indexColumns ? cells[5] : std::string()});
         } catch (const ScenarioError& error) {
             // The text is not the scenario's, by which its tables are found.
             const ScenarioError here(error.kind(), cells[0], error.problems());
@@ -134,7 +135,7 @@ std::vector<NamedFile> runFiles(const std::vector<KeptRun>& runs) {
         files.push_back({runFileName(run.number), run.contents.text});
         index += runFileName(run.number) + ',' + csvCell(run.name) + (run.isShown ? ",yes" : ",no") +
                  (run.isReference ? ",yes," : ",no,") + (run.cor ? formatNumber(*run.cor) : std::string()) +
-                 '\n';
+                 ',' + csvCell(run.version) + '\n';
     }
     files.push_back({indexName, index});
     return files;

@@ -28,6 +28,7 @@ struct KeptRun {
     bool isShown = true;        ///< laid over the plots
     bool isReference = false;   ///< that others are compared with
     std::optional<double> cor;  ///< as it was solved; tells a table of the blow that has changed since
+    std::string version = {};   ///< of the program that solved it; empty where the index does not say
 };
 
 /// What a folder holds.

@@ -37,7 +37,8 @@ bool holdsNumbers(Blow& blow, Detail detail) {
 /// What follows from the solution, whose numbers are in the summary.
 void conclude(Blow& blow, Detail detail) {
     if (!holdsNumbers(blow, detail)) return;
-    blow.feed = judgeFeed(blow.scenario, blow.summary.cor, blow.summary.transferred);
+    blow.feed =
+        feedEstimate(blow.scenario, {blow.summary.cor, blow.summary.corError}, blow.summary.transferred);
     const std::optional<RodForces>& ofRod = blow.summary.rodForces;
     append(blow.alerts, resultAlerts(blow.scenario, blow.summary));
     append(blow.alerts, stressAlerts(blow.scenario, ofRod ? sectionStresses(blow.scenario, *ofRod)

@@ -6,8 +6,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/blow/feed_decision.h"
-#include "core/blow/feed_verdict.h"
+#include "core/blow/feed_estimate.h"
 #include "core/blow/impact_summary.h"
 #include "core/blow/method.h"
 #include "core/blow/string_blow.h"
@@ -34,10 +33,9 @@ struct Blow {
     Problem problem;
     Impact impact;          ///< its `reason` says why there is no result
     ImpactSummary summary;  ///< not to be used where there is no result, nor is `feed`
-    /// The thrust needed and the installed; nothing where thrustProblem() says why.
-    std::optional<FeedVerdict> feed;
-    /// The largest of the needs of the thrust, where a study of them was made: core/study/thrust.
-    std::optional<WidestNeed> widestNeed;
+    /// What it requires of the feed; nothing where thrustProblem() says why. The cases of all gaps are known
+    /// where a study of them was made: core/study/thrust.
+    std::optional<FeedEstimate> feed;
     std::vector<Alert> alerts;  ///< of the scenario and, behind them, of the result
     double runTime = 0;         ///< of the solve alone [s]
     /// There of a blow of many: then `summary` has what its pages draw and no rebound, and there is no feed.
@@ -48,12 +46,7 @@ struct Blow {
     /// What shares of energy are of [W0]: the energy of a hammer that is followed, or the work of the force.
     double drivenEnergy() const { return drillwave::drivenEnergy(summary, scenario); }
     /// Effective feed force over the largest of the four needs, less 1, where it and they are known.
-    std::optional<double> thrustMargin() const {
-        if (!feed || !feed->force || !widestNeed || !widestNeed->ofAllGaps) return std::nullopt;
-        return feed->force->marginOver(widestNeed->thrust);
-    }
-    /// What is to be done about the feed. Of a solved blow.
-    FeedDecision decision() const { return decideFeed(scenario, feed, widestNeed); }
+    std::optional<double> thrustMargin() const { return feed ? feed->margin() : std::nullopt; }
 };
 
 /// Whether the largest forces in the rod are wanted of a blow, for which waves are recorded.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <optional>
 
-#include "core/blow/feed_verdict.h"
+#include "core/blow/feed_estimate.h"
 #include "core/model/alerts.h"
 #include "core/model/blow_traits.h"
 #include "core/model/parameter.h"
@@ -21,17 +21,17 @@ namespace {
 constexpr double promisedError = 1e-9;
 
 void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
-    const std::optional<FeedVerdict> verdict = judgeFeed(scenario, summary.cor, summary.transferred);
-    if (!verdict || !verdict->isTooLittle()) return;
+    const std::optional<FeedEstimate> feed =
+        feedEstimate(scenario, {summary.cor, summary.corError}, summary.transferred);
+    if (!feed || !feed->isTooLittle()) return;
     Alert alert{AlertLevel::warning,
                 AlertCode::thrustBelowNeeded,
                 "drill.thrust",
-                {{"installed", verdict->force->thrust, Quantity::force},
-                 {"balance", verdict->balance, Quantity::force},
-                 {"full_rate", verdict->fullRate, Quantity::force},
+                {{"installed", feed->force->thrust, Quantity::force},
+                 {"balance", feed->balance, Quantity::force},
+                 {"required", feed->need(ThrustCase::scenario).thrust, Quantity::force},
                  {"frequency", *scenario.drill.blowFrequency, Quantity::frequency}}};
-    if (verdict->force->weight)
-        alert.arguments.push_back({"weight", *verdict->force->weight, Quantity::force});
+    if (feed->force->weight) alert.arguments.push_back({"weight", *feed->force->weight, Quantity::force});
     alerts.push_back(alert);
 }
 

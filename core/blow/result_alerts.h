@@ -11,7 +11,7 @@
 namespace drillwave {
 
 /// Alerts of a solved blow, to be listed behind alertsFor(scenario):
-/// `thrust_below_needed` when the feed loses penetration or less (feed_verdict.h),
+/// `thrust_below_needed` when the feed is below what this blow requires (feed_estimate.h),
 /// `super_rebound` when e > 1 by more than its error, `several_contacts` when the bit comes back to the rock,
 /// `closed_form_invalid` for a rectangular blow on elastic rock that the paper's closed form is not for, with
 /// the error that it would make, `reduced_accuracy` when the error bound of e exceeds 1e-9, `input_decides`

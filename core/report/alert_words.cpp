@@ -80,16 +80,21 @@ Message pistonImpedance(const Alert& alert) {
                               "smaller steps, assumed to run on as if the rod were long.");
 }
 
+/// The numbers of the estimate that the words take.
+FeedEstimate estimateOf(const Alert& alert) {
+    FeedEstimate feed;
+    feed.force = FeedForce{alert.argument("installed").value, {}};
+    if (alert.has("weight")) feed.weight = *(feed.force->weight = alert.argument("weight").value);
+    feed.frequency = alert.argument("frequency").value;
+    feed.balance = alert.argument("balance").value;
+    feed.roundTrips = 1;  // the estimate applies, or there would be no alert
+    for (ThrustNeed& need : feed.needs) need.thrust = alert.argument("required").value;
+    return feed;
+}
+
 Message thrustBelowNeeded(const Alert& alert, const ReadingStyle& style) {
-    FeedDecision decision{.kind = FeedDecision::Kind::notEnough,
-                          .force = FeedForce{alert.argument("installed").value, {}},
-                          .frequency = alert.argument("frequency").value,
-                          .need = alert.argument("full_rate").value};
-    if (alert.has("weight")) decision.weight = *(decision.force->weight = alert.argument("weight").value);
-    const bool isPushedBack = decision.force->effective() < alert.argument("balance").value;
-    return {"%1 %2",
-            {feedDecisionMessage(decision, style),
-             feedAdvice(isPushedBack ? Feed::pushedBack : Feed::penetrationLost)}};
+    const FeedEstimate feed = estimateOf(alert);
+    return {"%1 %2 %3", {requiredFeedMessage({}, feed, style), feedRemedy(feed, style), feedLimitsOfModel}};
 }
 
 Message residualWaves(const Alert& alert, const ReadingStyle& style) {

@@ -6,6 +6,7 @@
 #include "core/model/blow_traits.h"
 #include "core/report/alert_words.h"
 #include "core/report/blow_csv.h"
+#include "core/report/feed_json.h"
 #include "core/report/json_value.h"
 
 namespace drillwave {
@@ -142,6 +143,7 @@ std::string blowJson(const Blow& blow, const std::string& scenarioText) {
     object["outcome"] = outcomeName(blow);
     object["dimensionless"] = dimensionlessJson(blow);
     if (hasUnits(blow.scenario)) object["si"] = siJson(blow);
+    if (blow.isSolved()) object["feed"] = feedJson(blow.feed);
     object["events"] = eventsJson(impact);
     object["contacts"] = impact.contacts;
     object["pieces"] = impact.pieces;

@@ -51,7 +51,7 @@ void addThrust(BlowReport& report, const std::stop_token& stop, const GapProgres
     thrust.study = studyThrust(scenario, stop, progress, mostPiecesInPassing);
     report.thrustProblem = sentenceOf(thrust.study.reason, report.blow, "thrust");
     if (!report.thrustProblem.isEmpty() || thrust.study.stopped) return;
-    report.blow.widestNeed = widestOf(thrust.study.needs);
+    report.blow.feed = thrust.study.feed;
     // The frequency changes no blow, and nothing over the gap.
     GapReboundFinder finder;
     if (gapHasPeriod(scenario)) finder.remember(report.blow.problem, thrust.study.rebounds);

@@ -149,7 +149,7 @@ Message neededThrust(const Blow& blow, const ReadingStyle& style) {
     const auto newton = [&](double thrust) {
         return style.quantity(thrust, Quantity::force, digitsOf(blow));
     };
-    const std::string needed = newton(blow.feed->fullRate);
+    const std::string needed = newton(blow.feed->need(ThrustCase::scenario).thrust);
     if (!force) return needed;
     if (!force->weight)
         return {translatable("drillwave::Message", "%1, installed %2"), {needed, newton(force->thrust)}};
@@ -163,12 +163,10 @@ void addFeed(TextGrid& grid, const Blow& blow, const ReadingStyle& style) {
         grid.add({before + style.said(label), style.said(words)});
     };
     const std::optional<FeedForce>& force = blow.feed->force;
-    add("", translatable("drillwave::Message", "thrust needed"), neededThrust(blow, style));
+    add("", translatable("drillwave::Message", "feed required"), neededThrust(blow, style));
     if (const std::optional<double> margin = blow.thrustMargin())
         add("  ", translatable("drillwave::Message", "at every gap"),
             marginMessage(*margin, force->effective(), style));
-    if (force)
-        add("  ", translatable("drillwave::Message", "feed"), Message::ofTable(feedWord(blow.feed->feed)));
 }
 
 /// What a blow is judged by first, with its error.
@@ -216,7 +214,7 @@ Message solvedMessage(const Blow& blow, const ReadingStyle& style) {
 }  // namespace
 
 std::string blowText(const Blow& blow, const ReadingStyle& style) {
-    std::string text = titleLine(blow.scenario) + paragraph(feedDecisionText(blow.decision(), style)) +
+    std::string text = titleLine(blow.scenario) + paragraph(estimateText(blow.scenario, blow.feed, style)) +
                        groupsLine(blow.scenario, style) + lawLine(blow.scenario, style) + "\n";
     text += resultText(blow, style);
     text += "\n  " + style.said(solvedMessage(blow, style)) + "\n";

@@ -3,11 +3,16 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "core/contact/contact_law.h"
 #include "core/report/alert_words.h"
 #include "core/report/blow_csv.h"
+#include "core/report/feed_json.h"
+#include "core/report/feed_words.h"
 #include "core/report/json_value.h"
+#include "core/report/report_text.h"
+#include "core/report/sequence_words.h"
 #include "core/study/drilling/drilling_numbers.h"
 #include "core/text/number_text.h"
 #include "core/text/unit_heading.h"
@@ -34,10 +39,6 @@ constexpr DrillingColumn columnTable[] = {{"time", time, &DrillingBlow::time},
 
 /// Deviations below that, in units of Problem, are rounding.
 constexpr double noSpread = 1e-9;
-
-double thrustMark(const DrillingResult& result, double times) {
-    return times * result.meanImpulse * result.units.impulse() * result.frequencyUsed;
-}
 
 /// Without units a number of the groups.
 Json valueOf(double ofProblem, DrillingMeasure measure, const DrillingResult& result, OutputUnits units) {
@@ -76,7 +77,7 @@ JsonObject unitsJson(const DrillingResult& result, OutputUnits units) {
             {"contact_limit", unit(length, "d0")},
             {"ledger", unit(energy, "W0")},
             {"penetration_rate", "m/s"},
-            {"thrust_marks", "N"},
+            {"feed", "N"},
             {"blow_frequency_used", "Hz"}};
 }
 
@@ -134,78 +135,6 @@ double withoutRounding(double spread) {
     return std::abs(spread) < noSpread ? 0 : spread;
 }
 
-Message damperWords(const Scenario& scenario, const ReadingStyle& style) {
-    const Drill& drill = scenario.drill;
-    const bool hasBody = drill.machineMass.value_or(0) > 0;
-    const std::string damping = style.quantity(drill.damperDamping.value_or(0), Quantity::damping, 4);
-    const std::string stiffness = style.quantity(drill.damperStiffness.value_or(0), Quantity::stiffness, 4);
-    const bool hasDashpot = hasBody && drill.damperDamping.value_or(0) > 0;
-    const bool hasSpring = hasBody && drill.damperStiffness.value_or(0) > 0;
-    if (hasDashpot && hasSpring)
-        return {translatable("drillwave::Message", "a dashpot of %1 and a spring of %2"),
-                {damping, stiffness}};
-    if (hasDashpot) return {translatable("drillwave::Message", "a dashpot of %1"), {damping}};
-    if (hasSpring) return {translatable("drillwave::Message", "a spring of %1"), {stiffness}};
-    return translatable("drillwave::Message", "constant force");
-}
-
-Message verdictSentence(const DrillingResult& result, const ReadingStyle& style) {
-    if (result.outcome == DrillingOutcome::notSolved)
-        return {translatable("drillwave::Message", "Not solved: %1."), {result.reason}};
-    if (result.outcome == DrillingOutcome::stopped)
-        return translatable("drillwave::Message", "Stopped before all blows were done.");
-    const Message damper = damperWords(result.scenario, style);
-    const auto gap = [&](double BlowSpread::*quantile) {
-        return style.quantity(result.spread(0).*quantile * result.units.length(), Quantity::length, 3);
-    };
-    const std::string share =
-        result.fullRateShare ? style.number(100 * *result.fullRateShare, 3) : std::string();
-    switch (result.verdict) {
-        case DrillingVerdict::pushedBack:
-            return {translatable("drillwave::Message", "With %1 the machine is pushed back."), {damper}};
-        case DrillingVerdict::rests:
-            if (share.empty())
-                return {translatable("drillwave::Message",
-                                     "With %1 the bit rests on the rock before every blow."),
-                        {damper}};
-            return {translatable("drillwave::Message",
-                                 "With %1 the bit rests on the rock before every blow; %2 % of full rate."),
-                    {damper, share}};
-        case DrillingVerdict::fullRate:
-            return {translatable("drillwave::Message",
-                                 "With %1 it drills at full rate (%2 % of full rate); the bit leaves the "
-                                 "rock between blows, gaps of %3 to %4 when the next one comes."),
-                    {damper, share, gap(&BlowSpread::q05), gap(&BlowSpread::q95)}};
-        case DrillingVerdict::rateLost:
-            if (share.empty())
-                return {
-                    translatable("drillwave::Message",
-                                 "With %1 penetration is lost; gaps of %2 to %3 when the next blow comes."),
-                    {damper, gap(&BlowSpread::q05), gap(&BlowSpread::q95)}};
-            return {translatable("drillwave::Message",
-                                 "With %1 penetration is lost: %2 % of full rate; gaps of %3 to %4 when the "
-                                 "next blow comes."),
-                    {damper, share, gap(&BlowSpread::q05), gap(&BlowSpread::q95)}};
-    }
-    return {};
-}
-
-Message adviceSentence(const DrillingResult& result, const ReadingStyle& style) {
-    if (result.outcome != DrillingOutcome::done && result.outcome != DrillingOutcome::pushedBack) return {};
-    const auto thrust = [&](double times) {
-        return style.quantity(thrustMark(result, times), Quantity::force, 3);
-    };
-    if (result.verdict == DrillingVerdict::pushedBack)
-        return {translatable("drillwave::Message", "Bounded motion needs more than f I0 = %1."), {thrust(1)}};
-    if (!std::isfinite(result.cor)) return {};
-    if (result.verdict == DrillingVerdict::rateLost)
-        return {translatable("drillwave::Message",
-                             "Waves alone ask for f I0 (1 + e) = %1 for the full rate; with another damper "
-                             "it is another thrust."),
-                {thrust(1 + result.cor)}};
-    return {};
-}
-
 Message regimeWords(const DrillingResult& result, const ReadingStyle& style) {
     const DrillingStatistics& statistics = *result.statistics;
     const auto regime = [&]() -> Message {
@@ -224,6 +153,12 @@ Message regimeWords(const DrillingResult& result, const ReadingStyle& style) {
                 {regime(), exponent}};
     return {translatable("drillwave::Message", "%1; Lyapunov exponent %2 +- %3 per blow"),
             {regime(), exponent, style.number(*result.lyapunov->error, 2)}};
+}
+
+std::vector<Message> drillingSentences(const DrillingReport& report, const ReadingStyle& style) {
+    std::vector<Message> sentences{requiredFeedMessage(report.result.scenario, report.feed, style)};
+    std::ranges::move(sequenceSentences(report.result, style), std::back_inserter(sentences));
+    return sentences;
 }
 
 std::string drillingJson(const DrillingReport& report, OutputUnits units) {
@@ -271,10 +206,6 @@ std::string drillingJson(const DrillingReport& report, OutputUnits units) {
         return Json(result.spread(quantityPlace(&DrillingBlow::penetration)).mean * result.units.length() *
                     result.frequencyUsed);
     });
-    object["full_rate_share"] = result.fullRateShare;
-    object["thrust_marks"] = JsonObject{{"pushed_back", thrustMark(result, 1)},
-                                        {"full_rate", thrustMark(result, 1 + result.cor)},
-                                        {"back_in_time", thrustMark(result, 1 + 2 * result.cor)}};
     const DrillingLedger& ledger = result.ledger;
     object["ledger"] =
         JsonObject{{"hammer", number(ledger.hammer, energy)}, {"feed", number(ledger.feed, energy)},
@@ -283,9 +214,9 @@ std::string drillingJson(const DrillingReport& report, OutputUnits units) {
                    {"stored", number(ledger.stored, energy)}};
     object["momentum_residual"] = result.momentumResidual;
     object["energy_residual"] = result.energyResidual;
-    object["verdict"] = verdictSentence(result).text();
-    const std::string advice = adviceSentence(result).text();
-    object["advice"] = advice.empty() ? Json() : Json(advice);
+    object["feed"] = feedJson(report.feed);
+    object["sequence"] = sequenceJson(result, units);
+    object["statement"] = inOneParagraph(drillingSentences(report));
     object["alerts"] = alertList(result.alerts);
     return Json(object).text();
 }

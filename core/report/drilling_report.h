@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reports of many blows have in common: columns, units, the verdict in words.
+// What reports of a sequence of blows have in common: columns, units, sentences.
 #pragma once
 
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/blow/feed_estimate.h"
 #include "core/blow/outputs.h"
 #include "core/study/drilling/drilling_study.h"
 #include "core/study/rows/output_column.h"
@@ -19,9 +21,10 @@ namespace drillwave {
 /// The method of consecutive blows in JSON.
 inline constexpr const char* drillingMethod = "cells";
 
-/// Many blows, and the text of the scenario they are of.
+/// Many blows, what single ones require, and the text of the scenario they are of.
 struct DrillingReport {
     DrillingResult result;
+    std::optional<FeedEstimate> feed;  ///< of the blow of the scenario
     std::string scenarioText;
 };
 
@@ -53,12 +56,9 @@ DrillingMeasure measureOf(const BlowQuantity& quantity);
 /// A spread or an error, in units of Problem, as it is told: what is rounding alone is nothing.
 double withoutRounding(double spread);
 
-/// "a dashpot of 6.3 kN s/m", "constant force".
-Message damperWords(const Scenario& scenario, const ReadingStyle& style = plainStyle());
-/// The verdict in one sentence, with its damper.
-Message verdictSentence(const DrillingResult& result, const ReadingStyle& style = plainStyle());
-/// What to do about it; may be empty.
-Message adviceSentence(const DrillingResult& result, const ReadingStyle& style = plainStyle());
+/// What single blows require of the feed, then what the sequence gives.
+std::vector<Message> drillingSentences(const DrillingReport& report,
+                                       const ReadingStyle& style = plainStyle());
 
 /// Whether the motion repeats, with λ; requires statistics.
 Message regimeWords(const DrillingResult& result, const ReadingStyle& style = plainStyle());

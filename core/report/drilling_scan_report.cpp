@@ -2,14 +2,14 @@
 #include "core/report/drilling_scan_report.h"
 
 #include <algorithm>
-#include <iterator>
-#include <map>
 #include <optional>
 
 #include "core/report/blow_csv.h"
 #include "core/report/curve_text.h"
+#include "core/report/feed_json.h"
 #include "core/report/json_value.h"
 #include "core/report/report_text.h"
+#include "core/report/sequence_words.h"
 #include "core/study/drilling/drilling_numbers.h"
 #include "core/text/number_text.h"
 #include "core/text/unit_heading.h"
@@ -39,42 +39,6 @@ bool isOfDamper(const SweepAxis& axis) {
 }
 
 constexpr int scanDigits = 4;  ///< of the values of the parameter
-
-/// Values in order, and what holds at all motions of each.
-using HeldValues = std::map<double, bool>;
-
-Message placesOf(const HeldValues& values, const SweepAxis& axis, const ReadingStyle& style) {
-    const auto holds = [](const auto& each) { return each.second; };
-    const auto count = std::ranges::count_if(values, holds);
-    if (count == 0) return translatable("drillwave::Message", "at none of the values");
-    if (count == std::ssize(values)) return translatable("drillwave::Message", "at all values");
-    // A bit that bounces may drill at full rate in windows of the parameter.
-    constexpr std::size_t mostWindows = 4;
-    std::vector<Message> windows;
-    for (auto begin = std::ranges::find_if(values, holds); begin != values.end();) {
-        const auto end = std::find_if_not(begin, values.end(), holds);
-        const std::string from = valueText(axis, begin->first, scanDigits, style);
-        const std::string to = valueText(axis, std::prev(end)->first, scanDigits, style);
-        if (begin == values.begin())
-            windows.push_back({translatable("drillwave::Message", "up to %1"), {to}});
-        else if (end == values.end())
-            windows.push_back({translatable("drillwave::Message", "from %1 on"), {from}});
-        else if (from == to)
-            windows.push_back({translatable("drillwave::Message", "at %1"), {from}});
-        else
-            windows.push_back({translatable("drillwave::Message", "from %1 to %2"), {from, to}});
-        begin = std::find_if(end, values.end(), holds);
-    }
-    if (windows.size() > mostWindows)
-        return {translatable("drillwave::Message", "at %1 of %2 values"),
-                {std::to_string(count), std::to_string(values.size())}};
-    Message places = windows.front();
-    for (std::size_t i = 1; i < windows.size(); ++i) {
-        const bool isLast = i + 1 == windows.size();
-        places = {isLast ? translatable("drillwave::Message", "%1 and %2") : "%1, %2", {places, windows[i]}};
-    }
-    return places;
-}
 
 /// In files, and for people in their language.
 const char* nameOf(DrillingStart start) {
@@ -122,11 +86,21 @@ std::string scanTable(const DrillingScan& scan, OutputUnits units, const Reading
     return grid.text();
 }
 
+/// The sequence of the scan at the value of the scenario itself; nothing where that is none of the values.
+std::optional<Sequence> sequenceAtBase(const DrillingScan& scan) {
+    const KeptParameter& parameter = scan.axis.parameter;
+    if (!parameter || !parameter->applies(scan.base)) return std::nullopt;
+    const std::optional<double> own = parameter->value(scan.base);
+    for (const DrillingScanPoint& point : scan.points)
+        if (own == point.value && point.start == DrillingStart::rest) return sequenceOf(point.result);
+    return std::nullopt;
+}
+
 Message blowsAtEachValue(const DrillingScan& scan, const ReadingStyle& style) {
     const std::string blows = std::to_string(scan.settings.blows - scan.settings.settle);
     if (isOfDamper(scan.axis)) return {translatable("drillwave::Message", "%1 blows at each value"), {blows}};
     return {translatable("drillwave::Message", "with %1, %2 blows at each value"),
-            {damperWords(scan.base, style), blows}};
+            {feedModelWords(scan.base, style), blows}};
 }
 
 }  // namespace
@@ -176,52 +150,32 @@ std::string drillingGapsCsv(const DrillingScanReport& report, OutputUnits units)
     return csv;
 }
 
-Message scanSentence(const DrillingScan& scan, const ReadingStyle& style) {
-    if (!scan.axis.parameter || scan.points.empty()) return {};
-    HeldValues isFull, isOnRock;
-    for (const DrillingScanPoint& point : scan.points) {
-        const DrillingResult& result = point.result;
-        const bool full =
-            result.verdict == DrillingVerdict::fullRate || result.verdict == DrillingVerdict::rests;
-        const auto take = [&](HeldValues& values, bool holds) {
-            const auto [at, isNew] = values.try_emplace(point.value, holds);
-            if (!isNew) at->second = at->second && holds;
-        };
-        take(isFull, result.statistics && full);
-        take(isOnRock, result.statistics && result.statistics->contactShare == 1);
-    }
-    return {
-        translatable("drillwave::Message", "It drills at full rate %1; every blow begins on the rock %2."),
-        {placesOf(isFull, scan.axis, style), placesOf(isOnRock, scan.axis, style)}};
-}
-
 std::string drillingScanText(const DrillingScanReport& report, OutputUnits units, const ReadingStyle& style) {
     const DrillingScan& scan = report.scan;
     std::string text = headingOf(scan.base, style) + "\n  " + style.said(blowsAtEachValue(scan, style)) +
                        "\n\n" + scanTable(scan, units, style);
-    if (const Message sentence = scanSentence(scan, style); !sentence.isEmpty())
-        text += "\n" + paragraph(style.said(sentence));
-    return text + "\n" +
-           paragraph(style.said(translatable(
-               "drillwave::Message",
-               "Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- contains "
-               "the scatter of the blows and three times what half or twice the cells change, each at its "
-               "own value."))) +
-           paragraph(style.said(translatable(
-               "drillwave::Message",
-               "Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. There "
-               "is no over-feed side: friction, rotation and buckling are not in the model.")));
+    text += "\n";
+    const std::optional<Sequence> present = sequenceAtBase(scan);
+    for (const Message& sentence : scanSentences(scan, present, style))
+        text += paragraph(style.said(sentence));
+    return text + paragraph(style.said(translatable(
+                      "drillwave::Message",
+                      "+- contains the scatter of the blows and three times what half or twice the cells "
+                      "change. Penetrations are upper limits: all rock under the bit gives way and cuttings "
+                      "vanish.")));
 }
 
 std::string drillingScanJson(const DrillingScanReport& report, OutputUnits units) {
     const DrillingScan& scan = report.scan;
     const std::vector<OutputColumn> columns = drillingScanColumns(units);
+    const std::optional<ScanComparison> comparison = compareScan(scan);
     JsonArray rows;
     for (const DrillingScanPoint& point : scan.points) {
-        JsonObject row{{"value", point.value},
-                       {"start", nameOf(point.start)},
-                       {"outcome", name(point.result.outcome)},
-                       {"verdict", verdictSentence(point.result).text()}};
+        JsonObject row{
+            {"value", point.value},
+            {"start", nameOf(point.start)},
+            {"outcome", name(point.result.outcome)},
+            {"sequence", sequenceJson(point.result, OutputUnits::si, comparison ? &*comparison : nullptr)}};
         const std::vector<std::optional<double>> values = valuesOf(columns, point.result);
         for (std::size_t i = 0; i < columns.size(); ++i)
             row[columns[i].output->name] = values[i] ? Json(*values[i]) : Json();
@@ -238,6 +192,13 @@ std::string drillingScanJson(const DrillingScanReport& report, OutputUnits units
     object["key"] = scan.axis.key();
     object["blows"] = scan.settings.blows;
     object["settle"] = scan.settings.settle;
+    object["best_at"] = comparison && comparison->isResolved() ? Json(comparison->best().at) : Json();
+    object["resolved"] = comparison && comparison->isResolved();
+    object["unresolved_reason"] = comparison && comparison->unresolved
+                                      ? Json(name(*comparison->unresolved->sequence.unresolved))
+                                      : Json();
+    const std::optional<Sequence> present = sequenceAtBase(scan);
+    object["statement"] = inOneParagraph(scanSentences(scan, present));
     object["rows"] = rows;
     return Json(object).text();
 }

@@ -23,10 +23,6 @@ std::vector<OutputColumn> drillingScanColumns(OutputUnits units);
 std::string drillingScanCsv(const DrillingScanReport& report, OutputUnits units);
 /// The gap of every blow that counts, with value and start: a bifurcation diagram.
 std::string drillingGapsCsv(const DrillingScanReport& report, OutputUnits units);
-/// From which value on it drills at full rate, and from which on every blow begins on the rock: "It drills at
-/// full rate from 3.8 kN on; …". Empty over words.
-Message scanSentence(const DrillingScan& scan, const ReadingStyle& style = plainStyle());
-
 std::string drillingScanText(const DrillingScanReport& report, OutputUnits units,
                              const ReadingStyle& style = plainStyle());
 std::string drillingScanJson(const DrillingScanReport& report, OutputUnits units);

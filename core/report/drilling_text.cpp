@@ -116,9 +116,8 @@ std::string balanceLines(const DrillingResult& result, const ReadingStyle& style
 std::string drillingText(const DrillingReport& report, OutputUnits units, const ReadingStyle& style) {
     const DrillingResult& result = report.result;
     std::string text = headingOf(result.scenario, style);
-    text += "\n" + paragraph(style.said(verdictSentence(result, style)));
-    if (const Message advice = adviceSentence(result, style); !advice.isEmpty())
-        text += paragraph(style.said(advice));
+    text += "\n";
+    for (const Message& sentence : drillingSentences(report, style)) text += paragraph(style.said(sentence));
     text += "\n  " +
             style.said({translatable("drillwave::Message",
                                      "phi = %1 (thrust over mean reaction), n_b = %2 round trips per blow"),

@@ -18,6 +18,7 @@ JsonObject groupsJson(const Groups& groups) {
 
 JsonObject headJson(const JsonHead& head) {
     JsonObject object{{"version", versionText},
+                      {"outputs", outputsVersion},
                       {"title", head.scenario.title},
                       {"scenario", head.scenarioText},
                       {"groups", groupsJson(groupsOf(head.scenario))}};

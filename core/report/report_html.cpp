@@ -143,23 +143,20 @@ class Page {
 
     /// By the study of the thrust, or else by the blow alone.
     std::string decision() const {
-        const std::string words = feedDecisionText(blow().decision(), m_style);
+        const std::string words = estimateText(blow().scenario, blow().feed, m_style);
         return "<p class=\"decision\">" + escapedHtml(words) + "</p>\n";
     }
 
     /// What stands behind the decision at the top.
     std::string feed() const {
-        std::string html = heading(translatable("drillwave::Message", "Verdict on the feed"));
+        std::string html = heading(translatable("drillwave::Message", "Required feed"));
         if (m_report.thrust) {
-            for (const Message& sentence :
-                 verdictSentences(m_report.thrust->judged(), m_style) | std::views::drop(1))
-                html += paragraph(sentence);
+            const std::vector<Message> sentences = thrustSentences(
+                blow().scenario, m_report.thrust->study.feed, m_report.thrust->study.shareFull, m_style);
+            // The estimate and its note stand at the top.
+            for (const Message& sentence : sentences | std::views::drop(2)) html += paragraph(sentence);
             return html;
         }
-        if (const std::optional<FeedVerdict>& verdict = blow().feed)
-            html += paragraph(feedMeaning(
-                verdict->feed, gapAtBlow(blow().scenario, blow().summary.cor, blow().summary.transferred),
-                m_style));
         return html + paragraph(sentence(said(m_report.thrustProblem)));
     }
 
@@ -448,6 +445,7 @@ class Page {
 /// Read as the JSON of a command is; nothing in it can end the <script>.
 std::string recordText(const BlowReport& report) {
     const std::string json = Json(JsonObject{{"version", versionText},
+                                             {"outputs", outputsVersion},
                                              {"method", solverWords(report.blow).key},
                                              {"title", report.blow.scenario.title},
                                              {"scenario", report.scenarioText}})

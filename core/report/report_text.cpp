@@ -87,6 +87,12 @@ std::size_t lineEnd(std::string_view words) {
 
 }  // namespace
 
+std::string inOneParagraph(const std::vector<Message>& sentences, const ReadingStyle& style) {
+    std::string text;
+    for (const Message& sentence : sentences) text += (text.empty() ? "" : " ") + style.said(sentence);
+    return text;
+}
+
 std::string paragraph(std::string_view words) {
     std::string text;
     while (!words.empty()) {

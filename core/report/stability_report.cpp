@@ -232,9 +232,13 @@ std::string stabilityText(const StabilityReport& report, const ReadingStyle& sty
 std::string stabilityJson(const StabilityReport& report, double runTime) {
     JsonArray rows;
     for (const StabilityRow& row : report.rows) rows.emplace_back(jsonOf(row));
-    const JsonObject object{{"version", versionText},      {"run_time", runTime},
-                            {"cases", report.rows.size()}, {"not_solved", report.notSolved()},
-                            {"failed", report.failed()},   {"rows", rows}};
+    const JsonObject object{{"version", versionText},
+                            {"outputs", outputsVersion},
+                            {"run_time", runTime},
+                            {"cases", report.rows.size()},
+                            {"not_solved", report.notSolved()},
+                            {"failed", report.failed()},
+                            {"rows", rows}};
     return Json(object).text();
 }
 

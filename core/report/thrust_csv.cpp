@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/thrust_csv.h"
 
-#include <algorithm>
-
 #include "core/text/number_text.h"
 
 namespace drillwave {
@@ -25,16 +23,16 @@ void appendCells(std::string& row, const ThrustPoint& point) {
     const auto known = [](const ThrustNeed& need, double value) {
         return need.known ? std::optional(value) : std::nullopt;
     };
-    for (const ThrustNeed& need : point.needs) add(known(need, need.thrust));
-    for (const ThrustNeed& need : point.needs) add(known(need, need.thrustUndamped));
-    add(point.verdict.effective());
-    const bool allKnown = std::ranges::all_of(point.needs, &ThrustNeed::known);
-    add(allKnown ? largestOf(point.needs).margin : std::nullopt);
+    for (const ThrustNeed& need : point.feed.needs) add(known(need, need.thrust));
+    for (const ThrustNeed& need : point.feed.needs) add(known(need, need.thrustUndamped));
+    add(point.feed.effective());
+    add(point.feed.margin());
     const std::optional<GapAtBlow>& gap = point.need(ThrustCase::scenario).gapAtBlow;
     const bool hasGap = gap && gap->motion.kind != UndampedMotion::Kind::pushedBack;
     add(hasGap ? std::optional(gap->gap) : std::nullopt);
-    add(point.roundTrips);
-    row += "," + std::string(name(point.verdict.feed));
+    add(point.feed.roundTrips);
+    const std::optional<FeedState> state = point.feed.state();
+    row += "," + std::string(state ? name(*state) : "");
 }
 
 }  // namespace

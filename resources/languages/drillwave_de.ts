@@ -1222,18 +1222,6 @@ Trotzdem löschen?</translation>
         <translation>Energie des Strangs nach dem Schlag, Anteil an der des Hammers</translation>
     </message>
     <message>
-        <source>enough, bit bounces</source>
-        <translation>reicht, Krone hebt ab</translation>
-    </message>
-    <message>
-        <source>enough, bit may bounce</source>
-        <translation>reicht, Krone hebt evtl. ab</translation>
-    </message>
-    <message>
-        <source>enough, bit stays on rock</source>
-        <translation>reicht, Krone ruht</translation>
-    </message>
-    <message>
         <source>error</source>
         <translation>Fehler</translation>
     </message>
@@ -1480,10 +1468,6 @@ Trotzdem löschen?</translation>
     <message>
         <source>penetration per blow</source>
         <translation>Eindringung/Schlag</translation>
-    </message>
-    <message>
-        <source>penetration lost</source>
-        <translation>Eindringung verloren</translation>
     </message>
     <message>
         <source>penetration rate</source>
@@ -2673,6 +2657,42 @@ Trotzdem löschen?</translation>
         <source>stress error</source>
         <translation>Fehler der Spannungen</translation>
     </message>
+    <message>
+        <source>95 % of all gaps</source>
+        <translation>95 % aller Spalte</translation>
+    </message>
+    <message>
+        <source>below required</source>
+        <translation>unter dem Erforderlichen</translation>
+    </message>
+    <message>
+        <source>covers this gap</source>
+        <translation>reicht für diesen Spalt</translation>
+    </message>
+    <message>
+        <source>elastic rock, worst gap</source>
+        <translation>elastisches Gestein, schlechtester Spalt</translation>
+    </message>
+    <message>
+        <source>no estimate</source>
+        <translation>keine Schätzung</translation>
+    </message>
+    <message>
+        <source>required met</source>
+        <translation>Erforderliches erreicht</translation>
+    </message>
+    <message>
+        <source>return in time met</source>
+        <translation>rechtzeitige Rückkehr erreicht</translation>
+    </message>
+    <message>
+        <source>rigid rock</source>
+        <translation>starres Gestein</translation>
+    </message>
+    <message>
+        <source>this blow</source>
+        <translation>dieser Schlag</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -3105,22 +3125,6 @@ Punkte höchstens: Von so vielen Abtastwerten bleiben nur einige, und es wird ge
         <translation>Abschnitt %1</translation>
     </message>
     <message>
-        <source>this blow</source>
-        <translation>dieser Schlag</translation>
-    </message>
-    <message>
-        <source>95 % of all gaps</source>
-        <translation>95 % aller Spalte</translation>
-    </message>
-    <message>
-        <source>rigid rock</source>
-        <translation>starres Gestein</translation>
-    </message>
-    <message>
-        <source>elastic rock, worst gap</source>
-        <translation>elastisches Gestein, schlechtester Spalt</translation>
-    </message>
-    <message>
         <source>No curve on this axis has positive values.</source>
         <translation>Keine Kurve an dieser Achse hat positive Werte.</translation>
     </message>
@@ -3317,40 +3321,8 @@ Punkte höchstens: Von so vielen Abtastwerten bleiben nur einige, und es wird ge
         <translation>Wo in der Stange das zuerst so groß ist, und wann: ein Klick führt dorthin</translation>
     </message>
     <message>
-        <source>feed</source>
-        <translation>Vorschub</translation>
-    </message>
-    <message>
-        <source>What the feed force does between the blows</source>
-        <translation>Was der Andruck zwischen den Schlägen bewirkt</translation>
-    </message>
-    <message>
         <source>margin, this blow</source>
         <translation>Reserve, Schlag</translation>
-    </message>
-    <message>
-        <source>Feed force less what this blow needs for full penetration, and as a share of that</source>
-        <translation>Andruck abzüglich dessen, was dieser Schlag für volle Eindringung braucht, und als Anteil davon</translation>
-    </message>
-    <message>
-        <source>needed</source>
-        <translation>Bedarf</translation>
-    </message>
-    <message>
-        <source>Thrust for full penetration, up to that which brings a bit that was at rest back before the next blow even if nothing damps, with the e of this blow</source>
-        <translation>Andruck für volle Eindringung bis zu dem, der eine zuvor ruhende Bohrkrone auch ganz ohne Dämpfung vor dem nächsten Schlag zurückbringt, mit dem e dieses Schlags</translation>
-    </message>
-    <message>
-        <source>at every gap</source>
-        <translation>bei jedem Spalt</translation>
-    </message>
-    <message>
-        <source>The largest thrust for full penetration of this blow, of 95 % of all gaps, of a rigid rock, and of the worst gap on elastic rock</source>
-        <translation>Der größte Andruck für volle Eindringung: dieses Schlags, bei 95 % aller Spalte, auf starrem Gestein und beim schlechtesten Spalt auf elastischem Gestein</translation>
-    </message>
-    <message>
-        <source>Feed force less the largest of the four needs, and as a share of that: thrust_margin of commands and files</source>
-        <translation>Andruck abzüglich des größten der vier Bedarfe, und als Anteil davon: thrust_margin in Befehlen und Dateien</translation>
     </message>
     <message>
         <source>installed</source>
@@ -3589,6 +3561,38 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
     <message>
         <source>%1 is below it everywhere</source>
         <translation>%1 liegt überall darunter</translation>
+    </message>
+    <message>
+        <source>Effective feed force less what this blow requires, and as a share of that</source>
+        <translation>Wirksamer Andruck abzüglich dessen, was dieser Schlag erfordert, und als Anteil davon</translation>
+    </message>
+    <message>
+        <source>required, this blow</source>
+        <translation>erforderlich, dieser Schlag</translation>
+    </message>
+    <message>
+        <source>Mean force that balances this blow, which starts at rest on the rock</source>
+        <translation>Mittlere Kraft, die diesen Schlag ausgleicht, der in Ruhe auf dem Gestein beginnt</translation>
+    </message>
+    <message>
+        <source>return in time</source>
+        <translation>rechtzeitige Rückkehr</translation>
+    </message>
+    <message>
+        <source>At this feed an undamped rigid rod is back at the rock before the next blow</source>
+        <translation>Bei diesem Andruck ist eine ungedämpfte starre Stange vor dem nächsten Schlag zurück am Gestein</translation>
+    </message>
+    <message>
+        <source>required, every gap</source>
+        <translation>erforderlich, jeder Spalt</translation>
+    </message>
+    <message>
+        <source>The largest force required by this blow, by 95 % of all gaps, on rigid rock, and by the worst gap on elastic rock</source>
+        <translation>Die größte erforderliche Kraft: für diesen Schlag, für 95 % aller Spalte, auf starrem Gestein und beim schlechtesten Spalt auf elastischem Gestein</translation>
+    </message>
+    <message>
+        <source>Effective feed force less the largest of the four, and as a share of that: thrust_margin of commands and files</source>
+        <translation>Wirksamer Andruck abzüglich der größten der vier Kräfte, und als Anteil davon: thrust_margin in Befehlen und Dateien</translation>
     </message>
 </context>
 <context>
@@ -4534,16 +4538,8 @@ Gezeigt wird der Wert davor.</translation>
         <translation>φ = %1, %2 Hin- und Rückläufe zwischen Schlägen</translation>
     </message>
     <message>
-        <source>; %1 % of the blows begin within %2 of the rock; %3</source>
-        <translation>; %1 % der Schläge beginnen höchstens %2 vom Gestein entfernt; %3</translation>
-    </message>
-    <message>
         <source>No scan: %1</source>
         <translation>Kein Durchlauf: %1</translation>
-    </message>
-    <message>
-        <source>The scan below: %1</source>
-        <translation>Der Durchlauf darunter: %1</translation>
     </message>
     <message>
         <source>Drilling</source>
@@ -4568,6 +4564,10 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>Following the blows one after another …</source>
         <translation>Die Schläge werden einer nach dem anderen verfolgt …</translation>
+    </message>
+    <message>
+        <source>; in contact is within %1 of the rock; %2</source>
+        <translation>; im Kontakt heißt höchstens %1 vom Gestein; %2</translation>
     </message>
 </context>
 <context>
@@ -6233,48 +6233,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>einer Feder von %1</translation>
     </message>
     <message>
-        <source>constant force</source>
-        <translation>konstanter Kraft</translation>
-    </message>
-    <message>
         <source>Not solved: %1.</source>
         <translation>Nicht gelöst: %1.</translation>
     </message>
     <message>
         <source>Stopped before all blows were done.</source>
         <translation>Angehalten, bevor alle Schläge fertig waren.</translation>
-    </message>
-    <message>
-        <source>With %1 the machine is pushed back.</source>
-        <translation>Mit %1 weicht die Maschine zurück.</translation>
-    </message>
-    <message>
-        <source>With %1 the bit rests on the rock before every blow.</source>
-        <translation>Mit %1 ruht die Bohrkrone vor jedem Schlag auf dem Gestein.</translation>
-    </message>
-    <message>
-        <source>With %1 the bit rests on the rock before every blow; %2 % of full rate.</source>
-        <translation>Mit %1 ruht die Bohrkrone vor jedem Schlag auf dem Gestein; %2&#xa0;% des vollen Bohrfortschritts.</translation>
-    </message>
-    <message>
-        <source>With %1 it drills at full rate (%2 % of full rate); the bit leaves the rock between blows, gaps of %3 to %4 when the next one comes.</source>
-        <translation>Mit %1 wird der volle Bohrfortschritt erreicht (%2&#xa0;% davon); die Bohrkrone verlässt das Gestein zwischen den Schlägen, Spalte von %3 bis %4, wenn der nächste kommt.</translation>
-    </message>
-    <message>
-        <source>With %1 penetration is lost; gaps of %2 to %3 when the next blow comes.</source>
-        <translation>Mit %1 geht Eindringung verloren; Spalte von %2 bis %3, wenn der nächste Schlag kommt.</translation>
-    </message>
-    <message>
-        <source>With %1 penetration is lost: %2 % of full rate; gaps of %3 to %4 when the next blow comes.</source>
-        <translation>Mit %1 geht Eindringung verloren: %2&#xa0;% des vollen Bohrfortschritts; Spalte von %3 bis %4, wenn der nächste Schlag kommt.</translation>
-    </message>
-    <message>
-        <source>Bounded motion needs more than f I0 = %1.</source>
-        <translation>Eine beschränkte Bewegung braucht mehr als f I₀ = %1.</translation>
-    </message>
-    <message>
-        <source>Waves alone ask for f I0 (1 + e) = %1 for the full rate; with another damper it is another thrust.</source>
-        <translation>Wellen allein verlangen f I₀ (1 + e) = %1 für den vollen Bohrfortschritt; mit einem anderen Dämpfer ist es ein anderer Andruck.</translation>
     </message>
     <message>
         <source>at rest before every blow</source>
@@ -6301,22 +6265,6 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>%1; Ljapunow-Exponent %2 +- %3 je Schlag</translation>
     </message>
     <message>
-        <source>at none of the values</source>
-        <translation>bei keinem der Werte</translation>
-    </message>
-    <message>
-        <source>at all values</source>
-        <translation>bei allen Werten</translation>
-    </message>
-    <message>
-        <source>up to %1</source>
-        <translation>bis %1</translation>
-    </message>
-    <message>
-        <source>from %1 on</source>
-        <translation>ab %1</translation>
-    </message>
-    <message>
         <source>at %1</source>
         <translation>bei %1</translation>
     </message>
@@ -6325,40 +6273,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>von %1 bis %2</translation>
     </message>
     <message>
-        <source>at %1 of %2 values</source>
-        <translation>bei %1 von %2 Werten</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 und %2</translation>
-    </message>
-    <message>
-        <source>It drills at full rate %1; every blow begins on the rock %2.</source>
-        <translation>Den vollen Bohrfortschritt gibt es %1; dass jeder Schlag auf dem Gestein beginnt, gibt es %2.</translation>
-    </message>
-    <message>
         <source>at every gap</source>
         <translation>bei jedem Spalt</translation>
-    </message>
-    <message>
-        <source>on rigid rock</source>
-        <translation>auf starrem Gestein</translation>
-    </message>
-    <message>
-        <source>for this blow and on rigid rock</source>
-        <translation>für diesen Schlag und auf starrem Gestein</translation>
-    </message>
-    <message>
-        <source>in this blow</source>
-        <translation>bei diesem Schlag</translation>
-    </message>
-    <message>
-        <source>at 95 % of all gaps</source>
-        <translation>bei 95&#xa0;% aller Spalte</translation>
-    </message>
-    <message>
-        <source>at the worst gap on elastic rock</source>
-        <translation>beim schlechtesten Spalt auf elastischem Gestein</translation>
     </message>
     <message>
         <source>The feed is not judged: the scenario is given by its dimensionless groups, not in physical units.</source>
@@ -6369,96 +6285,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Der Vorschub wird nicht beurteilt: es ist keine Schlagfrequenz angegeben.</translation>
     </message>
     <message>
-        <source>The feed is not judged: neither blow frequency nor thrust is given.</source>
-        <translation>Der Vorschub wird nicht beurteilt: weder Schlagfrequenz noch Andruck ist angegeben.</translation>
-    </message>
-    <message>
-        <source>%1 is enough at every gap%2.</source>
-        <translation>%1 genügen bei jedem Spalt%2.</translation>
-    </message>
-    <message>
-        <source>%1 is enough for this blow and on rigid rock%2.</source>
-        <translation>%1 genügen für diesen Schlag und auf starrem Gestein%2.</translation>
-    </message>
-    <message>
-        <source>%1 is enough for this blow%2; other gaps were not looked at.</source>
-        <translation>%1 genügen für diesen Schlag%2; andere Spalte wurden nicht betrachtet.</translation>
-    </message>
-    <message>
-        <source>%1 is enough for this blow%2, but not %3: that takes %4.</source>
-        <translation>%1 genügen für diesen Schlag%2, aber nicht %3: das verlangt %4.</translation>
-    </message>
-    <message>
-        <source>%1 is not enough: %2%3.</source>
-        <translation>%1 genügen nicht: %2%3.</translation>
-    </message>
-    <message>
         <source>%1 (%2 with the weight along the hole)</source>
         <translation>%1 (%2 mit dem Gewicht entlang des Lochs)</translation>
     </message>
     <message>
-        <source> up to %1</source>
-        <translation> bis %1</translation>
-    </message>
-    <message>
         <source>at least %1</source>
         <translation>mindestens %1</translation>
-    </message>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 bei %2</translation>
-    </message>
-    <message>
-        <source>%1 at %2, or at most %3</source>
-        <translation>%1 bei %2 oder höchstens %3</translation>
-    </message>
-    <message>
-        <source>No thrust is given: the weight along the hole alone is enough for this blow at %1%2.</source>
-        <translation>Es ist kein Andruck angegeben: das Gewicht entlang des Lochs allein genügt für diesen Schlag bei %1%2.</translation>
-    </message>
-    <message>
-        <source>No thrust is given: this blow needs %1 at %2%3.</source>
-        <translation>Es ist kein Andruck angegeben: dieser Schlag braucht %1 bei %2%3.</translation>
-    </message>
-    <message>
-        <source> If nothing damps the rebound, the bit bounces without ever becoming steady, because e is not below 1.</source>
-        <translation> Dämpft nichts den Rückprall, springt die Bohrkrone, ohne je in eine gleichmäßige Bewegung zu kommen, weil e nicht unter 1 liegt.</translation>
-    </message>
-    <message>
-        <source> It is then %1 off the rock when the hammer strikes.</source>
-        <translation> Sie ist dann %1 vom Gestein entfernt, wenn der Hammer schlägt.</translation>
-    </message>
-    <message>
-        <source> If nothing damps the rebound, the bit is %1 off the rock when the hammer strikes.</source>
-        <translation> Dämpft nichts den Rückprall, ist die Bohrkrone %1 vom Gestein entfernt, wenn der Hammer schlägt.</translation>
-    </message>
-    <message>
-        <source>Give the installed thrust to have it judged.</source>
-        <translation>Den installierten Andruck angeben, um ihn beurteilen zu lassen.</translation>
-    </message>
-    <message>
-        <source>The blows push the machine back from the rock. Raise the feed, or lower the percussion.</source>
-        <translation>Die Schläge drücken die Maschine vom Gestein zurück. Den Vorschub erhöhen oder das Schlagwerk schwächer stellen.</translation>
-    </message>
-    <message>
-        <source>Penetration is lost: the bit bounces off the bottom between blows, many meet a bit that is not on the rock, and the string runs loose. Joints rattle, run hot and wear. Raise the feed, or lower the percussion.</source>
-        <translation>Eindringung geht verloren: die Bohrkrone springt zwischen den Schlägen von der Bohrlochsohle, viele treffen eine Bohrkrone, die nicht auf dem Gestein ist, und der Strang läuft lose. Verbindungen rattern, werden heiß und verschleißen. Den Vorschub erhöhen oder das Schlagwerk schwächer stellen.</translation>
-    </message>
-    <message>
-        <source>It drills at full rate, but the bit leaves the rock between blows and the joints are hammered, unless the machine damps the rebound well.</source>
-        <translation>Der volle Bohrfortschritt wird erreicht, aber die Bohrkrone verlässt zwischen den Schlägen das Gestein und die Verbindungen werden gehämmert, wenn die Maschine den Rückprall nicht gut dämpft.</translation>
-    </message>
-    <message>
-        <source>It drills at full rate, and a bit that rests on the rock when the hammer strikes is back before the next blow; a bit that bounces goes on bouncing if nothing damps the rebound.</source>
-        <translation>Der volle Bohrfortschritt wird erreicht, und eine Bohrkrone, die auf dem Gestein ruht, wenn der Hammer schlägt, ist vor dem nächsten Schlag zurück; eine, die springt, springt weiter, wenn nichts den Rückprall dämpft.</translation>
-    </message>
-    <message>
-        <source>It drills at full rate, and the bit rests on the rock before every blow even if nothing damps the rebound.</source>
-        <translation>Der volle Bohrfortschritt wird erreicht, und die Bohrkrone ruht vor jedem Schlag auf dem Gestein, auch wenn nichts den Rückprall dämpft.</translation>
-    </message>
-    <message>
-        <source> Waves that the blow before has left are not in this; %1 follows them. Whether it is too much (friction, buckling, stalling of the rotation) is outside the model.</source>
-        <translation> Wellen, die der Schlag davor hinterlassen hat, sind darin nicht enthalten; %1 verfolgt sie. Ob es zu viel ist (Reibung, Knicken, Stehenbleiben der Drehung), liegt außerhalb des Modells.</translation>
     </message>
     <message>
         <source>this blow</source>
@@ -6475,22 +6307,6 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>elastic rock, worst gap</source>
         <translation>elastisches Gestein, schlechtester Spalt</translation>
-    </message>
-    <message>
-        <source>Margin over the largest of the four needs (%1): %2.</source>
-        <translation>Reserve gegenüber dem größten der vier Bedarfe (%1): %2.</translation>
-    </message>
-    <message>
-        <source>Margin over the larger of the two needs (%1): %2.</source>
-        <translation>Reserve gegenüber dem größeren der beiden Bedarfe (%1): %2.</translation>
-    </message>
-    <message>
-        <source>It is enough at %1 of all gaps in this rock.</source>
-        <translation>Der Andruck genügt bei %1 aller Spalte in diesem Gestein.</translation>
-    </message>
-    <message>
-        <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period over which a share of them or the worst one could be told.</source>
-        <translation>Der Kraftstoß eines Schlags ist der an der Schlagfläche des Hammers. Die Spalte eines Bohrstrangs haben keine Periode, über der ein Anteil von ihnen oder der schlechteste zu nennen wäre.</translation>
     </message>
     <message>
         <source>hammer section %1</source>
@@ -6731,10 +6547,6 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>One uniform rod; joints and the mass of the bit are not modelled.</source>
         <translation>Eine gleichförmige Stange; Verbindungen und die Masse der Bohrkrone sind nicht modelliert.</translation>
-    </message>
-    <message>
-        <source>Verdict on the feed</source>
-        <translation>Urteil über den Vorschub</translation>
     </message>
     <message>
         <source>Alerts and remarks</source>
@@ -7133,24 +6945,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Reflexion</translation>
     </message>
     <message>
-        <source>none</source>
-        <translation>keiner</translation>
-    </message>
-    <message>
-        <source>thrust needed for</source>
-        <translation>Bedarf an Andruck</translation>
-    </message>
-    <message>
-        <source>enough ... bit back undamped</source>
-        <translation>reicht ... Krone ungedämpft zurück</translation>
-    </message>
-    <message>
         <source>margin</source>
         <translation>Reserve</translation>
-    </message>
-    <message>
-        <source>enough up to</source>
-        <translation>reicht bis</translation>
     </message>
     <message>
         <source>gap at the blow</source>
@@ -8405,10 +8201,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1, installiert %2, wirksam %3</translation>
     </message>
     <message>
-        <source>thrust needed</source>
-        <translation>nötiger Andruck</translation>
-    </message>
-    <message>
         <source>(error estimated as %1)</source>
         <translation>(Fehler geschätzt auf %1)</translation>
     </message>
@@ -8709,14 +8501,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>mit %1, %2 Schläge bei jedem Wert</translation>
     </message>
     <message>
-        <source>Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- contains the scatter of the blows and three times what half or twice the cells change, each at its own value.</source>
-        <translation>Als voller Bohrfortschritt gelten 95&#xa0;% dessen, was ein Vorschub von 2 (1 + 2e) f J mit demselben Dämpfer ergibt. ± enthält die Streuung der Schläge und das Dreifache dessen, was halb oder doppelt so viele Zellen ändern, beides an diesem Wert.</translation>
-    </message>
-    <message>
-        <source>Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. There is no over-feed side: friction, rotation and buckling are not in the model.</source>
-        <translation>Eindringungen sind obere Grenzen: alles Gestein unter der Bohrkrone gibt nach, und Bohrklein verschwindet. Zu viel Vorschub gibt es hier nicht: Reibung, Drehung und Knicken sind nicht im Modell.</translation>
-    </message>
-    <message>
         <source>contact share</source>
         <translation>Kontaktanteil</translation>
     </message>
@@ -8755,18 +8539,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>phi = %1 (thrust over mean reaction), n_b = %2 round trips per blow</source>
         <translation>φ = %1 (Andruck durch mittlere Reaktion), %2 Hin- und Rückläufe je Schlag</translation>
-    </message>
-    <message>
-        <source>installed thrust of %1</source>
-        <translation>installierter Andruck %1</translation>
-    </message>
-    <message>
-        <source>effective force of %1 (thrust %2, less %3 of weight along the hole)</source>
-        <translation>wirksamer Andruck %1 (vom Bohrgerät %2, abzüglich %3 Gewicht entlang des Lochs)</translation>
-    </message>
-    <message>
-        <source>effective force of %1 (thrust %2, and %3 of weight along the hole)</source>
-        <translation>wirksamer Andruck %1 (vom Bohrgerät %2 und %3 Gewicht entlang des Lochs)</translation>
     </message>
     <message>
         <source>The gap has a period of d0 = %1.</source>
@@ -9051,10 +8823,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>%1 of %2, n_b = %3</source>
         <translation>%1 mit %2 je Schlag, %3 Hin- und Rückläufe bis zum nächsten Schlag</translation>
-    </message>
-    <message>
-        <source>What a damper changes, and what waves from blow to blow, `drillwave drill` follows.</source>
-        <translation>Was ein Dämpfer ändert und was Wellen von Schlag zu Schlag ändern, verfolgt `drillwave drill`.</translation>
     </message>
     <message>
         <source>%1 takes a study of all gaps at every point; `drillwave thrust --along` has it</source>
@@ -10768,6 +10536,250 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>Change from %1 to %2: %3 becomes %4 instead of %5.</source>
         <translation>Von %1 zu %2 wechseln: %3 wird %4 statt %5.</translation>
     </message>
+    <message>
+        <source>feed required</source>
+        <translation>Andruck erforderlich</translation>
+    </message>
+    <message>
+        <source>+- contains the scatter of the blows and three times what half or twice the cells change. Penetrations are upper limits: all rock under the bit gives way and cuttings vanish.</source>
+        <translation>+- enthält die Streuung der Schläge und das Dreifache dessen, was halb oder doppelt so viele Zellen ändern. Eindringungen sind obere Grenzen: alles Gestein unter der Bohrkrone gibt nach, und das Bohrklein verschwindet.</translation>
+    </message>
+    <message>
+        <source>The single-blow estimate does not apply: the waves of a blow are still in the string when the next one comes.</source>
+        <translation>Die Schätzung aus einem Schlag gilt nicht: die Wellen eines Schlags sind noch im Strang, wenn der nächste kommt.</translation>
+    </message>
+    <message>
+        <source>The feed of %1 is less than the mean force of the blows, %2: the machine is pushed back.</source>
+        <translation>Der Andruck von %1 ist kleiner als die mittlere Kraft der Schläge, %2: die Maschine weicht zurück.</translation>
+    </message>
+    <message>
+        <source>%1 is below the %2 that this blow requires: penetration will probably be lost.</source>
+        <translation>%1 sind weniger als die %2, die dieser Schlag erfordert: wahrscheinlich geht Eindringung verloren.</translation>
+    </message>
+    <message>
+        <source>%1 covers every single blow (%2 required).</source>
+        <translation>%1 decken jeden einzelnen Schlag ab (%2 erforderlich).</translation>
+    </message>
+    <message>
+        <source>%1 covers this blow and rigid rock (%2 required); gaps were not examined.</source>
+        <translation>%1 decken diesen Schlag und starres Gestein ab (%2 erforderlich); Spalte wurden nicht untersucht.</translation>
+    </message>
+    <message>
+        <source>%1 covers every single blow, with return in time at every gap (%2).</source>
+        <translation>%1 decken jeden einzelnen Schlag ab, mit rechtzeitiger Rückkehr bei jedem Spalt (%2).</translation>
+    </message>
+    <message>
+        <source>%1 covers this blow and rigid rock, with return in time (%2); gaps were not examined.</source>
+        <translation>%1 decken diesen Schlag und starres Gestein ab, mit rechtzeitiger Rückkehr (%2); Spalte wurden nicht untersucht.</translation>
+    </message>
+    <message>
+        <source>This blow is covered by at least %1 at %2.</source>
+        <translation>Diesen Schlag decken mindestens %1 bei %2 ab.</translation>
+    </message>
+    <message>
+        <source>This blow is covered by at least %1 at %2, or at most %3 with this feed.</source>
+        <translation>Diesen Schlag decken mindestens %1 bei %2 ab, oder mit diesem Andruck höchstens %3.</translation>
+    </message>
+    <message>
+        <source>%1 covers this blow (%2 required), but not every gap (up to %3).</source>
+        <translation>%1 decken diesen Schlag ab (%2 erforderlich), aber nicht jeden Spalt (bis %3).</translation>
+    </message>
+    <message>
+        <source>%1 covers this blow (%2 required), but not rigid rock (%3).</source>
+        <translation>%1 decken diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3).</translation>
+    </message>
+    <message>
+        <source>%1 covers this blow (%2 required), but not rigid rock (%3); gaps were not examined.</source>
+        <translation>%1 decken diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3); Spalte wurden nicht untersucht.</translation>
+    </message>
+    <message>
+        <source>No feed force is given: at %1 the weight along the hole alone covers this blow and rigid rock.</source>
+        <translation>Es ist kein Andruck angegeben: bei %1 deckt das Gewicht längs des Bohrlochs allein diesen Schlag und starres Gestein ab.</translation>
+    </message>
+    <message>
+        <source>No feed force is given: this blow requires at least %1 at %2.</source>
+        <translation>Es ist kein Andruck angegeben: dieser Schlag erfordert bei %2 mindestens %1.</translation>
+    </message>
+    <message>
+        <source>No feed force is given: this blow requires at least %1 at %2, every single blow at least %3.</source>
+        <translation>Es ist kein Andruck angegeben: dieser Schlag erfordert bei %2 mindestens %1, jeder einzelne Schlag mindestens %3.</translation>
+    </message>
+    <message>
+        <source>No feed force is given: this blow requires at least %1 at %2, rigid rock at least %3.</source>
+        <translation>Es ist kein Andruck angegeben: dieser Schlag erfordert bei %2 mindestens %1, starres Gestein mindestens %3.</translation>
+    </message>
+    <message>
+        <source>The feed is not judged: neither blow frequency nor feed force is given.</source>
+        <translation>Der Vorschub wird nicht beurteilt: weder Schlagfrequenz noch Andruck sind angegeben.</translation>
+    </message>
+    <message>
+        <source>Estimate from single blows; %1 follows consecutive blows.</source>
+        <translation>Schätzung aus einzelnen Schlägen; %1 verfolgt aufeinanderfolgende Schläge.</translation>
+    </message>
+    <message>
+        <source>installed feed force %1</source>
+        <translation>installierter Andruck %1</translation>
+    </message>
+    <message>
+        <source>effective feed force %1 (installed %2, less %3 of weight along the hole)</source>
+        <translation>wirksamer Andruck %1 (installiert %2, abzüglich %3 Gewicht längs des Bohrlochs)</translation>
+    </message>
+    <message>
+        <source>effective feed force %1 (installed %2, and %3 of weight along the hole)</source>
+        <translation>wirksamer Andruck %1 (installiert %2, und %3 Gewicht längs des Bohrlochs)</translation>
+    </message>
+    <message>
+        <source>Friction, rotation and buckling are not modelled.</source>
+        <translation>Reibung, Drehung und Knicken sind nicht modelliert.</translation>
+    </message>
+    <message>
+        <source>Required feed</source>
+        <translation>Erforderlicher Andruck</translation>
+    </message>
+    <message>
+        <source>no wave loss is defined</source>
+        <translation>kein Wellenverlust angegeben ist</translation>
+    </message>
+    <message>
+        <source>the motion is irregular</source>
+        <translation>die Bewegung unregelmäßig ist</translation>
+    </message>
+    <message>
+        <source>only few blows were followed</source>
+        <translation>nur wenige Schläge verfolgt wurden</translation>
+    </message>
+    <message>
+        <source>the lengths are no whole number of cells</source>
+        <translation>die Längen keine ganze Zahl von Zellen sind</translation>
+    </message>
+    <message>
+        <source>Give a wave loss (drill.wave_loss); 1 to 30 % of a round trip is usual.</source>
+        <translation>Einen Wellenverlust angeben (drill.wave_loss); üblich sind 1 bis 30 % je Hin- und Rücklauf.</translation>
+    </message>
+    <message>
+        <source>More blows (drill.blows) lower the error.</source>
+        <translation>Mehr Schläge (drill.blows) verkleinern den Fehler.</translation>
+    </message>
+    <message>
+        <source>Smaller cells, or lengths with a common step, lower it.</source>
+        <translation>Kleinere Zellen oder Längen mit gemeinsamem Schritt verkleinern ihn.</translation>
+    </message>
+    <message>
+        <source>%1 per blow, %2.</source>
+        <translation>%1 je Schlag, %2.</translation>
+    </message>
+    <message>
+        <source>%1 per blow, %2: %3 of a single blow from rest.</source>
+        <translation>%1 je Schlag, %2: %3 eines einzelnen Schlags aus der Ruhe.</translation>
+    </message>
+    <message>
+        <source>The machine is pushed back: its motion has no bound.</source>
+        <translation>Die Maschine weicht zurück: ihre Bewegung hat keine Grenze.</translation>
+    </message>
+    <message>
+        <source>A feed of %1</source>
+        <translation>Ein Andruck von %1</translation>
+    </message>
+    <message>
+        <source>From %1 to %2 the rate is the same within the errors.</source>
+        <translation>Von %1 bis %2 ist der Bohrfortschritt innerhalb der Fehler gleich.</translation>
+    </message>
+    <message>
+        <source>a constant force</source>
+        <translation>konstante Kraft</translation>
+    </message>
+    <message>
+        <source>This mean is not resolved, its error is above %1, because %2.</source>
+        <translation>Dieses Mittel ist nicht aufgelöst, sein Fehler liegt über %1, weil %2.</translation>
+    </message>
+    <message>
+        <source>The bit starts in contact at %1 of blows.</source>
+        <translation>Die Bohrkrone beginnt bei %1 der Schläge im Kontakt.</translation>
+    </message>
+    <message>
+        <source>Feed modelled as %1 (assumed).</source>
+        <translation>Der Vorschub ist modelliert als %1 (angenommen).</translation>
+    </message>
+    <message>
+        <source>Feed modelled as %1.</source>
+        <translation>Der Vorschub ist modelliert als %1.</translation>
+    </message>
+    <message>
+        <source>The scan cannot resolve a difference: +- %1, because %2.</source>
+        <translation>Der Durchlauf kann keinen Unterschied auflösen: +- %1, weil %2.</translation>
+    </message>
+    <message>
+        <source>All values give the same rate within the errors, %1.</source>
+        <translation>Alle Werte ergeben innerhalb der Fehler denselben Bohrfortschritt, %1.</translation>
+    </message>
+    <message>
+        <source>%1 gives the most, %2%3.</source>
+        <translation>%1 ergibt das meiste, %2%3.</translation>
+    </message>
+    <message>
+        <source>Margin over the largest of the four required forces (%1): %2.</source>
+        <translation>Reserve gegenüber der größten der vier erforderlichen Kräfte (%1): %2.</translation>
+    </message>
+    <message>
+        <source>Margin over the larger of the two required forces (%1): %2.</source>
+        <translation>Reserve gegenüber der größeren der beiden erforderlichen Kräfte (%1): %2.</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>Fall</translation>
+    </message>
+    <message>
+        <source>return in time</source>
+        <translation>rechtzeitige Rückkehr</translation>
+    </message>
+    <message>
+        <source>covered up to</source>
+        <translation>reicht bis</translation>
+    </message>
+    <message>
+        <source>It covers %1 of all gaps in this rock.</source>
+        <translation>Er deckt %1 aller Spalte in diesem Gestein ab.</translation>
+    </message>
+    <message>
+        <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period, so neither a share of them nor the worst one is known.</source>
+        <translation>Der Kraftstoß eines Schlags ist der an der Stirnfläche des Hammers. Die Spalte eines Strangs haben keine Periode, daher sind weder ein Anteil von ihnen noch der schlechteste bekannt.</translation>
+    </message>
+    <message>
+        <source>its blows need more wave cells than permitted</source>
+        <translation>seine Schläge brauchen mehr Wellenzellen als erlaubt</translation>
+    </message>
+    <message>
+        <source>sequences of blows</source>
+        <translation>Schlagfolgen</translation>
+    </message>
+    <message>
+        <source>all results, by its cones</source>
+        <translation>alle Ergebnisse, wegen der Kegel</translation>
+    </message>
+    <message>
+        <source>cor and the required feed, by its losses</source>
+        <translation>cor und der erforderliche Andruck, wegen der Verluste</translation>
+    </message>
+    <message>
+        <source>contact shares</source>
+        <translation>Anteile im Kontakt</translation>
+    </message>
+    <message>
+        <source>statements about the feed</source>
+        <translation>Aussagen über den Vorschub</translation>
+    </message>
+    <message>
+        <source>energies, which are in J beside SI</source>
+        <translation>Energien, neben SI in J</translation>
+    </message>
+    <message>
+        <source>Written by Drillwave %1. These results have changed since: %2 (manual, Upgrading).</source>
+        <translation>Geschrieben von Drillwave %1. Seither haben sich geändert: %2 (Handbuch, Kapitel Upgrading).</translation>
+    </message>
+    <message>
+        <source>%1: note: %2</source>
+        <translation>%1: Hinweis: %2</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -11683,10 +11695,6 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
 <context>
     <name>drillwave::ResultPanel</name>
     <message>
-        <source>Thrust</source>
-        <translation>Andruck</translation>
-    </message>
-    <message>
         <source>Penetration</source>
         <translation>Eindringung</translation>
     </message>
@@ -11715,10 +11723,6 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Warnungen</translation>
     </message>
     <message>
-        <source>what to do about the feed</source>
-        <translation>was mit dem Vorschub zu tun ist</translation>
-    </message>
-    <message>
         <source>Events</source>
         <translation>Ereignisse</translation>
     </message>
@@ -11727,16 +11731,40 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Spannung in Hammer und Strang</translation>
     </message>
     <message>
-        <source>Told of single blows, each from rest; %1 follows one after another.</source>
-        <translation>Gilt für einzelne Schläge, jeder aus der Ruhe; %1 verfolgt einen nach dem anderen.</translation>
-    </message>
-    <message>
         <source>Drilling</source>
         <translation>Bohren</translation>
     </message>
     <message>
-        <source>Waves that a blow leaves in the rod meet the next one, and may make the bit bounce where single blows say that it rests</source>
-        <translation>Wellen, die ein Schlag in der Stange hinterlässt, treffen auf den nächsten; die Krone kann dann auch springen, wo einzelne Schläge sie ruhen lassen</translation>
+        <source>Feed</source>
+        <translation>Andruck</translation>
+    </message>
+    <message>
+        <source>required feed</source>
+        <translation>erforderlicher Andruck</translation>
+    </message>
+    <message>
+        <source>sequence of blows</source>
+        <translation>Schlagfolge</translation>
+    </message>
+    <message>
+        <source>Set wave loss 10 %</source>
+        <translation>Wellenverlust 10 % setzen</translation>
+    </message>
+    <message>
+        <source>Estimate from single blows; consecutive blows are followed …</source>
+        <translation>Schätzung aus einzelnen Schlägen; aufeinanderfolgende Schläge werden verfolgt …</translation>
+    </message>
+    <message>
+        <source>Estimate from single blows.</source>
+        <translation>Schätzung aus einzelnen Schlägen.</translation>
+    </message>
+    <message>
+        <source>Follow consecutive blows (about %1 s)</source>
+        <translation>Aufeinanderfolgende Schläge verfolgen (etwa %1 s)</translation>
+    </message>
+    <message>
+        <source>Estimate from single blows; %1 follows consecutive blows.</source>
+        <translation>Schätzung aus einzelnen Schlägen; %1 verfolgt aufeinanderfolgende Schläge.</translation>
     </message>
 </context>
 <context>
@@ -13260,16 +13288,16 @@ flexion</translation>
         <translation>über</translation>
     </message>
     <message>
-        <source>Needs of the thrust</source>
-        <translation>Bedarfe an Andruck</translation>
-    </message>
-    <message>
         <source>Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: without a blow frequency and forces no feed can be judged. File ▸ New begins a scenario that has them.</source>
         <translation>Andruck braucht Szenarien in physikalischen Einheiten, und dieses ist durch seine dimensionslosen Kennzahlen gegeben: ohne Schlagfrequenz und Kräfte lässt sich kein Vorschub beurteilen. Datei ▸ Neu beginnt ein Szenario, das sie hat.</translation>
     </message>
     <message>
         <source>Thrust</source>
         <translation>Andruck</translation>
+    </message>
+    <message>
+        <source>Required feed</source>
+        <translation>Erforderlicher Andruck</translation>
     </message>
 </context>
 <context>
@@ -13318,56 +13346,40 @@ flexion</translation>
         <translation>schlechtester Spalt</translation>
     </message>
     <message>
-        <source>none</source>
-        <translation>keine</translation>
-    </message>
-    <message>
-        <source>not steady</source>
-        <translation>kein stationärer Zustand</translation>
-    </message>
-    <message>
-        <source>Needs of the thrust</source>
-        <translation>Bedarfe an Andruck</translation>
-    </message>
-    <message>
-        <source>need</source>
-        <translation>Bedarf</translation>
-    </message>
-    <message>
         <source>margin</source>
         <translation>Reserve</translation>
     </message>
     <message>
-        <source>enough up to</source>
+        <source>Required feed</source>
+        <translation>Erforderlicher Andruck</translation>
+    </message>
+    <message>
+        <source>required</source>
+        <translation>erforderlich</translation>
+    </message>
+    <message>
+        <source>return in time</source>
+        <translation>rechtzeitige Rückkehr</translation>
+    </message>
+    <message>
+        <source>covered up to</source>
         <translation>reicht bis</translation>
     </message>
     <message>
-        <source>gap at the blow</source>
-        <translation>Spalt beim Schlag</translation>
+        <source>Mean force that balances a blow which starts at rest on the rock</source>
+        <translation>Mittlere Kraft, die einen Schlag ausgleicht, der in Ruhe auf dem Gestein beginnt</translation>
     </message>
     <message>
-        <source>feed</source>
-        <translation>Vorschub</translation>
+        <source>At this feed an undamped rigid rod is back at the rock before the next blow</source>
+        <translation>Bei diesem Andruck ist eine ungedämpfte starre Stange vor dem nächsten Schlag zurück am Gestein</translation>
     </message>
     <message>
-        <source>From the thrust for full penetration to that which brings a bit that was at rest back before the next blow even if nothing damps</source>
-        <translation>Vom Andruck für volle Eindringung bis zu dem, der eine zuvor ruhende Bohrkrone auch ganz ohne Dämpfung vor dem nächsten Schlag zurückbringt</translation>
+        <source>Effective feed force over the required one, less 1</source>
+        <translation>Wirksamer Andruck geteilt durch den erforderlichen, minus 1</translation>
     </message>
     <message>
-        <source>Effective force over what full penetration needs, less 1</source>
-        <translation>Wirksame Kraft durch das, was volle Eindringung braucht, weniger 1</translation>
-    </message>
-    <message>
-        <source>Blow frequency at which the effective force is just what full penetration needs</source>
-        <translation>Schlagfrequenz, bei der die wirksame Kraft gerade das ist, was volle Eindringung braucht</translation>
-    </message>
-    <message>
-        <source>How far the bit is off the rock when the hammer strikes, if nothing damps the rebound; with a damper the page &quot;Drilling&quot; follows it</source>
-        <translation>Wie weit die Bohrkrone vom Gestein entfernt ist, wenn der Hammer schlägt und nichts den Rückprall dämpft; mit einem Dämpfer verfolgt das die Seite „Bohren“</translation>
-    </message>
-    <message>
-        <source>What the effective force does between blows with this e</source>
-        <translation>Was die wirksame Kraft zwischen Schlägen mit diesem e bewirkt</translation>
+        <source>Up to this blow frequency the effective feed force covers the required one</source>
+        <translation>Bis zu dieser Schlagfrequenz reicht der wirksame Andruck</translation>
     </message>
 </context>
 <context>
@@ -13886,26 +13898,6 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
         <translation>eine vorhandene Datei überschreiben</translation>
     </message>
     <message>
-        <source>many blows under a feed: gaps, penetration, whether the bit stays on the rock</source>
-        <translation>viele Schläge unter einem Vorschub: Spalte, Eindringung, ob die Bohrkrone auf dem Gestein bleibt</translation>
-    </message>
-    <message>
-        <source>Follows blow after blow: waves, motions and the machine on its damper live on between them,
-the rock is new for every blow. Told are the means with their errors, how many blows begin on
-the rock, whether the motion repeats, where the energy goes, and in a sentence what the
-thrust is good for with this damper. FILE needs drill.blow_frequency and drill.thrust.
-Penetrations are upper limits. With --scan the same over a parameter, each value from rest
-and from bouncing. DIR gets scenario.yaml, summary.json, blows.csv, with --histories
-histories.csv, and with --plots drilling.png.</source>
-        <translation>Verfolgt Schlag auf Schlag: Wellen, Bewegungen und die Maschine auf ihrem Dämpfer wirken von einem
-zum nächsten weiter, das Gestein ist für jeden Schlag neu. Genannt werden die Mittel mit ihren
-Fehlern, wie viele Schläge auf dem Gestein beginnen, ob sich die Bewegung wiederholt, wohin die
-Energie geht, und in einem Satz, wozu der Andruck mit diesem Dämpfer reicht. FILE braucht
-drill.blow_frequency und drill.thrust. Eindringungen sind obere Grenzen. Mit --scan dasselbe über
-einem Parameter, jeder Wert aus der Ruhe und aus dem Springen. DIR bekommt scenario.yaml,
-summary.json, blows.csv, mit --histories histories.csv und mit --plots drilling.png.</translation>
-    </message>
-    <message>
         <source>short for --set drill.blows=N; 1000, of a scan 300, if not given</source>
         <translation>kurz für --set drill.blows=N; ohne Angabe 1000, bei einem Durchlauf 300</translation>
     </message>
@@ -14367,6 +14359,26 @@ fremd oder verändert ist, wird genannt, mit Exit-Code 5.</translation>
     <message>
         <source>`drillwave examples t38_string &gt; my.yaml` makes a file to change.</source>
         <translation>`drillwave examples t38_string &gt; my.yaml` ergibt eine Datei, die man ändern kann.</translation>
+    </message>
+    <message>
+        <source>a sequence of blows under a feed: penetration rate, gap and contact, with errors</source>
+        <translation>eine Schlagfolge unter einem Vorschub: Bohrfortschritt, Spalt und Kontakt, mit Fehlern</translation>
+    </message>
+    <message>
+        <source>Follows blow after blow: waves, motions and the machine on its damper live on between them,
+the rock is new for every blow. Prints penetration and rate with their errors, how many blows
+start in contact, whether the motion repeats and where the energy goes. FILE needs
+drill.blow_frequency and drill.thrust.
+Penetrations are upper limits. With --scan the same over a parameter, each value from rest
+and from bouncing. DIR gets scenario.yaml, summary.json, blows.csv, with --histories
+histories.csv, and with --plots drilling.png.</source>
+        <translation>Verfolgt Schlag auf Schlag: Wellen, Bewegungen und die Maschine auf ihrem Dämpfer wirken von einem
+zum nächsten weiter, das Gestein ist für jeden Schlag neu. Gibt Eindringung und Bohrfortschritt mit
+ihren Fehlern aus, wie viele Schläge im Kontakt beginnen, ob sich die Bewegung wiederholt und wohin
+die Energie geht. FILE braucht drill.blow_frequency und drill.thrust. Eindringungen sind obere
+Grenzen. Mit --scan dasselbe über einem Parameter, jeder Wert aus der Ruhe und aus dem Springen. DIR
+bekommt scenario.yaml, summary.json, blows.csv, mit --histories histories.csv und mit --plots
+drilling.png.</translation>
     </message>
 </context>
 </TS>

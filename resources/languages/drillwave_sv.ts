@@ -1222,18 +1222,6 @@ Ta bort ändå?</translation>
         <translation>strängens energi efter slaget, andel av hammarens</translation>
     </message>
     <message>
-        <source>enough, bit bounces</source>
-        <translation>räcker, kronan studsar</translation>
-    </message>
-    <message>
-        <source>enough, bit may bounce</source>
-        <translation>räcker, kronan studsar ev.</translation>
-    </message>
-    <message>
-        <source>enough, bit stays on rock</source>
-        <translation>räcker, kronan vilar</translation>
-    </message>
-    <message>
         <source>error</source>
         <translation>fel</translation>
     </message>
@@ -1480,10 +1468,6 @@ Ta bort ändå?</translation>
     <message>
         <source>penetration per blow</source>
         <translation>inträngning/slag</translation>
-    </message>
-    <message>
-        <source>penetration lost</source>
-        <translation>förlorad inträngning</translation>
     </message>
     <message>
         <source>penetration rate</source>
@@ -2673,6 +2657,42 @@ Ta bort ändå?</translation>
         <source>stress error</source>
         <translation>fel i spänningarna</translation>
     </message>
+    <message>
+        <source>95 % of all gaps</source>
+        <translation>95 % av alla spalter</translation>
+    </message>
+    <message>
+        <source>below required</source>
+        <translation>under kravet</translation>
+    </message>
+    <message>
+        <source>covers this gap</source>
+        <translation>täcker denna spalt</translation>
+    </message>
+    <message>
+        <source>elastic rock, worst gap</source>
+        <translation>elastiskt berg, sämsta spalten</translation>
+    </message>
+    <message>
+        <source>no estimate</source>
+        <translation>ingen uppskattning</translation>
+    </message>
+    <message>
+        <source>required met</source>
+        <translation>kravet uppfyllt</translation>
+    </message>
+    <message>
+        <source>return in time met</source>
+        <translation>återkomst i tid uppfylld</translation>
+    </message>
+    <message>
+        <source>rigid rock</source>
+        <translation>stelt berg</translation>
+    </message>
+    <message>
+        <source>this blow</source>
+        <translation>detta slag</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -3105,22 +3125,6 @@ Högst antal punkter: av så många mätvärden behålls bara några, och det an
         <translation>sektion %1</translation>
     </message>
     <message>
-        <source>this blow</source>
-        <translation>detta slag</translation>
-    </message>
-    <message>
-        <source>95 % of all gaps</source>
-        <translation>95 % av alla spalter</translation>
-    </message>
-    <message>
-        <source>rigid rock</source>
-        <translation>stelt berg</translation>
-    </message>
-    <message>
-        <source>elastic rock, worst gap</source>
-        <translation>elastiskt berg, sämsta spalt</translation>
-    </message>
-    <message>
         <source>No curve on this axis has positive values.</source>
         <translation>Ingen kurva på denna axel har positiva värden.</translation>
     </message>
@@ -3317,40 +3321,8 @@ Högst antal punkter: av så många mätvärden behålls bara några, och det an
         <translation>Var i stången det först är så stort, och när: ett klick leder dit</translation>
     </message>
     <message>
-        <source>feed</source>
-        <translation>matning</translation>
-    </message>
-    <message>
-        <source>What the feed force does between the blows</source>
-        <translation>Vad matningskraften gör mellan slagen</translation>
-    </message>
-    <message>
         <source>margin, this blow</source>
         <translation>marginal, detta slag</translation>
-    </message>
-    <message>
-        <source>Feed force less what this blow needs for full penetration, and as a share of that</source>
-        <translation>Matningskraft minus vad detta slag behöver för full inträngning, och som andel av det</translation>
-    </message>
-    <message>
-        <source>needed</source>
-        <translation>behov</translation>
-    </message>
-    <message>
-        <source>Thrust for full penetration, up to that which brings a bit that was at rest back before the next blow even if nothing damps, with the e of this blow</source>
-        <translation>Matningskraft för full inträngning, upp till den som även helt utan dämpning hinner föra tillbaka en vilande borrkrona före nästa slag, med detta slags e</translation>
-    </message>
-    <message>
-        <source>at every gap</source>
-        <translation>vid varje spalt</translation>
-    </message>
-    <message>
-        <source>The largest thrust for full penetration of this blow, of 95 % of all gaps, of a rigid rock, and of the worst gap on elastic rock</source>
-        <translation>Den största matningskraften för full inträngning: för detta slag, för 95 % av alla spalter, på stelt berg och vid sämsta spalten på elastiskt berg</translation>
-    </message>
-    <message>
-        <source>Feed force less the largest of the four needs, and as a share of that: thrust_margin of commands and files</source>
-        <translation>Matningskraft minus det största av de fyra behoven, och som andel av det: thrust_margin i kommandon och filer</translation>
     </message>
     <message>
         <source>installed</source>
@@ -3589,6 +3561,38 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
     <message>
         <source>%1 is below it everywhere</source>
         <translation>%1 ligger överallt under</translation>
+    </message>
+    <message>
+        <source>Effective feed force less what this blow requires, and as a share of that</source>
+        <translation>Verksam matningskraft minus vad detta slag kräver, och som andel av det</translation>
+    </message>
+    <message>
+        <source>required, this blow</source>
+        <translation>krävs, detta slag</translation>
+    </message>
+    <message>
+        <source>Mean force that balances this blow, which starts at rest on the rock</source>
+        <translation>Medelkraft som balanserar detta slag, som börjar i vila på berget</translation>
+    </message>
+    <message>
+        <source>return in time</source>
+        <translation>återkomst i tid</translation>
+    </message>
+    <message>
+        <source>At this feed an undamped rigid rod is back at the rock before the next blow</source>
+        <translation>Vid denna matningskraft är en odämpad stel stång tillbaka vid berget före nästa slag</translation>
+    </message>
+    <message>
+        <source>required, every gap</source>
+        <translation>krävs, varje spalt</translation>
+    </message>
+    <message>
+        <source>The largest force required by this blow, by 95 % of all gaps, on rigid rock, and by the worst gap on elastic rock</source>
+        <translation>Den största kraft som krävs: av detta slag, av 95 % av alla spalter, på stelt berg och av den sämsta spalten på elastiskt berg</translation>
+    </message>
+    <message>
+        <source>Effective feed force less the largest of the four, and as a share of that: thrust_margin of commands and files</source>
+        <translation>Verksam matningskraft minus den största av de fyra, och som andel av den: thrust_margin i kommandon och filer</translation>
     </message>
 </context>
 <context>
@@ -4534,16 +4538,8 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>φ = %1, %2 varv fram och åter mellan slagen</translation>
     </message>
     <message>
-        <source>; %1 % of the blows begin within %2 of the rock; %3</source>
-        <translation>; %1 % av slagen börjar inom %2 från berget; %3</translation>
-    </message>
-    <message>
         <source>No scan: %1</source>
         <translation>Inget svep: %1</translation>
-    </message>
-    <message>
-        <source>The scan below: %1</source>
-        <translation>Svepet nedan: %1</translation>
     </message>
     <message>
         <source>Drilling</source>
@@ -4568,6 +4564,10 @@ Det som visas gäller värdet dessförinnan.</translation>
     <message>
         <source>Following the blows one after another …</source>
         <translation>Slagen följs ett efter ett …</translation>
+    </message>
+    <message>
+        <source>; in contact is within %1 of the rock; %2</source>
+        <translation>; i kontakt är inom %1 från berget; %2</translation>
     </message>
 </context>
 <context>
@@ -6233,48 +6233,12 @@ en projektion av fler dimensioner</translation>
         <translation>en fjäder på %1</translation>
     </message>
     <message>
-        <source>constant force</source>
-        <translation>konstant kraft</translation>
-    </message>
-    <message>
         <source>Not solved: %1.</source>
         <translation>Inte löst: %1.</translation>
     </message>
     <message>
         <source>Stopped before all blows were done.</source>
         <translation>Stoppat innan alla slag var klara.</translation>
-    </message>
-    <message>
-        <source>With %1 the machine is pushed back.</source>
-        <translation>Med %1 trycks maskinen tillbaka.</translation>
-    </message>
-    <message>
-        <source>With %1 the bit rests on the rock before every blow.</source>
-        <translation>Med %1 vilar borrkronan på berget före varje slag.</translation>
-    </message>
-    <message>
-        <source>With %1 the bit rests on the rock before every blow; %2 % of full rate.</source>
-        <translation>Med %1 vilar borrkronan på berget före varje slag; %2&#xa0;% av full takt.</translation>
-    </message>
-    <message>
-        <source>With %1 it drills at full rate (%2 % of full rate); the bit leaves the rock between blows, gaps of %3 to %4 when the next one comes.</source>
-        <translation>Med %1 borrar det i full takt (%2&#xa0;% av den); borrkronan lämnar berget mellan slagen, spalter på %3 till %4 när nästa kommer.</translation>
-    </message>
-    <message>
-        <source>With %1 penetration is lost; gaps of %2 to %3 when the next blow comes.</source>
-        <translation>Med %1 förloras inträngning; spalter på %2 till %3 när nästa slag kommer.</translation>
-    </message>
-    <message>
-        <source>With %1 penetration is lost: %2 % of full rate; gaps of %3 to %4 when the next blow comes.</source>
-        <translation>Med %1 förloras inträngning: %2&#xa0;% av full takt; spalter på %3 till %4 när nästa slag kommer.</translation>
-    </message>
-    <message>
-        <source>Bounded motion needs more than f I0 = %1.</source>
-        <translation>En begränsad rörelse kräver mer än f I₀ = %1.</translation>
-    </message>
-    <message>
-        <source>Waves alone ask for f I0 (1 + e) = %1 for the full rate; with another damper it is another thrust.</source>
-        <translation>Vågorna ensamma kräver f I₀ (1 + e) = %1 för full takt; med en annan dämpare är det en annan matningskraft.</translation>
     </message>
     <message>
         <source>at rest before every blow</source>
@@ -6301,22 +6265,6 @@ en projektion av fler dimensioner</translation>
         <translation>%1; Ljapunovexponent %2 +- %3 per slag</translation>
     </message>
     <message>
-        <source>at none of the values</source>
-        <translation>vid inget av värdena</translation>
-    </message>
-    <message>
-        <source>at all values</source>
-        <translation>vid alla värden</translation>
-    </message>
-    <message>
-        <source>up to %1</source>
-        <translation>upp till %1</translation>
-    </message>
-    <message>
-        <source>from %1 on</source>
-        <translation>från och med %1</translation>
-    </message>
-    <message>
         <source>at %1</source>
         <translation>vid %1</translation>
     </message>
@@ -6325,40 +6273,8 @@ en projektion av fler dimensioner</translation>
         <translation>från %1 till %2</translation>
     </message>
     <message>
-        <source>at %1 of %2 values</source>
-        <translation>vid %1 av %2 värden</translation>
-    </message>
-    <message>
-        <source>%1 and %2</source>
-        <translation>%1 och %2</translation>
-    </message>
-    <message>
-        <source>It drills at full rate %1; every blow begins on the rock %2.</source>
-        <translation>Det borrar i full takt: %1; varje slag börjar på berget: %2.</translation>
-    </message>
-    <message>
         <source>at every gap</source>
         <translation>vid varje spalt</translation>
-    </message>
-    <message>
-        <source>on rigid rock</source>
-        <translation>på stelt berg</translation>
-    </message>
-    <message>
-        <source>for this blow and on rigid rock</source>
-        <translation>för detta slag och på stelt berg</translation>
-    </message>
-    <message>
-        <source>in this blow</source>
-        <translation>i detta slag</translation>
-    </message>
-    <message>
-        <source>at 95 % of all gaps</source>
-        <translation>vid 95&#xa0;% av alla spalter</translation>
-    </message>
-    <message>
-        <source>at the worst gap on elastic rock</source>
-        <translation>vid den sämsta spalten på elastiskt berg</translation>
     </message>
     <message>
         <source>The feed is not judged: the scenario is given by its dimensionless groups, not in physical units.</source>
@@ -6369,96 +6285,12 @@ en projektion av fler dimensioner</translation>
         <translation>Matningen bedöms inte: ingen slagfrekvens är angiven.</translation>
     </message>
     <message>
-        <source>The feed is not judged: neither blow frequency nor thrust is given.</source>
-        <translation>Matningen bedöms inte: varken slagfrekvens eller matningskraft är angiven.</translation>
-    </message>
-    <message>
-        <source>%1 is enough at every gap%2.</source>
-        <translation>%1 räcker vid varje spalt%2.</translation>
-    </message>
-    <message>
-        <source>%1 is enough for this blow and on rigid rock%2.</source>
-        <translation>%1 räcker för detta slag och på stelt berg%2.</translation>
-    </message>
-    <message>
-        <source>%1 is enough for this blow%2; other gaps were not looked at.</source>
-        <translation>%1 räcker för detta slag%2; andra spalter har inte undersökts.</translation>
-    </message>
-    <message>
-        <source>%1 is enough for this blow%2, but not %3: that takes %4.</source>
-        <translation>%1 räcker för detta slag%2, men inte %3: det kräver %4.</translation>
-    </message>
-    <message>
-        <source>%1 is not enough: %2%3.</source>
-        <translation>%1 räcker inte: %2%3.</translation>
-    </message>
-    <message>
         <source>%1 (%2 with the weight along the hole)</source>
         <translation>%1 (%2 med vikten längs hålet)</translation>
     </message>
     <message>
-        <source> up to %1</source>
-        <translation> upp till %1</translation>
-    </message>
-    <message>
         <source>at least %1</source>
         <translation>minst %1</translation>
-    </message>
-    <message>
-        <source>%1 at %2</source>
-        <translation>%1 vid %2</translation>
-    </message>
-    <message>
-        <source>%1 at %2, or at most %3</source>
-        <translation>%1 vid %2 eller högst %3</translation>
-    </message>
-    <message>
-        <source>No thrust is given: the weight along the hole alone is enough for this blow at %1%2.</source>
-        <translation>Ingen matningskraft är angiven: vikten längs hålet räcker ensam för detta slag vid %1%2.</translation>
-    </message>
-    <message>
-        <source>No thrust is given: this blow needs %1 at %2%3.</source>
-        <translation>Ingen matningskraft är angiven: detta slag behöver %1 vid %2%3.</translation>
-    </message>
-    <message>
-        <source> If nothing damps the rebound, the bit bounces without ever becoming steady, because e is not below 1.</source>
-        <translation> Om inget dämpar studsen studsar borrkronan utan att rörelsen någonsin blir stationär, eftersom e inte är under 1.</translation>
-    </message>
-    <message>
-        <source> It is then %1 off the rock when the hammer strikes.</source>
-        <translation> Den är då %1 från berget när hammaren slår.</translation>
-    </message>
-    <message>
-        <source> If nothing damps the rebound, the bit is %1 off the rock when the hammer strikes.</source>
-        <translation> Om inget dämpar studsen är borrkronan %1 från berget när hammaren slår.</translation>
-    </message>
-    <message>
-        <source>Give the installed thrust to have it judged.</source>
-        <translation>Ange den installerade matningskraften för att få den bedömd.</translation>
-    </message>
-    <message>
-        <source>The blows push the machine back from the rock. Raise the feed, or lower the percussion.</source>
-        <translation>Slagen trycker maskinen tillbaka från berget. Öka matningen eller minska slageffekten.</translation>
-    </message>
-    <message>
-        <source>Penetration is lost: the bit bounces off the bottom between blows, many meet a bit that is not on the rock, and the string runs loose. Joints rattle, run hot and wear. Raise the feed, or lower the percussion.</source>
-        <translation>Inträngning förloras: borrkronan studsar från botten mellan slagen, många slag träffar en krona som inte ligger an mot berget, och strängen går löst. Skarvar skallrar, blir varma och slits. Öka matningen eller minska slageffekten.</translation>
-    </message>
-    <message>
-        <source>It drills at full rate, but the bit leaves the rock between blows and the joints are hammered, unless the machine damps the rebound well.</source>
-        <translation>Det borrar i full takt, men borrkronan lämnar berget mellan slagen och skarvarna hamras, om inte maskinen dämpar studsen väl.</translation>
-    </message>
-    <message>
-        <source>It drills at full rate, and a bit that rests on the rock when the hammer strikes is back before the next blow; a bit that bounces goes on bouncing if nothing damps the rebound.</source>
-        <translation>Det borrar i full takt, och en borrkrona som vilar på berget när hammaren slår är tillbaka före nästa slag; en som studsar fortsätter att studsa om inget dämpar studsen.</translation>
-    </message>
-    <message>
-        <source>It drills at full rate, and the bit rests on the rock before every blow even if nothing damps the rebound.</source>
-        <translation>Det borrar i full takt, och borrkronan vilar på berget före varje slag även om inget dämpar studsen.</translation>
-    </message>
-    <message>
-        <source> Waves that the blow before has left are not in this; %1 follows them. Whether it is too much (friction, buckling, stalling of the rotation) is outside the model.</source>
-        <translation> Vågor som slaget innan har lämnat är inte med i detta; %1 följer dem. Frågan om matningen är för stor (friktion, knäckning, rotation som stannar) ligger utanför modellen.</translation>
     </message>
     <message>
         <source>this blow</source>
@@ -6475,22 +6307,6 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>elastic rock, worst gap</source>
         <translation>elastiskt berg, sämsta spalt</translation>
-    </message>
-    <message>
-        <source>Margin over the largest of the four needs (%1): %2.</source>
-        <translation>Marginal över det största av de fyra behoven (%1): %2.</translation>
-    </message>
-    <message>
-        <source>Margin over the larger of the two needs (%1): %2.</source>
-        <translation>Marginal över det större av de två behoven (%1): %2.</translation>
-    </message>
-    <message>
-        <source>It is enough at %1 of all gaps in this rock.</source>
-        <translation>Matningskraften räcker vid %1 av alla spalter i detta berg.</translation>
-    </message>
-    <message>
-        <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period over which a share of them or the worst one could be told.</source>
-        <translation>Slagets impuls är den på hammarens slagyta. Spalterna för en borrsträng har ingen period över vilken en andel av dem eller den sämsta kunde anges.</translation>
     </message>
     <message>
         <source>hammer section %1</source>
@@ -6731,10 +6547,6 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>One uniform rod; joints and the mass of the bit are not modelled.</source>
         <translation>En likformig stång; skarvar och kronans massa modelleras inte.</translation>
-    </message>
-    <message>
-        <source>Verdict on the feed</source>
-        <translation>Omdöme om matningen</translation>
     </message>
     <message>
         <source>Alerts and remarks</source>
@@ -7133,24 +6945,8 @@ en projektion av fler dimensioner</translation>
         <translation>reflexion i skarv</translation>
     </message>
     <message>
-        <source>none</source>
-        <translation>ingen</translation>
-    </message>
-    <message>
-        <source>thrust needed for</source>
-        <translation>matningskraft som krävs för</translation>
-    </message>
-    <message>
-        <source>enough ... bit back undamped</source>
-        <translation>räcker ... kronan odämpat tillbaka</translation>
-    </message>
-    <message>
         <source>margin</source>
         <translation>marginal</translation>
-    </message>
-    <message>
-        <source>enough up to</source>
-        <translation>räcker upp till</translation>
     </message>
     <message>
         <source>gap at the blow</source>
@@ -8405,10 +8201,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1, installerad %2, verksam %3</translation>
     </message>
     <message>
-        <source>thrust needed</source>
-        <translation>matningskraft som krävs</translation>
-    </message>
-    <message>
         <source>(error estimated as %1)</source>
         <translation>(felet uppskattat till %1)</translation>
     </message>
@@ -8709,14 +8501,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>med %1, %2 slag vid varje värde</translation>
     </message>
     <message>
-        <source>Full rate is 95 % of what a feed of 2 (1 + 2e) f J gives with the same damper. +- contains the scatter of the blows and three times what half or twice the cells change, each at its own value.</source>
-        <translation>Full takt är 95&#xa0;% av vad en matning på 2 (1 + 2e) f J ger med samma dämpare. ± innehåller slagens spridning och tre gånger det som hälften eller dubbelt så många celler ändrar, båda vid detta värde.</translation>
-    </message>
-    <message>
-        <source>Penetrations are upper limits: all rock under the bit gives way and cuttings vanish. There is no over-feed side: friction, rotation and buckling are not in the model.</source>
-        <translation>Inträngningar är övre gränser: allt berg under borrkronan ger efter och borrkaxet försvinner. Övermatning ingår inte: friktion, rotation och knäckning finns inte i modellen.</translation>
-    </message>
-    <message>
         <source>contact share</source>
         <translation>kontaktandel</translation>
     </message>
@@ -8755,18 +8539,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>phi = %1 (thrust over mean reaction), n_b = %2 round trips per blow</source>
         <translation>φ = %1 (matningskraft genom medelreaktion), %2 varv fram och åter per slag</translation>
-    </message>
-    <message>
-        <source>installed thrust of %1</source>
-        <translation>installerad matningskraft %1</translation>
-    </message>
-    <message>
-        <source>effective force of %1 (thrust %2, less %3 of weight along the hole)</source>
-        <translation>verksam kraft %1 (matningskraft %2, minus vikt längs hålet %3)</translation>
-    </message>
-    <message>
-        <source>effective force of %1 (thrust %2, and %3 of weight along the hole)</source>
-        <translation>verksam kraft %1 (matningskraft %2, plus vikt längs hålet %3)</translation>
     </message>
     <message>
         <source>The gap has a period of d0 = %1.</source>
@@ -9051,10 +8823,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>%1 of %2, n_b = %3</source>
         <translation>%1 med %2, %3 varv fram och åter till nästa slag</translation>
-    </message>
-    <message>
-        <source>What a damper changes, and what waves from blow to blow, `drillwave drill` follows.</source>
-        <translation>Vad en dämpare ändrar, och vad vågor ändrar från slag till slag, följer `drillwave drill`.</translation>
     </message>
     <message>
         <source>%1 takes a study of all gaps at every point; `drillwave thrust --along` has it</source>
@@ -10768,6 +10536,250 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>Change from %1 to %2: %3 becomes %4 instead of %5.</source>
         <translation>Byt från %1 till %2: %3 blir %4 i stället för %5.</translation>
     </message>
+    <message>
+        <source>feed required</source>
+        <translation>matningskraft som krävs</translation>
+    </message>
+    <message>
+        <source>+- contains the scatter of the blows and three times what half or twice the cells change. Penetrations are upper limits: all rock under the bit gives way and cuttings vanish.</source>
+        <translation>+- innehåller slagens spridning och tre gånger det som hälften eller dubbelt så många celler ändrar. Inträngningar är övre gränser: allt berg under borrkronan ger vika, och borrkaxet försvinner.</translation>
+    </message>
+    <message>
+        <source>The single-blow estimate does not apply: the waves of a blow are still in the string when the next one comes.</source>
+        <translation>Uppskattningen från ett slag gäller inte: vågorna från ett slag är kvar i strängen när nästa kommer.</translation>
+    </message>
+    <message>
+        <source>The feed of %1 is less than the mean force of the blows, %2: the machine is pushed back.</source>
+        <translation>Matningskraften %1 är mindre än slagens medelkraft, %2: maskinen trycks tillbaka.</translation>
+    </message>
+    <message>
+        <source>%1 is below the %2 that this blow requires: penetration will probably be lost.</source>
+        <translation>%1 är mindre än de %2 som detta slag kräver: inträngning går troligen förlorad.</translation>
+    </message>
+    <message>
+        <source>%1 covers every single blow (%2 required).</source>
+        <translation>%1 täcker varje enskilt slag (%2 krävs).</translation>
+    </message>
+    <message>
+        <source>%1 covers this blow and rigid rock (%2 required); gaps were not examined.</source>
+        <translation>%1 täcker detta slag och stelt berg (%2 krävs); spalter undersöktes inte.</translation>
+    </message>
+    <message>
+        <source>%1 covers every single blow, with return in time at every gap (%2).</source>
+        <translation>%1 täcker varje enskilt slag, med återkomst i tid vid varje spalt (%2).</translation>
+    </message>
+    <message>
+        <source>%1 covers this blow and rigid rock, with return in time (%2); gaps were not examined.</source>
+        <translation>%1 täcker detta slag och stelt berg, med återkomst i tid (%2); spalter undersöktes inte.</translation>
+    </message>
+    <message>
+        <source>This blow is covered by at least %1 at %2.</source>
+        <translation>Detta slag täcks av minst %1 vid %2.</translation>
+    </message>
+    <message>
+        <source>This blow is covered by at least %1 at %2, or at most %3 with this feed.</source>
+        <translation>Detta slag täcks av minst %1 vid %2, eller med denna matningskraft högst %3.</translation>
+    </message>
+    <message>
+        <source>%1 covers this blow (%2 required), but not every gap (up to %3).</source>
+        <translation>%1 täcker detta slag (%2 krävs), men inte varje spalt (upp till %3).</translation>
+    </message>
+    <message>
+        <source>%1 covers this blow (%2 required), but not rigid rock (%3).</source>
+        <translation>%1 täcker detta slag (%2 krävs), men inte stelt berg (%3).</translation>
+    </message>
+    <message>
+        <source>%1 covers this blow (%2 required), but not rigid rock (%3); gaps were not examined.</source>
+        <translation>%1 täcker detta slag (%2 krävs), men inte stelt berg (%3); spalter undersöktes inte.</translation>
+    </message>
+    <message>
+        <source>No feed force is given: at %1 the weight along the hole alone covers this blow and rigid rock.</source>
+        <translation>Ingen matningskraft är angiven: vid %1 täcker enbart tyngden längs hålet detta slag och stelt berg.</translation>
+    </message>
+    <message>
+        <source>No feed force is given: this blow requires at least %1 at %2.</source>
+        <translation>Ingen matningskraft är angiven: detta slag kräver minst %1 vid %2.</translation>
+    </message>
+    <message>
+        <source>No feed force is given: this blow requires at least %1 at %2, every single blow at least %3.</source>
+        <translation>Ingen matningskraft är angiven: detta slag kräver minst %1 vid %2, varje enskilt slag minst %3.</translation>
+    </message>
+    <message>
+        <source>No feed force is given: this blow requires at least %1 at %2, rigid rock at least %3.</source>
+        <translation>Ingen matningskraft är angiven: detta slag kräver minst %1 vid %2, stelt berg minst %3.</translation>
+    </message>
+    <message>
+        <source>The feed is not judged: neither blow frequency nor feed force is given.</source>
+        <translation>Matningen bedöms inte: varken slagfrekvens eller matningskraft är angiven.</translation>
+    </message>
+    <message>
+        <source>Estimate from single blows; %1 follows consecutive blows.</source>
+        <translation>Uppskattning från enstaka slag; %1 följer på varandra följande slag.</translation>
+    </message>
+    <message>
+        <source>installed feed force %1</source>
+        <translation>installerad matningskraft %1</translation>
+    </message>
+    <message>
+        <source>effective feed force %1 (installed %2, less %3 of weight along the hole)</source>
+        <translation>verksam matningskraft %1 (installerad %2, minus %3 tyngd längs hålet)</translation>
+    </message>
+    <message>
+        <source>effective feed force %1 (installed %2, and %3 of weight along the hole)</source>
+        <translation>verksam matningskraft %1 (installerad %2, och %3 tyngd längs hålet)</translation>
+    </message>
+    <message>
+        <source>Friction, rotation and buckling are not modelled.</source>
+        <translation>Friktion, rotation och knäckning ingår inte i modellen.</translation>
+    </message>
+    <message>
+        <source>Required feed</source>
+        <translation>Matningskraft som krävs</translation>
+    </message>
+    <message>
+        <source>no wave loss is defined</source>
+        <translation>ingen vågförlust är angiven</translation>
+    </message>
+    <message>
+        <source>the motion is irregular</source>
+        <translation>rörelsen är oregelbunden</translation>
+    </message>
+    <message>
+        <source>only few blows were followed</source>
+        <translation>bara få slag följdes</translation>
+    </message>
+    <message>
+        <source>the lengths are no whole number of cells</source>
+        <translation>längderna inte är ett helt antal celler</translation>
+    </message>
+    <message>
+        <source>Give a wave loss (drill.wave_loss); 1 to 30 % of a round trip is usual.</source>
+        <translation>Ange en vågförlust (drill.wave_loss); 1 till 30 % per varv är vanligt.</translation>
+    </message>
+    <message>
+        <source>More blows (drill.blows) lower the error.</source>
+        <translation>Fler slag (drill.blows) minskar felet.</translation>
+    </message>
+    <message>
+        <source>Smaller cells, or lengths with a common step, lower it.</source>
+        <translation>Mindre celler, eller längder med ett gemensamt steg, minskar det.</translation>
+    </message>
+    <message>
+        <source>%1 per blow, %2.</source>
+        <translation>%1 per slag, %2.</translation>
+    </message>
+    <message>
+        <source>%1 per blow, %2: %3 of a single blow from rest.</source>
+        <translation>%1 per slag, %2: %3 av ett enstaka slag från vila.</translation>
+    </message>
+    <message>
+        <source>The machine is pushed back: its motion has no bound.</source>
+        <translation>Maskinen trycks tillbaka: dess rörelse har ingen gräns.</translation>
+    </message>
+    <message>
+        <source>A feed of %1</source>
+        <translation>En matningskraft på %1</translation>
+    </message>
+    <message>
+        <source>From %1 to %2 the rate is the same within the errors.</source>
+        <translation>Från %1 till %2 är borrsjunkningen densamma inom felen.</translation>
+    </message>
+    <message>
+        <source>a constant force</source>
+        <translation>en konstant kraft</translation>
+    </message>
+    <message>
+        <source>This mean is not resolved, its error is above %1, because %2.</source>
+        <translation>Detta medelvärde är inte upplöst, dess fel är över %1, eftersom %2.</translation>
+    </message>
+    <message>
+        <source>The bit starts in contact at %1 of blows.</source>
+        <translation>Borrkronan börjar i kontakt vid %1 av slagen.</translation>
+    </message>
+    <message>
+        <source>Feed modelled as %1 (assumed).</source>
+        <translation>Matningen är modellerad som %1 (antagen).</translation>
+    </message>
+    <message>
+        <source>Feed modelled as %1.</source>
+        <translation>Matningen är modellerad som %1.</translation>
+    </message>
+    <message>
+        <source>The scan cannot resolve a difference: +- %1, because %2.</source>
+        <translation>Svepet kan inte lösa upp någon skillnad: +- %1, eftersom %2.</translation>
+    </message>
+    <message>
+        <source>All values give the same rate within the errors, %1.</source>
+        <translation>Alla värden ger samma borrsjunkning inom felen, %1.</translation>
+    </message>
+    <message>
+        <source>%1 gives the most, %2%3.</source>
+        <translation>%1 ger mest, %2%3.</translation>
+    </message>
+    <message>
+        <source>Margin over the largest of the four required forces (%1): %2.</source>
+        <translation>Marginal över den största av de fyra krafter som krävs (%1): %2.</translation>
+    </message>
+    <message>
+        <source>Margin over the larger of the two required forces (%1): %2.</source>
+        <translation>Marginal över den större av de två krafter som krävs (%1): %2.</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>fall</translation>
+    </message>
+    <message>
+        <source>return in time</source>
+        <translation>återkomst i tid</translation>
+    </message>
+    <message>
+        <source>covered up to</source>
+        <translation>täcker upp till</translation>
+    </message>
+    <message>
+        <source>It covers %1 of all gaps in this rock.</source>
+        <translation>Den täcker %1 av alla spalter i detta berg.</translation>
+    </message>
+    <message>
+        <source>The impulse of a blow is that of the hammer&apos;s face. The gaps of a drill string have no period, so neither a share of them nor the worst one is known.</source>
+        <translation>Ett slags impuls är den vid hammarens ändyta. Spalterna i en borrsträng har ingen period, så varken en andel av dem eller den sämsta är känd.</translation>
+    </message>
+    <message>
+        <source>its blows need more wave cells than permitted</source>
+        <translation>dess slag kräver fler vågceller än tillåtet</translation>
+    </message>
+    <message>
+        <source>sequences of blows</source>
+        <translation>slagföljder</translation>
+    </message>
+    <message>
+        <source>all results, by its cones</source>
+        <translation>alla resultat, genom dess koner</translation>
+    </message>
+    <message>
+        <source>cor and the required feed, by its losses</source>
+        <translation>cor och den matningskraft som krävs, genom dess förluster</translation>
+    </message>
+    <message>
+        <source>contact shares</source>
+        <translation>andelar i kontakt</translation>
+    </message>
+    <message>
+        <source>statements about the feed</source>
+        <translation>utsagor om matningen</translation>
+    </message>
+    <message>
+        <source>energies, which are in J beside SI</source>
+        <translation>energier, som är i J bredvid SI</translation>
+    </message>
+    <message>
+        <source>Written by Drillwave %1. These results have changed since: %2 (manual, Upgrading).</source>
+        <translation>Skriven av Drillwave %1. Sedan dess har ändrats: %2 (handboken, kapitlet Upgrading).</translation>
+    </message>
+    <message>
+        <source>%1: note: %2</source>
+        <translation>%1: anmärkning: %2</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -11683,10 +11695,6 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
 <context>
     <name>drillwave::ResultPanel</name>
     <message>
-        <source>Thrust</source>
-        <translation>Matningskraft</translation>
-    </message>
-    <message>
         <source>Penetration</source>
         <translation>Inträngning</translation>
     </message>
@@ -11715,10 +11723,6 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Varningar</translation>
     </message>
     <message>
-        <source>what to do about the feed</source>
-        <translation>vad man bör göra åt matningen</translation>
-    </message>
-    <message>
         <source>Events</source>
         <translation>Händelser</translation>
     </message>
@@ -11727,16 +11731,40 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Spänning i hammare och sträng</translation>
     </message>
     <message>
-        <source>Told of single blows, each from rest; %1 follows one after another.</source>
-        <translation>Gäller enstaka slag, vart och ett från vila; %1 följer slag på slag.</translation>
-    </message>
-    <message>
         <source>Drilling</source>
         <translation>Borrning</translation>
     </message>
     <message>
-        <source>Waves that a blow leaves in the rod meet the next one, and may make the bit bounce where single blows say that it rests</source>
-        <translation>Vågor som ett slag lämnar i stången möter nästa; kronan kan då studsa även där enstaka slag låter den vila</translation>
+        <source>Feed</source>
+        <translation>Matningskraft</translation>
+    </message>
+    <message>
+        <source>required feed</source>
+        <translation>matningskraft som krävs</translation>
+    </message>
+    <message>
+        <source>sequence of blows</source>
+        <translation>slagföljd</translation>
+    </message>
+    <message>
+        <source>Set wave loss 10 %</source>
+        <translation>Sätt vågförlust 10 %</translation>
+    </message>
+    <message>
+        <source>Estimate from single blows; consecutive blows are followed …</source>
+        <translation>Uppskattning från enstaka slag; på varandra följande slag följs …</translation>
+    </message>
+    <message>
+        <source>Estimate from single blows.</source>
+        <translation>Uppskattning från enstaka slag.</translation>
+    </message>
+    <message>
+        <source>Follow consecutive blows (about %1 s)</source>
+        <translation>Följ på varandra följande slag (cirka %1 s)</translation>
+    </message>
+    <message>
+        <source>Estimate from single blows; %1 follows consecutive blows.</source>
+        <translation>Uppskattning från enstaka slag; %1 följer på varandra följande slag.</translation>
     </message>
 </context>
 <context>
@@ -13260,16 +13288,16 @@ i skarv</translation>
         <translation>över</translation>
     </message>
     <message>
-        <source>Needs of the thrust</source>
-        <translation>Behov av matningskraft</translation>
-    </message>
-    <message>
         <source>Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: without a blow frequency and forces no feed can be judged. File ▸ New begins a scenario that has them.</source>
         <translation>Matningskraft gäller scenarier i fysikaliska enheter, och detta är givet av sina dimensionslösa tal: utan slagfrekvens och krafter kan ingen matning bedömas. Arkiv ▸ Ny börjar ett scenario som har dem.</translation>
     </message>
     <message>
         <source>Thrust</source>
         <translation>Matningskraft</translation>
+    </message>
+    <message>
+        <source>Required feed</source>
+        <translation>Matningskraft som krävs</translation>
     </message>
 </context>
 <context>
@@ -13318,56 +13346,40 @@ i skarv</translation>
         <translation>sämsta spalt</translation>
     </message>
     <message>
-        <source>none</source>
-        <translation>ingen</translation>
-    </message>
-    <message>
-        <source>not steady</source>
-        <translation>inte stationärt</translation>
-    </message>
-    <message>
-        <source>Needs of the thrust</source>
-        <translation>Behov av matningskraft</translation>
-    </message>
-    <message>
-        <source>need</source>
-        <translation>behov</translation>
-    </message>
-    <message>
         <source>margin</source>
         <translation>marginal</translation>
     </message>
     <message>
-        <source>enough up to</source>
-        <translation>räcker upp till</translation>
+        <source>Required feed</source>
+        <translation>Matningskraft som krävs</translation>
     </message>
     <message>
-        <source>gap at the blow</source>
-        <translation>spalt vid slaget</translation>
+        <source>required</source>
+        <translation>krävs</translation>
     </message>
     <message>
-        <source>feed</source>
-        <translation>matning</translation>
+        <source>return in time</source>
+        <translation>återkomst i tid</translation>
     </message>
     <message>
-        <source>From the thrust for full penetration to that which brings a bit that was at rest back before the next blow even if nothing damps</source>
-        <translation>Från matningskraften för full inträngning till den som även helt utan dämpning hinner föra tillbaka en vilande borrkrona före nästa slag</translation>
+        <source>covered up to</source>
+        <translation>täcker upp till</translation>
     </message>
     <message>
-        <source>Effective force over what full penetration needs, less 1</source>
-        <translation>Verksam kraft genom vad full inträngning behöver, minus 1</translation>
+        <source>Mean force that balances a blow which starts at rest on the rock</source>
+        <translation>Medelkraft som balanserar ett slag som börjar i vila på berget</translation>
     </message>
     <message>
-        <source>Blow frequency at which the effective force is just what full penetration needs</source>
-        <translation>Slagfrekvens vid vilken den verksamma kraften är just vad full inträngning behöver</translation>
+        <source>At this feed an undamped rigid rod is back at the rock before the next blow</source>
+        <translation>Vid denna matningskraft är en odämpad stel stång tillbaka vid berget före nästa slag</translation>
     </message>
     <message>
-        <source>How far the bit is off the rock when the hammer strikes, if nothing damps the rebound; with a damper the page &quot;Drilling&quot; follows it</source>
-        <translation>Hur långt borrkronan är från berget när hammaren slår, om inget dämpar studsen; med en dämpare följer sidan ”Borrning” det</translation>
+        <source>Effective feed force over the required one, less 1</source>
+        <translation>Verksam matningskraft delad med den som krävs, minus 1</translation>
     </message>
     <message>
-        <source>What the effective force does between blows with this e</source>
-        <translation>Vad den verksamma kraften gör mellan slag med detta e</translation>
+        <source>Up to this blow frequency the effective feed force covers the required one</source>
+        <translation>Upp till denna slagfrekvens räcker den verksamma matningskraften</translation>
     </message>
 </context>
 <context>
@@ -13881,26 +13893,6 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
         <translation>skriv över en befintlig fil</translation>
     </message>
     <message>
-        <source>many blows under a feed: gaps, penetration, whether the bit stays on the rock</source>
-        <translation>många slag under en matning: spalter, inträngning, om borrkronan stannar på berget</translation>
-    </message>
-    <message>
-        <source>Follows blow after blow: waves, motions and the machine on its damper live on between them,
-the rock is new for every blow. Told are the means with their errors, how many blows begin on
-the rock, whether the motion repeats, where the energy goes, and in a sentence what the
-thrust is good for with this damper. FILE needs drill.blow_frequency and drill.thrust.
-Penetrations are upper limits. With --scan the same over a parameter, each value from rest
-and from bouncing. DIR gets scenario.yaml, summary.json, blows.csv, with --histories
-histories.csv, and with --plots drilling.png.</source>
-        <translation>Följer slag efter slag: vågor, rörelser och maskinen på sin dämpare lever vidare mellan slagen,
-berget är nytt för varje slag. Resultatet är medelvärdena med sina fel, hur många slag som börjar på
-berget, om rörelsen upprepar sig, vart energin tar vägen och, i en mening, vad matningskraften
-räcker till med denna dämpare. FILE behöver drill.blow_frequency och drill.thrust. Inträngningar är
-övre gränser. Med --scan detsamma över en parameter, varje värde från vila och från studsande. DIR
-får scenario.yaml, summary.json, blows.csv, med --histories histories.csv och med --plots
-drilling.png.</translation>
-    </message>
-    <message>
         <source>short for --set drill.blows=N; 1000, of a scan 300, if not given</source>
         <translation>kortform för --set drill.blows=N; 1000, i ett svep 300, om inte angivet</translation>
     </message>
@@ -14358,6 +14350,25 @@ nämns, med avslutningskod 5.</translation>
     <message>
         <source>`drillwave examples t38_string &gt; my.yaml` makes a file to change.</source>
         <translation>`drillwave examples t38_string &gt; my.yaml` ger en fil som kan ändras.</translation>
+    </message>
+    <message>
+        <source>a sequence of blows under a feed: penetration rate, gap and contact, with errors</source>
+        <translation>en slagföljd under en matning: borrsjunkning, spalt och kontakt, med fel</translation>
+    </message>
+    <message>
+        <source>Follows blow after blow: waves, motions and the machine on its damper live on between them,
+the rock is new for every blow. Prints penetration and rate with their errors, how many blows
+start in contact, whether the motion repeats and where the energy goes. FILE needs
+drill.blow_frequency and drill.thrust.
+Penetrations are upper limits. With --scan the same over a parameter, each value from rest
+and from bouncing. DIR gets scenario.yaml, summary.json, blows.csv, with --histories
+histories.csv, and with --plots drilling.png.</source>
+        <translation>Följer slag efter slag: vågor, rörelser och maskinen på sin dämpare lever vidare mellan slagen,
+berget är nytt för varje slag. Skriver inträngning och borrsjunkning med sina fel, hur många slag som
+börjar i kontakt, om rörelsen upprepar sig och vart energin tar vägen. FILE behöver
+drill.blow_frequency och drill.thrust. Inträngningar är övre gränser. Med --scan detsamma över en
+parameter, varje värde från vila och från studsande. DIR får scenario.yaml, summary.json, blows.csv,
+med --histories histories.csv och med --plots drilling.png.</translation>
     </message>
 </context>
 </TS>

@@ -19,7 +19,7 @@ unset DRILLWAVE_LANGUAGE
 
 commands='run sweep table curve map join gap drill thrust design report figures accuracy stability'
 commands+=' validate examples presets'
-chapters='tutorial window keys files commands parameters outputs glossary theory strings drilling evidence'
+chapters='tutorial window keys files commands parameters outputs glossary theory strings drilling evidence upgrading'
 marched=(--blows 30 --settle 10 --cells 10)
 defined() { "$old" help "$1" | sed -nE 's/^`([a-z_.0-9]+)`: .*/\1/p'; }
 parameters=$(defined parameters)

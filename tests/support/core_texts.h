@@ -54,7 +54,8 @@ inline std::set<std::string> coreTexts() {
         add(output.title);
         add(output.meaning);
     }
-    for (const Feed feed : allValues<Feed>) add(feedWord(feed));
+    for (const FeedState state : allValues<FeedState>) add(feedWord(state));
+    for (const ThrustCase which : allValues<ThrustCase>) add(labelOf(which));
     for (const DrillingOutcome outcome : allValues<DrillingOutcome>) add(name(outcome));
     for (const PulseShape shape : allValues<PulseShape>) addName(name(shape));
     for (const RockLaw law : allValues<RockLaw>) add(phrase(law));

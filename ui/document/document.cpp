@@ -7,6 +7,7 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "core/archive/outputs_changes.h"
 #include "core/archive/result_scenario.h"
 #include "core/model/blow_traits.h"
 #include "core/yaml/preset_remarks.h"
@@ -277,7 +278,9 @@ QString Document::open(const QString& path) {
         ScenarioInput input = loadInput(native);
         // What is saved is a scenario: not over a result.
         const QString toSave = input.isResult ? QString() : absolute;
+        const Message changes = changesSentence(input.version, input.document.scenario);
         take(std::move(input.document), toSave, absolute);
+        if (!changes.isEmpty()) emit olderResultOpened(translated(changes));
     } catch (const ScenarioError& error) {
         return translated(error);
     }

@@ -116,6 +116,8 @@ class Document : public QObject {
   signals:
     /// Another scenario has taken the place of the one before, with its file and history.
     void replaced();
+    /// A result of an older version has been opened: which of its numbers have changed, in a sentence.
+    void olderResultOpened(const QString& changes);
     /// Written to its file, which may be another one than before.
     void saved();
     void scenarioChanged();

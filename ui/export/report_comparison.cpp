@@ -35,7 +35,7 @@ QString titleOf(const Run& run, const RunList& runs, const Scenario& reported, c
 RunList withMargins(const RunList& runs, const std::stop_token& stop) {
     RunList known;
     for (Run run : runs) {
-        if (run.isSolved() && !run.blow->widestNeed) {
+        if (run.isSolved() && (!run.blow->feed || !run.blow->feed->isOfAllGaps())) {
             auto blow = std::make_shared<SolvedBlow>(*run.blow);
             addThrustMargin(*blow, stop);
             run.blow = std::move(blow);
@@ -49,11 +49,11 @@ ReportComparison comparisonWith(const RunList& runs, const Blow& blow, const Uni
     const PaperReader reader = PaperReader::of(units);
     SolvedBlow own;
     static_cast<Blow&>(own) = blow;
-    std::vector<CompareColumn> columns{{tr("this report"), &blow.scenario, &own, blow.widestNeed}};
+    std::vector<CompareColumn> columns{{tr("this report"), &blow.scenario, &own, blow.feed}};
     for (const Run& run : runs)
         if (run.isSolved())
             columns.push_back({titleOf(run, runs, blow.scenario, units), &run.contents.scenario,
-                               run.blow.get(), run.blow->widestNeed});
+                               run.blow.get(), run.blow->feed});
     if (columns.size() == 1) return {};
     const UnitSystem system = reader.unitsFor(blow.scenario).system;
     const auto tableNow = [&] { return compareTable(columns, 0, system, reader.chosen, units); };

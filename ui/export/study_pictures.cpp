@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/export/study_pictures.h"
 
+#include "core/report/sequence_words.h"
 #include "core/yaml/preset_file.h"
 #include "ui/export/figure_plot.h"
 #include "ui/export/sweep_panels.h"
@@ -54,7 +55,7 @@ Pictures drawStudy(const DrillingReport& report, const PictureOrder& order, cons
     picture.units = drillingShown(result.scenario, reader.unitFor(*findParameter("drill.thrust")),
                                   reader.unitsFor(result.scenario));
     if (result.blows.empty())
-        picture.message = QString::fromStdString(verdictSentence(result).text());
+        picture.message = QString::fromStdString(sequenceText(result));
     else
         picture.march = marchPicture(result.blows, result.settings, result.units, &result,
                                      corOverPeriod(result.scenario, order.stop), picture.units);

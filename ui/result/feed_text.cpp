@@ -14,10 +14,15 @@
 namespace drillwave {
 namespace {
 
+// The force that the blow itself requires.
+double requiredBy(const SolvedBlow& blow) {
+    return blow.feed->need(ThrustCase::scenario).thrust;
+}
+
 // In the unit that suits the thrust needed, so that all can be compared at a glance.
 ShownUnit unitOf(const SolvedBlow& blow) {
     const double installed = blow.scenario.drill.thrust.value_or(0);
-    ShownUnit unit = blow.units.of(UnitKind::force, blow.feed ? blow.feed->fullRate : installed);
+    ShownUnit unit = blow.units.of(UnitKind::force, blow.feed ? requiredBy(blow) : installed);
     unit.prefixes.reset();
     return unit;
 }
@@ -29,9 +34,11 @@ QString forceText(double force, const SolvedBlow& blow) {
 }  // namespace
 
 QString thrustNeededText(const SolvedBlow& blow) {
-    if (!blow.feed) return {};
-    return QStringLiteral("%1 … %2").arg(numberText(blow.feed->fullRate * unitOf(blow).factor, 4, QLocale()),
-                                         forceText(blow.feed->returned, blow));
+    return blow.feed ? forceText(requiredBy(blow), blow) : QString();
+}
+
+QString returnInTimeText(const SolvedBlow& blow) {
+    return blow.feed ? forceText(blow.feed->need(ThrustCase::scenario).thrustUndamped, blow) : QString();
 }
 
 QString worstNeedText(const WorstNeed& worst, const SolvedBlow& blow) {
@@ -81,13 +88,13 @@ QString thrustInstalledText(const SolvedBlow& blow) {
 
 std::optional<double> thrustMargin(const SolvedBlow& blow) {
     if (!blow.feed || !blow.feed->force) return std::nullopt;
-    return *blow.feed->effective() - blow.feed->fullRate;
+    return *blow.feed->effective() - requiredBy(blow);
 }
 
 QString thrustMarginText(const SolvedBlow& blow) {
     const std::optional<double> margin = thrustMargin(blow);
     if (!margin) return {};
-    const QString share = numberText(std::round(100 * *margin / blow.feed->fullRate), 4, QLocale());
+    const QString share = numberText(std::round(100 * *margin / requiredBy(blow)), 4, QLocale());
     return forceText(*margin, blow) + QStringLiteral(" (%1%2 %)").arg(*margin > 0 ? "+" : "", share);
 }
 
@@ -95,26 +102,20 @@ QString marginChangeText(double margin, double reference, const SolvedBlow& blow
     constexpr double rounding = 1e-12;  // of the thrust: a smaller difference is none
     const ShownUnit unit = unitOf(blow);
     const double change = margin - reference;
-    const bool isNone = blow.feed && std::abs(change) <= rounding * blow.feed->fullRate;
+    const bool isNone = blow.feed && std::abs(change) <= rounding * requiredBy(blow);
     return signedText(isNone ? 0 : change * unit.factor, 3) + QChar(QChar::Nbsp) + unit.unit;
 }
 
-QString feedText(const SolvedBlow& blow) {
-    return blow.feed ? coreText(feedWord(blow.feed->feed)) : QString();
-}
-
-QString feedMeaningText(const SolvedBlow& blow) {
-    if (!blow.feed) return {};
-    const std::optional<GapAtBlow> gap = gapAtBlow(blow.scenario, blow.summary.cor, blow.summary.transferred);
-    return translated(feedMeaning(blow.feed->feed, gap, styleOf(blow.request)));
-}
-
-QString decisionText(const WorstNeed& worst, const SolvedBlow& blow) {
+FeedEstimateOnShow estimateOnShow(const WorstNeed& worst, const SolvedBlow& blow) {
     if (!blow.fault.isEmpty()) return {};
-    const std::optional<WidestNeed> widest = worst.isCurrent() ? worst.widest() : std::nullopt;
-    const FeedDecision decision = decideFeed(blow.scenario, blow.feed, widest);
-    return translated(feedDecisionMessage(decision, styleOf(blow.request))) +
-           (worst.isAwaited() ? QStringLiteral(" …") : QString());
+    const std::optional<FeedEstimate> ofAllGaps = worst.isCurrent() ? worst.estimate() : std::nullopt;
+    return {ofAllGaps ? ofAllGaps : blow.feed, worst.isAwaited()};
+}
+
+QString requiredText(const FeedEstimateOnShow& shown, const SolvedBlow& blow) {
+    if (!blow.fault.isEmpty()) return {};
+    return translated(requiredFeedMessage(blow.scenario, shown.estimate, styleOf(blow.request))) +
+           (shown.isAwaited ? QStringLiteral(" …") : QString());
 }
 
 }  // namespace drillwave

@@ -62,34 +62,37 @@ QList<ResultEntry> outputEntries(OutputGroup group) {
 
 QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Number& worstOf) {
     return {
-        {.name = tr("feed"),
-         .meaning = tr("What the feed force does between the blows"),
-         .text = feedText,
-         .note = feedMeaningText},
         {.name = tr("margin, this blow"),
-         .meaning = tr("Feed force less what this blow needs for full penetration, and as a share of that"),
+         .meaning = tr("Effective feed force less what this blow requires, and as a share of that"),
          .text = thrustMarginText,
          .number = [](const SolvedBlow& blow, UnitSystem) { return thrustMargin(blow); },
          .change = marginChangeText},
-        {.name = tr("needed"),
-         .meaning = tr("Thrust for full penetration, up to that which brings a bit that was at rest back "
-                       "before the next blow even if nothing damps, with the e of this blow"),
+        {.name = tr("required, this blow"),
+         .meaning = tr("Mean force that balances this blow, which starts at rest on the rock"),
          .text = thrustNeededText,
          .number =
              [](const SolvedBlow& blow, UnitSystem) {
                  return thrustNeeded(blow.scenario, blow.summary.cor, blow.summary.transferred);
              }},
-        {.name = tr("at every gap"),
+        {.name = tr("return in time"),
+         .meaning = tr("At this feed an undamped rigid rod is back at the rock before the next blow"),
+         .text = returnInTimeText,
+         .number =
+             [](const SolvedBlow& blow, UnitSystem) {
+                 return thrustNeeded(blow.scenario, 2 * blow.summary.cor, blow.summary.transferred);
+             }},
+        {.name = tr("required, every gap"),
          .meaning =
-             tr("The largest thrust for full penetration of this blow, of 95 % of all gaps, of a rigid "
-                "rock, and of the worst gap on elastic rock"),
+             tr("The largest force required by this blow, by 95 % of all gaps, on rigid rock, and by the "
+                "worst gap on elastic rock"),
          .text = [&worst](const SolvedBlow& blow) { return worstNeedText(worst, blow); },
          .note = [&worst](const SolvedBlow&) { return worst.problem(); },
          .objectName = worstName,
          .number = worstOf,
          .concerns = gapHasPeriod},
-        {.meaning = tr("Feed force less the largest of the four needs, and as a share of that: thrust_margin "
-                       "of commands and files"),
+        {.meaning =
+             tr("Effective feed force less the largest of the four, and as a share of that: thrust_margin of "
+                "commands and files"),
          .text = [&worst](const SolvedBlow& blow) { return worstMarginText(worst, blow); },
          .objectName = worstName,
          .warning = [&worst](const SolvedBlow& blow) { return isShortOfWorst(worst, blow); },

@@ -15,7 +15,7 @@ inline const QString worstName = QStringLiteral("worstNeed");
 /// Of all outputs of a group, in its order; of a largest stress the place, too, in a row below.
 QList<ResultEntry> outputEntries(OutputGroup group);
 
-/// The verdict on the feed and what it is made from. `worst` is of the blow on show and must outlive the
+/// Required and installed feed. `worst` is of the blow on show and must outlive the
 /// rows; `worstOf` gives the need of any blow.
 QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Number& worstOf);
 

@@ -7,24 +7,47 @@
 #include <QGuiApplication>
 #include <QSet>
 #include <QVBoxLayout>
+#include <cmath>
 #include <utility>
 
 #include "core/model/blow_traits.h"
+#include "core/report/sequence_words.h"
+#include "core/study/drilling/sequence.h"
 #include "ui/result/alert_link.h"
 #include "ui/result/event_table.h"
 #include "ui/result/feed_text.h"
 #include "ui/result/output_text.h"
 #include "ui/result/place_link.h"
 #include "ui/result/result_entries.h"
+#include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
+#include "ui/text/warning_text.h"
 
 namespace drillwave {
+namespace {
+
+const QString drillingLink = QStringLiteral("drilling");
+const QString sequenceLink = QStringLiteral("follow");
+const QString lossLink = QStringLiteral("loss");
+
+bool isResolvedSequence(const DrillingResult& result) {
+    const std::optional<Sequence> sequence = sequenceOf(result);
+    return sequence && sequence->isResolved();
+}
+
+bool lacksWaveLoss(const DrillingResult& result) {
+    const std::optional<Sequence> sequence = sequenceOf(result);
+    return sequence && sequence->unresolved == UnresolvedReason::noWaveLoss;
+}
+
+}  // namespace
 
 ResultPanel::ResultPanel(QWidget* parent) : SteadyScrollArea(parent), m_veil(new StaleVeil(viewport())) {
     setWidget(new QWidget);
     auto* layout = new QVBoxLayout(widget());
     layout->setContentsMargins(4, 4, 4, 4);
     layout->setSpacing(6);
-    addNumbers(tr("Thrust"),
+    addNumbers(tr("Feed"),
                thrustEntries(m_worst, [this](const SolvedBlow& blow, UnitSystem) { return worstOf(blow); }));
     addEnergy();
     addNumbers(tr("Penetration"), outputEntries(OutputGroup::penetration));
@@ -34,7 +57,7 @@ ResultPanel::ResultPanel(QWidget* parent) : SteadyScrollArea(parent), m_veil(new
     addNumbers(tr("Force and times"), outputEntries(OutputGroup::contact));
     addEvents();
     addAlerts();
-    addDecision();
+    addFeed();
     alignColumns();
     layout->addStretch();
     auto* copyAll = new QAction(tr("&Copy results"), this);
@@ -45,6 +68,7 @@ ResultPanel::ResultPanel(QWidget* parent) : SteadyScrollArea(parent), m_veil(new
     setContextMenuPolicy(Qt::ActionsContextMenu);
     for (const WorstNeed* worst : {&m_worst, &m_worstOfReference})
         connect(worst, &WorstNeed::changed, this, &ResultPanel::showWorst);
+    connect(&m_sequence, &ShortSequence::changed, this, &ResultPanel::showFeed);
 }
 
 // The shares stand under the bar that draws them.
@@ -72,42 +96,80 @@ void ResultPanel::addAlerts() {
 }
 
 // Before all numbers, with room for what it says at most, or they would move.
-void ResultPanel::addDecision() {
-    constexpr int lines = 4, linesBelow = 2;
-    auto* decided = new QWidget(widget());
-    m_decision = new QLabel(decided);
-    m_decision->setObjectName(QStringLiteral("decision"));
-    m_decision->setWordWrap(true);
-    QFont font = m_decision->font();
+void ResultPanel::addFeed() {
+    constexpr int lines = 4, linesBelow = 4;
+    auto* feed = new QWidget(widget());
+    m_required = new QLabel(feed);
+    m_required->setObjectName(QStringLiteral("required"));
+    m_required->setWordWrap(true);
+    QFont font = m_required->font();
     font.setBold(true);
-    m_decision->setFont(font);
-    m_decision->setAccessibleName(tr("what to do about the feed"));
-    makeSelectable(*m_decision);
-    m_beyond = new QLabel(decided);
-    m_beyond->setObjectName(QStringLiteral("beyond"));
-    m_beyond->setWordWrap(true);
-    m_beyond->setText(tr("Told of single blows, each from rest; %1 follows one after another.")
-                          .arg(QStringLiteral("<a href=\"drilling\">%1</a>").arg(tr("Drilling"))));
-    m_beyond->setToolTip(
-        tr("Waves that a blow leaves in the rod meet the next one, and may make the bit "
-           "bounce where single blows say that it rests"));
-    m_beyond->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
-    connect(m_beyond, &QLabel::linkActivated, this, &ResultPanel::drillingChosen);
-    auto* layout = new QVBoxLayout(decided);
+    m_required->setFont(font);
+    m_required->setAccessibleName(tr("required feed"));
+    makeSelectable(*m_required);
+    m_followed = new QLabel(feed);
+    m_followed->setObjectName(QStringLiteral("sequence"));
+    m_followed->setWordWrap(true);
+    m_followed->setTextFormat(Qt::RichText);
+    m_followed->setAccessibleName(tr("sequence of blows"));
+    m_followed->setTextInteractionFlags(Qt::TextBrowserInteraction);
+    connect(m_followed, &QLabel::linkActivated, this, &ResultPanel::followLink);
+    auto* layout = new QVBoxLayout(feed);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(2);
-    layout->addWidget(m_decision);
-    layout->addWidget(m_beyond);
+    layout->addWidget(m_required);
+    layout->addWidget(m_followed);
     layout->addStretch();
-    decided->setMinimumHeight(lines * QFontMetrics(font).lineSpacing() +
-                              linesBelow * m_beyond->fontMetrics().lineSpacing());
-    static_cast<QVBoxLayout*>(widget()->layout())->insertWidget(0, decided);
+    feed->setMinimumHeight(lines * QFontMetrics(font).lineSpacing() +
+                           linesBelow * m_followed->fontMetrics().lineSpacing());
+    static_cast<QVBoxLayout*>(widget()->layout())->insertWidget(0, feed);
 }
 
-void ResultPanel::showDecision() {
-    m_decision->setText(decisionText(m_worst, *m_blow));
-    m_decision->setToolTip(m_blow->fault.isEmpty() ? feedMeaningText(*m_blow) : QString());
-    m_beyond->setVisible(m_blow->feed && m_blow->feed->force);
+void ResultPanel::followLink(const QString& link) {
+    if (link == drillingLink) emit drillingChosen();
+    if (link == sequenceLink) m_sequence.follow();
+    if (link == lossLink) emit waveLossWanted();
+}
+
+// Two lines, which are never merged: what single blows require, and what the sequence gives.
+void ResultPanel::showFeed() {
+    if (!m_blow) return;
+    const FeedEstimateOnShow shown = estimateOnShow(m_worst, *m_blow);
+    const DrillingResult* result = m_sequence.result();
+    const bool isResolved = result && isResolvedSequence(*result);
+    const bool isTooLittle = shown.estimate && shown.estimate->isTooLittle();
+    const std::optional<FeedState> state = shown.estimate ? shown.estimate->state() : std::nullopt;
+    const bool isMet = state == FeedState::requiredMet || state == FeedState::returnMet;
+    const bool isGood = isMet && !shown.isAwaited && isResolved;
+    const QString required = requiredText(shown, *m_blow);
+    m_required->setText((isTooLittle ? QStringLiteral("⚠ ")
+                         : isGood    ? QStringLiteral("✓ ")
+                                     : QString()) +
+                        required);
+    setWarning(*m_required, isTooLittle);
+    const bool isUnresolved = result && !isResolved;
+    m_followed->setText(followedText(result));
+    setWarning(*m_followed, isUnresolved);
+    m_followed->setVisible(shown.estimate && shown.estimate->force);
+}
+
+QString ResultPanel::followedText(const DrillingResult* result) const {
+    const auto link = [](const QString& target, const QString& words) {
+        return QStringLiteral("<a href=\"%1\">%2</a>").arg(target, words.toHtmlEscaped());
+    };
+    const QString page = link(drillingLink, tr("Drilling"));
+    if (result) {
+        QStringList words{
+            translatedAll(sequenceSentences(*result, styleOf(m_blow->request))).toHtmlEscaped()};
+        if (lacksWaveLoss(*result)) words << link(lossLink, tr("Set wave loss 10 %"));
+        return (words << page).join(QLatin1Char(' '));
+    }
+    if (m_sequence.isAwaited()) return tr("Estimate from single blows; consecutive blows are followed …");
+    if (const std::optional<double> seconds = m_sequence.secondsOnRequest())
+        return tr("Estimate from single blows.") + QLatin1Char(' ') +
+               link(sequenceLink, tr("Follow consecutive blows (about %1 s)")
+                                      .arg(numberText(std::ceil(*seconds), 3, QLocale())));
+    return tr("Estimate from single blows; %1 follows consecutive blows.").arg(page);
 }
 
 void ResultPanel::goToAlerts() {
@@ -184,7 +246,9 @@ void ResultPanel::setOutOfDate(bool outOfDate) {
 
 QString ResultPanel::text() const {
     QString text = m_veil->isHidden() ? QString() : StaleVeil::words() + QLatin1Char('\n');
-    if (!m_decision->text().isEmpty()) text += m_decision->text() + QLatin1Char('\n');
+    if (!m_required->text().isEmpty()) text += m_required->text() + QLatin1Char('\n');
+    if (const DrillingResult* result = m_sequence.result())
+        text += translatedAll(sequenceSentences(*result, styleOf(m_blow->request))) + QLatin1Char('\n');
     for (const ResultRow& row : m_rows)
         if (!row.section()->isHidden() && row.isThere()) text += row.text() + QLatin1Char('\n');
     return text;
@@ -198,7 +262,8 @@ void ResultPanel::present(const SolvedBlowPtr& blow) {
     m_blow = blow;
     const bool solved = blow->fault.isEmpty();
     m_worst.ask(*blow);
-    showDecision();
+    m_sequence.ask(*blow);
+    showFeed();
     QSet<SectionBox*> filled;
     for (const ResultRow& row : std::as_const(m_rows)) {
         row.offer(blow->request.scenario);
@@ -239,7 +304,7 @@ void ResultPanel::showChange(const ResultRow& row) {
 
 void ResultPanel::showWorst() {
     if (!m_blow) return;
-    showDecision();
+    showFeed();
     for (const ResultRow& row : std::as_const(m_rows))
         if (row.entry().objectName == worstName) showRow(row);
 }

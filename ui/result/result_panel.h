@@ -13,6 +13,7 @@
 #include "ui/result/alert_list.h"
 #include "ui/result/energy_bar.h"
 #include "ui/result/result_row.h"
+#include "ui/result/short_sequence.h"
 #include "ui/result/stale_veil.h"
 #include "ui/result/worst_need.h"
 
@@ -49,6 +50,8 @@ class ResultPanel : public SteadyScrollArea {
     void placeChosen(double section, double time);
     /// The user wants to see what many blows do.
     void drillingChosen();
+    /// The user wants waves to fade, so that a sequence can be resolved.
+    void waveLossWanted();
     /// The user follows an alert to its parameter: the key, as in parameters().
     void parameterChosen(const QString& key);
 
@@ -61,8 +64,10 @@ class ResultPanel : public SteadyScrollArea {
     void addRow(SectionBox* section, QGridLayout* grid, const ResultEntry& entry);
     void addEnergy();
     void addAlerts();
-    void addDecision();
-    void showDecision();
+    void addFeed();
+    void showFeed();
+    QString followedText(const DrillingResult* result) const;
+    void followLink(const QString& link);
     void addEvents();
     void alignColumns();
     void copy() const;
@@ -78,6 +83,7 @@ class ResultPanel : public SteadyScrollArea {
     QString m_referenceTitle;
     WorstNeed m_worst;
     WorstNeed m_worstOfReference;
+    ShortSequence m_sequence;
     QList<ResultRow> m_rows;
     QList<QGridLayout*> m_grids;
     SectionBox* m_stress = nullptr;
@@ -85,8 +91,8 @@ class ResultPanel : public SteadyScrollArea {
     EventTable* m_events = nullptr;
     AlertList* m_alerts = nullptr;
     SectionBox* m_alertSection = nullptr;
-    QLabel* m_decision = nullptr;
-    QLabel* m_beyond = nullptr;  // what the decision leaves out
+    QLabel* m_required = nullptr;  // what single blows require
+    QLabel* m_followed = nullptr;  // what the sequence gives
     StaleVeil* m_veil;
 };
 

@@ -52,15 +52,15 @@ void WorstNeed::run() {
     });
 }
 
-std::optional<WidestNeed> WorstNeed::widest() const {
+std::optional<FeedEstimate> WorstNeed::estimate() const {
     const auto& study = m_job.value();
     if (!m_scenario || !study || !study->reason.isEmpty() || study->stopped) return std::nullopt;
-    return widestOf(study->needs);
+    return study->feed;
 }
 
 std::optional<double> WorstNeed::thrust() const {
-    const std::optional<WidestNeed> found = widest();
-    return found ? std::optional(found->thrust) : std::nullopt;
+    const std::optional<FeedEstimate> found = estimate();
+    return found ? std::optional(found->largest().thrust) : std::nullopt;
 }
 
 QString WorstNeed::problem() const {

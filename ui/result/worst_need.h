@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The largest of the four needs of the thrust, which takes a study of all gaps: found beside the blow.
+// The required feed of all four cases, which takes a study of all gaps: found beside the blow.
 #pragma once
 
 #include <QTimer>
@@ -22,13 +22,13 @@ class WorstNeed : public QObject {
     void ask(const SolvedBlow& blow);
     /// Of no blow, until it is asked again.
     void askNothing();
-    /// The largest of the four; nothing where there is none, or none yet.
-    std::optional<WidestNeed> widest() const;
-    /// What it takes for full penetration [N], likewise.
+    /// The estimate of all four cases; nothing where there is none, or none yet.
+    std::optional<FeedEstimate> estimate() const;
+    /// The largest of the four required forces [N], likewise.
     std::optional<double> thrust() const;
     /// Why there is none, in a sentence; may be empty.
     QString problem() const;
-    /// Whether widest() is that of the blow asked for last.
+    /// Whether estimate() is that of the blow asked for last.
     bool isCurrent() const;
     /// Whether it is on its way.
     bool isAwaited() const;

@@ -19,6 +19,7 @@ struct Run {
     SolvedBlowPtr blow;          ///< nullptr until it is solved; its `problem` says why it could not be
     bool isShown = true;         ///< laid over the plots
     std::optional<double> kept;  ///< the e that its file has, where it is from one
+    std::string version = {};    ///< of the program that had solved that
 
     /// "A".
     QString letter() const { return QString::fromStdString(runLetter(number)); }

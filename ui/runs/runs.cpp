@@ -6,8 +6,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/archive/outputs_changes.h"
+#include "core/model/version.h"
 #include "ui/runs/run_name.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -15,6 +18,10 @@ namespace {
 // A run of a file stays as it was first solved: another result is to be told every time.
 std::optional<double> corToKeep(const Run& run) {
     return !run.kept && run.isSolved() ? std::optional(run.blow->summary.cor) : run.kept;
+}
+
+std::string versionToKeep(const Run& run) {
+    return !run.kept && run.isSolved() ? versionText : run.version;
 }
 
 }  // namespace
@@ -84,7 +91,8 @@ QStringList Runs::add(const std::vector<KeptRun>& kept) {
                         .contents = each.contents,
                         .blow = nullptr,
                         .isShown = each.isShown,
-                        .kept = each.cor});
+                        .kept = each.cor,
+                        .version = each.version});
         if (wasEmpty && each.isReference) m_reference = number;
     }
     if (list.size() != m_list->size()) take(std::move(list));
@@ -99,7 +107,8 @@ std::vector<KeptRun> Runs::toKeep() const {
                         .contents = run.contents,
                         .isShown = run.isShown,
                         .isReference = m_reference == run.number,
-                        .cor = corToKeep(run)});
+                        .cor = corToKeep(run),
+                        .version = versionToKeep(run)});
     return kept;
 }
 
@@ -144,6 +153,8 @@ void Runs::check(const Run& run) {
     if (!run.kept || !run.isSolved()) return;
     const double now = run.blow->summary.cor;
     if (std::abs(now - *run.kept) <= run.blow->summary.corError + rounding) return;
+    const Message changes = changesSentence(run.version, run.contents.scenario);
+    if (!changes.isEmpty()) return emit differs(run.title() + QStringLiteral(": ") + translated(changes));
     const QLocale locale;
     emit differs(tr("%1 had e = %2 and has %3 now: the table of its hammer blow has been changed, or another "
                     "version has solved it.")

@@ -40,6 +40,12 @@ QString translated(const Message& message) {
     return QString::fromStdString(message.said(translatedPattern));
 }
 
+QString translatedAll(const std::vector<Message>& sentences) {
+    QStringList all;
+    for (const Message& sentence : sentences) all << translated(sentence);
+    return all.join(QLatin1Char(' '));
+}
+
 QString translated(const ScenarioError& error) {
     QStringList lines;
     for (const Message& line : error.messages()) lines << translated(line);

@@ -5,6 +5,7 @@
 #include <QString>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/text/message.h"
 
@@ -27,6 +28,8 @@ std::string translatedPattern(const std::string& pattern);
 
 /// A sentence of the core in the language of the window.
 QString translated(const Message& message);
+/// One sentence behind the other.
+QString translatedAll(const std::vector<Message>& sentences);
 
 /// What is wrong with a file or with values, a line each, likewise.
 QString translated(const ScenarioError& error);

@@ -151,6 +151,9 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     wire();
     connect(m_resultPanel, &ResultPanel::drillingChosen, m_pages,
             [this, drilling] { m_pages->setCurrentWidget(drilling); });
+    connect(m_resultPanel, &ResultPanel::waveLossWanted, this, [this] {
+        m_document.assign(*findParameter("drill.wave_loss"), usualWaveLoss, m_document.newGesture());
+    });
     new BlowGhost(
         m_document, *m_scenarioPanel, *m_pages, [this] { return m_shown; }, this);
     wireSolving();
@@ -194,6 +197,12 @@ void MainWindow::addCenter() {
     layout->addWidget(m_fileNotice);
     layout->addWidget(tableNotice);
     layout->addWidget(m_exampleNote);
+    auto* olderNotice = new Notice(Notice::Tone::information);
+    olderNotice->setObjectName(QStringLiteral("olderNotice"));
+    olderNotice->hide();
+    connect(&m_document, &Document::replaced, olderNotice, &QWidget::hide);
+    connect(&m_document, &Document::olderResultOpened, olderNotice, &Notice::say);
+    layout->addWidget(olderNotice);
     m_formNotice = new FormNotice(m_document);
     layout->addWidget(m_formNotice);
     m_marchedNotice = new MarchedNotice(*m_pages);

@@ -1,15 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The single blow that a march of many begins with.
+// The single blow that a sequence is compared with.
 #pragma once
 
+#include <optional>
 #include <stop_token>
 
 #include "core/model/scenario.h"
+#include "core/numeric/estimate.h"
 
 namespace drillwave {
 
-/// The coefficient of restitution e of the single blow at zero gap, of a scenario with units; not a number
-/// where it is not solved.
-double corAtZeroGap(const Scenario& scenario, const std::stop_token& stop);
+/// A single blow from rest at no gap.
+struct BlowAlone {
+    double cor = 0;        ///< e, by the impulse on the rock over that of the hammer
+    Estimate penetration;  ///< that stays [m]
+};
+
+/// Solves a scenario with units; nothing where it is not solved.
+std::optional<BlowAlone> solveBlowAlone(const Scenario& scenario, const std::stop_token& stop);
 
 }  // namespace drillwave

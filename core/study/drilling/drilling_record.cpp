@@ -34,33 +34,9 @@ constexpr double displacement = 1e-6;
 /// Work after which a march is judged by what all of its blows would take.
 constexpr double judgedWork = 5e7;
 
-/// Why a march is given up: what all blows would take; empty where that is permitted.
-Message workProblem(const DrillingMarch& march, const RecordLength& length) {
-    const double all = march.work() / static_cast<double>(march.blows()) * static_cast<double>(length.blows);
-    if (march.work() < std::min(judgedWork, length.mostWork) || all <= length.mostWork) return {};
-    return {
-        translatable("drillwave::Message",
-                     "its blows would take %1 wave cells, more than the %2 permitted: bit and rock meet and "
-                     "part very often; a larger gamma, fewer blows or a higher frequency take less"),
-        {rounded(all, 2), rounded(length.mostWork, 2)}};
-}
-
 /// Wave cells that a march keeps at once, of all sections and of the force: well above those of any rig, in
 /// some 0.1 GB.
 constexpr double mostKeptCells = 2e6;
-
-/// Why a march cannot be kept in memory; empty where it can.
-Message memoryProblem(const DrillingProblem& problem, const DrillingGrid& grid) {
-    const double force = problem.blow.isForced() ? problem.blow.force().end / grid.cell : 0;
-    double kept = std::ceil(force) * static_cast<double>(grid.cuts.count());
-    for (const double trip : grid.roundTrips)
-        kept += std::ceil(trip) * static_cast<double>(grid.cuts.count());
-    if (kept <= mostKeptCells) return {};
-    return {translatable("drillwave::Message",
-                         "the waves on the way through it take %1 wave cells at once, more than the %2 "
-                         "permitted; a longer blow, a shorter string or fewer --cells take less"),
-            {rounded(kept, 2), rounded(mostKeptCells, 2)}};
-}
 
 /// Takes the blows of a march on a thread of its own, one whenever it is told.
 class MarchBeside {
@@ -138,6 +114,28 @@ double meanImpulse(const std::vector<DrillingBlow>& blows, std::size_t last) {
     return sum / static_cast<double>(blows.size() - from);
 }
 
+Message memoryProblem(const DrillingProblem& problem, const DrillingGrid& grid) {
+    const double force = problem.blow.isForced() ? problem.blow.force().end / grid.cell : 0;
+    double kept = std::ceil(force) * static_cast<double>(grid.cuts.count());
+    for (const double trip : grid.roundTrips)
+        kept += std::ceil(trip) * static_cast<double>(grid.cuts.count());
+    if (kept <= mostKeptCells) return {};
+    return {translatable("drillwave::Message",
+                         "the waves on the way through it take %1 wave cells at once, more than the %2 "
+                         "permitted; a longer blow, a shorter string or fewer --cells take less"),
+            {rounded(kept, 2), rounded(mostKeptCells, 2)}};
+}
+
+Message workProblem(const DrillingMarch& march, long blows, double mostWork) {
+    const double all = march.work() / static_cast<double>(march.blows()) * static_cast<double>(blows);
+    if (march.work() < std::min(judgedWork, mostWork) || all <= mostWork) return {};
+    return {
+        translatable("drillwave::Message",
+                     "its blows would take %1 wave cells, more than the %2 permitted: bit and rock meet and "
+                     "part very often; a larger gamma, fewer blows or a higher frequency take less"),
+        {rounded(all, 2), rounded(mostWork, 2)}};
+}
+
 DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid, const RecordLength& length,
                         const std::stop_token& stop, const DrillingProgress& progress) {
     DrillingRecord result;
@@ -203,7 +201,7 @@ DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid
         result.lateShare = std::max(result.lateShare, main.lateShare());
         if (fliesAway(problem, grid.interval(), result.blows, growing))
             result.outcome = DrillingOutcome::pushedBack;
-        if (result.reason = workProblem(main, length); !result.reason.isEmpty())
+        if (result.reason = workProblem(main, length.blows, length.mostWork); !result.reason.isEmpty())
             result.outcome = DrillingOutcome::notSolved;
         if (length.onBlow) length.onBlow(main.blow());
         if (progress) progress(beside ? 2 : 1);

@@ -10,6 +10,7 @@
 
 #include "core/text/message.h"
 #include "core/wave/drilling/drilling_grid.h"
+#include "core/wave/drilling/drilling_march.h"
 #include "core/wave/drilling/drilling_problem.h"
 
 namespace drillwave {
@@ -71,6 +72,13 @@ inline constexpr long growingBlows = 50;
 
 /// J, of the last so many blows. Requires blows.
 double meanImpulse(const std::vector<DrillingBlow>& blows, std::size_t last);
+
+/// Why a march cannot be kept in memory; empty where it can.
+Message memoryProblem(const DrillingProblem& problem, const DrillingGrid& grid);
+
+/// Why a march is given up: what all blows would take [cells times nodes]; empty where that is permitted.
+/// Requires a blow.
+Message workProblem(const DrillingMarch& march, long blows, double mostWork);
 
 DrillingRecord recordOf(const DrillingProblem& problem, const DrillingGrid& grid, const RecordLength& length,
                         const std::stop_token& stop, const DrillingProgress& progress);

@@ -4,35 +4,26 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <future>
 #include <mutex>
 #include <utility>
 
 #include "core/contact/contact_law.h"
-#include "core/study/drilling/blow_alone.h"
 #include "core/study/drilling/drilling_alerts.h"
 #include "core/study/drilling/drilling_mesh.h"
-#include "core/text/enum_names.h"
 #include "core/text/message_list.h"
 
 namespace drillwave {
 
 namespace {
 
-constexpr EnumNames<DrillingVerdict> verdictNames{{{DrillingVerdict::pushedBack, "pushed_back"},
-                                                   {DrillingVerdict::rests, "rests"},
-                                                   {DrillingVerdict::fullRate, "full_rate"},
-                                                   {DrillingVerdict::rateLost, "rate_lost"}}};
-
-/// A share of the penetration at a very large thrust that passes for all of it, and a share of blows that
-/// begin in contact which passes for rest.
-constexpr double fullShare = 0.95, restingShare = 0.95;
-
 /// A share of J that is rounding.
 constexpr double sameImpulse = 1e-9;
 
 /// A shank that is so far off runs away [d0], where it moved by so much more than before.
 constexpr double farAway = 50, growingOffset = 2;
+
+/// A motion that repeats may still settle by so much of a mean.
+constexpr double settlingShare = 2e-5;
 
 /// Means of motions that differ by less are those of one motion.
 constexpr double motionTolerance = 1e-3;
@@ -75,29 +66,22 @@ class MarchStudy {
                 m_result.outcome = DrillingOutcome::pushedBack;
                 m_result.statistics.reset();
                 m_result.lyapunov.reset();
-                m_result.fullRateShare.reset();
             }
         }
         takeGroups();
-        m_result.verdict = verdictOf(m_result);
         m_result.alerts = drillingAlerts(m_result, {.lateShare = main.lateShare,
                                                     .rounding = grid.rounding(m_mesh.problem),
                                                     .hasMachine = m_mesh.problem.machine.has_value()});
         return std::move(m_result);
     }
 
-    std::optional<double> fullPenetration() {
-        prepare();
-        if (std::isfinite(m_result.cor)) takeFullRate(marchAtFullRate());
-        return m_result.fullPenetration;
-    }
-
   private:
     void prepare() {
-        m_result.cor = m_wants.cor ? corAtZeroGap(m_result.scenario, m_stop) : std::nan("");
+        if (m_wants.blowAlone) m_result.alone = solveBlowAlone(m_result.scenario, m_stop);
         m_mesh = drillingMeshOf(m_result.scenario, m_result.settings.cells);
         m_mesh.problem.start = m_result.settings.start;
         m_result.hasLoss = losesWaves(m_mesh.problem);
+        m_result.hasWholeTrips = m_mesh.grid.hasWholeTrips();
     }
 
     void takeGrid(const DrillingGrid& grid) {
@@ -120,29 +104,7 @@ class MarchStudy {
             const BlowSpread spread = spreadOf(std::span(growths).subspan(settle));
             m_result.lyapunov = Lyapunov{spread.mean, spread.meanError};
         }
-        std::optional<DrillingRecord> other, full;
-        const auto marchOther = [&] {
-            if (m_wants.cellError) other = marchWithOtherCells();
-        };
-        const auto marchFull = [&] {
-            if (m_wants.fullRate && !m_wants.fullPenetration && std::isfinite(m_result.cor))
-                full = marchAtFullRate();
-        };
-        if (m_wants.jobs > 1) {
-            // Deferred where no thread can be started.
-            std::future<void> pressed = std::async(std::launch::async | std::launch::deferred, marchFull);
-            marchOther();
-            pressed.get();
-        } else {
-            marchOther();
-            marchFull();
-        }
-        if (other) compareCells(*other, settle);
-        if (full && m_result.statistics) takeFullRate(*full);
-        if (m_wants.fullPenetration) m_result.fullPenetration = m_wants.fullPenetration;
-        if (m_result.statistics && m_result.fullPenetration)
-            m_result.fullRateShare =
-                m_result.spread(quantityPlace(&DrillingBlow::penetration)).mean / *m_result.fullPenetration;
+        if (m_wants.cellError) compareCells(marchWithOtherCells(), settle);
     }
 
     /// Returns whether the feed of more than one blow by an elastic hammer is below f J, beyond the
@@ -175,15 +137,6 @@ class MarchStudy {
                         m_progress);
     }
 
-    DrillingRecord marchAtFullRate() const {
-        DrillingMesh pressed =
-            drillingMeshOf(m_result.scenario, std::min(m_result.settings.cells, scanCells));
-        pressed.problem.start = m_result.settings.start;
-        pressed.problem.feedForce =
-            2 * (1 + 2 * m_result.cor) * m_result.meanImpulse / pressed.grid.interval();
-        return recordOf(pressed.problem, pressed.grid, {scanBlows, m_wants.mostWork}, m_stop, m_progress);
-    }
-
     void compareCells(const DrillingRecord& other, std::size_t settle) {
         if (other.outcome != DrillingOutcome::done) return fail(other);
         const DrillingStatistics statistics =
@@ -196,16 +149,6 @@ class MarchStudy {
         const double errors = own.meanError.value_or(0) + others.meanError.value_or(0);
         m_result.cellsDecideMotion = statistics.period != m_result.statistics->period &&
                                      std::abs(own.mean - others.mean) > errors + motionTolerance * own.mean;
-    }
-
-    void takeFullRate(const DrillingRecord& full) {
-        if (full.outcome == DrillingOutcome::stopped) return fail(full);
-        if (full.outcome != DrillingOutcome::done) return;
-        const std::size_t penetration = quantityPlace(&DrillingBlow::penetration);
-        const DrillingStatistics statistics =
-            statisticsOf(full.blows, static_cast<std::size_t>(scanSettle), m_mesh.problem.blow.velocity());
-        const double most = statistics.spreads[penetration].mean;
-        if (most > 0) m_result.fullPenetration = most;
     }
 
     void fail(const DrillingRecord& other) {
@@ -241,40 +184,14 @@ class MarchStudy {
 
 }  // namespace
 
-DrillingVerdict verdictOf(const DrillingResult& result) {
-    if (result.outcome == DrillingOutcome::pushedBack) return DrillingVerdict::pushedBack;
-    if (result.statistics && result.statistics->contactShare >= restingShare) return DrillingVerdict::rests;
-    const bool isFull = result.fullRateShare.value_or(0) >= fullShare;
-    return isFull ? DrillingVerdict::fullRate : DrillingVerdict::rateLost;
-}
-
-void takeFullRate(DrillingResult& result, const DrillingResult& other) {
-    const std::size_t penetration = quantityPlace(&DrillingBlow::penetration);
-    if (!result.statistics || !other.statistics || !other.fullRateShare) return;
-    const double share =
-        *other.fullRateShare * result.spread(penetration).mean / other.spread(penetration).mean;
-    if (std::isfinite(share)) result.fullRateShare = share;
-    result.verdict = verdictOf(result);
-}
-
-std::string_view name(DrillingVerdict verdict) {
-    return verdictNames[verdict];
-}
-
 std::optional<double> DrillingResult::meanError(std::size_t quantity) const {
     const std::optional<double> batches = spread(quantity).meanError;
     if (!batches) return std::nullopt;
-    return *batches + cellErrors[quantity];
-}
-
-std::optional<double> fullPenetrationOf(const Scenario& scenario, const DrillingSettings& settings,
-                                        const std::stop_token& stop) {
-    if (!drillingRefusals(scenario, settings).empty()) return std::nullopt;
-    return MarchStudy(scenario, settings, {}, stop, {}).fullPenetration();
+    return *batches + cellErrors[quantity] + settlingShare * std::abs(spread(quantity).mean);
 }
 
 long foreseenBlows(const DrillingSettings& settings, const DrillingWants& wants) {
-    return settings.blows * (1 + wants.lyapunov + wants.cellError) + (wants.fullRate ? scanBlows : 0);
+    return settings.blows * (1 + wants.lyapunov + wants.cellError);
 }
 
 double foreseenInstants(const Scenario& scenario, const DrillingSettings& settings, const BlowRange& range) {
@@ -289,7 +206,6 @@ double drillingWork(const Scenario& scenario, const DrillingSettings& settings, 
     };
     double work = workOf(drillingMeshOf(scenario, settings.cells), settings.blows) * (wants.lyapunov ? 2 : 1);
     if (wants.cellError) work += workOf(comparedDrillingMeshOf(scenario, settings.cells), settings.blows);
-    if (wants.fullRate) work += workOf(drillingMeshOf(scenario, scanCells), scanBlows);
     return work;
 }
 

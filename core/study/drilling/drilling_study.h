@@ -10,21 +10,13 @@
 #include "core/model/alerts.h"
 #include "core/model/scales.h"
 #include "core/model/scenario.h"
+#include "core/study/drilling/blow_alone.h"
 #include "core/study/drilling/drilling_case.h"
 #include "core/study/drilling/drilling_record.h"
 #include "core/study/drilling/drilling_statistics.h"
 #include "core/text/message.h"
 
 namespace drillwave {
-
-/// What the thrust comes to, in one word.
-enum class DrillingVerdict {
-    pushedBack,  ///< "the machine is pushed back"
-    rests,       ///< "the bit rests on the rock before every blow"
-    fullRate,    ///< "drills at full rate; the bit leaves the rock between blows"
-    rateLost,    ///< "penetration is lost"
-};
-std::string_view name(DrillingVerdict verdict);
 
 /// The groups of many blows (drilling §5).
 struct DrillingGroups {
@@ -47,15 +39,12 @@ inline constexpr double coveringCells = 3;
 struct DrillingWants {
     bool cellError = true;  ///< the same with other cells, see comparedDrillingGridOf()
     bool lyapunov = true;
-    bool fullRate = true;  ///< the penetration at 2(1 + 2e), which takes `cor`
-    bool cor = true;       ///< e of the blow alone
+    bool blowAlone = true;  ///< the single blow that it is compared with
     std::optional<BlowRange> histories = {};
     double mostWork = mostDrillingWork;  ///< of each march [cells times nodes]
     int jobs = 1;  ///< marches that may run side by side, each on a thread; what comes out is the same
     /// Told every blow of the march itself, as soon as it is done.
     std::function<void(const DrillingBlow&)> onBlow = {};
-    /// The mean penetration at the full rate [units of Problem], where another study has it.
-    std::optional<double> fullPenetration = {};
     /// Asked after every blow of the march itself: whether what follows is known. Then it ends there, and
     /// there are no statistics.
     std::function<bool(const std::vector<DrillingBlow>&)> isEnough = {};
@@ -74,37 +63,26 @@ struct DrillingResult {
     std::array<double, blowQuantities.size()> cellErrors{};
     std::optional<Lyapunov> lyapunov;
     DrillingGroups groups;
-    double cor = 0;  ///< e of the blow at zero gap; not a number where it was not wanted
-    std::optional<double> fullPenetration;  ///< mean, at 2(1 + 2e) [units of Problem]
-    std::optional<double> fullRateShare;    ///< the mean penetration over that
-    double meanImpulse = 1;                 ///< J [units of Problem]
+    /// Nothing where it was not wanted, or is not solved.
+    std::optional<BlowAlone> alone;
+    double meanImpulse = 1;  ///< J [units of Problem]
     DrillingLedger ledger;
     double momentumResidual = 0;  ///< over N Fe/f
     double energyResidual = 0;    ///< over the hammer work
     double frequencyUsed = 0;     ///< [Hz]
     double cellsPerDuration = 0;  ///< that were taken
-    DrillingVerdict verdict = DrillingVerdict::rateLost;
     std::vector<Alert> alerts;
     DrillingUnits units;
     Scales scales;
     double runTime = 0;  ///< [s]
 
     bool hasLoss = false;            ///< waves fade
+    bool hasWholeTrips = true;       ///< the round trips of all sections are whole cells
     bool cellsDecideMotion = false;  ///< other cells come to another motion
-    /// Of a mean, by batches and cells; nothing where either is not known.
+    /// Of a mean, by batches and cells, and what it may still settle by; nothing where any is not known.
     std::optional<double> meanError(std::size_t quantity) const;
     const BlowSpread& spread(std::size_t quantity) const { return statistics->spreads[quantity]; }
 };
-
-/// By outcome, contacts, and the share of the full rate where that is known.
-DrillingVerdict verdictOf(const DrillingResult& result);
-/// The full rate that another motion of the same scenario has been measured by.
-void takeFullRate(DrillingResult& result, const DrillingResult& other);
-
-/// The mean penetration of such a rod at 2(1 + 2e) [units of Problem], under whatever thrust it has: of a
-/// blow that is a given force. Nothing where it is not solved or there are drillingRefusals().
-std::optional<double> fullPenetrationOf(const Scenario& scenario, const DrillingSettings& settings,
-                                        const std::stop_token& stop);
 
 /// Blows of all marches of a study.
 long foreseenBlows(const DrillingSettings& settings, const DrillingWants& wants);

@@ -10,6 +10,7 @@
 #include "core/model/form_conversion.h"
 #include "core/study/drilling/drilling_case.h"
 #include "core/study/drilling/drilling_mesh.h"
+#include "core/study/drilling/drilling_record.h"
 #include "core/text/message_list.h"
 #include "core/wave/drilling/drilling_march.h"
 
@@ -97,7 +98,7 @@ ImpactSummary summaryOf(const Impact& impact, const Problem& problem, const Marc
 }  // namespace
 
 Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, long number,
-                 const std::stop_token& stop) {
+                 const std::stop_token& stop, double mostWork) {
     using Clock = std::chrono::steady_clock;
     const auto begin = Clock::now();
     Blow blow;
@@ -115,8 +116,20 @@ Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, lon
     mesh.problem.start = settings.start;
     blow.problem = mesh.problem.blow;
 
+    Message problem = memoryProblem(mesh.problem, mesh.grid);
+    if (problem.isEmpty() && mesh.grid.work(mesh.problem) * static_cast<double>(number) > mostWork)
+        problem = translatable("drillwave::Message", "its blows need more wave cells than permitted");
+    if (!problem.isEmpty()) {
+        blow.impact = Impact::unsolved(std::move(problem));
+        return blow;
+    }
     DrillingMarch march(mesh.problem, mesh.grid);
-    while (march.blows() + 2 < number && march.takeBlow(stop)) continue;
+    while (problem.isEmpty() && march.blows() + 2 < number && march.takeBlow(stop))
+        problem = workProblem(march, number, mostWork);
+    if (!problem.isEmpty()) {
+        blow.impact = Impact::unsolved(std::move(problem));
+        return blow;
+    }
     const MarchedWaves kept = march.blows() + 2 >= number ? march.takeBlowWithWaves(stop) : MarchedWaves{};
     if (!march.trouble().empty() || stop.stop_requested()) {
         blow.impact =

@@ -93,8 +93,7 @@ Message CaseSolver::march(const Scenario& scenario, const std::stop_token& stop)
     const DrillingSettings settings = scanSettingsOf(scenario);
     const DrillingWants wants{.cellError = m_drillWishes.penetrationError,
                               .lyapunov = m_drillWishes.lyapunov,
-                              .fullRate = false,
-                              .cor = false,
+                              .blowAlone = false,
                               .mostWork = workWithEvents * static_cast<double>(m_solver.mostCells())};
     if (drillingWork(scenario, settings, wants) > static_cast<double>(m_solver.mostCells()))
         return translatable("drillwave::Message",

@@ -73,12 +73,6 @@ bool hasMet(const std::vector<DrillingBlow>& blows, const std::vector<DrillingBl
     return false;
 }
 
-/// Whether the full rate, as penetration a blow, is that of all values: a thrust changes it nowhere under a
-/// force that is given.
-bool sharesFullRate(const Scenario& base, const SweepAxis& axis) {
-    return axis.key() == "drill.thrust" && isForced(base);
-}
-
 }  // namespace
 
 std::vector<Message> scanRefusals(const Scenario& base, const SweepAxis& axis,
@@ -95,9 +89,8 @@ std::vector<Message> scanRefusals(const Scenario& base, const SweepAxis& axis,
 }
 
 double scanWork(const Scenario& scenario, const DrillingSettings& settings) {
-    const auto work = [&](bool fullRate) {
-        return drillingWork(scenario, settings,
-                            {.cellError = fullRate, .lyapunov = fullRate, .fullRate = fullRate});
+    const auto work = [&](bool isWhole) {
+        return drillingWork(scenario, settings, {.cellError = isWhole, .lyapunov = isWhole});
     };
     return work(true) + work(false);  // from rest, and from bouncing
 }
@@ -109,9 +102,6 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
     DrillingScan scan{.base = base, .axis = axis, .settings = settings, .points = {}};
     scan.refusal = inOneLine(scanRefusals(base, axis, settings));
     if (!scan.refusal.isEmpty()) return scan;
-    std::optional<double> fullPenetration;
-    if (sharesFullRate(base, axis) && axis.count > 1)
-        fullPenetration = fullPenetrationOf(scenarioAt(base, axis, 0), settings, work.stop);
     std::uint64_t next = 0;
     const auto fill = [&](ValueWork& chunk) {
         if (next == axis.count) return false;
@@ -121,13 +111,10 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
     const auto makeWorker = [&] {
         return [&](ValueWork& chunk, const std::stop_token& stop) {
             const Scenario scenario = scenarioAt(base, axis, chunk.index);
-            DrillingWants wants{
-                .lyapunov = work.lyapunov, .fullRate = true, .cor = true, .fullPenetration = fullPenetration};
-            wants.mostWork = work.mostWork;
+            DrillingWants wants{.lyapunov = work.lyapunov, .mostWork = work.mostWork};
             DrillingSettings from = settings;
             chunk.rest = studyDrilling(scenario, from, wants, stop);
-            wants.cellError = wants.lyapunov = wants.fullRate = wants.cor = false;
-            wants.fullPenetration.reset();
+            wants.cellError = wants.lyapunov = wants.blowAlone = false;
             from.start = DrillingStart::bouncing;
             bool isMet = false;
             wants.isEnough = [&](const std::vector<DrillingBlow>& blows) {
@@ -140,12 +127,12 @@ DrillingScan scanDrilling(const Scenario& base, const SweepAxis& axis, const Dri
             wants.cellError = true;
             if (chunk.differs)  // its error is stated, and its λ
                 chunk.bouncing = studyDrilling(scenario, from, wants, stop);
-            takeFullRate(chunk.bouncing, chunk.rest);
+            chunk.bouncing.alone = chunk.rest.alone;
         };
     };
     const auto deliver = [&](ValueWork& chunk) {
         const double value = axis.value(chunk.index);
-        if (chunk.index == 0) scan.cor = chunk.rest.cor;
+        if (chunk.index == 0 && chunk.rest.alone) scan.cor = chunk.rest.alone->cor;
         scan.bouncingBlows += static_cast<long>(chunk.bouncing.blows.size());
         if (chunk.differs)
             for (DrillingResult* result : {&chunk.rest, &chunk.bouncing})

@@ -28,7 +28,8 @@ struct DrillingScan {
     /// errors.
     std::vector<DrillingScanPoint> points;
     long bouncingBlows = 0;  ///< that were marched from bouncing: none behind where it has come to the same
-    double cor = 0;          ///< e of the blow at zero gap, of the first value; over a thrust that of all
+    /// e of the blow from rest at no gap, of the first value; over a thrust that of all.
+    std::optional<double> cor = {};
     double runTime = 0;
     Message refusal = {};  ///< the scanRefusals(), where there are any: no points then
 };

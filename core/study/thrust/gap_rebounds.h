@@ -4,8 +4,10 @@
 
 #include <array>
 #include <map>
+#include <optional>
 #include <stop_token>
 
+#include "core/blow/feed_estimate.h"
 #include "core/study/gap/gap_curve.h"
 #include "core/study/gap/gap_statistics.h"
 #include "core/text/message.h"
@@ -24,6 +26,12 @@ struct GapRebound {
 struct GapRebounds {
     GapRebound quantile;  ///< not exceeded at 95 % of all gaps, in this rock
     GapRebound worst;     ///< the largest of all gaps, were the rock elastic (γ = 1)
+
+    /// Both, where they are.
+    std::optional<ReboundsOverGaps> known() const {
+        if (!quantile.known() || !worst.known()) return std::nullopt;
+        return ReboundsOverGaps{quantile.cor, worst.cor};
+    }
 };
 
 /// The curve of e over one period of the gap.

@@ -4,7 +4,6 @@
 #include <cassert>
 
 #include "core/blow/thrust.h"
-#include "core/model/blow_interval.h"
 #include "core/model/blow_traits.h"
 #include "core/model/parameter_text.h"
 #include "core/model/validation.h"
@@ -62,15 +61,13 @@ ThrustPoint stringPoint(const Scenario& scenario, ThrustPoint point, const Point
     const ThrustStudy study = studyStringThrust(scenario, NetworkAccuracy::quick, solvers.solver, stop);
     point.reason = study.stopped ? "stopped" : study.reason;
     if (!point.reason.isEmpty()) return point;
-    point.needs = study.needs;
-    point.verdict = study.verdict;
-    point.roundTrips = *roundTripsBetweenBlows(scenario);
+    point.feed = study.feed;
     return point;
 }
 
 ThrustPoint solvedPoint(const Scenario& scenario, double value, const PointSolvers& solvers,
                         const std::stop_token& stop) {
-    ThrustPoint point{.value = value, .needs = {}, .verdict = {}, .reason = {}};
+    ThrustPoint point{.value = value, .feed = {}, .reason = {}};
     if (!gapHasPeriod(scenario)) return stringPoint(scenario, std::move(point), solvers, stop);
     const Problem problem = problemOf(scenario);
     const Impact impact = solvers.solver.solve(problem, Detail::cor, {}, stop);
@@ -82,17 +79,14 @@ ThrustPoint solvedPoint(const Scenario& scenario, double value, const PointSolve
     for (const GapRebound* rebound : {&rebounds.quantile, &rebounds.worst})
         if (!rebound->known()) point.reason = rebound->stopped ? "stopped" : rebound->reason;
     if (!point.reason.isEmpty()) return point;
-    point.needs = thrustNeeds(scenario, {impact.cor, impact.corError}, rebounds);
-    point.verdict = *judgeFeed(scenario, impact.cor);
-    point.roundTrips = *roundTripsBetweenBlows(scenario);
+    point.feed = *feedEstimate(scenario, {impact.cor, impact.corError}, 1, rebounds.known());
     return point;
 }
 
 ThrustPoint pointAt(const Scenario& base, const Parameter& parameter, double value,
                     const PointSolvers& solvers, const std::stop_token& stop) {
     ScenarioAt at = scenarioAt(base, parameter, value);
-    if (!at.obstacle.isEmpty())
-        return {.value = value, .needs = {}, .verdict = {}, .reason = std::move(at.obstacle)};
+    if (!at.obstacle.isEmpty()) return {.value = value, .feed = {}, .reason = std::move(at.obstacle)};
     return solvedPoint(at.scenario, value, solvers, stop);
 }
 
@@ -148,7 +142,7 @@ ThrustCurve thrustAlong(const Scenario& base, const Parameter& parameter, std::s
 ThrustPoint thrustPoint(const Scenario& scenario, double value, GapReboundFinder& finder,
                         const std::stop_token& stop) {
     if (Message refusal = thrustRefusal(scenario); !refusal.isEmpty())
-        return {.value = value, .needs = {}, .verdict = {}, .reason = std::move(refusal)};
+        return {.value = value, .feed = {}, .reason = std::move(refusal)};
     MethodSolver solver;
     return solvedPoint(scenario, value, {finder, solver}, stop);
 }

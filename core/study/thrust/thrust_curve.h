@@ -8,9 +8,10 @@
 #include <stop_token>
 #include <vector>
 
+#include "core/blow/feed_estimate.h"
 #include "core/blow/method.h"
 #include "core/model/parameter.h"
-#include "core/study/thrust/thrust_needs.h"
+#include "core/study/thrust/gap_rebounds.h"
 #include "core/text/message.h"
 
 namespace drillwave {
@@ -18,12 +19,10 @@ namespace drillwave {
 /// One value of the parameter.
 struct ThrustPoint {
     double value = 0;  ///< of the parameter, SI
-    ThrustNeeds needs;
-    FeedVerdict verdict;    ///< by the e of the blow of this point
-    double roundTrips = 0;  ///< n_b = 1/(2 T f)
-    Message reason;         ///< why there are no numbers; empty when there are
+    FeedEstimate feed;
+    Message reason;  ///< why there are no numbers; empty when there are
 
-    const ThrustNeed& need(ThrustCase which) const { return needs[static_cast<std::size_t>(which)]; }
+    const ThrustNeed& need(ThrustCase which) const { return feed.need(which); }
 };
 
 /// Points in the order of the values; after a stop, those that were finished.

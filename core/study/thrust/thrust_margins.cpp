@@ -1,29 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/thrust/thrust_margins.h"
 
+#include <utility>
+
 #include "core/blow/thrust.h"
 
 namespace drillwave {
 
 void addThrustMargin(Blow& blow, const std::stop_token& stop) {
     if (!blow.isSolved()) return;
-    blow.widestNeed = ThrustMargins(mostPiecesInPassing)
-                          .widest(blow.scenario, blow.problem, {blow.impact.cor, blow.impact.corError}, stop);
+    std::optional<FeedEstimate> ofAllGaps =
+        ThrustMargins(mostPiecesInPassing)
+            .estimate(blow.scenario, blow.problem, {blow.impact.cor, blow.impact.corError}, stop);
+    if (ofAllGaps) blow.feed = std::move(ofAllGaps);
+}
+
+std::optional<FeedEstimate> solveFeedEstimate(const Scenario& scenario, const std::stop_token& stop) {
+    if (!thrustProblem(scenario).isEmpty()) return std::nullopt;
+    Blow blow = solveBlow(scenario, {}, Detail::ledger, stop);
+    addThrustMargin(blow, stop);
+    return blow.isSolved() ? blow.feed : std::nullopt;
 }
 
 std::optional<double> ThrustMargins::of(const Scenario& scenario, const Problem& problem, const Estimate& cor,
                                         const std::stop_token& stop) {
-    const std::optional<WidestNeed> need = widest(scenario, problem, cor, stop);
-    if (!need) return std::nullopt;
-    return feedForceOf(scenario)->marginOver(need->thrust);
+    const std::optional<FeedEstimate> feed = estimate(scenario, problem, cor, stop);
+    return feed ? feed->margin() : std::nullopt;
 }
 
-std::optional<WidestNeed> ThrustMargins::widest(const Scenario& scenario, const Problem& problem,
-                                                const Estimate& cor, const std::stop_token& stop) {
+std::optional<FeedEstimate> ThrustMargins::estimate(const Scenario& scenario, const Problem& problem,
+                                                    const Estimate& cor, const std::stop_token& stop) {
     if (!thrustMarginProblem(scenario).isEmpty()) return std::nullopt;
-    const GapRebounds rebounds = m_finder.of(problem, stop);
-    if (!rebounds.quantile.known() || !rebounds.worst.known()) return std::nullopt;
-    return widestOf(thrustNeeds(scenario, cor, rebounds));
+    const std::optional<ReboundsOverGaps> overGaps = m_finder.of(problem, stop).known();
+    if (!overGaps) return std::nullopt;
+    return feedEstimate(scenario, cor, 1, overGaps);
 }
 
 }  // namespace drillwave

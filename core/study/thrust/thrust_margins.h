@@ -6,14 +6,18 @@
 #include <stop_token>
 
 #include "core/blow/blow.h"
-#include "core/study/thrust/thrust_needs.h"
+#include "core/study/thrust/gap_rebounds.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {
 
-/// Blow::widestNeed of a blow that is solved, by which files and JSON have its margin: a study of all gaps.
+/// Completes Blow::feed of a solved blow with the cases of all gaps, by which files and JSON have its margin.
 /// Left out where that takes more than mostPiecesInPassing; `drillwave thrust` takes its time.
 void addThrustMargin(Blow& blow, const std::stop_token& stop = {});
+
+/// Solves the blow of a scenario for its estimate, with the cases of all gaps as addThrustMargin() has them.
+/// Nothing where it is not solved, or thrustProblem() says why.
+std::optional<FeedEstimate> solveFeedEstimate(const Scenario& scenario, const std::stop_token& stop = {});
 
 /// Shares what cases have in common: no further work for one that differs from an earlier one only in gap,
 /// frequency, impulse or feed. One for each thread.
@@ -27,9 +31,9 @@ class ThrustMargins {
     /// on the stop token. `problem` is that of the scenario.
     std::optional<double> of(const Scenario& scenario, const Problem& problem, const Estimate& cor,
                              const std::stop_token& stop);
-    /// The largest need itself, likewise.
-    std::optional<WidestNeed> widest(const Scenario& scenario, const Problem& problem, const Estimate& cor,
-                                     const std::stop_token& stop);
+    /// All four cases, likewise.
+    std::optional<FeedEstimate> estimate(const Scenario& scenario, const Problem& problem,
+                                         const Estimate& cor, const std::stop_token& stop);
 
   private:
     GapReboundFinder m_finder;

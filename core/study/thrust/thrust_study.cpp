@@ -35,8 +35,7 @@ Message thrustRefusal(const Scenario& scenario) {
 }
 
 std::optional<double> ThrustStudy::margin() const {
-    const bool allKnown = std::ranges::all_of(needs, &ThrustNeed::known);
-    return allKnown ? largestNeed().margin : std::nullopt;
+    return feed.margin();
 }
 
 ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const GapProgress& progress,
@@ -66,10 +65,9 @@ ThrustStudy studyThrust(const Scenario& scenario, std::stop_token stop, const Ga
     study.rebounds.worst = worstOf(elasticCurve(problem, stop, half.from(0.5), mostPieces));
     if (!isKnown(study.rebounds.worst)) return study;
 
-    study.needs = thrustNeeds(scenario, {impact.cor, impact.corError}, study.rebounds);
-    study.verdict = *judgeFeed(scenario, impact.cor);
-    if (const auto force = study.verdict.effective()) {
-        const double served = *force / study.verdict.balance - 1;  // up to which e
+    study.feed = *feedEstimate(scenario, {impact.cor, impact.corError}, 1, study.rebounds.known());
+    if (const auto force = study.feed.effective()) {
+        const double served = *force / study.feed.balance - 1;  // up to which e
         study.shareFull = 1 - shareAbove(rock, served).value;
     }
     return study;
@@ -89,8 +87,7 @@ ThrustStudy studyStringThrust(const Scenario& scenario, NetworkAccuracy accuracy
     if (study.stopped || !study.reason.isEmpty()) return study;
     const ImpactSummary summary = summarize(impact, problem);
     study.transferred = summary.transferred;
-    study.needs = stringThrustNeeds(scenario, {summary.cor, summary.corError}, study.transferred);
-    study.verdict = *judgeFeed(scenario, summary.cor, study.transferred);
+    study.feed = *feedEstimate(scenario, {summary.cor, summary.corError}, study.transferred);
     return study;
 }
 

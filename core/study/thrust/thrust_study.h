@@ -5,24 +5,24 @@
 #include <optional>
 #include <stop_token>
 
+#include "core/blow/feed_estimate.h"
 #include "core/blow/method.h"
-#include "core/study/thrust/thrust_needs.h"
+#include "core/study/thrust/gap_rebounds.h"
 #include "core/text/message.h"
 
 namespace drillwave {
 
 struct ThrustStudy {
-    ThrustNeeds needs;
+    FeedEstimate feed;
     GapRebounds rebounds;             ///< that they are from; of a uniform rod
     double transferred = 1;           ///< what the hammer hands on, in I0 (ImpactSummary::transferred())
     std::optional<double> shareFull;  ///< share of all gaps at which the effective force is ≥ f I0 (1+e)
-    FeedVerdict verdict;              ///< by the e of the scenario's own blow
     Message reason;                   ///< why there is no result; empty when there is
     Hindrance hindrance = Hindrance::other;  ///< where the scenario's own blow is the reason
     bool stopped = false;                    ///< on the stop token: no result
 
-    const ThrustNeed& need(ThrustCase which) const { return needs[static_cast<std::size_t>(which)]; }
-    const ThrustNeed& largestNeed() const { return largestOf(needs); }
+    const ThrustNeed& need(ThrustCase which) const { return feed.need(which); }
+    const ThrustNeed& largestNeed() const { return feed.largest(); }
     /// Effective force over the largest of the four `thrust`, less 1: the output `thrust_margin`. Nothing of
     /// a drill string, of which not all four are known.
     std::optional<double> margin() const;

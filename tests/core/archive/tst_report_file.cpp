@@ -86,7 +86,7 @@ class TestReportFile : public QObject {
     void thePageRunsAgainToTheSameDigits_data();
     void thePageRunsAgainToTheSameDigits();
     void whatUsersTypeIsNoMarkup();
-    void theVerdictIsThatOfTheThrustStudy();
+    void theEstimateIsThatOfTheThrustStudy();
     void aScenarioWithoutFrequencySaysWhyThereIsNoThrust();
     void aBlowOfManyPiecesIsReportedWithoutStudies();
     void progressTellsOfEveryStudy();
@@ -272,13 +272,13 @@ void TestReportFile::whatUsersTypeIsNoMarkup() {
     QCOMPARE(parseInput(page, "report.html").document.scenario.title, document.scenario.title);
 }
 
-void TestReportFile::theVerdictIsThatOfTheThrustStudy() {
+void TestReportFile::theEstimateIsThatOfTheThrustStudy() {
     const BlowReport report = reportOfExample("t38_medium_rock");
     QVERIFY(report.thrust && report.gap);
-    QVERIFY(report.blow.feed == report.thrust->study.verdict);
-    QVERIFY(report.blow.decision() == decisionOf(report.thrust->judged()));
+    QVERIFY(report.blow.feed == report.thrust->study.feed);
     const PrintedStyle style(plainStyle());
-    for (const Message& sentence : verdictSentences(report.thrust->judged(), style))
+    for (const Message& sentence : thrustSentences(report.blow.scenario, report.thrust->study.feed,
+                                                   report.thrust->study.shareFull, style))
         QVERIFY2(pageOf(report).find(escapedHtml(style.said(sentence))) != std::string::npos,
                  sentence.text().c_str());
 }
@@ -303,9 +303,9 @@ void TestReportFile::aBlowOfManyPiecesIsReportedWithoutStudies() {
     const std::string page = pageOf(report);
     for (const std::string& words : {report.gapProblem.text(), report.thrustProblem.text()})
         QVERIFY2(page.find("<p>" + words + "</p>") != std::string::npos, words.c_str());
-    const std::string decision = feedDecisionText(report.blow.decision());
-    QVERIFY(page.find("</h1>\n<p class=\"decision\">" + decision + "</p>") != std::string::npos);
-    QVERIFY(page.find(feedAdvice(report.blow.feed->feed)) != std::string::npos);
+    const std::string estimate =
+        estimateText(report.blow.scenario, report.blow.feed, PrintedStyle(plainStyle()));
+    QVERIFY(page.find("</h1>\n<p class=\"decision\">" + escapedHtml(estimate) + "</p>") != std::string::npos);
     QVERIFY(inputOf(report.inputs, "pulse.points").value == "6001");
 }
 

@@ -78,9 +78,11 @@ void TestBlow::itsPartsAreThoseOfTheSolverAndTheSummary() {
     QCOMPARE(blow.summary.peakForce, impact.peakForce);
     QCOMPARE(blow.summary.energy, ledgerOf(impact, problem));
     QCOMPARE(*blow.summary.rodForces, largestRodForces(impact, problem.force()));
-    QCOMPARE(*blow.feed, *judgeFeed(scenario, impact.cor));
+    QCOMPARE(*blow.feed, *feedEstimate(scenario, {impact.cor, impact.corError}));
     // [paper (9)], by hand
-    QVERIFY(std::abs(blow.feed->fullRate / (50 * scenario.pulse.impulse * (1 + impact.cor)) - 1) < 1e-15);
+    QVERIFY(std::abs(blow.feed->need(ThrustCase::scenario).thrust /
+                         (50 * scenario.pulse.impulse * (1 + impact.cor)) -
+                     1) < 1e-15);
 }
 
 void TestBlow::itsAlertsAreThoseOfTheScenarioTheResultAndTheStresses() {

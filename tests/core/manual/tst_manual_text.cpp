@@ -122,7 +122,7 @@ void TestManualText::tablesAreColumnsWithinTheWidth() {
 void TestManualText::everyChapterIsThere() {
     const std::vector<Chapter> manual = manualChapters(plainStyle());
     for (const char* name : {"tutorial", "window", "files", "commands", "parameters", "outputs", "glossary",
-                             "theory", "strings", "drilling", "evidence"})
+                             "theory", "strings", "drilling", "evidence", "upgrading"})
         QVERIFY2(findChapter(manual, name), name);
     for (const Chapter& chapter : manual) QVERIFY(chapter.title != chapter.name);
     QVERIFY(!findChapter(manual, "nothing"));

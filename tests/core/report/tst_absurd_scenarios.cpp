@@ -284,9 +284,10 @@ Answer answerOf(const Message& reason, std::vector<std::string> texts) {
 
 Answer drilling(const Scenario& scenario) {
     DrillingSettings settings{.blows = 12, .settle = 3, .cells = 10};
-    const DrillingResult result = studyDrilling(scenario, settings, {.cor = false, .mostWork = smallMarch});
+    const DrillingResult result =
+        studyDrilling(scenario, settings, {.blowAlone = false, .mostWork = smallMarch});
     if (result.outcome == DrillingOutcome::notSolved) return answerOf(result.reason, {});
-    const DrillingReport report{result, {}};
+    const DrillingReport report{result, {}, {}};
     return {true,
             {},
             {drillingJson(report, OutputUnits::si), drillingText(report, OutputUnits::si),
@@ -294,7 +295,7 @@ Answer drilling(const Scenario& scenario) {
 }
 
 Answer marched(const Scenario& scenario) {
-    const Blow blow = marchedBlow(scenario, {.blows = 12, .settle = 3, .cells = 10}, 7);
+    const Blow blow = marchedBlow(scenario, {.blows = 12, .settle = 3, .cells = 10}, 7, {}, smallMarch);
     return {blow.isSolved(), blow.impact.reason.text(), {}};
 }
 

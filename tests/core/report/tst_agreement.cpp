@@ -319,7 +319,7 @@ void TestAgreement::thrustIsTheRun() {
         const QJsonObject needs = QJsonDocument::fromJson(json).object()["needs"].toObject();
         const QJsonObject blow = needs["scenario"].toObject();
         QVERIFY2(!blow.isEmpty(), json);
-        const Estimate& cor = study.needs.front().cor;
+        const Estimate& cor = study.need(ThrustCase::scenario).cor;
         const double allowed = cor.error + one.blow.summary.corError + 1e-10;
         QVERIFY(std::abs(blow["cor"].toDouble() - at(one.run.plain, "cor")) <= allowed);
         const double thrust = at(one.run.si, "thrust");

@@ -56,11 +56,12 @@ const std::vector<Example>& examples() {
           "drill.thrust",
           {{"installed", 1500, Quantity::force},
            {"balance", 2000, Quantity::force},
-           {"full_rate", 2800, Quantity::force},
+           {"required", 2800, Quantity::force},
            {"frequency", 50, Quantity::frequency}}},
-         "1.5 kN is not enough: at least 2.8 kN at 50 Hz, or at most 26.7 Hz. The blows push the machine "
-         "back "
-         "from the rock. Raise the feed, or lower the percussion."},
+         "The feed of 1.5 kN is less than the mean force of the blows, 2 kN: the machine is pushed back. "
+         "This "
+         "blow is covered by at least 2.8 kN at 50 Hz, or at most 26.7 Hz with this feed. Friction, rotation "
+         "and buckling are not modelled."},
         {{note, AlertCode::superRebound, "", {{"cor", 1.25}}},
          "The rod leaves with more momentum than it came with (e = 1.25): rigid rock, e = 1, would "
          "underestimate the thrust."},
@@ -288,9 +289,11 @@ class TestAlertWords : public QObject {
         summary.cor = 0.4;
         const std::vector<Alert> alerts = resultAlerts(scenario, summary);
         QCOMPARE(alerts.size(), std::size_t{1});
-        QCOMPARE(textOf(alerts[0]), QString("1.5 kN is not enough: at least 2.8 kN at 50 Hz, or at most 26.7 "
-                                            "Hz. The blows push the machine back "
-                                            "from the rock. Raise the feed, or lower the percussion."));
+        QCOMPARE(textOf(alerts[0]), QString("The feed of 1.5 kN is less than the mean force of the blows, 2 "
+                                            "kN: the machine is pushed back. This "
+                                            "blow is covered by at least 2.8 kN at 50 Hz, or at most 26.7 Hz "
+                                            "with this feed. Friction, rotation "
+                                            "and buckling are not modelled."));
     }
 };
 

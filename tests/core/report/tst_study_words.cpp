@@ -56,7 +56,7 @@ Told noThrust(Scenario scenario) {
 constexpr DrillingSettings fewBlows{.blows = 12, .settle = 4, .cells = 10};
 
 Told toldDrilling(const Scenario& scenario, OutputUnits units) {
-    const DrillingReport report{studyDrilling(scenario, fewBlows, {.cellError = false}), {}};
+    const DrillingReport report{studyDrilling(scenario, fewBlows, {.cellError = false}), {}, {}};
     return [report, units](const ReadingStyle& style) { return drillingText(report, units, style); };
 }
 

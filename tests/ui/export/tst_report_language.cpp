@@ -233,9 +233,9 @@ void TestReportLanguage::theReportSpeaksTheLanguageOfItsReader_data() {
     QTest::addColumn<QString>("code");
     QTest::addColumn<QString>("feed");
     QTest::newRow("German") << "de"
-                            << "Urteil über den Vorschub";
+                            << "Erforderlicher Andruck";
     QTest::newRow("Swedish") << "sv"
-                             << "Omdöme om matningen";
+                             << "Matningskraft som krävs";
 }
 
 void TestReportLanguage::theReportSpeaksTheLanguageOfItsReader() {
@@ -249,15 +249,14 @@ void TestReportLanguage::theReportSpeaksTheLanguageOfItsReader() {
     QVERIFY(page.contains(QStringLiteral("<h2>%1</h2>").arg(feed)));
     QVERIFY(page.contains(QStringLiteral("0,429738")) &&
             page.contains(QStringLiteral("data-value=\"0.4297381")));
-    QVERIFY(!page.contains(QStringLiteral("Verdict on the feed")));
+    QVERIFY(!page.contains(QStringLiteral("Required feed")));
 }
 
 void TestReportLanguage::withoutALanguageItIsInEnglishWhateverIsSpoken() {
     const BlowReport report = reportOf("t38_medium_rock");
     const auto page = [&] { return drawReport(report, {"report", {"html"}, {}}).files.front().bytes; };
     const std::string english = page();
-    QVERIFY(english.find("Verdict on the feed") != english.npos &&
-            english.find("lang=\"en\"") != english.npos);
+    QVERIFY(english.find("Required feed") != english.npos && english.find("lang=\"en\"") != english.npos);
     const Spoken spoken(*findLanguage("de"));
     QVERIFY(page() == english);
 }

@@ -351,7 +351,10 @@ void TestScenarioPanel::aDoubleClickGoesBackToTheFilesValue() {
     QVERIFY(std::abs(m->document.scenario().bitRock.stiffness / stiffness - 1) < 1e-14);
     m->document.assign(*findParameter("drill.machine_mass"), 100, 3);
     QTest::mouseDClick(&slider("drill.machine_mass.slider"), Qt::LeftButton, {}, QPoint(3, 3));
-    QVERIFY(!m->document.scenario().drill.machineMass);
+    QCOMPARE(m->document.scenario().drill.machineMass, m->document.source().scenario.drill.machineMass);
+    m->document.assign(*findParameter("drill.inclination"), 10, 4);
+    QTest::mouseDClick(&slider("drill.inclination.slider"), Qt::LeftButton, {}, QPoint(3, 3));
+    QVERIFY(!m->document.scenario().drill.inclination);
 }
 
 void TestScenarioPanel::wrongTextMovesNoOtherRow() {

@@ -93,18 +93,18 @@ class TestResultWiring : public QObject {
         QCOMPARE(link->text(), QString("✖ not solved"));
     }
 
-    // Single blows say that a bit rests where many make it bounce.
-    void theDecisionSaysWhatItLeavesOutAndLeadsThere() {
+    // The estimate is of single blows; the page follows them.
+    void theSequenceLeadsToItsPage() {
         MainWindow window;
         window.show();
         window.openExample(*findExample("t38_medium_rock"));
-        auto* beyond = part<ResultPanel>(window).findChild<QLabel*>(QStringLiteral("beyond"));
-        QVERIFY(beyond);
-        QTRY_VERIFY(beyond->isVisibleTo(&window));
-        emit beyond->linkActivated(QStringLiteral("drilling"));
+        auto* sequence = part<ResultPanel>(window).findChild<QLabel*>(QStringLiteral("sequence"));
+        QVERIFY(sequence);
+        QTRY_VERIFY(sequence->isVisibleTo(&window));
+        emit sequence->linkActivated(QStringLiteral("drilling"));
         QCOMPARE(&part<PageTabs>(window).current(), &part<DrillingPage>(window));
         window.openExample(*findExample("paper_fig4b"));
-        QTRY_VERIFY(!beyond->isVisibleTo(&window));
+        QTRY_VERIFY(!sequence->isVisibleTo(&window));
     }
 
     void theTopOfTheResultLeadsToItsAlerts() {

@@ -136,7 +136,7 @@ void ComparePage::offerReferences() {
 }
 
 // As soon as it is known, all is presented again.
-std::optional<WidestNeed> ComparePage::widestNeed(int column, const SolvedBlow& blow) {
+std::optional<FeedEstimate> ComparePage::ofAllGaps(int column, const SolvedBlow& blow) {
     std::unique_ptr<WorstNeed>& need = m_needs[column];
     if (!need) {
         need = std::make_unique<WorstNeed>();
@@ -145,7 +145,7 @@ std::optional<WidestNeed> ComparePage::widestNeed(int column, const SolvedBlow& 
         });
     }
     need->ask(blow);
-    return need->isCurrent() ? need->widest() : std::nullopt;
+    return need->isCurrent() ? need->estimate() : std::nullopt;
 }
 
 void ComparePage::forgetNeeds() {
@@ -158,13 +158,13 @@ void ComparePage::forgetNeeds() {
 void ComparePage::present() {
     if (!m_now || m_runs.list()->empty()) return;
     std::vector<CompareColumn> columns{
-        {tr("now"), &m_now->request.scenario, m_now.get(), widestNeed(presentResult, *m_now)}};
+        {tr("now"), &m_now->request.scenario, m_now.get(), ofAllGaps(presentResult, *m_now)}};
     QList<QIcon> icons{QIcon()};
     std::size_t reference = 0;
     for (const Run& run : *m_runs.list()) {
         if (&run == m_runs.reference()) reference = columns.size();
         columns.push_back({run.title(), &run.contents.scenario, run.blow.get(),
-                           run.blow ? widestNeed(run.number, *run.blow) : std::nullopt});
+                           run.blow ? ofAllGaps(run.number, *run.blow) : std::nullopt});
         icons << runIcon(run.number, palette(), lineSize);
     }
     m_model->present(

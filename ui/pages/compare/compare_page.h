@@ -52,7 +52,7 @@ class ComparePage : public Page {
     void makeTable();
     void follow();
     void present();
-    std::optional<WidestNeed> widestNeed(int column, const SolvedBlow& blow);
+    std::optional<FeedEstimate> ofAllGaps(int column, const SolvedBlow& blow);
     void forgetNeeds();
     void offerReferences();
     const Run* chosen() const;

@@ -149,15 +149,15 @@ void addMargins(CompareTable& table, const Columns& columns, UnitSystem system, 
     for (const CompareColumn& each : columns) {
         const bool isJudged = isSolved(each) && each.blow->feed;
         ofBlow.push_back(isJudged ? thrustMargin(*each.blow) : std::nullopt);
-        const bool isOfAllGaps = isJudged && each.widestNeed && each.widestNeed->ofAllGaps;
-        needed.push_back(isOfAllGaps ? std::optional(each.widestNeed->thrust) : std::nullopt);
+        const bool isOfAllGaps = isJudged && each.ofAllGaps && each.ofAllGaps->isOfAllGaps();
+        needed.push_back(isOfAllGaps ? std::optional(each.ofAllGaps->largest().thrust) : std::nullopt);
         const bool isInstalled = ofBlow.back() && needed.back();
         ofAllGaps.push_back(isInstalled ? std::optional(*each.blow->feed->effective() - *needed.back())
                                         : std::nullopt);
         share.push_back(isInstalled ? std::optional(*ofAllGaps.back() / *needed.back()) : std::nullopt);
     }
     const ShownUnit force = outputUnit(*findOutput("thrust"), shownUnits(system, base->blow->scales, chosen),
-                                       base->blow->feed->fullRate);
+                                       base->blow->feed->need(ThrustCase::scenario).thrust);
     const auto add = [&](const QString& name, Numbers numbers, const ShownUnit& unit, bool isSigned) {
         const auto isThere = [](const std::optional<double>& number) { return number.has_value(); };
         if (std::ranges::none_of(numbers, isThere)) return;

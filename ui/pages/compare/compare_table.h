@@ -16,10 +16,10 @@ class UnitChoice;
 
 /// What stands side by side.
 struct CompareColumn {
-    QString title;                              ///< "now", "A  k 300 MN/m"
-    const Scenario* scenario;                   ///< not nullptr
-    const SolvedBlow* blow;                     ///< nullptr where there is none
-    std::optional<WidestNeed> widestNeed = {};  ///< of its thrust, where that was studied
+    QString title;                               ///< "now", "A  k 300 MN/m"
+    const Scenario* scenario;                    ///< not nullptr
+    const SolvedBlow* blow;                      ///< nullptr where there is none
+    std::optional<FeedEstimate> ofAllGaps = {};  ///< what all gaps require, where that was studied
 };
 
 /// One quantity of all columns, in the units on show.

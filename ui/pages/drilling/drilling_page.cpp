@@ -11,6 +11,7 @@
 #include "core/report/alert_words.h"
 #include "core/report/drilling_report.h"
 #include "core/report/drilling_scan_report.h"
+#include "core/report/sequence_words.h"
 #include "ui/pages/drilling/drilling_plot.h"
 #include "ui/pages/drilling/drilling_table.h"
 #include "ui/pages/drilling/march_rects.h"
@@ -213,17 +214,14 @@ void DrillingPage::showScanState() {
 QString DrillingPage::wordsOf(const DrillingAnswer& answer) const {
     const DrillingResult& result = *answer.result;
     const LocalStyle style = LocalStyle::of(document().units());
-    QStringList sentences{translated(verdictSentence(result, style))};
-    if (const Message advice = adviceSentence(result, style); !advice.isEmpty())
-        sentences << translated(advice);
+    QStringList sentences{translatedAll(sequenceSentences(result, style))};
     QString numbers = tr("φ = %1, %2 round trips between blows")
                           .arg(numberText(result.groups.phi, 4, locale()),
                                numberText(result.groups.roundTrips, 4, locale()));
     if (result.statistics)
         numbers +=
-            tr("; %1 % of the blows begin within %2 of the rock; %3")
-                .arg(numberText(100 * result.statistics->contactShare, 3, locale()),
-                     QString::fromStdString(style.quantity(
+            tr("; in contact is within %1 of the rock; %2")
+                .arg(QString::fromStdString(style.quantity(
                          contactLimit / lawUnitOfPenetration * result.units.length(), Quantity::length, 2)),
                      translated(regimeWords(result, style)));
     sentences << numbers + QLatin1Char('.');
@@ -233,8 +231,8 @@ QString DrillingPage::wordsOf(const DrillingAnswer& answer) const {
                              translated(alertMessage(alert, style));
     if (const DrillingScanAnswer* scan = m_scan.value(); scan && m_scan.job().isCurrent()) {
         for (const Message& refusal : scan->refusals) sentences << tr("No scan: %1").arg(translated(refusal));
-        if (scan->scan && isScanNew())
-            sentences << tr("The scan below: %1").arg(translated(scanSentence(*scan->scan, style)));
+        const std::optional<Sequence> present = sequenceOf(result);
+        if (scan->scan && isScanNew()) sentences << translatedAll(scanSentences(*scan->scan, present, style));
     }
     return sentences.join(QLatin1Char(' '));
 }
@@ -298,7 +296,7 @@ QString DrillingPage::obstacle() const {
     if (QString unfinished = StudyPage::obstacle(); !unfinished.isEmpty()) return unfinished;
     const DrillingAnswer* answer = m_march.value();
     if (!answer->refusals.empty()) return translated(answer->refusals.front());
-    return answer->isComplete() ? QString() : translated(verdictSentence(*answer->result));
+    return answer->isComplete() ? QString() : translatedAll(sequenceSentences(*answer->result));
 }
 
 QByteArray DrillingPage::csv() const {
@@ -306,7 +304,7 @@ QByteArray DrillingPage::csv() const {
     if (!answer || !answer->result) return {};
     const std::string scenario = scenarioWith(answer->question.settings);
     if (scenario.empty()) return {};
-    return QByteArray::fromStdString(drillingCsv({*answer->result, scenario}, OutputUnits::si));
+    return QByteArray::fromStdString(drillingCsv({*answer->result, {}, scenario}, OutputUnits::si));
 }
 
 // Empty where it is none.

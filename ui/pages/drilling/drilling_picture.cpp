@@ -67,15 +67,15 @@ ScanCurve scanCurve(const DrillingScan& scan, const DrillingShown& shown) {
 QVector<ScanPicture::Mark> thrustMarks(const DrillingScan& scan, const DrillingShown& shown) {
     const auto found = std::ranges::find_if(
         scan.points, [](const DrillingScanPoint& point) { return point.result.statistics.has_value(); });
-    if (found == scan.points.end() || !std::isfinite(scan.cor)) return {};
+    if (found == scan.points.end() || !scan.cor) return {};
     const DrillingResult& result = found->result;
     const double needed = result.meanImpulse * result.units.impulse() * result.frequencyUsed;
     const double weight =
         feedForceOf(result.scenario)->effective() - result.scenario.drill.thrust.value_or(0);
     QVector<ScanPicture::Mark> marks;
     for (const auto& [times, words] :
-         {std::pair{1.0, QStringLiteral("f I₀")}, std::pair{1 + scan.cor, QStringLiteral("f I₀(1+e)")},
-          std::pair{1 + 2 * scan.cor, QStringLiteral("f I₀(1+2e)")}})
+         {std::pair{1.0, QStringLiteral("f I₀")}, std::pair{1 + *scan.cor, QStringLiteral("f I₀(1+e)")},
+          std::pair{1 + 2 * *scan.cor, QStringLiteral("f I₀(1+2e)")}})
         marks.append({(times * needed - weight) * shown.along.factor, words});
     return marks;
 }

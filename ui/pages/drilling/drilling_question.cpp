@@ -6,6 +6,7 @@
 #include "core/blow/blow.h"
 #include "core/model/blow_traits.h"
 #include "core/numeric/available_threads.h"
+#include "core/study/drilling/quick_march.h"
 
 namespace drillwave {
 namespace {
@@ -54,13 +55,8 @@ Scenario withConstantForce(Scenario scenario) {
 
 }  // namespace
 
-// As many as the command takes where fewer would not reach beyond the settling.
 DrillingQuestion drillingQuestion(const Scenario& scenario) {
-    const bool isShort = scenario.drill.settle.value_or(0) < double(scanBlows);
-    DrillingSettings settings =
-        isShort ? drillingSettingsOf(scenario, scanBlows) : drillingSettingsOf(scenario);
-    if (!scenario.drill.blows && !scenario.drill.settle) settings.settle = scanSettle;
-    return {withoutWords(scenario), settings};
+    return {withoutWords(scenario), windowSettingsOf(scenario)};
 }
 
 DrillingAnswer DrillingStudent::answer(const DrillingQuestion& question,

@@ -24,7 +24,7 @@ struct DrillingQuestion {
     bool operator==(const DrillingQuestion&) const = default;
 };
 
-/// As many blows as the scenario says; where it says nothing of them 300, of which 100 settle.
+/// With windowSettingsOf().
 DrillingQuestion drillingQuestion(const Scenario& scenario);
 
 /// e of the blow alone over the gap [d0] that it meets the rock after, along one period of it; empty where it

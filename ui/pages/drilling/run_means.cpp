@@ -13,7 +13,7 @@ std::optional<RunMeans> runMeans(const DrillingQuestion& question, const std::st
     if (!drillingRefusals(question.scenario, question.settings).empty()) return std::nullopt;
     const DrillingResult result =
         studyDrilling(question.scenario, question.settings,
-                      {.cellError = false, .lyapunov = false, .fullRate = false, .cor = false}, stop);
+                      {.cellError = false, .lyapunov = false, .blowAlone = false}, stop);
     if (!result.statistics) return std::nullopt;
     const double penetration =
         result.spread(quantityPlace(&DrillingBlow::penetration)).mean * result.units.length();

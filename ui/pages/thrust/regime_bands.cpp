@@ -11,8 +11,8 @@
 namespace drillwave {
 namespace {
 
-constexpr Feed regimes[] = {Feed::pushedBack, Feed::penetrationLost, Feed::fullRate, Feed::backInTime,
-                            Feed::resting};
+constexpr FeedState states[] = {FeedState::pushedBack, FeedState::belowRequired, FeedState::requiredAtThisGap,
+                                FeedState::requiredMet, FeedState::returnMet};
 constexpr int shades[] = {44, 28, 14, 6, 0};  // alpha of the text's colour: the worse, the darker
 
 }  // namespace
@@ -26,7 +26,7 @@ RegimeBands::RegimeBands(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
         m_bands[i]->setPen(Qt::NoPen);
         m_names[i] = new QCPItemText(plot);
         m_names[i]->setSelectable(false);
-        m_names[i]->setText(coreText(feedWord(regimes[i])));
+        m_names[i]->setText(coreText(feedWord(states[i])));
         m_names[i]->setPadding(QMargins(6, 1, 6, 1));
         m_names[i]->setPositionAlignment(Qt::AlignRight | Qt::AlignVCenter);
         m_names[i]->setLayer(QStringLiteral("axes"));  // above the curves
@@ -36,7 +36,7 @@ RegimeBands::RegimeBands(QCustomPlot* plot) : QObject(plot), m_plot(plot) {
 }
 
 void RegimeBands::present(const ThrustPicture& picture) {
-    m_thresholds = {picture.balance, picture.fullRate, picture.returned, picture.resting};
+    m_thresholds = {picture.balance, picture.ofThisBlow, picture.largest, picture.largestReturn};
     m_feed = picture.feed;
     place();
 }

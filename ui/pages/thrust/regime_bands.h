@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the feed does between the blows, as bands of a plot of thrusts.
+// States of the feed, as bands of a plot of required forces.
 #pragma once
 
 #include <qcustomplot.h>
@@ -12,8 +12,8 @@
 
 namespace drillwave {
 
-/// The regimes of theory §10 from pushed back to at rest, each between its thresholds by the e of the
-/// blow, and with its name. Behind the curves; cut at the axes in every format. Lives as a child of the plot.
+/// The states of FeedEstimate from pushed back to return in time, each between its thresholds and with its
+/// name. Behind the curves; cut at the axes in every format. Lives as a child of the plot.
 class RegimeBands : public QObject {
     Q_OBJECT
 

@@ -49,7 +49,7 @@ ThrustPage::ThrustPage(Document& document, QWidget* parent)
     addBelow(m_table);
     m_plot = new ThrustPlot(widget);
     m_drag = new ThrustDrag(*widget, *m_plot);
-    useFrame(*m_plot, tr("Needs of the thrust"));
+    useFrame(*m_plot, tr("Required feed"));
     watch(m_study.job());
     connect(m_axis, &AxisFields::changed, this, &ThrustPage::askSoon);
     connect(m_missing, &MissingFields::entered, this, [this](const KeptParameter& parameter, double si) {
@@ -85,8 +85,7 @@ void ThrustPage::ask() {
 void ThrustPage::present() {
     const std::shared_ptr<const ThrustAnswer> answer = m_study.job().value();
     if (!answer) return;
-    if (!answer->problem.isEmpty())
-        return refuse(translated(feedDecisionMessage(decideFeed(answer->scenario, {}))));
+    if (!answer->problem.isEmpty()) return refuse(translated(requiredFeedMessage(answer->scenario, {})));
     if (!answer->here.reason.isEmpty()) return refuse(translated(answer->here.reason));
     const UnitChoice& choice = document().units();
     const ThrustUnits units =
@@ -124,18 +123,14 @@ void ThrustPage::draw(const ThrustAnswer& answer) {
         plot()->setMeaning(m_plot->need(which), meaning);
         plot()->setMeaning(m_plot->feed(), meaning);
     }
-    m_table->present(answer.here.needs, m_units);
-    QStringList words;
-    for (const Message& sentence :
-         verdictSentences({answer.scenario, answer.here.needs, answer.here.verdict, {}},
-                          LocalStyle::of(document().units())))
-        words << translated(sentence);
-    say(words.join(QLatin1Char(' ')));
+    m_table->present(answer.here.feed, m_units);
+    say(translatedAll(
+        thrustSentences(answer.scenario, answer.here.feed, {}, LocalStyle::of(document().units()))));
     redraw();
 }
 
 void ThrustPage::placeHere(const ThrustAnswer& answer) {
-    const std::optional<double> force = answer.here.verdict.effective();
+    const std::optional<double> force = answer.here.feed.effective();
     const bool isShown = m_study.job().isCurrent() && std::isfinite(answer.here.value);
     m_plot->setHere(isShown ? std::optional(answer.here.value * m_units.along.factor) : std::nullopt,
                     force ? std::optional(*force * m_units.force.factor) : std::nullopt);

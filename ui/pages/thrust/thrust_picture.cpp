@@ -12,25 +12,10 @@
 
 namespace drillwave {
 
-QString thrustCaseName(ThrustCase which) {
-    switch (which) {
-        case ThrustCase::scenario:
-            return tr("this blow");
-        case ThrustCase::gapQuantile:
-            return tr("95 % of all gaps");
-        case ThrustCase::rigidRock:
-            return tr("rigid rock");
-        case ThrustCase::elasticWorst:
-            break;
-    }
-    return tr("elastic rock, worst gap");
-}
-
 // By what does not follow from e: the units do not flicker while the rock is changed.
 ThrustUnits thrustUnits(const Scenario& scenario, const Unit& along, const ShownUnits& units) {
     return {.along = shownUnit(along),
             .force = units.of(UnitKind::force, *thrustNeeded(scenario, 0)),
-            .length = units.of(UnitKind::penetration, scalesOf(scenario).penetration),
             .frequency = units.of(UnitKind::frequency, *scenario.drill.blowFrequency)};
 }
 
@@ -41,9 +26,9 @@ ThrustPicture thrustPicture(const ThrustAlong& along, const ThrustUnits& units) 
     picture.key = along.axis.key();
     picture.isLogarithmic = along.axis.kind == SweepAxis::Kind::logarithmic;
     const std::vector<double> values = valuesOf(along.axis);
-    const auto [least, largest] = std::ranges::minmax(values);
-    picture.from = least * units.along.factor;
-    picture.to = largest * units.along.factor;
+    const auto [first, last] = std::ranges::minmax(values);
+    picture.from = first * units.along.factor;
+    picture.to = last * units.along.factor;
     std::vector<ThrustPoint> points = along.curve.points;
     std::ranges::sort(points, {}, &ThrustPoint::value);
     std::array<QVector<QCPGraphData>, thrustCaseCount> lower, upper;
@@ -51,23 +36,25 @@ ThrustPicture thrustPicture(const ThrustAlong& along, const ThrustUnits& units) 
         if (!point.reason.isEmpty()) continue;
         const double x = point.value * units.along.factor;
         for (std::size_t i = 0; i < thrustCaseCount; ++i) {
-            if (!point.needs[i].known) continue;
+            const ThrustNeed& need = point.feed.needs[i];
+            if (!need.known) continue;
             picture.needs[i].known = true;
-            appendFinite(lower[i], x, point.needs[i].thrust * units.force.factor);
-            appendFinite(upper[i], x, point.needs[i].thrustUndamped * units.force.factor);
+            appendFinite(lower[i], x, need.thrust * units.force.factor);
+            appendFinite(upper[i], x, need.thrustUndamped * units.force.factor);
         }
-        picture.balance.append({x, point.verdict.balance * units.force.factor});
-        picture.fullRate.append({x, point.verdict.fullRate * units.force.factor});
-        picture.returned.append({x, point.verdict.returned * units.force.factor});
-        picture.resting.append({x, point.verdict.resting * units.force.factor});
-        if (const std::optional<FeedForce>& force = point.verdict.force) {
+        const ThrustNeed& largest = point.feed.largest();
+        picture.balance.append({x, point.feed.balance * units.force.factor});
+        picture.ofThisBlow.append({x, point.need(ThrustCase::scenario).thrust * units.force.factor});
+        picture.largest.append({x, largest.thrust * units.force.factor});
+        picture.largestReturn.append({x, largest.thrustUndamped * units.force.factor});
+        if (const std::optional<FeedForce>& force = point.feed.force) {
             picture.feed.append({x, force->effective() * units.force.factor});
             picture.isWeighted |= force->weight.has_value();
         }
     }
     for (std::size_t i = 0; i < thrustCaseCount; ++i) {
-        picture.needs[i].fullRate = graphData(lower[i]);
-        picture.needs[i].returned = graphData(upper[i]);
+        picture.needs[i].required = graphData(lower[i]);
+        picture.needs[i].returnInTime = graphData(upper[i]);
     }
     return picture;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is drawn of the needs of the thrust along a parameter.
+// What is drawn of the required feed along a parameter.
 #pragma once
 
 #include <QPointF>
@@ -17,7 +17,6 @@ namespace drillwave {
 struct ThrustUnits {
     ShownUnit along;      ///< the parameter
     ShownUnit force;      ///< thrusts
-    ShownUnit length;     ///< gaps
     ShownUnit frequency;  ///< of blows
     bool operator==(const ThrustUnits&) const = default;
 };
@@ -25,9 +24,9 @@ struct ThrustUnits {
 /// Curves over the parameter, in the units of `units`.
 struct ThrustPicture {
     struct Need {
-        GraphData fullRate;  ///< f I0 (1+e)
-        GraphData returned;  ///< f I0 (1+2e)
-        bool known = false;  ///< it can be told: of a drill string not all can
+        GraphData required;      ///< f I0 (1+e)
+        GraphData returnInTime;  ///< f I0 (1+2e)
+        bool known = false;      ///< it is computed: of a drill string not all are
     };
 
     ThrustUnits units;
@@ -38,9 +37,9 @@ struct ThrustPicture {
     double to = 1;
     std::array<Need, thrustCaseCount> needs;  ///< in the order of ThrustCase
     QVector<QPointF> balance;                 ///< f I0
-    QVector<QPointF> fullRate;                ///< of this blow
-    QVector<QPointF> returned;                ///< likewise
-    QVector<QPointF> resting;                 ///< f I0 (1+e)/(1−e), may be infinite
+    QVector<QPointF> ofThisBlow;              ///< f I0 (1+e)
+    QVector<QPointF> largest;                 ///< f I0 (1+e) of the largest known case
+    QVector<QPointF> largestReturn;           ///< f I0 (1+2e) likewise
     QVector<QPointF> feed;                    ///< the effective force; empty where no thrust is installed
     bool isWeighted = false;                  ///< it is not the thrust alone
 };
@@ -49,8 +48,5 @@ ThrustPicture thrustPicture(const ThrustAlong& along, const ThrustUnits& units);
 
 /// Those in which the scenario is shown, which must have a thrust, with `along` for the parameter.
 ThrustUnits thrustUnits(const Scenario& scenario, const Unit& along, const ShownUnits& units);
-
-/// "this blow", "95 % of all gaps", "rigid rock", "elastic rock, worst gap".
-QString thrustCaseName(ThrustCase which);
 
 }  // namespace drillwave

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 
+#include "core/report/feed_words.h"
 #include "ui/pages/thrust/regime_bands.h"
 #include "ui/plot/curve_graph.h"
 #include "ui/plot/legend_entries.h"
 #include "ui/plot/number_ticks.h"
+#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
 
 namespace drillwave {
@@ -43,7 +45,7 @@ ThrustPlot::ThrustPlot(QCustomPlot* plot) : StudyFrame(plot) {
         m_upper[i]->removeFromLegend();
         m_upper[i]->setSelectable(QCP::stNone);
         m_lower[i] = addCurve(plot->xAxis, plot->yAxis);
-        m_lower[i]->setName(thrustCaseName(which));
+        m_lower[i]->setName(coreText(labelOf(which)));
     }
     m_feed = addCurve(plot->xAxis, plot->yAxis);
     m_feedName = addText(m_rect, QMargins(6, 2, 6, 2), Qt::AlignLeft | Qt::AlignBottom);
@@ -58,8 +60,8 @@ void ThrustPlot::present(const ThrustPicture& picture) {
     const bool otherAxes = !sameAxes(m_picture, picture);
     m_picture = picture;
     for (std::size_t i = 0; i < thrustCaseCount; ++i) {
-        m_lower[i]->setData(picture.needs[i].fullRate);
-        m_upper[i]->setData(picture.needs[i].returned);
+        m_lower[i]->setData(picture.needs[i].required);
+        m_upper[i]->setData(picture.needs[i].returnInTime);
     }
     listKnown();
     m_feed->setData(dataOf(picture.feed));
@@ -75,7 +77,7 @@ void ThrustPlot::present(const ThrustPicture& picture) {
     nameFeed();
     QStringList cases;
     for (const ThrustCase which : thrustCases)
-        if (picture.needs[static_cast<std::size_t>(which)].known) cases << thrustCaseName(which);
+        if (picture.needs[static_cast<std::size_t>(which)].known) cases << coreText(labelOf(which));
     m_summary = tr("Needs of the thrust over %1, for %2, each from full penetration to the bit back before "
                    "the next blow; "
                    "behind them what the feed does by the rebound of this blow.")

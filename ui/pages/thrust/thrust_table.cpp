@@ -13,7 +13,7 @@
 namespace drillwave {
 namespace {
 
-enum Row { bracket, margin, limit, gap, feed, rowsInAll };
+enum Row { required, returnInTime, margin, limit, rowsInAll };
 
 // The columns are narrow.
 QString shortName(ThrustCase which) {
@@ -23,37 +23,26 @@ QString shortName(ThrustCase which) {
         case ThrustCase::elasticWorst:
             return ThrustTable::tr("worst gap");
         default:
-            return thrustCaseName(which);
+            return coreText(labelOf(which));
     }
-}
-
-QString gapText(const GapAtBlow& found, const ShownUnit& unit) {
-    if (found.motion.kind == UndampedMotion::Kind::resting) return ThrustTable::tr("none");
-    if (found.motion.kind == UndampedMotion::Kind::pushedBack) return noNumber;
-    if (!found.motion.stable) return ThrustTable::tr("not steady");
-    return numberText(found.gap * unit.factor, 3, QLocale()) + QChar(QChar::Nbsp) + unit.unit;
 }
 
 }  // namespace
 
 ThrustTable::ThrustTable(QWidget* parent) : QTableWidget(rowsInAll, int(thrustCaseCount), parent) {
     setObjectName(QStringLiteral("needs"));
-    setAccessibleName(tr("Needs of the thrust"));
+    setAccessibleName(tr("Required feed"));
     QStringList cases;
     for (const ThrustCase which : thrustCases) cases << shortName(which);
     setHorizontalHeaderLabels(cases);
     for (const ThrustCase which : thrustCases)
-        horizontalHeaderItem(static_cast<int>(which))->setToolTip(thrustCaseName(which));
-    setVerticalHeaderLabels(
-        {tr("need"), tr("margin"), tr("enough up to"), tr("gap at the blow"), tr("feed")});
+        horizontalHeaderItem(static_cast<int>(which))->setToolTip(coreText(labelOf(which)));
+    setVerticalHeaderLabels({tr("required"), tr("return in time"), tr("margin"), tr("covered up to")});
     const QString meanings[] = {
-        tr("From the thrust for full penetration to that which brings a bit that was at rest back before the "
-           "next blow even if nothing damps"),
-        tr("Effective force over what full penetration needs, less 1"),
-        tr("Blow frequency at which the effective force is just what full penetration needs"),
-        tr("How far the bit is off the rock when the hammer strikes, if nothing damps the rebound; with a "
-           "damper the page \"Drilling\" follows it"),
-        tr("What the effective force does between blows with this e")};
+        tr("Mean force that balances a blow which starts at rest on the rock"),
+        tr("At this feed an undamped rigid rod is back at the rock before the next blow"),
+        tr("Effective feed force over the required one, less 1"),
+        tr("Up to this blow frequency the effective feed force covers the required one")};
     for (int row = 0; row < rowsInAll; ++row) verticalHeaderItem(row)->setToolTip(meanings[row]);
     for (int row = 0; row < rowsInAll; ++row)
         for (int column = 0; column < columnCount(); ++column) {
@@ -76,30 +65,20 @@ void ThrustTable::setText(int row, ThrustCase which, const QString& text, const 
     cell->setToolTip(more.isEmpty() ? text : text + QStringLiteral(" · ") + more);
 }
 
-void ThrustTable::present(const ThrustNeeds& needs, const ThrustUnits& units) {
+void ThrustTable::present(const FeedEstimate& feed, const ThrustUnits& units) {
     const QLocale locale;
     for (const ThrustCase which : thrustCases) {
-        const ThrustNeed& need = needs[static_cast<std::size_t>(which)];
+        const ThrustNeed& need = feed.need(which);
         setColumnHidden(static_cast<int>(which), !need.known);
-        setText(bracket, which,
-                QStringLiteral("%1 … %2").arg(numberText(need.thrust * units.force.factor, 4, locale),
-                                              quantityText(need.thrustUndamped, units.force, locale)),
-                QStringLiteral("e = ") + numberText(need.cor.value, 4, locale));
+        const QString rebound = QStringLiteral("e = ") + numberText(need.cor.value, 4, locale);
+        setText(required, which, quantityText(need.thrust, units.force, locale), rebound);
+        setText(returnInTime, which, quantityText(need.thrustUndamped, units.force, locale), rebound);
         setText(margin, which,
                 need.margin ? withSign(*need.margin, percentText(*need.margin, 3, locale)) : QString());
         setText(
             limit, which,
             need.frequencyLimit ? quantityText(*need.frequencyLimit, units.frequency, locale) : QString());
-        presentGap(which, need.gapAtBlow, units.length);
-        setText(feed, which, coreText(feedWord(need.feed)));
     }
-}
-
-void ThrustTable::presentGap(ThrustCase which, const std::optional<GapAtBlow>& found, const ShownUnit& unit) {
-    if (!found) return setText(gap, which, {});
-    const bool hangs = found->motion.stable && found->gap > 0;
-    setText(gap, which, gapText(*found, unit),
-            hangs ? numberText(found->inD0, 3, QLocale()) + QStringLiteral(" d₀") : QString());
 }
 
 void ThrustTable::clearNumbers() {

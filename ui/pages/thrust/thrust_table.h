@@ -16,7 +16,7 @@ class ThrustTable : public QTableWidget {
     explicit ThrustTable(QWidget* parent = nullptr);
 
     /// Of the scenario as it is; a need that cannot be told has no column.
-    void present(const ThrustNeeds& needs, const ThrustUnits& units);
+    void present(const FeedEstimate& feed, const ThrustUnits& units);
     void clearNumbers();
 
     QSize sizeHint() const override;
@@ -26,7 +26,6 @@ class ThrustTable : public QTableWidget {
   private:
     int heightOf(int contents) const;
     void setText(int row, ThrustCase which, const QString& text, const QString& more = {});
-    void presentGap(ThrustCase which, const std::optional<GapAtBlow>& found, const ShownUnit& unit);
 };
 
 }  // namespace drillwave

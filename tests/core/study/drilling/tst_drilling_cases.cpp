@@ -8,6 +8,7 @@
 #include <QJsonObject>
 
 #include "core/study/drilling/drilling_study.h"
+#include "core/study/drilling/sequence.h"
 #include "core/study/scan/drilling_scan.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
@@ -65,7 +66,7 @@ class TestDrillingCases : public QObject {
     void aChaoticTransientEnds();
     void aThrustBelowTheReactionPushesTheMachineBack();
     void gapsWithoutBoundPushTheMachineBack();
-    void verdictsFollowTheThrust();
+    void sequencesFollowTheThrust();
     void whatCannotBeDrilledIsToldAtOnce();
     void aScanIsTheSameOnAnyNumberOfThreads();
     void aStopEndsAMarch();
@@ -91,7 +92,7 @@ void TestDrillingCases::casesHold() {
     QVERIFY(drillingRefusals(scenario, settings).empty());
     const DrillingResult result = studyDrilling(
         scenario, settings,
-        {.cellError = kind == "statistics", .lyapunov = kind == "statistics", .fullRate = false});
+        {.cellError = kind == "statistics", .lyapunov = kind == "statistics", .blowAlone = false});
     QVERIFY2(result.outcome == DrillingOutcome::done, result.reason.text().c_str());
     QVERIFY(std::abs(result.momentumResidual) < 1e-12);
     QVERIFY(std::abs(result.energyResidual) < 1e-3);
@@ -137,7 +138,7 @@ void TestDrillingCases::aChaoticTransientEnds() {
         if (given["id"] != "string_period") continue;
         const Scenario scenario = parseScenario(given["scenario"].toString().toStdString(), "case").scenario;
         const DrillingResult result = studyDrilling(scenario, {.blows = 8000, .settle = 7500, .cells = 20},
-                                                    {.cellError = false, .fullRate = false});
+                                                    {.cellError = false, .blowAlone = false});
         QCOMPARE(result.statistics->period, 1);
         QVERIFY(result.lyapunov->value < 0);
         const DrillingStatistics first = statisticsOf(std::span(result.blows).first(500), 100, 2);
@@ -164,8 +165,8 @@ void TestDrillingCases::gapsWithoutBoundPushTheMachineBack() {
     QCOMPARE(result.blows.size(), std::size_t{1});
 }
 
-void TestDrillingCases::verdictsFollowTheThrust() {
-    const auto verdict = [](double thrust) {
+void TestDrillingCases::sequencesFollowTheThrust() {
+    const auto sequenceAt = [](double thrust) {
         const Scenario scenario = scenarioOf("t38_medium_rock", {{"drill.thrust", thrust},
                                                                  {"drill.wave_loss", 0.1},
                                                                  {"drill.machine_mass", 200},
@@ -173,12 +174,14 @@ void TestDrillingCases::verdictsFollowTheThrust() {
                                                                  {"drill.blows", 300}});
         DrillingSettings settings = drillingSettingsOf(scenario);
         settings.cells = 20;
-        return studyDrilling(scenario, settings, {.cellError = false, .lyapunov = false}).verdict;
+        return sequenceOf(studyDrilling(scenario, settings, {.lyapunov = false}));
     };
-    QCOMPARE(name(verdict(3000)), std::string_view("pushed_back"));
-    QCOMPARE(name(verdict(3200)), std::string_view("rate_lost"));
-    QCOMPARE(name(verdict(4300)), std::string_view("full_rate"));
-    QCOMPARE(name(verdict(8000)), std::string_view("rests"));
+    QVERIFY(!sequenceAt(3000));  // pushed back
+    const Sequence low = *sequenceAt(3200), high = *sequenceAt(8000);
+    QVERIFY(low.contactShare < 0.05 && high.contactShare == 1.0);
+    QVERIFY(low.isResolved() && high.isResolved());
+    QVERIFY(low.singleBlowShare->value + *low.singleBlowShare->error < 0.95);
+    QVERIFY(high.singleBlowShare->value - *high.singleBlowShare->error > low.singleBlowShare->value);
 }
 
 void TestDrillingCases::whatCannotBeDrilledIsToldAtOnce() {

@@ -15,6 +15,7 @@
 #include "core/contact/contact_law.h"
 #include "core/study/drilling/drilling_mesh.h"
 #include "core/study/drilling/drilling_study.h"
+#include "core/study/drilling/sequence.h"
 #include "core/study/scan/drilling_scan.h"
 #include "core/text/units.h"
 #include "core/yaml/examples.h"
@@ -210,7 +211,7 @@ void TestDrillingLengths::blowsAgreeWithThePlainLattice() {
         DrillingSettings settings = drillingSettingsOf(scenario);
         settings.cells = cells;
         const DrillingResult result =
-            studyDrilling(scenario, settings, {.lyapunov = false, .fullRate = false});
+            studyDrilling(scenario, settings, {.lyapunov = false, .blowAlone = false});
         QVERIFY(result.statistics);
         const double length = result.units.length();
         const DrillingBlow& first = result.blows.front();
@@ -236,7 +237,7 @@ void TestDrillingLengths::meansOverALengthAreSmooth() {
         DrillingSettings settings = drillingSettingsOf(scenario);
         settings.cells = scanCells;
         const DrillingResult result =
-            studyDrilling(scenario, settings, {.lyapunov = false, .fullRate = false});
+            studyDrilling(scenario, settings, {.lyapunov = false, .blowAlone = false});
         const double mean =
             result.spread(quantityPlace(&DrillingBlow::penetration)).mean * result.units.length();
         QVERIFY(std::abs(1e3 * mean / points[i].toObject()["penetration_mm"].toDouble() - 1) < 5e-4);
@@ -261,10 +262,10 @@ void TestDrillingLengths::meansHoldWithinTheirErrors() {
         const double momentum = DrillingMarch(mesh.problem, mesh.grid).hammerMomentum();
         scenario.drill.thrust = 1.8 * momentum * drillingUnitsOf(scenario).impulse() * 50;
         DrillingSettings settings = drillingSettingsOf(scenario);
-        const DrillingResult own = studyDrilling(scenario, settings, {.lyapunov = false, .fullRate = false});
+        const DrillingResult own = studyDrilling(scenario, settings, {.lyapunov = false, .blowAlone = false});
         settings.cells = 160;
         const DrillingResult fine =
-            studyDrilling(scenario, settings, {.cellError = false, .lyapunov = false, .fullRate = false});
+            studyDrilling(scenario, settings, {.cellError = false, .lyapunov = false, .blowAlone = false});
         if (!own.statistics || !fine.statistics) continue;
         const std::size_t penetration = quantityPlace(&DrillingBlow::penetration);
         const double off = std::abs(own.spread(penetration).mean - fine.spread(penetration).mean);
@@ -297,7 +298,7 @@ void TestDrillingLengths::aFeedBelowTheReactionPushesTheMachineBack() {
             drilled(qPrintable(example), {thrust.toStdString().c_str(), blows, "drill.settle=2"});
         const DrillingResult result = studyDrilling(scenario, drillingSettingsOf(scenario));
         QCOMPARE(name(result.outcome), std::string_view("pushed_back"));
-        QVERIFY(!result.statistics && !result.lyapunov && !result.fullRateShare);
+        QVERIFY(!result.statistics && !result.lyapunov && !sequenceOf(result));
         QVERIFY(result.groups.phi < 1);
         QVERIFY(std::ranges::none_of(result.alerts,
                                      [](const Alert& alert) { return alert.code == AlertCode::shankOff; }));

@@ -3,10 +3,11 @@
 #include <QTest>
 
 #include <cmath>
-#include <set>
 
-#include "core/report/drilling_scan_report.h"
+#include "core/report/report_text.h"
+#include "core/report/sequence_words.h"
 #include "core/study/scan/drilling_scan.h"
+#include "core/study/scan/scan_comparison.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 
@@ -35,8 +36,9 @@ class TestDrillingScan : public QObject {
 
   private slots:
     void whatIsTheSameIsNotMarchedTwice();
-    void theFullRateOfAThrustIsThatOfEach();
-    void theSentenceNamesTheWindows();
+    void theSentenceNamesTheBestAsFarAsTheErrorsTell();
+    void anUncertainScanIsNotResolved();
+    void sharesAreOfTheBestWhereBothAreResolved();
     void aValueThatNoScenarioHasIsRefused();
 };
 
@@ -49,41 +51,70 @@ void TestDrillingScan::whatIsTheSameIsNotMarchedTwice() {
     QCOMPARE(irregular.bouncingBlows, 2 * 200L);
 }
 
-void TestDrillingScan::theFullRateOfAThrustIsThatOfEach() {
-    const Scenario scenario = exampleWithDashpot();
-    const DrillingScan scan = scanOver("drill.thrust=3.4kN,6kN", scenario);
-    for (const DrillingScanPoint& point : scan.points) {
-        if (point.start != DrillingStart::rest) continue;
-        Scenario alone = scenario;
-        alone.drill.thrust = point.value;
-        const DrillingResult result =
-            studyDrilling(alone, scan.settings, {.cellError = false, .lyapunov = false});
-        QVERIFY(result.fullRateShare && point.result.fullRateShare);
-        QCOMPARE(*point.result.fullRateShare, *result.fullRateShare);
-        QCOMPARE(point.result.verdict, result.verdict);
+namespace {
+
+/// A scan whose rates and errors are made up, mm a blow: where the largest is in a real one hangs on the last
+/// digits of a motion.
+DrillingScan scanWith(const std::vector<std::pair<double, double>>& penetrations, double loss = 0.1) {
+    DrillingScan scan = scanOver("drill.thrust=3kN,4kN,5kN,6kN,7kN", exampleWithDashpot());
+    std::erase_if(scan.points, [](const auto& point) { return point.start != DrillingStart::rest; });
+    for (std::size_t i = 0; i < scan.points.size(); ++i) {
+        DrillingResult& result = scan.points[i].result;
+        result.outcome = DrillingOutcome::done;
+        if (!result.statistics) result.statistics.emplace();
+        result.frequencyUsed = 60;
+        result.hasLoss = loss > 0;
+        const std::size_t penetration = quantityPlace(&DrillingBlow::penetration);
+        BlowSpread& spread = result.statistics->spreads[penetration];
+        spread.mean = penetrations[i].first / 1e3 / result.units.length();
+        spread.meanError = penetrations[i].second / 1e3 / result.units.length();
+        result.cellErrors[penetration] = 0;
     }
+    return scan;
 }
 
-void TestDrillingScan::theSentenceNamesTheWindows() {
-    // What holds is made up: where it does in a real scan hangs on the last digits of a motion.
-    DrillingScan scan = scanOver("drill.thrust=3kN,4kN,5kN,6kN,7kN", exampleWithDashpot());
-    const auto sentenceOf = [&](const std::set<double>& full) {
-        for (DrillingScanPoint& point : scan.points) {
-            point.result.verdict =
-                full.contains(point.value / 1000) ? DrillingVerdict::fullRate : DrillingVerdict::rateLost;
-            if (!point.result.statistics) point.result.statistics.emplace();
-        }
-        const std::string all = scanSentence(scan).text();
-        return all.substr(0, all.find(';'));
-    };
-    const std::string begin = "It drills at full rate ";
-    QCOMPARE(sentenceOf({}), begin + "at none of the values");
-    QCOMPARE(sentenceOf({3, 4, 5, 6, 7}), begin + "at all values");
-    QCOMPARE(sentenceOf({5, 6, 7}), begin + "from 5 kN on");
-    QCOMPARE(sentenceOf({3, 4}), begin + "up to 4 kN");
-    QCOMPARE(sentenceOf({4}), begin + "at 4 kN");
-    QCOMPARE(sentenceOf({3, 5, 6}), begin + "up to 3 kN and from 5 kN to 6 kN");
-    QCOMPARE(sentenceOf({3, 5, 7}), begin + "up to 3 kN, at 5 kN and from 7 kN on");
+QString saidOf(const DrillingScan& scan, const std::optional<Sequence>& present = {}) {
+    return QString::fromStdString(inOneParagraph(scanSentences(scan, present)));
+}
+
+}  // namespace
+
+void TestDrillingScan::theSentenceNamesTheBestAsFarAsTheErrorsTell() {
+    const QString limits = QStringLiteral(" Friction, rotation and buckling are not modelled.");
+    const DrillingScan clear = scanWith({{1.5, 0.01}, {1.8, 0.01}, {2, 0.01}, {1.9, 0.01}, {1.7, 0.01}});
+    QCOMPARE(saidOf(clear), "A feed of 5 kN gives the most, 7.2 m/min." + limits);
+    const std::optional<Sequence> present = sequenceOf(clear.points[1].result);
+    QCOMPARE(saidOf(clear, present), "A feed of 5 kN gives the most, 7.2 m/min (+11.1 %)." + limits);
+    // The present one is no less than the errors.
+    QCOMPARE(saidOf(clear, sequenceOf(clear.points[2].result)),
+             "A feed of 5 kN gives the most, 7.2 m/min." + limits);
+    QCOMPARE(saidOf(scanWith({{1.5, 0.01}, {1.99, 0.01}, {2, 0.01}, {1.99, 0.01}, {1.7, 0.01}})),
+             "A feed of 5 kN gives the most, 7.2 m/min. From 4 kN to 6 kN the rate is the same within the "
+             "errors." +
+                 limits);
+    QCOMPARE(saidOf(scanWith({{2, 0.05}, {1.99, 0.05}, {2.01, 0.05}, {2, 0.05}, {2, 0.05}})),
+             "All values give the same rate within the errors, 7.24 m/min." + limits);
+}
+
+void TestDrillingScan::anUncertainScanIsNotResolved() {
+    const QString said = saidOf(scanWith({{2.5, 1.8}, {1.8, 0.01}, {2, 0.01}, {1.9, 0.01}, {1.7, 0.01}}, 0));
+    QVERIFY2(said.startsWith("The scan cannot resolve a difference: +- 1.8 mm, because no wave loss is "
+                             "defined. Give a wave loss"),
+             qPrintable(said));
+    // One that is uncertain and yet certainly lower keeps nothing from being known.
+    QVERIFY(saidOf(scanWith({{0.5, 0.3}, {1.8, 0.01}, {2, 0.01}, {1.9, 0.01}, {1.7, 0.01}}))
+                .startsWith("A feed of 5 kN gives the most"));
+}
+
+void TestDrillingScan::sharesAreOfTheBestWhereBothAreResolved() {
+    const DrillingScan scan = scanWith({{1.5, 0.01}, {1.8, 0.3}, {2, 0.01}, {1.4, 0.01}, {1.7, 0.01}});
+    ScanComparison comparison = *compareScan(scan);
+    QVERIFY(comparison.unresolved);  // 1.8 +- 0.3 may be more
+    comparison = *compareScan(scanWith({{1.5, 0.01}, {1.5, 0.3}, {2, 0.01}, {1.4, 0.01}, {1.7, 0.01}}));
+    QVERIFY(comparison.isResolved());
+    QCOMPARE(comparison.best().at, 5000.0);
+    QVERIFY(std::abs(*comparison.bestShare(comparison.entries[0].sequence) - 0.75) < 1e-12);
+    QVERIFY(!comparison.bestShare(comparison.entries[1].sequence));
 }
 
 /// Before anything is marched, and with the number that does not fit.

@@ -138,7 +138,7 @@ void TestDrillingTheory::penetrationsOfTheHeavyRod() {
     QFETCH(double, millimetres);
     QFETCH(double, tolerance);
     const DrillingResult result = studyDrilling(heavyRod(thrust, damping, stiffness), {600, 100, 20},
-                                                {.cellError = false, .lyapunov = false, .fullRate = false});
+                                                {.cellError = false, .lyapunov = false, .blowAlone = false});
     QVERIFY(result.statistics);
     const double penetration =
         1e3 * meanOf(*result.statistics, &DrillingBlow::penetration) * result.units.length();

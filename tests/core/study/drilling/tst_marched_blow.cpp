@@ -46,7 +46,7 @@ DrillingSettings settingsOf(long blows) {
 
 DrillingResult marchOf(const Scenario& scenario, const DrillingSettings& settings) {
     DrillingWants wants;
-    wants.cellError = wants.lyapunov = wants.fullRate = wants.cor = false;
+    wants.cellError = wants.lyapunov = wants.blowAlone = false;
     return studyDrilling(scenario, settings, wants);
 }
 
@@ -71,6 +71,8 @@ void TestMarchedBlow::theFirstBlowIsTheSingleOne() {
     Scenario scenario = exampleOf("t38_medium_rock");
     scenario.drill.waveLoss = 0;
     scenario.drill.machineMass.reset();
+    scenario.drill.damperDamping.reset();
+    scenario.drill.damperStiffness.reset();
     scenario.drill.inclination.reset();
     const Blow single = solveBlow(scenario, {}, Detail::histories);
     scenario.drill.thrust = 60 * single.scales.impulse;

@@ -51,7 +51,7 @@ class TestThrust : public QObject {
     void theMarginOfAHeavyBlowIsLeftOut();
     void anElasticRockNeedsMoreThanARigidOne();
     void marginsAndFrequencyLimitFollowFromTheInstalledThrust();
-    void eachNeedJudgesTheFeedByItsOwnRebound();
+    void theStateIsByTheLargestOfTheFour();
     void theMarginIsThatOfTheLargestNeed();
     void weightAlongTheHoleCountsInEveryMargin();
     void theShareHeldIsTheShareOfGapsThatNeedLess();
@@ -104,7 +104,7 @@ void TestThrust::theCasesAreThoseOfTheTheory() {
     const GapCurve curve = gapCurve(problemOf(drill()), Detail::cor);
     QCOMPARE(study.need(ThrustCase::gapQuantile).cor.value,
              gapStatistics(curve).of(GapOutput::cor).uniform.quantiles[2].value);
-    for (const ThrustNeed& need : study.needs) {
+    for (const ThrustNeed& need : study.feed.needs) {
         QCOMPARE(need.thrust, 50 * 40 * (1 + need.cor.value));
         QCOMPARE(need.thrustUndamped, 50 * 40 * (1 + 2 * need.cor.value));
     }
@@ -132,18 +132,18 @@ void TestThrust::marginsAndFrequencyLimitFollowFromTheInstalledThrust() {
     QVERIFY(std::abs(*studyThrust(scenario).need(ThrustCase::elasticWorst).margin) < 1e-12);
 }
 
-// Needs for full penetration: 2813 N here, 2892 N for 95 % of gaps, 4000 N on rigid, 4802 N on the worst
-// rock.
-void TestThrust::eachNeedJudgesTheFeedByItsOwnRebound() {
+// Required: 2813 N here, 2892 N by 95 % of gaps, 4000 N on rigid, 4802 N on the worst rock.
+void TestThrust::theStateIsByTheLargestOfTheFour() {
     Scenario scenario = drill();
-    scenario.drill.thrust = 4200;
-    const ThrustStudy study = studyThrust(scenario);
-    // This blow: f I0 (1+2e) = 3627 N.
-    QCOMPARE(study.verdict.feed, Feed::backInTime);
-    QCOMPARE(study.need(ThrustCase::scenario).feed, Feed::backInTime);
-    QCOMPARE(study.need(ThrustCase::rigidRock).feed, Feed::fullRate);
-    QCOMPARE(study.need(ThrustCase::elasticWorst).feed, Feed::penetrationLost);
-    QCOMPARE(study.verdict, *judgeFeed(scenario, study.need(ThrustCase::scenario).cor.value));
+    const auto stateAt = [&](double thrust) {
+        scenario.drill.thrust = thrust;
+        return *studyThrust(scenario).feed.state();
+    };
+    QCOMPARE(stateAt(1900), FeedState::pushedBack);
+    QCOMPARE(stateAt(2800), FeedState::belowRequired);
+    QCOMPARE(stateAt(4200), FeedState::requiredAtThisGap);
+    QCOMPARE(stateAt(4900), FeedState::requiredMet);
+    QCOMPARE(stateAt(7700), FeedState::returnMet);  // 2000 (1 + 2 · 1.401) = 7604 N
 }
 
 void TestThrust::theMarginIsThatOfTheLargestNeed() {
@@ -169,14 +169,14 @@ void TestThrust::weightAlongTheHoleCountsInEveryMargin() {
         QVERIFY(std::abs(*down.need(which).frequencyLimit / (50 * (3000 + weight) / down.need(which).thrust) -
                          1) < 1e-14);
     }
-    QCOMPARE(level.verdict.feed, Feed::fullRate);
-    QCOMPARE(down.verdict.feed, Feed::resting);
+    QCOMPARE(level.feed.state(), FeedState::requiredAtThisGap);
+    QCOMPARE(down.feed.state(), FeedState::requiredMet);
     QVERIFY(down.shareFull >= level.shareFull);
     // Up, a machine as heavy as that is not lifted at any frequency.
     scenario.drill.inclination = -90;
     scenario.drill.machineMass = 1000;
     QCOMPARE(*studyThrust(scenario).need(ThrustCase::rigidRock).frequencyLimit, 0.0);
-    QCOMPARE(studyThrust(scenario).verdict.feed, Feed::pushedBack);
+    QCOMPARE(studyThrust(scenario).feed.state(), FeedState::pushedBack);
 }
 
 void TestThrust::aMarginOnItsOwnIsThatOfTheStudy() {
@@ -226,7 +226,7 @@ void TestThrust::alongAParameterEveryPointIsAStudyOfItsOwn() {
             parameter.assign(one, values[i]);
             const ThrustStudy study = studyThrust(one);
             QCOMPARE(curve.points[i].value, values[i]);
-            QCOMPARE(curve.points[i].verdict, study.verdict);
+            QCOMPARE(curve.points[i].feed, study.feed);
             for (const ThrustCase which : thrustCases) {
                 QCOMPARE(curve.points[i].need(which).thrust, study.need(which).thrust);
                 QCOMPARE(curve.points[i].need(which).margin, study.need(which).margin);
@@ -320,16 +320,16 @@ void TestThrust::aStringNeedsWhatTheRockGivesBack() {
     QVERIFY(std::abs(here.thrust / (frequency * perUnit * impact.impulse) - 1) < 1e-9);
     // Momentum of the hammer before less after.
     const double handedOn = impact.hammerImpulse - impact.hammerMomentum;
-    QVERIFY(std::abs(study.verdict.balance / (frequency * perUnit * handedOn) - 1) < 1e-9);
-    QVERIFY(std::abs(here.thrustUndamped + study.verdict.balance - 2 * here.thrust) < 1e-6);
-    QVERIFY(std::abs(study.need(ThrustCase::rigidRock).thrust / study.verdict.balance - 2) < 1e-12);
+    QVERIFY(std::abs(study.feed.balance / (frequency * perUnit * handedOn) - 1) < 1e-9);
+    QVERIFY(std::abs(here.thrustUndamped + study.feed.balance - 2 * here.thrust) < 1e-6);
+    QVERIFY(std::abs(study.need(ThrustCase::rigidRock).thrust / study.feed.balance - 2) < 1e-12);
     // One judgement for command, result panel and alerts.
-    QCOMPARE(study.verdict, *blow.feed);
+    QCOMPARE(study.feed, *blow.feed);
     QCOMPARE(*findOutput("thrust")->value({blow.summary, scenario}), here.thrust);
     scenario.drill.thrust = 1.25 * here.thrust;
     QVERIFY(std::abs(*studyThrust(scenario).need(ThrustCase::scenario).margin - 0.25) < 1e-9);
-    scenario.drill.thrust = 0.9 * study.verdict.balance;
-    QCOMPARE(studyThrust(scenario).verdict.feed, Feed::pushedBack);
+    scenario.drill.thrust = 0.9 * study.feed.balance;
+    QCOMPARE(studyThrust(scenario).feed.state(), FeedState::pushedBack);
 }
 
 // strings §10: one rod, a hammer of its section, withdrawn after its push.
@@ -356,7 +356,6 @@ void TestThrust::aStringThatIsARodNeedsWhatTheRodNeeds() {
         QVERIFY(std::abs(a.thrust / b.thrust - 1) < 1e-9);
         QVERIFY(std::abs(a.thrustUndamped / b.thrustUndamped - 1) < 1e-9);
         QVERIFY(std::abs(*a.margin - *b.margin) < 1e-9);
-        QCOMPARE(a.feed, b.feed);
         QCOMPARE(a.gapAtBlow->motion.kind, b.gapAtBlow->motion.kind);
         QVERIFY(std::abs(a.gapAtBlow->gap - b.gapAtBlow->gap) < 1e-9 * (1 + b.gapAtBlow->gap));
         QVERIFY(std::abs(a.gapAtBlow->inD0 - b.gapAtBlow->inD0) < 1e-7 * (1 + b.gapAtBlow->inD0));
@@ -388,7 +387,7 @@ void TestThrust::alongAParameterOfAStringEveryPointIsABlow() {
         const ThrustStudy study = studyThrust(alone);
         QVERIFY(std::abs(point.need(ThrustCase::scenario).thrust / study.need(ThrustCase::scenario).thrust -
                          1) < 1e-6);  // quick and sure
-        QCOMPARE(point.verdict.feed, study.verdict.feed);
+        QCOMPARE(point.feed.state(), study.feed.state());
     }
     QVERIFY(curve.points[2].need(ThrustCase::scenario).thrust >
             curve.points[0].need(ThrustCase::scenario).thrust);
@@ -399,8 +398,8 @@ void TestThrust::aStringThatStillMovesToTheRockNeedsWhatItsHammerHandsOn() {
     const Scenario scenario = t38String();
     const double handedOn = 60 * pulseImpulse(scenario) * 1.1;
     QCOMPARE(*thrustNeeded(scenario, -0.2, 1.1), handedOn);
-    const FeedVerdict verdict = *judgeFeed(scenario, -0.2, 1.1);
-    QVERIFY(verdict.balance <= verdict.fullRate && verdict.fullRate <= verdict.returned);
+    const FeedEstimate feed = *feedEstimate(scenario, {-0.2, 0}, 1.1);
+    QCOMPARE(feed.need(ThrustCase::scenario).thrust, feed.balance);
 }
 
 // A section that is not uniform was one uniform piece to the study, and many to the blow.

@@ -385,7 +385,7 @@ void TestComparePage::marginsOfTheThrustAreCompared() {
         const double installed = *scenario.drill.thrust;
         const Blow blow = solveBlow(scenario, {}, Detail::cor);
         const double needed = *thrustNeeded(scenario, blow.summary.cor, blow.summary.transferred);
-        const double everywhere = widestOf(studyThrust(scenario).needs).thrust;
+        const double everywhere = studyThrust(scenario).largestNeed().thrust;
         const auto isShown = [&](const char* name, double newton) {
             return std::abs(*margins(name)[column] - newton / 1e3) < 1e-9;
         };
@@ -410,7 +410,8 @@ void TestComparePage::stringsHaveNoMarginAtEveryGap() {
     CompareColumn column{.title = "A", .scenario = &solved.scenario, .blow = &solved};
     const UnitChoice units;
     const auto names = [&](bool isOfAllGaps) {
-        column.widestNeed = WidestNeed{.thrust = 5e3, .ofAllGaps = isOfAllGaps};
+        column.ofAllGaps = blow.feed;
+        for (ThrustNeed& need : column.ofAllGaps->needs) need.known = need.known || isOfAllGaps;
         QStringList all;
         for (const CompareRow& row : compareTable({column}, 0, UnitSystem::si, {}, units).rows)
             all << row.name;

@@ -8,6 +8,8 @@
 #include <QUndoStack>
 
 #include "core/report/drilling_report.h"
+#include "core/report/report_text.h"
+#include "core/report/sequence_words.h"
 #include "tests/support/program.h"
 #include "tests/support/window.h"
 #include "ui/form/quantity_field.h"
@@ -122,7 +124,7 @@ void TestDrillingPage::blowsTableAndSentenceAreThoseOfTheStudy() {
     for (const QCPBarsData& part : *march.energy()->data()) share += part.value;
     QVERIFY(std::abs(share - 100) < 1);
     const LocalStyle style = LocalStyle::of(m_document->units());
-    QVERIFY(words().startsWith(QString::fromStdString(verdictSentence(expected, style).text())));
+    QVERIFY(words().startsWith(QString::fromStdString(sequenceText(expected, style))));
     const auto* table = m_page->findChild<QTableWidget*>(QStringLiteral("statistics"));
     const double mean =
         scaleOf(DrillingMeasure::length, expected).value(expected.spread(3).mean, OutputUnits::si);
@@ -195,7 +197,7 @@ void TestDrillingPage::aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust() {
     // its sentence, and its command below that of the march
     QVERIFY(m_page->findChild<QLabel*>(QStringLiteral("words"))
                 ->text()
-                .contains("every blow begins on the rock"));
+                .contains("Friction, rotation and buckling are not modelled."));
     QVERIFY(shell(m_page->command()).out.contains("drill.thrust [kN],start,"));
     // The rows of that command can be had from the page, too.
     const PageExport exported = m_page->exports().at(1);

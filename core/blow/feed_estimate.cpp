@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/blow/feed_estimate.h"
+
+#include <algorithm>
+
+#include "core/blow/thrust.h"
+#include "core/model/blow_interval.h"
+#include "core/model/blow_traits.h"
+#include "core/model/scales.h"
+#include "core/text/enum_names.h"
+
+namespace drillwave {
+
+namespace {
+
+ThrustNeed needOf(const Scenario& scenario, const Estimate& cor, double transferred) {
+    ThrustNeed need{.cor = cor,
+                    .thrust = *thrustNeeded(scenario, cor.value, transferred),
+                    .thrustUndamped = *thrustNeeded(scenario, 2 * cor.value, transferred),
+                    .margin = {},
+                    .frequencyLimit = {},
+                    .gapAtBlow = gapAtBlow(scenario, cor.value, transferred)};
+    if (const std::optional<FeedForce> force = feedForceOf(scenario)) {
+        need.margin = force->marginOver(need.thrust);
+        need.frequencyLimit = *scenario.drill.blowFrequency * std::max(force->effective(), 0.0) / need.thrust;
+    }
+    return need;
+}
+
+}  // namespace
+
+std::string_view name(FeedState state) {
+    static constexpr EnumNames<FeedState> names{{{FeedState::pushedBack, "pushed_back"},
+                                                 {FeedState::belowRequired, "below_required"},
+                                                 {FeedState::requiredAtThisGap, "required_at_this_gap"},
+                                                 {FeedState::requiredMet, "required_met"},
+                                                 {FeedState::returnMet, "return_met"},
+                                                 {FeedState::notApplicable, "not_applicable"}}};
+    return names[state];
+}
+
+std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor, double transferred) {
+    const std::optional<double> balance = thrustNeeded(scenario, 0, transferred);
+    const std::optional<FeedForce> force = feedForceOf(scenario);
+    if (!balance || !force) return std::nullopt;
+    GapAtBlow found{.motion = {}, .feed = force->effective() / *balance};
+    const double rebound = std::max(cor, 0.0);
+    found.motion = undampedMotion(found.feed, rebound);
+    found.roundTrips = *roundTripsBetweenBlows(scenario);
+    const Scales scales = scalesOf(scenario);
+    const double velocity =
+        isForced(scenario) ? scales.velocity : transferred * scales.impulse / chainProperties(scenario).mass;
+    found.gap = found.motion.gap * velocity / *scenario.drill.blowFrequency;  // (T37)
+    found.inD0 = gapHasPeriod(scenario) ? found.motion.gap * found.roundTrips
+                                        : found.gap / scales.penetration;  // (T37)
+    return found;
+}
+
+const ThrustNeed& largestOf(const ThrustNeeds& needs) {
+    return *std::ranges::max_element(needs, {},
+                                     [](const ThrustNeed& need) { return need.known ? need.thrust : -1; });
+}
+
+ThrustCase FeedEstimate::largestCase() const {
+    return thrustCases[static_cast<std::size_t>(&largest() - needs.data())];
+}
+
+bool FeedEstimate::isOfAllGaps() const {
+    return std::ranges::all_of(needs, &ThrustNeed::known);
+}
+
+std::optional<double> FeedEstimate::effective() const {
+    return force ? std::optional(force->effective()) : std::nullopt;
+}
+
+std::optional<double> FeedEstimate::margin() const {
+    return isOfAllGaps() ? largest().margin : std::nullopt;
+}
+
+std::optional<FeedState> FeedEstimate::state() const {
+    if (roundTrips < 1) return FeedState::notApplicable;
+    const std::optional<double> installed = effective();
+    if (!installed) return std::nullopt;
+    if (*installed < balance) return FeedState::pushedBack;
+    if (*installed < need(ThrustCase::scenario).thrust) return FeedState::belowRequired;
+    if (*installed < largest().thrust) return FeedState::requiredAtThisGap;
+    return *installed < largest().thrustUndamped ? FeedState::requiredMet : FeedState::returnMet;
+}
+
+bool FeedEstimate::isTooLittle() const {
+    const std::optional<FeedState> found = state();
+    return found == FeedState::pushedBack || found == FeedState::belowRequired;
+}
+
+double FeedEstimate::thrustFor(double needed) const {
+    return std::max(needed - weight, 0.0);
+}
+
+double FeedEstimate::frequencyFor(double needed) const {
+    return force && needed > 0 ? frequency * std::max(force->effective(), 0.0) / needed : 0;
+}
+
+std::optional<FeedEstimate> feedEstimate(const Scenario& scenario, const Estimate& cor, double transferred,
+                                         const std::optional<ReboundsOverGaps>& overGaps) {
+    const std::optional<double> balance = thrustNeeded(scenario, 0, transferred);
+    if (!balance) return std::nullopt;
+    const auto needOrUnknown = [&](const std::optional<Estimate>& known) {
+        if (known) return needOf(scenario, *known, transferred);
+        ThrustNeed unknown;
+        unknown.known = false;
+        return unknown;
+    };
+    const auto ofGaps = [&](Estimate ReboundsOverGaps::*which) {
+        return needOrUnknown(overGaps ? std::optional((*overGaps).*which) : std::nullopt);
+    };
+    FeedEstimate estimate;
+    estimate.force = feedForceOf(scenario);
+    estimate.weight = weightAlongHole(scenario).value_or(0);
+    estimate.frequency = *scenario.drill.blowFrequency;
+    estimate.balance = *balance;
+    estimate.roundTrips = *roundTripsBetweenBlows(scenario);
+    estimate.gapsHavePeriod = gapHasPeriod(scenario);
+    estimate.needs = {needOrUnknown(cor), ofGaps(&ReboundsOverGaps::quantile), needOrUnknown(Estimate{1, 0}),
+                      ofGaps(&ReboundsOverGaps::worst)};
+    return estimate;
+}
+
+}  // namespace drillwave

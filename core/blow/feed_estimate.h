@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Estimates of the required feed force from a single blow. Their words are in
+// report/feed_words.h.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+#include "core/blow/feed_force.h"
+#include "core/blow/thrust_case.h"
+#include "core/blow/undamped_motion.h"
+#include "core/model/scenario.h"
+#include "core/numeric/estimate.h"
+
+namespace drillwave {
+
+/// Where the bit is when the hammer strikes, if nothing damps the rebound.
+struct GapAtBlow {
+    UndampedMotion motion;
+    double feed = 0;        ///< φ = F/(f I0)
+    double roundTrips = 0;  ///< n_b = 1/(2 T f)
+    double gap = 0;         ///< y v0/f [m] (T37), 0 but where it bounces
+    double inD0 = 0;        ///< the same, y n_b of a uniform rod [d0]
+    bool operator==(const GapAtBlow&) const = default;
+};
+
+/// nullopt without an installed thrust, or where thrustProblem() says why. A drill string moves as a rigid
+/// body.
+std::optional<GapAtBlow> gapAtBlow(const Scenario& scenario, double cor, double transferred = 1);
+
+/// The required force of one case, by its own e. Margin and frequency limit are about `thrust`.
+struct ThrustNeed {
+    /// Whether it was computed. The gaps of a drill string have no period, so its cases of all gaps are not.
+    bool known = true;
+    Estimate cor;
+    double thrust = 0;             ///< f I0 (1+e): the mean force that balances a blow from rest [N]
+    double thrustUndamped = 0;     ///< f I0 (1+2e): an undamped rigid rod is back before the next blow [N]
+    std::optional<double> margin;  ///< effective force over `thrust`, less 1, with an installed thrust
+    /// Up to which blow frequency the effective force is at least `thrust` [Hz].
+    std::optional<double> frequencyLimit;
+    std::optional<GapAtBlow> gapAtBlow;  ///< at the effective force, by this e
+    bool operator==(const ThrustNeed&) const = default;
+};
+
+/// In the order of ThrustCase.
+using ThrustNeeds = std::array<ThrustNeed, thrustCaseCount>;
+
+/// The one with the largest `thrust` of those that are known.
+const ThrustNeed& largestOf(const ThrustNeeds& needs);
+
+/// The effective feed force among the estimates of single blows.
+enum class FeedState {
+    pushedBack,         ///< below f I0: less than the mean force of the blows
+    belowRequired,      ///< below what this blow requires
+    requiredAtThisGap,  ///< this blow is covered, the largest examined case is not
+    requiredMet,        ///< the largest examined case is covered
+    returnMet,          ///< the same with return in time
+    notApplicable,      ///< the waves of a blow are still there when the next one comes, n_b < 1
+};
+
+/// "pushed_back", "below_required", "required_at_this_gap", "required_met", "return_met", "not_applicable".
+std::string_view name(FeedState state);
+
+/// The estimates of a scenario with units and a blow frequency.
+struct FeedEstimate {
+    std::optional<FeedForce> force;  ///< nothing where no thrust is installed
+    double weight = 0;               ///< along the hole, 0 where no inclination is given [N]
+    double frequency = 0;            ///< of blows [Hz]
+    double balance = 0;              ///< f I0 [N]
+    double roundTrips = 0;           ///< n_b
+    bool gapsHavePeriod = true;      ///< of a uniform rod: its cases of all gaps can be computed
+    ThrustNeeds needs;               ///< this blow and rigid rock are always known
+
+    const ThrustNeed& need(ThrustCase which) const { return needs[static_cast<std::size_t>(which)]; }
+    /// The known case with the largest `thrust`.
+    const ThrustNeed& largest() const { return largestOf(needs); }
+    ThrustCase largestCase() const;
+    /// Whether all four cases are known.
+    bool isOfAllGaps() const;
+    /// F [N], nothing where no thrust is installed.
+    std::optional<double> effective() const;
+    /// F over the largest of the four cases, less 1; nothing where one of them is not known.
+    std::optional<double> margin() const;
+    /// Nothing where no thrust is installed and the estimates apply.
+    std::optional<FeedState> state() const;
+    /// Whether it is to be warned of: pushed back, or below what this blow requires.
+    bool isTooLittle() const;
+    /// The thrust to install for such a need: what the weight along the hole does not bring [N], ≥ 0.
+    double thrustFor(double needed) const;
+    /// Up to which blow frequency what is installed covers such a need [Hz]; 0 where nothing presses to the
+    /// rock.
+    double frequencyFor(double needed) const;
+    bool operator==(const FeedEstimate&) const = default;
+};
+
+/// COR e over all gaps.
+struct ReboundsOverGaps {
+    Estimate quantile;  ///< 95 % of all gaps of a period are at or below
+    Estimate worst;     ///< of elastic rock
+};
+
+/// Estimates by the e of the blow itself; the hammer of a drill string transfers `transferred` of its
+/// momentum. nullopt where thrustProblem() says why.
+std::optional<FeedEstimate> feedEstimate(const Scenario& scenario, const Estimate& cor,
+                                         double transferred = 1,
+                                         const std::optional<ReboundsOverGaps>& overGaps = {});
+
+}  // namespace drillwave

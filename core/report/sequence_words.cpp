@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/sequence_words.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/report/curve_text.h"
+#include "core/report/feed_words.h"
+#include "core/report/report_text.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr int valueDigitsOfScan = 4;
+constexpr std::string_view feedKey = "drill.thrust";
+
+/// Significant digits of a value that its error leaves, `ofError` of them to the error itself.
+int digitsLeft(double value, double error, int ofError) {
+    constexpr int fewest = 1, most = 5;
+    if (!(error > 0) || value == 0) return most;
+    const double places = std::floor(std::log10(std::abs(value))) - std::floor(std::log10(error));
+    return std::clamp(static_cast<int>(places) + ofError, fewest, most);
+}
+
+/// An error that no printed digit shows.
+constexpr double unseenError = 5e-5;
+
+std::string rateText(const SequenceMean& rate, const ReadingStyle& style) {
+    constexpr int fewest = 2, most = 4;
+    const int digits = digitsLeft(rate.value, rate.error.value_or(0), 1);
+    return style.rate(rate.value, std::clamp(digits, fewest, most));
+}
+
+std::string percentText(double share, const ReadingStyle& style) {
+    return style.number(100 * share, 3) + " %";
+}
+
+const char* reasonWords(UnresolvedReason reason) {
+    switch (reason) {
+        case UnresolvedReason::noWaveLoss:
+            return translatable("drillwave::Message", "no wave loss is defined");
+        case UnresolvedReason::irregular:
+            return translatable("drillwave::Message", "the motion is irregular");
+        case UnresolvedReason::fewBlows:
+            return translatable("drillwave::Message", "only few blows were followed");
+        case UnresolvedReason::lengthsRounded:
+            return translatable("drillwave::Message", "the lengths are no whole number of cells");
+    }
+    return "";
+}
+
+const char* remedyWords(UnresolvedReason reason) {
+    switch (reason) {
+        case UnresolvedReason::noWaveLoss:
+            return translatable("drillwave::Message",
+                                "Give a wave loss (drill.wave_loss); 1 to 30 % of a round trip is usual.");
+        case UnresolvedReason::irregular:
+        case UnresolvedReason::fewBlows:
+            return translatable("drillwave::Message", "More blows (drill.blows) lower the error.");
+        case UnresolvedReason::lengthsRounded:
+            return translatable("drillwave::Message",
+                                "Smaller cells, or lengths with a common step, lower it.");
+    }
+    return "";
+}
+
+Message penetrationSentence(const Sequence& sequence, const ReadingStyle& style) {
+    const std::string penetration =
+        withError(sequence.penetration.value, sequence.penetration.error, Quantity::length, style);
+    const std::string rate = rateText(sequence.penetrationRate, style);
+    if (!sequence.singleBlowShare)
+        return {translatable("drillwave::Message", "%1 per blow, %2."), {penetration, rate}};
+    return {translatable("drillwave::Message", "%1 per blow, %2: %3 of a single blow from rest."),
+            {penetration, rate, percentText(sequence.singleBlowShare->value, style)}};
+}
+
+/// The machine is pushed back, by the mean force of these blows.
+Message pushedBackSentence(const DrillingResult& result, const ReadingStyle& style) {
+    const double mean = result.meanImpulse * result.units.impulse() * result.frequencyUsed;
+    const double installed = feedForceOf(result.scenario)->effective();
+    if (!(installed < mean))
+        return translatable("drillwave::Message", "The machine is pushed back: its motion has no bound.");
+    return {translatable("drillwave::Message",
+                         "The feed of %1 is less than the mean force of the blows, %2: the machine is "
+                         "pushed back."),
+            {style.quantity(installed, Quantity::force, 4), style.quantity(mean, Quantity::force, 4)}};
+}
+
+/// "12 kN", behind "drill.gamma = " where the parameter is no feed force.
+Message settingOf(const DrillingScan& scan, double value, const ReadingStyle& style) {
+    const std::string text = valueText(scan.axis, value, valueDigitsOfScan, style);
+    if (scan.axis.key() == feedKey) return {translatable("drillwave::Message", "A feed of %1"), {text}};
+    return {"%1 = %2", {std::string(scan.axis.key()), text}};
+}
+
+/// By how much the best is above a present one, where the errors tell.
+Message gainWords(const ScanComparison& comparison, const std::optional<Sequence>& present,
+                  const ReadingStyle& style) {
+    if (!present || !comparison.isLower(*present)) return {};
+    const std::optional<double> share = comparison.bestShare(*present);
+    return share ? Message(" (%1)", {style.signedPercent(1 / *share - 1)}) : Message();
+}
+
+/// The values around the best that the errors do not tell from it; empty where there are none.
+Message equalSentence(const DrillingScan& scan, const ScanComparison& comparison, const ReadingStyle& style) {
+    const auto isEqual = [&](std::size_t place) {
+        return !comparison.isLower(comparison.entries[place].sequence);
+    };
+    std::size_t first = comparison.bestPlace, last = first;
+    while (first > 0 && isEqual(first - 1)) --first;
+    while (last + 1 < comparison.entries.size() && isEqual(last + 1)) ++last;
+    if (first == last) return {};
+    const auto value = [&](std::size_t place) {
+        return valueText(scan.axis, comparison.entries[place].at, valueDigitsOfScan, style);
+    };
+    return {translatable("drillwave::Message", "From %1 to %2 the rate is the same within the errors."),
+            {value(first), value(last)}};
+}
+
+}  // namespace
+
+std::string withError(double si, const std::optional<double>& error, Quantity quantity,
+                      const ReadingStyle& style) {
+    if (!error || *error <= unseenError * std::abs(si)) return style.quantity(si, quantity, 4);
+    const ReadUnit unit = style.unitFor(si, quantity);
+    const double shown = unit.unit->fromSi(si), shownError = unit.unit->fromSi(*error);
+    const std::string mean = style.number(shown, digitsLeft(shown, shownError, 2));
+    return mean + (style.isPrinted() ? " ± " : " +- ") + style.number(shownError, 2) + " " + unit.name;
+}
+
+Message feedModelWords(const Scenario& scenario, const ReadingStyle& style) {
+    if (feedModelOf(scenario) == FeedModel::constantForce)
+        return translatable("drillwave::Message", "a constant force");
+    const Drill& drill = scenario.drill;
+    const std::string damping = style.quantity(drill.damperDamping.value_or(0), Quantity::damping, 4);
+    const std::string stiffness = style.quantity(drill.damperStiffness.value_or(0), Quantity::stiffness, 4);
+    if (!(drill.damperStiffness.value_or(0) > 0))
+        return {translatable("drillwave::Message", "a dashpot of %1"), {damping}};
+    if (!(drill.damperDamping.value_or(0) > 0))
+        return {translatable("drillwave::Message", "a spring of %1"), {stiffness}};
+    return {translatable("drillwave::Message", "a dashpot of %1 and a spring of %2"), {damping, stiffness}};
+}
+
+Message unresolvedWords(UnresolvedReason reason) {
+    return reasonWords(reason);
+}
+
+std::vector<Message> sequenceSentences(const DrillingResult& result, const ReadingStyle& style) {
+    switch (result.outcome) {
+        case DrillingOutcome::notSolved:
+            return {{translatable("drillwave::Message", "Not solved: %1."), {result.reason}}};
+        case DrillingOutcome::stopped:
+            return {translatable("drillwave::Message", "Stopped before all blows were done.")};
+        case DrillingOutcome::pushedBack:
+            return {pushedBackSentence(result, style)};
+        case DrillingOutcome::done:
+            break;
+    }
+    const std::optional<Sequence> sequence = sequenceOf(result);
+    if (!sequence) return {};
+    std::vector<Message> sentences{penetrationSentence(*sequence, style)};
+    if (sequence->unresolved) {
+        sentences.push_back({translatable("drillwave::Message",
+                                          "This mean is not resolved, its error is above %1, because %2."),
+                             {percentText(resolvedShare, style), reasonWords(*sequence->unresolved)}});
+        sentences.emplace_back(remedyWords(*sequence->unresolved));
+    }
+    sentences.push_back({translatable("drillwave::Message", "The bit starts in contact at %1 of blows."),
+                         {percentText(sequence->contactShare, style)}});
+    sentences.push_back({feedModelOf(result.scenario) == FeedModel::damper
+                             ? translatable("drillwave::Message", "Feed modelled as %1 (assumed).")
+                             : translatable("drillwave::Message", "Feed modelled as %1."),
+                         {feedModelWords(result.scenario, style)}});
+    return sentences;
+}
+
+std::string sequenceText(const DrillingResult& result, const ReadingStyle& style) {
+    return inOneParagraph(sequenceSentences(result, style), style);
+}
+
+std::vector<Message> scanSentences(const DrillingScan& scan, const std::optional<Sequence>& present,
+                                   const ReadingStyle& style) {
+    const std::optional<ScanComparison> comparison = compareScan(scan);
+    if (!comparison || !scan.axis.parameter) return {};
+    std::vector<Message> sentences;
+    if (comparison->unresolved) {
+        const Sequence& unresolved = comparison->unresolved->sequence;
+        sentences.push_back(
+            {translatable("drillwave::Message", "The scan cannot resolve a difference: +- %1, because %2."),
+             {style.quantity(unresolved.penetration.error.value_or(0), Quantity::length, 2),
+              reasonWords(*unresolved.unresolved)}});
+        sentences.emplace_back(remedyWords(*unresolved.unresolved));
+    } else if (comparison->entries.size() > 1 && !comparison->isAnyLower()) {
+        sentences.push_back(
+            {translatable("drillwave::Message", "All values give the same rate within the errors, %1."),
+             {rateText(comparison->best().sequence.penetrationRate, style)}});
+    } else {
+        sentences.push_back({translatable("drillwave::Message", "%1 gives the most, %2%3."),
+                             {settingOf(scan, comparison->best().at, style),
+                              rateText(comparison->best().sequence.penetrationRate, style),
+                              gainWords(*comparison, present, style)}});
+        if (Message equal = equalSentence(scan, *comparison, style); !equal.isEmpty())
+            sentences.push_back(std::move(equal));
+    }
+    sentences.emplace_back(feedLimitsOfModel);
+    return sentences;
+}
+
+}  // namespace drillwave

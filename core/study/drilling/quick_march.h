@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A sequence of blows that is there within a second.
+#pragma once
+
+#include "core/study/drilling/drilling_study.h"
+
+namespace drillwave {
+
+/// Work of a core in a second, on a machine of usual speed [cells times nodes].
+inline constexpr double workOfSecond = 2e7;
+
+/// The usual length of a sequence in the window: as many blows as the scenario says; where it says nothing of
+/// them 300, of which 100 settle.
+DrillingSettings windowSettingsOf(const Scenario& scenario);
+
+/// The wants of a sequence whose penetration and gap are stated, with errors, and nothing else.
+DrillingWants quickWants();
+
+/// How a sequence is followed without being asked for.
+struct QuickMarch {
+    DrillingSettings settings;
+    double seconds = 0;        ///< that it takes, on a machine of usual speed
+    bool isWithinTime = true;  ///< otherwise it has the fewest blows and is followed on request
+};
+
+/// windowSettingsOf() with no more blows than fit into `seconds` [s], and no fewer than 100. Requires that
+/// there are no drillingRefusals().
+QuickMarch quickMarchOf(const Scenario& scenario, double seconds = 1);
+
+}  // namespace drillwave

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Means of a sequence of blows by which the feed is judged: penetration and rate with their errors, contact,
+// gap.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+#include "core/model/scenario.h"
+#include "core/study/drilling/drilling_study.h"
+
+namespace drillwave {
+
+/// A mean of the blows that count. The error, of 95 %, contains the scatter of the blows and what other cells
+/// change; there is none of a single blow.
+struct SequenceMean {
+    double value = 0;
+    std::optional<double> error;
+};
+
+/// Why the mean penetration is not known well enough to be compared.
+enum class UnresolvedReason { noWaveLoss, irregular, fewBlows, lengthsRounded };
+/// "no_wave_loss", "irregular", "few_blows", "lengths_rounded".
+std::string_view name(UnresolvedReason reason);
+
+/// How the feed acts between machine and rod.
+enum class FeedModel { constantForce, damper };
+/// "constant_force", "damper".
+std::string_view name(FeedModel model);
+/// A damper acts on the mass of a machine.
+FeedModel feedModelOf(const Scenario& scenario);
+
+/// Means of a result with statistics; SI.
+struct Sequence {
+    SequenceMean penetration;      ///< of a blow [m]
+    SequenceMean penetrationRate;  ///< [m/s]
+    /// The mean penetration over that of a single blow from rest at no gap, where that is known.
+    std::optional<SequenceMean> singleBlowShare;
+    double contactShare = 0;  ///< blows that start within contactLimit of the rock
+    BlowSpread gap;           ///< [m]
+    std::optional<UnresolvedReason> unresolved;
+
+    bool isResolved() const { return !unresolved; }
+};
+
+/// Nothing without statistics.
+std::optional<Sequence> sequenceOf(const DrillingResult& result);
+
+/// A wave loss to begin with, where none is known: 1 to 30 % of a round trip is usual.
+inline constexpr double usualWaveLoss = 0.1;
+
+/// Errors of the mean penetration up to this share of it are resolved.
+inline constexpr double resolvedShare = 0.05;
+
+}  // namespace drillwave
