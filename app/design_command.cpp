@@ -128,10 +128,12 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
     DesignFaults faults;
     DesignReport report{
-        .study = designStudyOf(arguments, document.scenario, faults), .findings = {}, .scenarioText = {}};
+        .study = designStudyOf(arguments, document.scenario, document.design, faults), .findings = {}, .scenarioText = {}};
     faults.check();
     std::vector<std::string> words;
-    for (const std::string& word : arguments.values("choose")) words.push_back(quotedAxis("choose", word));
+    const std::vector<std::string> choices =
+        arguments.has("choose") ? arguments.values("choose") : document.design.choose;
+    for (const std::string& word : choices) words.push_back(quotedAxis("choose", word));
     checkNotSet(arguments, document.scenario, report.study.choices, words);
     report.scenarioText = completeScenarioText(document);
     if (folder) {

@@ -135,9 +135,24 @@ void addEdges(const DesignReport& report, std::vector<DesignRemark>& remarks) {
     }
 }
 
+bool choosesHammers(const DesignStudy& study) {
+    return std::ranges::any_of(study.choices, [](const SweepAxis& axis) {
+        return axis.presets && axis.presets->part() == PresetPart::hammer;
+    });
+}
+
 void addEnergy(const DesignReport& report, const ReadingStyle& style, std::vector<DesignRemark>& remarks) {
     constexpr double much = 0.01;
     if (report.study.keepsEnergy || report.findings.energySpread <= much) return;
+    if (choosesHammers(report.study)) {
+        remarks.push_back({false,
+                           "energy_varies",
+                           {translatable("drillwave::Message",
+                                         "The energy of the blow differs by up to %1 % between the designs: "
+                                         "hammers of different power are compared."),
+                            {style.number(report.findings.energySpread * 100, 3)}}});
+        return;
+    }
     remarks.push_back({true,
                        "energy_varies",
                        {translatable("drillwave::Message",
