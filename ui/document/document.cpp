@@ -91,12 +91,21 @@ Document::Document(QObject* parent, Check check) : QObject(parent), m_check(std:
 }
 
 bool Document::isModified() const {
+    return hasUnsaved([](const QUndoCommand& step) {
+        return dynamic_cast<const ScenarioEdit*>(&step) || dynamic_cast<const DesignEdit*>(&step);
+    });
+}
+
+bool Document::isScenarioModified() const {
+    return hasUnsaved(
+        [](const QUndoCommand& step) { return dynamic_cast<const ScenarioEdit*>(&step) != nullptr; });
+}
+
+bool Document::hasUnsaved(const std::function<bool(const QUndoCommand&)>& counts) const {
     if (m_undoStack.cleanIndex() < 0) return true;
     const auto [from, to] = std::minmax({m_undoStack.cleanIndex(), m_undoStack.index()});
-    for (int i = from; i < to; ++i) {
-        const QUndoCommand* step = m_undoStack.command(i);
-        if (dynamic_cast<const ScenarioEdit*>(step) || dynamic_cast<const DesignEdit*>(step)) return true;
-    }
+    for (int i = from; i < to; ++i)
+        if (counts(*m_undoStack.command(i))) return true;
     return false;
 }
 

@@ -55,6 +55,8 @@ class Document : public QObject {
     QString displayName() const;
     /// Whether the scenario is another one than in its file; other steps of the history do not count.
     bool isModified() const;
+    /// The same of what all commands read: the set-up of the design study does not count.
+    bool isScenarioModified() const;
     /// The bytes that saving would write. Throws ScenarioError where they would be more than a file may have.
     QByteArray text() const;
     /// The scenario as it is, with the text it came from: all that its bytes are made of.
@@ -141,6 +143,7 @@ class Document : public QObject {
     std::unique_ptr<ScenarioEdit> newEdit(Scenario after, const QString& key, int gesture);
     void announceChange();
     void announceDesign();
+    bool hasUnsaved(const std::function<bool(const QUndoCommand&)>& counts) const;
     void nameChanged(Scenario& after) const;
     void take(ScenarioDocument source, const QString& path, const QString& origin);
     QString takeTable(const QString& path, const std::string& name, const QString& step);

@@ -20,6 +20,7 @@
 
 #include "core/model/form_conversion.h"
 #include "core/model/section_choice.h"
+#include "core/report/design_words.h"
 #include "core/study/design/constant_energy.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
@@ -78,6 +79,7 @@ class TestDesignPage : public QObject {
     void tickedHammersAreDesigns();
     void whatNoRowShowsStaysAsText();
     void aStudyOfAStringStopsAndOffersTheRest();
+    void theCardHasTheMarksOfTheFiles();
 
   private:
     /// What the rows ask.
@@ -665,6 +667,26 @@ void TestDesignPage::aStudyOfAStringStopsAndOffersTheRest() {
     study.samples = 16;
     const DesignAnswer whole = answerDesign({study, {}}, feed);
     QVERIFY(!whole.secondsLeft && whole.isRefined() && whole.hasBest());
+}
+
+void TestDesignPage::theCardHasTheMarksOfTheFiles() {
+    showPage();
+    const DesignReport& report = m_page->answer()->report;
+    const std::optional<std::size_t> present = presentDesign(report.study);
+    const std::pair<std::string_view, QString> marks[]{{"best_uncertain", QStringLiteral("Best for uncertain rock")},
+                                                       {"best_nominal", QStringLiteral("Best for the values entered")},
+                                                       {"equal", QStringLiteral("Equally good")},
+                                                       {"present", QStringLiteral("Present design")}};
+    const QString text = m_page->card().toPlainText();
+    for (const auto& [mark, words] : marks) {
+        bool isThere = false;
+        for (std::size_t d = 0; d < report.findings.designs.size(); ++d) {
+            const auto ofDesign = marksOf(report, d, present);
+            isThere |= std::ranges::find(ofDesign, mark) != ofDesign.end();
+        }
+        QVERIFY2(text.contains(words) == isThere, qPrintable(words + QLatin1Char('\n') + text));
+    }
+    QVERIFY(text.contains(QStringLiteral("Present design: 200")));
 }
 
 QTEST_MAIN(TestDesignPage)
