@@ -127,8 +127,9 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     const StudyPlots plots = StudyPlots::inFolder(arguments, "design");
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
     DesignFaults faults;
-    DesignReport report{
-        .study = designStudyOf(arguments, document.scenario, document.design, faults), .findings = {}, .scenarioText = {}};
+    DesignReport report{.study = designStudyOf(arguments, document.scenario, document.design, faults),
+                        .findings = {},
+                        .scenarioText = {}};
     faults.check();
     std::vector<std::string> words;
     const std::vector<std::string> choices =
@@ -190,8 +191,8 @@ const Command& designCommand() {
             {{"uncertain", "KEY=LOW:HIGH", "what is not known; see below", Times::list},
              {"draws", "FILE.csv", "rows of values that belong together, headed as for table",
               Times::repeated},
-             {"choose", "KEY=START:STOP:COUNT", "what can be chosen; also :log after it, KEY=A,B,C or hammer=NAME",
-              Times::list},
+             {"choose", "KEY=START:STOP:COUNT",
+              "what can be chosen; also :log after it, KEY=A,B,C or hammer=NAME", Times::list},
              {"aim", "max:OUTPUT@STATISTIC", "or min:…; one to three, the first decides", Times::repeated},
              {"at-most", "OUTPUT@STATISTIC=VALUE", "a limit to every design", Times::list},
              {"at-least", "OUTPUT@STATISTIC=VALUE", "likewise", Times::list},

@@ -161,11 +161,11 @@ DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, cons
     readLimits(wantedOf(arguments, "at-most", "at_most", setup.atMost), true, study, faults);
     readLimits(wantedOf(arguments, "at-least", "at_least", setup.atLeast), false, study, faults);
     const std::uint64_t ofFile = setup.samples.value_or(static_cast<std::uint64_t>(customarySamples(base)));
-    const long samples = arguments.number("samples", static_cast<long>(ofFile), 1,
-                                          static_cast<long>(mostDesignSamples));
+    const long samples =
+        arguments.number("samples", static_cast<long>(ofFile), 1, static_cast<long>(mostDesignSamples));
     study.samples = std::max(leastDesignSamples, std::bit_ceil(static_cast<std::uint64_t>(samples)));
-    study.seed = static_cast<std::uint64_t>(arguments.number("seed", static_cast<long>(setup.seed.value_or(1)),
-                                                             0, std::numeric_limits<long>::max()));
+    study.seed = static_cast<std::uint64_t>(arguments.number(
+        "seed", static_cast<long>(setup.seed.value_or(1)), 0, std::numeric_limits<long>::max()));
     study.keepsEnergy = arguments.has("keep-energy") || setup.keepEnergy;
     study.workLimit = workLimitOf(arguments);
     // What could not be read is missing there: it is not told a second time that nothing is given.

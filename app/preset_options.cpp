@@ -105,9 +105,9 @@ void applyPresets(Scenario& scenario, const Arguments& arguments, const std::str
         scenario = withPreset(std::move(scenario),
                               presetNamed(presets, kind, *wanted, file.value_or(std::string())));
     }
-    const bool used =
-        arePresetsChosen || std::ranges::any_of(allValues<PresetKind>,
-                                                [&](PresetKind kind) { return arguments.has(name(kind)); });
+    const bool used = arePresetsChosen || std::ranges::any_of(allValues<PresetKind>, [&](PresetKind kind) {
+                          return arguments.has(name(kind));
+                      });
     if (arguments.has("presets") && !used)
         throw CommandError(ExitCode::usage,
                            translatable("drillwave::Message",

@@ -48,11 +48,10 @@ struct NamedKind {
     std::string_view option;
     ValueKind kind;
 };
-constexpr NamedKind namedKinds[]{{"outputs", ValueKind::outputs},   {"output", ValueKind::output},
-                                 {"plots", ValueKind::formats},     {"method", ValueKind::method},
-                                 {"language", ValueKind::language}, {"rod", ValueKind::rod},
-                                 {"hammer", ValueKind::hammer},     {"rock", ValueKind::rock},
-                                 {"choose", ValueKind::choice}};
+constexpr NamedKind namedKinds[]{
+    {"outputs", ValueKind::outputs}, {"output", ValueKind::output},     {"plots", ValueKind::formats},
+    {"method", ValueKind::method},   {"language", ValueKind::language}, {"rod", ValueKind::rod},
+    {"hammer", ValueKind::hammer},   {"rock", ValueKind::rock},         {"choose", ValueKind::choice}};
 
 /// "string.rod.length" and "hammer.1.length", with the names that the built-in strings give to sections.
 std::vector<std::string> sectionKeys() {

@@ -74,8 +74,8 @@ std::string zshFunction(ValueKind kind) {
     for (const std::string& word : words) list += " '" + zshText(word, "") + "'";
     const bool isOfKeys = kind == ValueKind::parameter || kind == ValueKind::choice;
     std::string text = "\n_drillwave_" + std::string(name(kind)) + "() {\n" +
-                       (isOfKeys ? "    local previous=$words[CURRENT-1]\n" : "") +
-                       "    local -a words=(" + list.substr(1) + ")\n";
+                       (isOfKeys ? "    local previous=$words[CURRENT-1]\n" : "") + "    local -a words=(" +
+                       list.substr(1) + ")\n";
     switch (kind) {
         case ValueKind::aim:
         case ValueKind::limit:

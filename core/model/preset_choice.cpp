@@ -55,11 +55,11 @@ Message partProblem(PresetPart part, const Scenario& scenario) {
                             "groups; choose a group such as beta");
     if (part == PresetPart::bit) {
         if (!isString(scenario))
-            return translatable("drillwave::Message",
-                                "a uniform rod has no bit; a drill string has one");
+            return translatable("drillwave::Message", "a uniform rod has no bit; a drill string has one");
         if (bitSections(scenario.drillString) == 0)
-            return translatable("drillwave::Message",
-                                "the string does not end with a section called bit; name its last section so");
+            return translatable(
+                "drillwave::Message",
+                "the string does not end with a section called bit; name its last section so");
         return {};
     }
     if (!isString(scenario)) return {};

@@ -19,8 +19,8 @@ std::string heading(const Parameter& parameter) {
     return withUnit(parameter.key, &unitsOf(parameter.quantity).front());
 }
 
-/// The values that the presets of a choice set, which a table of cases can set, too: those of hammers and rods
-/// of uniform rods.
+/// The values that the presets of a choice set, which a table of cases can set, too: those of hammers and
+/// rods of uniform rods.
 std::vector<std::string_view> presetKeys(const SweepAxis& axis) {
     const bool isOfRod = axis.presets && std::holds_alternative<Preset>(axis.presets->presets().front());
     return isOfRod ? axis.presets->keys() : std::vector<std::string_view>();

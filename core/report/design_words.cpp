@@ -266,9 +266,8 @@ Message withAlerts(const DesignReport& report, Message answer, const ReadingStyl
             : Message(translatable("drillwave::Message", "Warning for %1: %2"),
                       {designName(report.study, *report.findings.recommended, style), std::move(text)});
     if (alerts.size() > 1)
-        warning = {alerts.size() == 2
-                       ? translatable("drillwave::Message", "%1 There is %2 more warning.")
-                       : translatable("drillwave::Message", "%1 There are %2 more warnings."),
+        warning = {alerts.size() == 2 ? translatable("drillwave::Message", "%1 There is %2 more warning.")
+                                      : translatable("drillwave::Message", "%1 There are %2 more warnings."),
                    {std::move(warning), std::to_string(alerts.size() - 1)}};
     return answer.isEmpty() ? warning : Message("%1 %2", {std::move(answer), std::move(warning)});
 }

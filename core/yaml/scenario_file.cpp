@@ -5,8 +5,8 @@
 
 #include "core/disk/file_bytes.h"
 #include "core/model/validation.h"
-#include "core/yaml/remark_lines.h"
 #include "core/yaml/design_setup_text.h"
+#include "core/yaml/remark_lines.h"
 #include "core/yaml/scenario_patch.h"
 #include "core/yaml/scenario_reader.h"
 #include "core/yaml/scenario_text.h"
@@ -100,7 +100,8 @@ std::string writeScenario(const ScenarioDocument& document) {
             return *patched;
     }
     const std::string_view old = std::string_view(document.text).substr(remarksLength(document.text));
-    std::string text = std::string(leadingComments(old)) + scenarioText(scenario) + designSetupText(document.design);
+    std::string text =
+        std::string(leadingComments(old)) + scenarioText(scenario) + designSetupText(document.design);
     if (text.size() > maximumScenarioBytes)
         throw ScenarioError(
             ScenarioError::Kind::invalid, document.source,

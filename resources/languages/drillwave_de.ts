@@ -4250,10 +4250,6 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>&lt;b&gt;Dieses Szenario&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Robust best: %1&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Robusteste Auslegung: %1&lt;/b&gt;</translation>
-    </message>
-    <message>
         <source>The samples do not tell it apart from %1: any of them will do.</source>
         <translation>Die Stichproben unterscheiden sie nicht von %1: jede davon ist recht.</translation>
     </message>
@@ -4325,6 +4321,22 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <source>Where all is as in the file, the robust best has %1&#xa0;% more.</source>
         <translation>Wo alles wie in der Datei ist, hat die robusteste %1&#xa0;% mehr.</translation>
     </message>
+    <message>
+        <source>Best for the values entered: %1</source>
+        <translation>Am besten für die eingegebenen Werte: %1</translation>
+    </message>
+    <message>
+        <source>Present design: %1</source>
+        <translation>Jetzige Auslegung: %1</translation>
+    </message>
+    <message>
+        <source>Equally good: %1</source>
+        <translation>Gleich gut: %1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Best for uncertain rock: %1&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Am besten für unsicheres Gestein: %1&lt;/b&gt;</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::DesignPage</name>
@@ -4381,6 +4393,34 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>Design</source>
         <translation>Auslegung</translation>
+    </message>
+    <message>
+        <source>Solve all samples of this study; the time is an estimate</source>
+        <translation>Alle Stichproben dieser Studie rechnen; die Zeit ist geschätzt</translation>
+    </message>
+    <message>
+        <source>Refine (%1 s)</source>
+        <translation>Verfeinern (%1 s)</translation>
+    </message>
+    <message>
+        <source>Refine (%1 min)</source>
+        <translation>Verfeinern (%1 min)</translation>
+    </message>
+    <message>
+        <source>Nothing is solved yet: this study takes more than 10 s. The button Refine starts it.</source>
+        <translation>Noch ist nichts gerechnet: diese Studie dauert länger als 10 s. Der Knopf „Verfeinern“ startet sie.</translation>
+    </message>
+    <message>
+        <source>%1 samples of each design so far</source>
+        <translation>bisher %1 Stichproben je Auslegung</translation>
+    </message>
+    <message>
+        <source>take the design %1</source>
+        <translation>Auslegung %1 übernehmen</translation>
+    </message>
+    <message>
+        <source>take the worst case</source>
+        <translation>schlechtesten Fall übernehmen</translation>
     </message>
 </context>
 <context>
@@ -4489,6 +4529,10 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>%1: cannot be saved: %2. Nothing is lost: save it under another name or in another folder.</source>
         <translation>%1: kann nicht gespeichert werden: %2. Nichts ist verloren: unter einem anderen Namen oder in einem anderen Ordner speichern.</translation>
+    </message>
+    <message>
+        <source>change the design study</source>
+        <translation>Auslegungsstudie ändern</translation>
     </message>
 </context>
 <context>
@@ -10768,6 +10812,74 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>Change from %1 to %2: %3 becomes %4 instead of %5.</source>
         <translation>Von %1 zu %2 wechseln: %3 wird %4 statt %5.</translation>
     </message>
+    <message>
+        <source>presets need physical units, and this scenario is given by its dimensionless groups; choose a group such as beta</source>
+        <translation>Voreinstellungen brauchen physikalische Einheiten, und dieses Szenario ist durch seine dimensionslosen Kennzahlen gegeben; wählen Sie eine Kennzahl wie beta</translation>
+    </message>
+    <message>
+        <source>a uniform rod has no bit; a drill string has one</source>
+        <translation>eine gleichförmige Stange hat keine Bohrkrone; ein Bohrstrang hat eine</translation>
+    </message>
+    <message>
+        <source>the string does not end with a section called bit; name its last section so</source>
+        <translation>der Strang endet nicht mit einem Abschnitt namens bit; geben Sie seinem letzten Abschnitt diesen Namen</translation>
+    </message>
+    <message>
+        <source>a preset of a rod is for uniform rods, and this scenario is a drill string; choose sizes such as string.rod.diameter</source>
+        <translation>eine Voreinstellung für eine Stange gilt für gleichförmige Stangen, und dieses Szenario ist ein Bohrstrang; wählen Sie Maße wie string.rod.diameter</translation>
+    </message>
+    <message>
+        <source>this drill string is struck by a prescribed force, which no preset replaces; choose numbers such as pulse.duration</source>
+        <translation>auf diesen Bohrstrang schlägt eine vorgegebene Kraft, die keine Voreinstellung ersetzt; wählen Sie Zahlen wie pulse.duration</translation>
+    </message>
+    <message>
+        <source>The energy of the blow differs by up to %1 % between the designs: hammers of different power are compared.</source>
+        <translation>Die Schlagenergie der Auslegungen unterscheidet sich um bis zu %1 %: es werden Hämmer verschiedener Leistung verglichen.</translation>
+    </message>
+    <message>
+        <source>Change from %1 to %2: %3 is %4. The present design does not meet all limits.</source>
+        <translation>Von %1 zu %2 wechseln: %3 ist %4. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
+    </message>
+    <message>
+        <source>Warning: %1</source>
+        <translation>Warnung: %1</translation>
+    </message>
+    <message>
+        <source>Warning for %1: %2</source>
+        <translation>Warnung zu %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 There is %2 more warning.</source>
+        <translation>%1 Es gibt %2 weitere Warnung.</translation>
+    </message>
+    <message>
+        <source>%1 There are %2 more warnings.</source>
+        <translation>%1 Es gibt %2 weitere Warnungen.</translation>
+    </message>
+    <message>
+        <source>is no bit; give the preset of a bit</source>
+        <translation>ist keine Bohrkrone; geben Sie die Voreinstellung einer Bohrkrone an</translation>
+    </message>
+    <message>
+        <source>is no rod; give the preset of a rod</source>
+        <translation>ist keine Stange; geben Sie die Voreinstellung einer Stange an</translation>
+    </message>
+    <message>
+        <source>does not fit a drill string, whose hammer is followed too; give the preset of a piston</source>
+        <translation>passt nicht zu einem Bohrstrang, dessen Hammer mitgerechnet wird; geben Sie die Voreinstellung eines Kolbens an</translation>
+    </message>
+    <message>
+        <source>does not fit a uniform rod, whose hammer is a force; give the preset of a hammer</source>
+        <translation>passt nicht zu einer gleichförmigen Stange, deren Hammer eine Kraft ist; geben Sie die Voreinstellung eines Hammers an</translation>
+    </message>
+    <message>
+        <source>must be a list of texts, each after a `-`</source>
+        <translation>muss eine Liste von Texten sein, jeder nach einem `-`</translation>
+    </message>
+    <message>
+        <source>has an item that is no text</source>
+        <translation>hat einen Eintrag, der kein Text ist</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -11313,6 +11425,29 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     </message>
 </context>
 <context>
+    <name>drillwave::PresetTicks</name>
+    <message>
+        <source>hammers</source>
+        <translation>Hämmer</translation>
+    </message>
+    <message>
+        <source>rods</source>
+        <translation>Stangen</translation>
+    </message>
+    <message>
+        <source>bits</source>
+        <translation>Bohrkronen</translation>
+    </message>
+    <message>
+        <source>Ticked presets are designs to choose from</source>
+        <translation>Angekreuzte Voreinstellungen sind Auslegungen, die zur Wahl stehen</translation>
+    </message>
+    <message>
+        <source>%1 to choose from</source>
+        <translation>%1 zur Wahl</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::ProofStudy</name>
     <message>
         <source>Not solved: %1</source>
@@ -11568,6 +11703,10 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     <message>
         <source>One more number that can be chosen</source>
         <translation>Eine weitere Zahl, die gewählt werden kann</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
     </message>
 </context>
 <context>
@@ -14016,38 +14155,12 @@ Schlag und starres Gestein angegeben werden.</translation>
         <translation>die beste Wahl bei unsicheren Größen, was sie kostet, was zu messen ist</translation>
     </message>
     <message>
-        <source>Every design of the choices is solved at the same samples of what is uncertain. Told are the best
-one by the first aim (robust best), the one that would be best where all is as in FILE (nominal
-best), which others are as good as far as the samples tell, what is worth measuring, and the worst
-that was found in the ranges.
-  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
-                                       :lognormal with LOW and HIGH as the limits of 95 %
-  --uncertain KEY=+-P%                 about the value of FILE or of the design
-Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
-max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. DIR gets designs.csv,
-pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
-        <translation>Jede Auslegung, die zur Wahl steht, wird an denselben Stichproben dessen gelöst, was unsicher ist.
-Genannt werden die nach dem ersten Ziel beste (robusteste), die, die am besten wäre, wenn alles
-wie in FILE ist (nominal beste), welche anderen nach den Stichproben gleichauf liegen, was sich zu
-messen lohnt, und das Schlechteste, das in den Bereichen gefunden wurde.
-  --uncertain KEY=LOW:HIGH             alle Werte gleich wahrscheinlich, mit :log im Logarithmus;
-                                       :normal und :lognormal mit LOW und HIGH als Grenzen von 95&#xa0;%
-  --uncertain KEY=+-P%                 um den Wert von FILE oder der Auslegung
-Statistiken sind mean, q01 bis q99, min, max und nominal (wie in FILE). Ohne --aim:
-max:efficiency@q05, und min:thrust@q95, wo FILE eine Schlagfrequenz hat. DIR bekommt designs.csv,
-pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json und, mit --plots, design.png.</translation>
-    </message>
-    <message>
         <source>what is not known; see below</source>
         <translation>was nicht bekannt ist; siehe unten</translation>
     </message>
     <message>
         <source>rows of values that belong together, headed as for table</source>
         <translation>Zeilen zusammengehöriger Werte, mit einem Kopf wie bei table</translation>
-    </message>
-    <message>
-        <source>what can be chosen; :log behind it, or KEY=A,B,C</source>
-        <translation>was gewählt werden kann; auch mit :log dahinter, oder KEY=A,B,C</translation>
     </message>
     <message>
         <source>or min:…; one to three, the first decides</source>
@@ -14367,6 +14480,38 @@ fremd oder verändert ist, wird genannt, mit Exit-Code 5.</translation>
     <message>
         <source>`drillwave examples t38_string &gt; my.yaml` makes a file to change.</source>
         <translation>`drillwave examples t38_string &gt; my.yaml` ergibt eine Datei, die man ändern kann.</translation>
+    </message>
+    <message>
+        <source>Solves every design of the choices at the same samples of the uncertain inputs. Prints the best
+design by the first aim (robust best), the best one where all is as in FILE (nominal best), the
+designs that are equally good within the errors, what is worth measuring, and the worst case
+found in the ranges. A warning about the strength of the design to take is in the first sentence.
+  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
+                                       :lognormal with LOW and HIGH as the limits of 95 %
+  --uncertain KEY=+-P%                 about the value of FILE or of the design
+  --choose hammer=NAME,NAME            presets by name, as --hammer takes them; also rod=, and
+                                       bit= of a drill string, whose hammers are pistons
+Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
+max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. The block `design` of FILE
+stands for each option that is not given. DIR gets designs.csv, pareto.csv, sensitivity.csv,
+worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
+        <translation>Löst jede Auslegung, die zur Wahl steht, an denselben Stichproben der unsicheren Größen. Gibt aus: die
+nach dem ersten Ziel beste Auslegung (robusteste), die beste, wenn alles wie in FILE ist (nominal beste),
+die Auslegungen, die im Rahmen der Fehler gleich gut sind, was sich zu messen lohnt, und den
+schlechtesten Fall in den Bereichen. Eine Warnung zur Festigkeit steht im ersten Satz.
+  --uncertain KEY=LOW:HIGH             alle Werte gleich wahrscheinlich, mit :log im Logarithmus;
+                                       :normal und :lognormal mit LOW und HIGH als Grenzen von 95&#xa0;%
+  --uncertain KEY=+-P%                 um den Wert von FILE oder der Auslegung
+  --choose hammer=NAME,NAME            Voreinstellungen mit Namen, wie für --hammer; auch rod=, und bit= eines
+                                       Bohrstrangs, dessen Hämmer Kolben sind
+Statistiken sind mean, q01 bis q99, min, max und nominal (wie in FILE). Ohne --aim:
+max:efficiency@q05, und min:thrust@q95, wo FILE eine Schlagfrequenz hat. Der Block `design` von FILE
+gilt für jede Option, die nicht angegeben ist. DIR bekommt designs.csv, pareto.csv, sensitivity.csv,
+worst.csv, best.yaml, design.json und, mit --plots, design.png.</translation>
+    </message>
+    <message>
+        <source>what can be chosen; also :log after it, KEY=A,B,C or hammer=NAME</source>
+        <translation>was gewählt werden kann; auch mit :log dahinter, KEY=A,B,C oder hammer=NAME</translation>
     </message>
 </context>
 </TS>

@@ -4250,10 +4250,6 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>&lt;b&gt;Detta scenario&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Robust best: %1&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Robustaste konstruktion: %1&lt;/b&gt;</translation>
-    </message>
-    <message>
         <source>The samples do not tell it apart from %1: any of them will do.</source>
         <translation>Stickproven skiljer den inte från %1: vilken som helst av dem duger.</translation>
     </message>
@@ -4325,6 +4321,22 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <source>Where all is as in the file, the robust best has %1&#xa0;% more.</source>
         <translation>Där allt är som i filen har den robustaste %1&#xa0;% mer.</translation>
     </message>
+    <message>
+        <source>Best for the values entered: %1</source>
+        <translation>Bäst för de angivna värdena: %1</translation>
+    </message>
+    <message>
+        <source>Present design: %1</source>
+        <translation>Nuvarande konstruktion: %1</translation>
+    </message>
+    <message>
+        <source>Equally good: %1</source>
+        <translation>Lika bra: %1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Best for uncertain rock: %1&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Bäst för osäkert berg: %1&lt;/b&gt;</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::DesignPage</name>
@@ -4381,6 +4393,34 @@ Det som visas gäller värdet dessförinnan.</translation>
     <message>
         <source>Design</source>
         <translation>Konstruktion</translation>
+    </message>
+    <message>
+        <source>Solve all samples of this study; the time is an estimate</source>
+        <translation>Beräkna alla stickprov i studien; tiden är en uppskattning</translation>
+    </message>
+    <message>
+        <source>Refine (%1 s)</source>
+        <translation>Förfina (%1 s)</translation>
+    </message>
+    <message>
+        <source>Refine (%1 min)</source>
+        <translation>Förfina (%1 min)</translation>
+    </message>
+    <message>
+        <source>Nothing is solved yet: this study takes more than 10 s. The button Refine starts it.</source>
+        <translation>Inget är beräknat ännu: studien tar mer än 10 s. Knappen ”Förfina” startar den.</translation>
+    </message>
+    <message>
+        <source>%1 samples of each design so far</source>
+        <translation>hittills %1 stickprov för varje konstruktion</translation>
+    </message>
+    <message>
+        <source>take the design %1</source>
+        <translation>ta över konstruktionen %1</translation>
+    </message>
+    <message>
+        <source>take the worst case</source>
+        <translation>ta över det sämsta fallet</translation>
     </message>
 </context>
 <context>
@@ -4489,6 +4529,10 @@ Det som visas gäller värdet dessförinnan.</translation>
     <message>
         <source>%1: cannot be saved: %2. Nothing is lost: save it under another name or in another folder.</source>
         <translation>%1: kan inte sparas: %2. Inget är förlorat: spara under ett annat namn eller i en annan mapp.</translation>
+    </message>
+    <message>
+        <source>change the design study</source>
+        <translation>ändra konstruktionsstudien</translation>
     </message>
 </context>
 <context>
@@ -10768,6 +10812,74 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>Change from %1 to %2: %3 becomes %4 instead of %5.</source>
         <translation>Byt från %1 till %2: %3 blir %4 i stället för %5.</translation>
     </message>
+    <message>
+        <source>presets need physical units, and this scenario is given by its dimensionless groups; choose a group such as beta</source>
+        <translation>förval kräver fysikaliska enheter, och detta scenario ges av sina dimensionslösa tal; välj ett tal som beta</translation>
+    </message>
+    <message>
+        <source>a uniform rod has no bit; a drill string has one</source>
+        <translation>en likformig stång har ingen borrkrona; en borrsträng har en</translation>
+    </message>
+    <message>
+        <source>the string does not end with a section called bit; name its last section so</source>
+        <translation>strängen slutar inte med en sektion som heter bit; ge den sista sektionen det namnet</translation>
+    </message>
+    <message>
+        <source>a preset of a rod is for uniform rods, and this scenario is a drill string; choose sizes such as string.rod.diameter</source>
+        <translation>ett förval för en stång gäller likformiga stänger, och detta scenario är en borrsträng; välj mått som string.rod.diameter</translation>
+    </message>
+    <message>
+        <source>this drill string is struck by a prescribed force, which no preset replaces; choose numbers such as pulse.duration</source>
+        <translation>denna borrsträng slås av en given kraft, som inget förval ersätter; välj tal som pulse.duration</translation>
+    </message>
+    <message>
+        <source>The energy of the blow differs by up to %1 % between the designs: hammers of different power are compared.</source>
+        <translation>Slagenergin skiljer sig med upp till %1 % mellan konstruktionerna: hammare med olika effekt jämförs.</translation>
+    </message>
+    <message>
+        <source>Change from %1 to %2: %3 is %4. The present design does not meet all limits.</source>
+        <translation>Byt från %1 till %2: %3 är %4. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
+    </message>
+    <message>
+        <source>Warning: %1</source>
+        <translation>Varning: %1</translation>
+    </message>
+    <message>
+        <source>Warning for %1: %2</source>
+        <translation>Varning för %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 There is %2 more warning.</source>
+        <translation>%1 Det finns %2 varning till.</translation>
+    </message>
+    <message>
+        <source>%1 There are %2 more warnings.</source>
+        <translation>%1 Det finns %2 varningar till.</translation>
+    </message>
+    <message>
+        <source>is no bit; give the preset of a bit</source>
+        <translation>är ingen borrkrona; ange förvalet för en borrkrona</translation>
+    </message>
+    <message>
+        <source>is no rod; give the preset of a rod</source>
+        <translation>är ingen stång; ange förvalet för en stång</translation>
+    </message>
+    <message>
+        <source>does not fit a drill string, whose hammer is followed too; give the preset of a piston</source>
+        <translation>passar inte en borrsträng, vars hammare också beräknas; ange förvalet för en kolv</translation>
+    </message>
+    <message>
+        <source>does not fit a uniform rod, whose hammer is a force; give the preset of a hammer</source>
+        <translation>passar inte en likformig stång, vars hammare är en kraft; ange förvalet för en hammare</translation>
+    </message>
+    <message>
+        <source>must be a list of texts, each after a `-`</source>
+        <translation>måste vara en lista med texter, var och en efter ett `-`</translation>
+    </message>
+    <message>
+        <source>has an item that is no text</source>
+        <translation>har en post som inte är en text</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -11313,6 +11425,29 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     </message>
 </context>
 <context>
+    <name>drillwave::PresetTicks</name>
+    <message>
+        <source>hammers</source>
+        <translation>hammare</translation>
+    </message>
+    <message>
+        <source>rods</source>
+        <translation>stänger</translation>
+    </message>
+    <message>
+        <source>bits</source>
+        <translation>borrkronor</translation>
+    </message>
+    <message>
+        <source>Ticked presets are designs to choose from</source>
+        <translation>Förkryssade förval är konstruktioner att välja mellan</translation>
+    </message>
+    <message>
+        <source>%1 to choose from</source>
+        <translation>%1 att välja mellan</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::ProofStudy</name>
     <message>
         <source>Not solved: %1</source>
@@ -11568,6 +11703,10 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     <message>
         <source>One more number that can be chosen</source>
         <translation>Ett tal till som kan väljas</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Ta bort %1</translation>
     </message>
 </context>
 <context>
@@ -14010,38 +14149,12 @@ slag och stelt berg anges.</translation>
         <translation>vilket val som är bäst över det som inte är känt, vad det kostar, vad man bör mäta</translation>
     </message>
     <message>
-        <source>Every design of the choices is solved at the same samples of what is uncertain. Told are the best
-one by the first aim (robust best), the one that would be best where all is as in FILE (nominal
-best), which others are as good as far as the samples tell, what is worth measuring, and the worst
-that was found in the ranges.
-  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
-                                       :lognormal with LOW and HIGH as the limits of 95 %
-  --uncertain KEY=+-P%                 about the value of FILE or of the design
-Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
-max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. DIR gets designs.csv,
-pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
-        <translation>Varje konstruktion bland valen löses för samma stickprov av det som är osäkert. Resultatet är den
-bästa efter det första målet (robustast), den som vore bäst om allt är som i FILE (nominellt
-bästa), vilka andra som är lika bra så långt stickproven kan skilja dem åt, vad som är värt att
-mäta, och det sämsta som hittades inom områdena.
-  --uncertain KEY=LOW:HIGH             alla värden lika sannolika; :log jämnt i logaritmen;
-                                       :normal och :lognormal med LOW och HIGH som gränser för 95&#xa0;%
-  --uncertain KEY=+-P%                 kring värdet i FILE eller i konstruktionen
-Möjlig statistik är mean, q01 till q99, min, max och nominal (som i FILE). Utan --aim:
-max:efficiency@q05, och min:thrust@q95 där FILE har en slagfrekvens. DIR får designs.csv,
-pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json och, med --plots, design.png.</translation>
-    </message>
-    <message>
         <source>what is not known; see below</source>
         <translation>vad som inte är känt; se nedan</translation>
     </message>
     <message>
         <source>rows of values that belong together, headed as for table</source>
         <translation>rader med värden som hör ihop, med huvud som för table</translation>
-    </message>
-    <message>
-        <source>what can be chosen; :log behind it, or KEY=A,B,C</source>
-        <translation>vad som kan väljas; :log kan läggas till; eller KEY=A,B,C</translation>
     </message>
     <message>
         <source>or min:…; one to three, the first decides</source>
@@ -14358,6 +14471,38 @@ nämns, med avslutningskod 5.</translation>
     <message>
         <source>`drillwave examples t38_string &gt; my.yaml` makes a file to change.</source>
         <translation>`drillwave examples t38_string &gt; my.yaml` ger en fil som kan ändras.</translation>
+    </message>
+    <message>
+        <source>Solves every design of the choices at the same samples of the uncertain inputs. Prints the best
+design by the first aim (robust best), the best one where all is as in FILE (nominal best), the
+designs that are equally good within the errors, what is worth measuring, and the worst case
+found in the ranges. A warning about the strength of the design to take is in the first sentence.
+  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
+                                       :lognormal with LOW and HIGH as the limits of 95 %
+  --uncertain KEY=+-P%                 about the value of FILE or of the design
+  --choose hammer=NAME,NAME            presets by name, as --hammer takes them; also rod=, and
+                                       bit= of a drill string, whose hammers are pistons
+Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
+max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. The block `design` of FILE
+stands for each option that is not given. DIR gets designs.csv, pareto.csv, sensitivity.csv,
+worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
+        <translation>Löser varje konstruktion bland valen för samma stickprov av de osäkra storheterna. Skriver ut den
+bästa konstruktionen efter det första målet (robustast), den bästa om allt är som i FILE (nominellt
+bästa), de konstruktioner som är lika bra inom felen, vad som är värt att mäta, och det sämsta fallet
+som hittades inom områdena. En varning om hållfastheten står i den första meningen.
+  --uncertain KEY=LOW:HIGH             alla värden lika sannolika; :log jämnt i logaritmen;
+                                       :normal och :lognormal med LOW och HIGH som gränser för 95&#xa0;%
+  --uncertain KEY=+-P%                 kring värdet i FILE eller i konstruktionen
+  --choose hammer=NAME,NAME            förval med namn, som för --hammer; även rod=, och bit= för en
+                                       borrsträng, vars hammare är kolvar
+Möjlig statistik är mean, q01 till q99, min, max och nominal (som i FILE). Utan --aim:
+max:efficiency@q05, och min:thrust@q95 där FILE har en slagfrekvens. Blocket `design` i FILE gäller
+för varje alternativ som inte anges. DIR får designs.csv, pareto.csv, sensitivity.csv, worst.csv,
+best.yaml, design.json och, med --plots, design.png.</translation>
+    </message>
+    <message>
+        <source>what can be chosen; also :log after it, KEY=A,B,C or hammer=NAME</source>
+        <translation>vad som kan väljas; även med :log efter, KEY=A,B,C eller hammer=NAME</translation>
     </message>
 </context>
 </TS>

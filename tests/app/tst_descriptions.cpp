@@ -192,8 +192,8 @@ class TestDescriptions : public QObject {
         QTest::newRow("a key after an axis with colons")
             << QStringList{"sweep", "x", "--vary", "beta", "=", "0.1", ":", "10", ":", "5", "pulse.sh"}
             << QStringList{"pulse.shape="};
-        QTest::newRow("a bit that is chosen") << QStringList{"design", "x", "--choose", "bit", "=", "T51"}
-                                              << QStringList{"T51\\,\\ 100\\ mm"};
+        QTest::newRow("a bit that is chosen")
+            << QStringList{"design", "x", "--choose", "bit", "=", "T51"} << QStringList{"T51\\,\\ 100\\ mm"};
         QTest::newRow("a preset that is chosen") << QStringList{"design", "x", "--choose", "rod", "=", "T45"}
                                                  << QStringList{"T45\\,\\ round\\ 46\\ mm"};
         QTest::newRow("a preset whose name is begun")

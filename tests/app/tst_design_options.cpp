@@ -109,10 +109,9 @@ void TestDesignOptions::theFileStandsForWhatIsNotGiven() {
     QCOMPARE(ofFile.limits.front().bound, 8000.0);
     QCOMPARE(ofFile.samples, std::uint64_t{128});
     QCOMPARE(ofFile.seed, std::uint64_t{7});
-    const DesignStudy replaced =
-        read({"--choose", "rod.length=3m,4m", "--samples", "64", "--at-least", "efficiency@mean=0.1",
-              "--keep-energy"},
-             faults, setup);
+    const DesignStudy replaced = read({"--choose", "rod.length=3m,4m", "--samples", "64", "--at-least",
+                                       "efficiency@mean=0.1", "--keep-energy"},
+                                      faults, setup);
     faults.check();
     QCOMPARE(replaced.choices.front().key(), std::string_view("rod.length"));
     QCOMPARE(replaced.samples, std::uint64_t{64});

@@ -139,7 +139,8 @@ class Document : public QObject {
     QString change(Scenario& scenario, const std::vector<ParameterValue>& values) const;
     void push(Scenario after, const QString& name, const QString& key = {}, int gesture = 0);
     void push(std::unique_ptr<ScenarioEdit> edit, const QString& name);
-    void pushContents(Scenario after, const std::string& text, const DesignSetup& design, const QString& name);
+    void pushContents(Scenario after, const std::string& text, const DesignSetup& design,
+                      const QString& name);
     std::unique_ptr<ScenarioEdit> newEdit(Scenario after, const QString& key, int gesture);
     void announceChange();
     void announceDesign();

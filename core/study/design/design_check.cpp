@@ -119,10 +119,10 @@ void checkKeys(const DesignStudy& study, const std::vector<NamedKey>& unread, Li
     lines.invalid(energyLine(study.base));
     const KeptParameter scaled = energyParameter(study.base);
     const auto refuse = [&](const std::string& choice) {
-        lines.invalid({translatable(
-                           "drillwave::Message",
-                           "keeping the energy sets %1, and so does the choice of %2; leave out one of them"),
-                       {std::string(scaled->key), choice}});
+        lines.invalid(
+            {translatable("drillwave::Message",
+                          "keeping the energy sets %1, and so does the choice of %2; leave out one of them"),
+             {std::string(scaled->key), choice}});
     };
     if (!scaled) return;
     for (const SweepAxis& axis : study.choices)

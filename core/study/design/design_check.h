@@ -20,7 +20,7 @@ struct DesignProblemLine {
 struct NamedKey {
     std::string key;
     bool isChosen = false;
-    bool isPercent = false;  ///< of a range: ± P %, which a choice may have too
+    bool isPercent = false;   ///< of a range: ± P %, which a choice may have too
     std::string choice = {};  ///< the chosen part whose presets set it: "hammer"; empty where none do
 };
 

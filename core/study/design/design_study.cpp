@@ -50,10 +50,9 @@ std::vector<Alert> alertsOf(const DesignStudy& study, std::size_t design, const 
     std::vector<Alert> alerts = warningsOf(scenario, stop);
     const std::vector<Alert> ofBase = scenario == study.base ? alerts : warningsOf(study.base, stop);
     std::erase_if(alerts, [&](const Alert& alert) {
-        return !isOfStrength(alert) &&
-               std::ranges::any_of(ofBase, [&](const Alert& other) {
-                   return other.code == alert.code && other.parameter == alert.parameter;
-               });
+        return !isOfStrength(alert) && std::ranges::any_of(ofBase, [&](const Alert& other) {
+            return other.code == alert.code && other.parameter == alert.parameter;
+        });
     });
     std::ranges::stable_partition(alerts, isOfStrength);
     return alerts;

@@ -48,8 +48,9 @@ Message unsuitable(PresetPart part, const Scenario& scenario) {
                ? translatable("drillwave::Message",
                               "does not fit a drill string, whose hammer is followed too; give the preset of "
                               "a piston")
-               : translatable("drillwave::Message",
-                              "does not fit a uniform rod, whose hammer is a force; give the preset of a hammer");
+               : translatable(
+                     "drillwave::Message",
+                     "does not fit a uniform rod, whose hammer is a force; give the preset of a hammer");
 }
 
 /// Names may have commas: the longest run of items that is the name of a preset is one.
@@ -169,8 +170,7 @@ bool beginsAsAim(std::string_view text) {
 
 ParsedAim parseAim(std::string_view text) {
     if (!beginsAsAim(text))
-        return {{},
-                translatable("drillwave::Message", "needs max:OUTPUT@STATISTIC or min:OUTPUT@STATISTIC")};
+        return {{}, translatable("drillwave::Message", "needs max:OUTPUT@STATISTIC or min:OUTPUT@STATISTIC")};
     OutputStatistic read = readStatistic(text.substr(4));
     return {{text.starts_with("max") ? Sense::largest : Sense::least, read.output, read.statistic},
             std::move(read.problem)};
@@ -183,9 +183,8 @@ ParsedLimit parseLimit(std::string_view text, bool atMost, const Scenario& scena
     OutputStatistic read = readStatistic(trimmed(text.substr(0, equals)));
     if (!read.problem.isEmpty()) return {{}, true, std::move(read.problem)};
     const bool inUnit = hasUnits(scenario) || read.output->isOnlySi();
-    TypedQuantity value =
-        parseQuantity(text.substr(equals + 1), inUnit ? read.output->quantity() : Quantity::ratio,
-                      BareNumber::refused);
+    TypedQuantity value = parseQuantity(
+        text.substr(equals + 1), inUnit ? read.output->quantity() : Quantity::ratio, BareNumber::refused);
     if (!value.valid()) return {{}, false, std::move(value.problem)};
     return {{atMost, read.output, read.statistic, value.si}, false, {}};
 }

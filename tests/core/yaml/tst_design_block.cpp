@@ -110,13 +110,20 @@ void TestDesignBlock::aFileWrittenAnewHasItLast() {
 void TestDesignBlock::whatIsNoSetUpIsRefused_data() {
     QTest::addColumn<QString>("lines");
     QTest::addColumn<QString>("problem");
-    QTest::newRow("no map") << "design: yes\n" << "design (must be a section";
-    QTest::newRow("unknown key") << "design:\n  aim: [max:cor@mean]\n" << "did you mean `aims`?";
-    QTest::newRow("no list") << "design:\n  aims: max:cor@mean\n" << "design.aims (must be a list of texts";
-    QTest::newRow("list in a list") << "design:\n  aims: [[a]]\n" << "design.aims (has an item that is no text";
-    QTest::newRow("no truth") << "design:\n  keep_energy: 1\n" << "must be true or false";
-    QTest::newRow("no sample") << "design:\n  samples: 0\n" << "must be a whole number from 1 to 1048576";
-    QTest::newRow("seed below 0") << "design:\n  seed: -1\n" << "must be a whole number from 0 to";
+    QTest::newRow("no map") << "design: yes\n"
+                            << "design (must be a section";
+    QTest::newRow("unknown key") << "design:\n  aim: [max:cor@mean]\n"
+                                 << "did you mean `aims`?";
+    QTest::newRow("no list") << "design:\n  aims: max:cor@mean\n"
+                             << "design.aims (must be a list of texts";
+    QTest::newRow("list in a list") << "design:\n  aims: [[a]]\n"
+                                    << "design.aims (has an item that is no text";
+    QTest::newRow("no truth") << "design:\n  keep_energy: 1\n"
+                              << "must be true or false";
+    QTest::newRow("no sample") << "design:\n  samples: 0\n"
+                               << "must be a whole number from 1 to 1048576";
+    QTest::newRow("seed below 0") << "design:\n  seed: -1\n"
+                                  << "must be a whole number from 0 to";
 }
 
 void TestDesignBlock::whatIsNoSetUpIsRefused() {
@@ -127,7 +134,8 @@ void TestDesignBlock::whatIsNoSetUpIsRefused() {
         QFAIL("is taken");
     } catch (const ScenarioError& error) {
         QCOMPARE(error.lines().size(), std::size_t{1});
-        QVERIFY2(QString::fromStdString(error.lines().front()).contains(problem), error.lines().front().c_str());
+        QVERIFY2(QString::fromStdString(error.lines().front()).contains(problem),
+                 error.lines().front().c_str());
     }
 }
 

@@ -69,8 +69,10 @@ DesignAnswer answerDesign(const DesignQuestion& question, const StudyFeed<Design
         });
         if (budget.isSpent() && budget.token().stop_requested() && !feed.stop.stop_requested()) {
             // What was shown is whole, the rest of the stage is not.
-            if (!shown.best.robust && before.hasBest()) answer = before;
-            else answer.report.findings = std::move(shown);
+            if (!shown.best.robust && before.hasBest())
+                answer = before;
+            else
+                answer.report.findings = std::move(shown);
             answer.secondsLeft = secondsFor(wanted - done);
             break;
         }

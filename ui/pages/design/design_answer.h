@@ -28,17 +28,17 @@ struct DesignQuestion {
 
 /// What there is so far.
 struct DesignAnswer {
-    DesignReport report;            ///< of as many samples as its study says
-    std::uint64_t wanted = 0;       ///< samples of the last answer
-    std::vector<Message> problems;  ///< why nothing can be solved: then there is nothing else
+    DesignReport report;                     ///< of as many samples as its study says
+    std::uint64_t wanted = 0;                ///< samples of the last answer
+    std::vector<Message> problems;           ///< why nothing can be solved: then there is nothing else
     std::optional<double> secondsLeft = {};  ///< expected for the rest, where the seconds were over before
     bool isRefined() const { return report.study.samples == wanted; }
     /// Whether there are designs to be shown, and one of them to be taken.
     bool hasBest() const { return report.findings.best.robust.has_value(); }
 };
 
-/// Quick answers first; where the seconds are over, the last of them is the answer. The text of the scenario is
-/// left empty.
+/// Quick answers first; where the seconds are over, the last of them is the answer. The text of the scenario
+/// is left empty.
 DesignAnswer answerDesign(const DesignQuestion& question, const StudyFeed<DesignAnswer>& feed);
 
 }  // namespace drillwave

@@ -61,10 +61,10 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
     const BestDesigns& best = report.findings.best;
     const DesignStudy& study = report.study;
     const DesignAim& first = study.aims.front();
-    QString text = study.choices.empty()
-                       ? DesignCard::tr("<b>This scenario</b>")
-                       : DesignCard::tr("<b>Best for uncertain rock: %1</b>")
-                             .arg(units.designName(*best.robust));
+    QString text =
+        study.choices.empty()
+            ? DesignCard::tr("<b>This scenario</b>")
+            : DesignCard::tr("<b>Best for uncertain rock: %1</b>").arg(units.designName(*best.robust));
     for (const DesignAim& aim : study.aims)
         text += QStringLiteral("<br>%1 %2").arg(aimName(aim), valueText(report, aim, *best.robust, units));
     text += markLines(report, units);

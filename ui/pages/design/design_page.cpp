@@ -10,8 +10,8 @@
 #include <cmath>
 
 #include "core/archive/result_scenario.h"
-#include "core/model/scales.h"
 #include "core/model/blow_traits.h"
+#include "core/model/scales.h"
 #include "core/report/design_csv.h"
 #include "core/report/design_words.h"
 #include "core/study/design/constant_energy.h"
@@ -48,8 +48,7 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
     m_refine->setToolTip(tr("Solve all samples of this study; the time is an estimate"));
     m_refine->hide();
     connect(m_refine, &QPushButton::clicked, this, &DesignPage::refine);
-    PlotWidget* widget =
-        arrange({m_keepEnergy, labelled(tr("samples"), m_samples, this), m_refine}, m_card);
+    PlotWidget* widget = arrange({m_keepEnergy, labelled(tr("samples"), m_samples, this), m_refine}, m_card);
     static_cast<QBoxLayout*>(layout())->insertWidget(0, questions);
     setLeastLines(plotLinesOfDesigns);
     m_plot = new DesignPlot(widget);
@@ -280,7 +279,7 @@ void DesignPage::present() {
     showRefine(*answer);
     if (!answer->hasBest()) {
         if (m_study.job().state() == StudyState::running) return;
-        if (answer->secondsLeft) return refuse(tr("This study takes longer than what is started unasked."));
+        if (answer->secondsLeft) return refuse(tr("Nothing is solved yet: this study takes more than 10 s. The button Refine starts it."));
         Message reason;
         for (const DesignSamples& design : answer->report.findings.designs)
             if (reason.isEmpty()) reason = design.reason;
@@ -321,13 +320,13 @@ void DesignPage::draw(const DesignAnswer& answer) {
     m_card->present(answer, units);
     QStringList aims;
     for (const DesignAim& aim : answer.report.study.aims) aims << aimWords(aim);
-    m_sentence = aims.join(QStringLiteral(" · ")) + QLatin1Char('\n') +
-                 (answer.isRefined() ? tr("%1 samples of each design").arg(answer.wanted)
-                  : answer.secondsLeft
-                      ? tr("%1 samples of each design so far").arg(answer.report.study.samples)
-                                     : tr("%1 samples of each design so far, refined to %2")
-                                           .arg(answer.report.study.samples)
-                                           .arg(answer.wanted));
+    m_sentence =
+        aims.join(QStringLiteral(" · ")) + QLatin1Char('\n') +
+        (answer.isRefined()   ? tr("%1 samples of each design").arg(answer.wanted)
+         : answer.secondsLeft ? tr("%1 samples of each design so far").arg(answer.report.study.samples)
+                              : tr("%1 samples of each design so far, refined to %2")
+                                    .arg(answer.report.study.samples)
+                                    .arg(answer.wanted));
     redraw();
 }
 

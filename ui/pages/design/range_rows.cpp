@@ -263,11 +263,13 @@ bool RangeRow::setText(const std::string& text) {
         if (!parsed.problem.isEmpty() || parsed.input.kind == percent) return false;
         const DistributionKind kind = parsed.input.kind;
         isBell = kind == normal || kind == lognormal;
-        range = {parsed.input.parameter, parsed.input.low, parsed.input.high, kind == log || kind == lognormal};
+        range = {parsed.input.parameter, parsed.input.low, parsed.input.high,
+                 kind == log || kind == lognormal};
     } else {
         const ParsedAxis parsed = parseAxis(text);
         const SweepAxis& axis = parsed.axis;
-        const bool isRange = axis.kind == SweepAxis::Kind::linear || axis.kind == SweepAxis::Kind::logarithmic;
+        const bool isRange =
+            axis.kind == SweepAxis::Kind::linear || axis.kind == SweepAxis::Kind::logarithmic;
         if (!parsed.problem.isEmpty() || !isRange || axis.count < 2 || axis.count > mostCount) return false;
         count = static_cast<int>(axis.count);
         range = {axis.parameter, axis.start, axis.stop, axis.kind == SweepAxis::Kind::logarithmic};
@@ -394,8 +396,7 @@ void RangeRows::clearTexts() {
 }
 
 bool RangeRows::isExcluded(std::string_view key) const {
-    return std::ranges::any_of(m_excluded,
-                               [&](const std::string& other) { return areRivals(other, key); });
+    return std::ranges::any_of(m_excluded, [&](const std::string& other) { return areRivals(other, key); });
 }
 
 bool RangeRows::exclude(std::vector<std::string> keys) {

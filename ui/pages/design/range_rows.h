@@ -94,8 +94,8 @@ class RangeRows : public QWidget {
     /// Shows these in place of the rows. Texts that no row can show stay as texts, with a button to remove
     /// each. Emits no changed().
     void setTexts(const std::vector<std::string>& texts);
-    /// Removes the rows about one of these keys or its rivals, and proposes none of them, until other keys are
-    /// excluded. Returns whether a row was removed; emits no changed().
+    /// Removes the rows about one of these keys or its rivals, and proposes none of them, until other keys
+    /// are excluded. Returns whether a row was removed; emits no changed().
     bool exclude(std::vector<std::string> keys);
     /// The first of those of the rows.
     QString problem() const;
@@ -123,7 +123,7 @@ class RangeRows : public QWidget {
     bool m_isProposed = false;
     QVBoxLayout* m_layout;
     QToolButton* m_add;
-    RowList<RangeRow> m_rows;  // in those
+    RowList<RangeRow> m_rows;                               // in those
     std::vector<std::pair<std::string, QWidget*>> m_texts;  // that no row can show, with their lines
     std::vector<std::string> m_excluded;
 };

@@ -96,8 +96,9 @@ struct KnownProblem {
     QList<double> first = {1, 1, 1, 1, 1};
     QList<double> second = {1, 1, 1, 1, 1};
     double error = 1e-4;
-    double bound = NAN;      ///< the second is to be at most that, if it is a number
-    bool isNamed = false;    ///< five hammers by name, of which the third is the present one; else 100 to 300 us
+    double bound = NAN;  ///< the second is to be at most that, if it is a number
+    bool isNamed =
+        false;  ///< five hammers by name, of which the third is the present one; else 100 to 300 us
     bool isForeign = false;  ///< the present one is none of the five
 };
 
@@ -129,8 +130,7 @@ DesignReport reportOf(const KnownProblem& problem) {
     for (qsizetype d = 0; d < problem.first.size(); ++d) {
         DesignSamples samples;
         for (const OutputColumn& column : study.columns()) {
-            const double value =
-                column.output->name == "efficiency" ? problem.first[d] : problem.second[d];
+            const double value = column.output->name == "efficiency" ? problem.first[d] : problem.second[d];
             SampledValue sampled{.value = value};
             // Replicates of every other design scatter the other way: the errors add up.
             for (std::size_t r = 0; r < replicateCount; ++r)

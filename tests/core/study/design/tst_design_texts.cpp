@@ -64,10 +64,12 @@ class TestDesignTexts : public QObject {
 };
 
 void TestDesignTexts::namesMayHaveCommasAndBeCutShort() {
-    const ParsedAxis hammers = choice("hammer=medium drifter, piston,light,HEAVY drifter, piston,medium drifter");
+    const ParsedAxis hammers =
+        choice("hammer=medium drifter, piston,light,HEAVY drifter, piston,medium drifter");
     QVERIFY2(hammers.problem.isEmpty(), hammers.problem.text().c_str());
-    QCOMPARE(namesOf(hammers), (std::vector<std::string>{"medium drifter, piston", "light drifter, short blow",
-                                                         "heavy drifter, piston", "medium drifter"}));
+    QCOMPARE(namesOf(hammers),
+             (std::vector<std::string>{"medium drifter, piston", "light drifter, short blow",
+                                       "heavy drifter, piston", "medium drifter"}));
     QCOMPARE(namesOf(choice("rod = T45")), std::vector<std::string>{"T45, round 46 mm"});
     QCOMPARE(hammers.axis.key(), std::string_view("hammer"));
 }
@@ -77,21 +79,30 @@ void TestDesignTexts::presetsThatDoNotFitAreRefused_data() {
     QTest::addColumn<QString>("text");
     QTest::addColumn<QString>("problem");
     QTest::addColumn<bool>("isValue");
-    QTest::newRow("rod in a string") << "t38_string" << "rod=T38"
+    QTest::newRow("rod in a string") << "t38_string"
+                                     << "rod=T38"
                                      << "rod: a preset of a rod is for uniform rods" << true;
-    QTest::newRow("bit of a uniform rod") << "t38_medium_rock" << "bit=T38, 76 mm"
+    QTest::newRow("bit of a uniform rod") << "t38_medium_rock"
+                                          << "bit=T38, 76 mm"
                                           << "bit: a uniform rod has no bit" << true;
-    QTest::newRow("hammer of groups") << "paper_fig4b" << "hammer=medium drifter"
+    QTest::newRow("hammer of groups") << "paper_fig4b"
+                                      << "hammer=medium drifter"
                                       << "hammer: presets need physical units" << true;
-    QTest::newRow("force in a string") << "t38_string" << "hammer=medium drifter"
+    QTest::newRow("force in a string") << "t38_string"
+                                       << "hammer=medium drifter"
                                        << "hammer medium drifter: does not fit a drill string" << true;
-    QTest::newRow("rod for a hammer") << "t38_medium_rock" << "hammer=T38, round 38 mm"
+    QTest::newRow("rod for a hammer") << "t38_medium_rock"
+                                      << "hammer=T38, round 38 mm"
                                       << "hammer T38, round 38 mm: does not fit a uniform rod" << true;
-    QTest::newRow("mistyped") << "t38_medium_rock" << "hammer=mediun drifter"
+    QTest::newRow("mistyped") << "t38_medium_rock"
+                              << "hammer=mediun drifter"
                               << "did you mean `medium drifter`?" << false;
-    QTest::newRow("several begin so") << "t38_medium_rock" << "hammer=Epiroc"
+    QTest::newRow("several begin so") << "t38_medium_rock"
+                                      << "hammer=Epiroc"
                                       << "may be `Epiroc COP 628`, `Epiroc COP 1028`" << false;
-    QTest::newRow("none") << "t38_medium_rock" << "hammer=" << "`drillwave presets` lists them" << false;
+    QTest::newRow("none") << "t38_medium_rock"
+                          << "hammer="
+                          << "`drillwave presets` lists them" << false;
 }
 
 void TestDesignTexts::presetsThatDoNotFitAreRefused() {
@@ -155,16 +166,20 @@ void TestDesignTexts::presetsExcludeWhatTheySet_data() {
     QTest::addColumn<QString>("uncertain");
     QTest::addColumn<bool>("keepsEnergy");
     QTest::addColumn<QString>("problem");
-    QTest::newRow("chosen twice") << "pulse.duration=100us,200us" << "bit_rock.gap=0mm:1mm" << false
+    QTest::newRow("chosen twice") << "pulse.duration=100us,200us"
+                                  << "bit_rock.gap=0mm:1mm" << false
                                   << "hammer and pulse.duration set the same thing; leave out one of them";
-    QTest::newRow("two hammers") << "hammer=heavy" << "bit_rock.gap=0mm:1mm" << false
-                                 << "hammer is given twice; give it once";
+    QTest::newRow("two hammers") << "hammer=heavy"
+                                 << "bit_rock.gap=0mm:1mm" << false << "hammer is given twice; give it once";
     QTest::newRow("chosen and uncertain")
-        << "rod.length=3m,4m" << "pulse.duration=100us:200us" << false
+        << "rod.length=3m,4m"
+        << "pulse.duration=100us:200us" << false
         << "pulse.duration is chosen and uncertain: only +-P% about the choice can be both";
-    QTest::newRow("energy kept") << "rod.length=3m,4m" << "bit_rock.gap=0mm:1mm" << true
-                                 << "keeping the energy sets pulse.impulse, and so does the choice of hammer; "
-                                    "leave out one of them";
+    QTest::newRow("energy kept")
+        << "rod.length=3m,4m"
+        << "bit_rock.gap=0mm:1mm" << true
+        << "keeping the energy sets pulse.impulse, and so does the choice of hammer; "
+           "leave out one of them";
 }
 
 void TestDesignTexts::presetsExcludeWhatTheySet() {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page Design: the numbers of the command, rows that say what is not known, and designs in the hand.
 #include <QCheckBox>
+#include <QFile>
 #include <QFontMetricsF>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QFile>
 #include <QLabel>
 #include <QMenu>
 #include <QProcess>
@@ -545,11 +545,11 @@ void TestDesignPage::theCountOfSolvesNeverGoesBack() {
     std::vector<std::size_t> told;
     const std::stop_source never;
     const DesignAnswer answer = answerDesign({study}, {never.get_token(),
-                                                     [&](const StudyProgress& progress) {
-                                                         const std::lock_guard guard(lock);
-                                                         told.push_back(progress.done);
-                                                     },
-                                                     [](const DesignAnswer&) {}});
+                                                       [&](const StudyProgress& progress) {
+                                                           const std::lock_guard guard(lock);
+                                                           told.push_back(progress.done);
+                                                       },
+                                                       [](const DesignAnswer&) {}});
     QVERIFY(answer.isRefined());
     QVERIFY(told.size() > 10);
     QVERIFY(std::ranges::is_sorted(told));
@@ -616,7 +616,8 @@ void TestDesignPage::tickedHammersAreDesigns() {
     const DesignPicture& picture = m_page->designPlot().picture();
     QCOMPARE(picture.words.size(), 2);
     QCOMPARE(m_page->answer()->report.findings.designs.size(), std::size_t{2});
-    QVERIFY(m_page->command().contains(QStringLiteral("hammer=light drifter, short blow,heavy drifter, piston")));
+    QVERIFY(
+        m_page->command().contains(QStringLiteral("hammer=light drifter, short blow,heavy drifter, piston")));
     const int steps = m_document->undoStack().count();
     auto* card = m_page->findChild<DesignCard*>();
     const Scenario expected = designScenario(m_page->answer()->report.study, 1);
@@ -673,10 +674,11 @@ void TestDesignPage::theCardHasTheMarksOfTheFiles() {
     showPage();
     const DesignReport& report = m_page->answer()->report;
     const std::optional<std::size_t> present = presentDesign(report.study);
-    const std::pair<std::string_view, QString> marks[]{{"best_uncertain", QStringLiteral("Best for uncertain rock")},
-                                                       {"best_nominal", QStringLiteral("Best for the values entered")},
-                                                       {"equal", QStringLiteral("Equally good")},
-                                                       {"present", QStringLiteral("Present design")}};
+    const std::pair<std::string_view, QString> marks[]{
+        {"best_uncertain", QStringLiteral("Best for uncertain rock")},
+        {"best_nominal", QStringLiteral("Best for the values entered")},
+        {"equal", QStringLiteral("Equally good")},
+        {"present", QStringLiteral("Present design")}};
     const QString text = m_page->card().toPlainText();
     for (const auto& [mark, words] : marks) {
         bool isThere = false;
