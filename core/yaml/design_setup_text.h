@@ -14,7 +14,7 @@ namespace drillwave {
 inline constexpr std::string_view designKey = "design";
 
 /// Reads the block; reports what is no list of texts, no truth value and no number. An absent block gives an
-/// empty set-up. What the texts mean is checked by the study.
+/// empty set-up. The study checks the meaning of the texts.
 DesignSetup readDesignSetup(SectionReader& reader, const YamlEntries& file);
 
 /// Returns the block in its customary form, "design:\n  uncertain:\n …"; empty for an empty set-up.

@@ -16,7 +16,7 @@ class StudyBudget {
     StudyBudget(std::optional<double> seconds, const std::stop_token& from)
         : m_seconds(seconds), m_chain(from, Chain{&m_stop}) {}
 
-    /// What the work is to look at.
+    /// The token that the work looks at.
     std::stop_token token() const { return m_stop.get_token(); }
     double elapsed() const {
         return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_begin).count();

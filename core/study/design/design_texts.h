@@ -26,7 +26,7 @@ PresetLookup builtInLookup();
 /// Returns whether the text chooses presets: "hammer=…", "rod=…" or "bit=…".
 bool choosesPresets(std::string_view text);
 
-/// Reads "hammer=NAME,NAME", likewise rod and bit, or what parseAxis() reads. The names are those of presets
+/// Reads "hammer=NAME,NAME", also for rod and bit, or what parseAxis() reads. The names are those of presets
 /// that suit the scenario; for drill strings, hammers are pistons. A name may be cut short where only one
 /// begins so, and may have commas. Refuses a part that no preset can replace in the scenario.
 ParsedAxis parseChoice(std::string_view text, const Scenario& scenario, const PresetLookup& lookup);

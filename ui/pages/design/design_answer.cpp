@@ -68,7 +68,7 @@ DesignAnswer answerDesign(const DesignQuestion& question, const StudyFeed<Design
             feed.show(answer);
         });
         if (budget.isSpent() && budget.token().stop_requested() && !feed.stop.stop_requested()) {
-            // What was shown is whole, the rest of the stage is not.
+            // The stage is whole as far as it was shown.
             if (!shown.best.robust && before.hasBest())
                 answer = before;
             else

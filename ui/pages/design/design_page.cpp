@@ -133,7 +133,7 @@ void DesignPage::chooseSamples(int samples) {
     m_samples->setCurrentIndex(m_samples->findData(samples));
 }
 
-/// What the document says; an empty set-up is what is proposed.
+/// Shows the set-up of the document; for an empty one, the proposed controls.
 void DesignPage::showSetup(const DesignSetup& setup) {
     if (setup.isEmpty()) {
         forget();
@@ -163,7 +163,7 @@ void DesignPage::showSetup(const DesignSetup& setup) {
     chooseSamples(static_cast<int>(std::max(leastDesignSamples, std::bit_ceil(samples))));
 }
 
-/// What the controls say; limits and seed have none.
+/// Returns the set-up of the controls; limits and seed have none and stay.
 DesignSetup DesignPage::setup() const {
     DesignSetup setup = m_setup;
     setup.uncertain = m_uncertain->texts();
@@ -279,7 +279,9 @@ void DesignPage::present() {
     showRefine(*answer);
     if (!answer->hasBest()) {
         if (m_study.job().state() == StudyState::running) return;
-        if (answer->secondsLeft) return refuse(tr("Nothing is solved yet: this study takes more than 10 s. The button Refine starts it."));
+        if (answer->secondsLeft)
+            return refuse(
+                tr("Nothing is solved yet: this study takes more than 10 s. The button Refine starts it."));
         Message reason;
         for (const DesignSamples& design : answer->report.findings.designs)
             if (reason.isEmpty()) reason = design.reason;

@@ -58,7 +58,7 @@ void PresetTicks::present(const Scenario& scenario) {
     for (Part& part : m_parts) offer(part);
 }
 
-// A menu that is open keeps its boxes: they are made anew only where other presets fit.
+// A menu that is open keeps its boxes: they are replaced only where other presets fit.
 void PresetTicks::offer(Part& part) {
     std::vector<PartPreset> fitting;
     std::vector<std::string> names;

@@ -91,7 +91,7 @@ class RangeRows : public QWidget {
     void forget() { m_isProposed = false; }
     /// The texts of the rows, and those that no row can show.
     std::vector<std::string> texts() const;
-    /// Shows these in place of the rows. Texts that no row can show stay as texts, with a button to remove
+    /// Shows these instead of the rows. Texts that no row can show stay as texts, with a button to remove
     /// each. Emits no changed().
     void setTexts(const std::vector<std::string>& texts);
     /// Removes the rows about one of these keys or its rivals, and proposes none of them, until other keys
