@@ -38,9 +38,18 @@ bool isOfStrength(const Alert& alert) {
     return alert.code == AlertCode::stressAboveYield || alert.code == AlertCode::stressAboveFatigue;
 }
 
+/// Whether the alert is about the numbers and not about the design.
+bool isOfAccuracy(const Alert& alert) {
+    using enum AlertCode;
+    return alert.code == reducedAccuracy || alert.code == inputDecides || alert.code == closedFormInvalid ||
+           alert.code == lengthsRounded || alert.code == stressesLeftOut;
+}
+
 std::vector<Alert> warningsOf(const Scenario& scenario, const std::stop_token& stop) {
     std::vector<Alert> warnings = solveBlow(scenario, {}, Detail::summary, stop).alerts;
-    std::erase_if(warnings, [](const Alert& alert) { return alert.level != AlertLevel::warning; });
+    std::erase_if(warnings, [](const Alert& alert) {
+        return alert.level != AlertLevel::warning || isOfAccuracy(alert);
+    });
     return warnings;
 }
 
