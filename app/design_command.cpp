@@ -127,11 +127,14 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     const StudyPlots plots = StudyPlots::inFolder(arguments, "design");
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
     DesignFaults faults;
-    DesignReport report{
-        .study = designStudyOf(arguments, document.scenario, faults), .findings = {}, .scenarioText = {}};
+    DesignReport report{.study = designStudyOf(arguments, document.scenario, document.design, faults),
+                        .findings = {},
+                        .scenarioText = {}};
     faults.check();
     std::vector<std::string> words;
-    for (const std::string& word : arguments.values("choose")) words.push_back(quotedAxis("choose", word));
+    const std::vector<std::string> choices =
+        arguments.has("choose") ? arguments.values("choose") : document.design.choose;
+    for (const std::string& word : choices) words.push_back(quotedAxis("choose", word));
     checkNotSet(arguments, document.scenario, report.study.choices, words);
     report.scenarioText = completeScenarioText(document);
     if (folder) {
@@ -165,16 +168,19 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
 const Command& designCommand() {
     using Times = OptionSpec::Times;
     static constexpr std::string_view details =
-        "Every design of the choices is solved at the same samples of what is uncertain. Told are the best\n"
-        "one by the first aim (robust best), the one that would be best where all is as in FILE (nominal\n"
-        "best), which others are as good as far as the samples tell, what is worth measuring, and the worst\n"
-        "that was found in the ranges.\n"
+        "Solves every design of the choices at the same samples of the uncertain inputs. Prints the best\n"
+        "design by the first aim (robust best), the best one where all is as in FILE (nominal best), the\n"
+        "designs that are equally good within the errors, what is worth measuring, and the worst case\n"
+        "found in the ranges. A warning about the strength of the design to take is in the first sentence.\n"
         "  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and\n"
         "                                       :lognormal with LOW and HIGH as the limits of 95 %\n"
         "  --uncertain KEY=+-P%                 about the value of FILE or of the design\n"
+        "  --choose hammer=NAME,NAME            presets by name, as --hammer takes them; also rod=, and\n"
+        "                                       bit= of a drill string, whose hammers are pistons\n"
         "Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:\n"
-        "max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. DIR gets designs.csv,\n"
-        "pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with --plots, design.png.";
+        "max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. The block `design` of FILE\n"
+        "stands for each option that is not given. DIR gets designs.csv, pareto.csv, sensitivity.csv,\n"
+        "worst.csv, best.yaml, design.json and, with --plots, design.png.";
     static const Command command{
         .name = "design",
         .operands = "FILE",
@@ -185,8 +191,8 @@ const Command& designCommand() {
             {{"uncertain", "KEY=LOW:HIGH", "what is not known; see below", Times::list},
              {"draws", "FILE.csv", "rows of values that belong together, headed as for table",
               Times::repeated},
-             {"choose", "KEY=START:STOP:COUNT", "what can be chosen; :log behind it, or KEY=A,B,C",
-              Times::list},
+             {"choose", "KEY=START:STOP:COUNT",
+              "what can be chosen; also :log after it, KEY=A,B,C or hammer=NAME", Times::list},
              {"aim", "max:OUTPUT@STATISTIC", "or min:…; one to three, the first decides", Times::repeated},
              {"at-most", "OUTPUT@STATISTIC=VALUE", "a limit to every design", Times::list},
              {"at-least", "OUTPUT@STATISTIC=VALUE", "likewise", Times::list},

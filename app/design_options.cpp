@@ -5,8 +5,10 @@
 #include <bit>
 
 #include "app/input_text.h"
+#include "app/preset_options.h"
 #include "app/row_options.h"
 #include "core/study/design/design_check.h"
+#include "core/study/design/design_texts.h"
 #include "core/text/decimal_text.h"
 #include "core/text/nearest_name.h"
 
@@ -14,75 +16,48 @@ namespace drillwave {
 
 namespace {
 
-/// "thrust@q95" as its parts, with what is wrong.
-struct OutputStatistic {
-    const Output* output = nullptr;
-    Statistic statistic;
-    Message problem;
+/// The words of one option, or of the file where the option is not given.
+struct Wanted {
+    std::vector<std::string> words;
+    std::string name;  ///< for messages: "--choose", "design.choose"
 };
 
-OutputStatistic readStatistic(std::string_view word) {
-    const std::size_t at = word.find('@');
-    if (at == std::string_view::npos)
-        return {{},
-                {},
-                {translatable("drillwave::Message", "`%1` needs OUTPUT@STATISTIC, as efficiency@q05"),
-                 {shortened(word)}}};
-    const OutputChoice output = chooseOutputs(word.substr(0, at), OutputUnits::dimensionless);
-    if (!output.problem.isEmpty()) return {{}, {}, output.problem};
-    if (output.all)
-        return {{}, {}, translatable("drillwave::Message", "`all` are several outputs; name one")};
-    const std::string_view statistic = trimmed(word.substr(at + 1));
-    const std::optional<Statistic> found = findStatistic(statistic);
-    if (!found)
-        return {{},
-                {},
-                {translatable("drillwave::Message",
-                              "`%1` is not a statistic; choose from mean, q01 to q99, min, max, nominal"),
-                 {shortened(statistic)}}};
-    return {output.columns.front().output, *found, {}};
+Wanted wantedOf(const Arguments& arguments, const std::string& option, const std::string& key,
+                const std::vector<std::string>& ofFile) {
+    if (arguments.has(option)) return {arguments.values(option), "--" + option};
+    return {ofFile, "design." + key};
 }
 
-void addAim(DesignStudy& study, const std::string& word, DesignFaults& faults) {
-    const auto refuse = [&](const Message& problem) {
-        faults.add(ExitCode::usage, about("--aim " + shortened(word), problem));
-    };
-    if (!isAimWord(word))
-        return refuse(
-            translatable("drillwave::Message", "needs max:OUTPUT@STATISTIC or min:OUTPUT@STATISTIC"));
-    const OutputStatistic read = readStatistic(std::string_view(word).substr(4));
-    if (!read.problem.isEmpty()) return refuse(read.problem);
-    study.aims.push_back(
-        {word.starts_with("max") ? Sense::largest : Sense::least, read.output, read.statistic});
+void readAims(const Arguments& arguments, const DesignSetup& setup, DesignStudy& study,
+              DesignFaults& faults) {
+    Wanted wanted = wantedOf(arguments, "aim", "aims", setup.aims);
+    for (const std::string& word : arguments.operands()) {
+        if (!isAimWord(word)) continue;
+        if (!arguments.has("aim"))
+            return faults.add(
+                ExitCode::usage,
+                {translatable("drillwave::Message", "`%1`: write --aim before it"), {shortened(word)}});
+        wanted.words.push_back(word);
+    }
+    for (const std::string& word : wanted.words) {
+        ParsedAim parsed = parseAim(word);
+        if (parsed.problem.isEmpty())
+            study.aims.push_back(parsed.aim);
+        else
+            faults.add(ExitCode::usage, about(wanted.name + " " + shortened(word), parsed.problem));
+    }
+    if (wanted.words.empty()) study.aims = customaryAims(study.base);
 }
 
-void readAims(const Arguments& arguments, DesignStudy& study, DesignFaults& faults) {
-    std::vector<std::string> words = arguments.values("aim");
-    const bool isGiven = !words.empty();
-    for (const std::string& word : arguments.operands())
-        if (isAimWord(word)) words.push_back(word);
-    if (!words.empty() && !isGiven)
-        return faults.add(ExitCode::usage, {translatable("drillwave::Message", "`%1`: write --aim before it"),
-                                            {shortened(words.front())}});
-    for (const std::string& word : words) addAim(study, word, faults);
-    if (words.empty()) study.aims = customaryAims(study.base);
-}
-
-void addLimit(DesignStudy& study, const std::string& option, const std::string& word, DesignFaults& faults) {
-    const auto refuse = [&](ExitCode code, const Message& problem) {
-        faults.add(code, about("--" + option + " " + shortened(word), problem));
-    };
-    const std::size_t equals = word.find('=');
-    if (equals == std::string::npos)
-        return refuse(ExitCode::usage, translatable("drillwave::Message", "needs OUTPUT@STATISTIC=VALUE"));
-    const OutputStatistic read = readStatistic(trimmed(std::string_view(word).substr(0, equals)));
-    if (!read.problem.isEmpty()) return refuse(ExitCode::usage, read.problem);
-    const bool inUnit = hasUnits(study.base) || read.output->isOnlySi();
-    const TypedQuantity value =
-        parseQuantity(std::string_view(word).substr(equals + 1),
-                      inUnit ? read.output->quantity() : Quantity::ratio, BareNumber::refused);
-    if (!value.valid()) return refuse(ExitCode::invalidScenario, value.problem);
-    study.limits.push_back({option == "at-most", read.output, read.statistic, value.si});
+void readLimits(const Wanted& wanted, bool atMost, DesignStudy& study, DesignFaults& faults) {
+    for (const std::string& word : wanted.words) {
+        const ParsedLimit parsed = parseLimit(word, atMost, study.base);
+        if (parsed.problem.isEmpty())
+            study.limits.push_back(parsed.limit);
+        else
+            faults.add(parsed.isMistyped ? ExitCode::usage : ExitCode::invalidScenario,
+                       about(wanted.name + " " + shortened(word), parsed.problem));
+    }
 }
 
 /// In front of the sign of equality, empty without one.
@@ -91,9 +66,9 @@ std::string keyOfWord(const std::string& word) {
     return equals == std::string::npos ? std::string() : word.substr(0, equals);
 }
 
-void readUncertain(const Arguments& arguments, DesignStudy& study, std::vector<NamedKey>& unread,
+void readUncertain(const Wanted& wanted, DesignStudy& study, std::vector<NamedKey>& unread,
                    DesignFaults& faults) {
-    for (const std::string& word : arguments.values("uncertain")) {
+    for (const std::string& word : wanted.words) {
         ParsedUncertain parsed = parseUncertain(word);
         if (parsed.problem.isEmpty()) {
             study.uncertain.push_back(std::move(parsed.input));
@@ -102,24 +77,44 @@ void readUncertain(const Arguments& arguments, DesignStudy& study, std::vector<N
         if (const std::string key = keyOfWord(word); findParameter(key))
             unread.push_back({key, false, word.find('%') != std::string::npos});
         faults.add(parsed.isMistyped ? ExitCode::usage : ExitCode::invalidScenario,
-                   about("--uncertain", parsed.problem));
+                   about(wanted.name, parsed.problem));
     }
 }
 
-void readChoices(const Arguments& arguments, DesignStudy& study, std::vector<NamedKey>& unread,
-                 DesignFaults& faults) {
-    for (const std::string& word : arguments.values("choose")) {
-        ParsedAxis parsed = parseAxis(word);
+/// Looks presets up in the file of --presets, or in the built-in ones.
+class ArgumentPresets {
+  public:
+    explicit ArgumentPresets(const Arguments& arguments) : m_arguments(arguments) {}
+
+    PresetLookup lookup() {
+        const std::optional<std::string> file = m_arguments.value("presets");
+        return {.presets = [this, file]() -> const PresetFile& {
+                    if (!m_presets) m_presets = presetsOf(file, m_arguments.style());
+                    return *m_presets;
+                },
+                .listCommand = "drillwave presets" + (file ? " " + *file : std::string())};
+    }
+
+  private:
+    const Arguments& m_arguments;
+    std::optional<PresetFile> m_presets;
+};
+
+void readChoices(const Wanted& wanted, const PresetLookup& lookup, DesignStudy& study,
+                 std::vector<NamedKey>& unread, DesignFaults& faults) {
+    for (const std::string& word : wanted.words) {
+        ParsedAxis parsed = parseChoice(word, study.base, lookup);
         if (parsed.problem.isEmpty()) {
             study.choices.push_back(std::move(parsed.axis));
             continue;
         }
         const std::string key = keyOfWord(word);
-        const bool isUnknown = !key.empty() && key != pulseShapeKey && !findParameter(key);
+        const bool isUnknown =
+            !key.empty() && key != pulseShapeKey && !findParameter(key) && !choosesPresets(word);
         if (findParameter(key)) unread.push_back({key, true});
         faults.add(parsed.kind == ParsedAxis::Kind::badValue || isUnknown ? ExitCode::invalidScenario
                                                                           : ExitCode::usage,
-                   about("--choose", parsed.problem));
+                   about(wanted.name, parsed.problem));
     }
 }
 
@@ -147,27 +142,34 @@ void DesignFaults::check() const {
 }
 
 bool isAimWord(const std::string& word) {
-    return word.starts_with("max:") || word.starts_with("min:");
+    return beginsAsAim(word);
 }
 
-DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, DesignFaults& faults) {
+DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, const DesignSetup& setup,
+                          DesignFaults& faults) {
     DesignStudy study;
     study.base = base;
     std::vector<NamedKey> unread;
-    readUncertain(arguments, study, unread, faults);
+    ArgumentPresets presets(arguments);
+    Wanted uncertain = wantedOf(arguments, "uncertain", "uncertain", setup.uncertain);
+    if (!arguments.has("uncertain") && arguments.has("draws")) uncertain.words.clear();
+    readUncertain(uncertain, study, unread, faults);
     readDrawsOf(arguments, study, faults);
-    readChoices(arguments, study, unread, faults);
-    readAims(arguments, study, faults);
-    for (const char* option : {"at-most", "at-least"})
-        for (const std::string& word : arguments.values(option)) addLimit(study, option, word, faults);
+    readChoices(wantedOf(arguments, "choose", "choose", setup.choose), presets.lookup(), study, unread,
+                faults);
+    readAims(arguments, setup, study, faults);
+    readLimits(wantedOf(arguments, "at-most", "at_most", setup.atMost), true, study, faults);
+    readLimits(wantedOf(arguments, "at-least", "at_least", setup.atLeast), false, study, faults);
+    const std::uint64_t ofFile = setup.samples.value_or(static_cast<std::uint64_t>(customarySamples(base)));
     const long samples =
-        arguments.number("samples", customarySamples(base), 1, static_cast<long>(mostDesignSamples));
+        arguments.number("samples", static_cast<long>(ofFile), 1, static_cast<long>(mostDesignSamples));
     study.samples = std::max(leastDesignSamples, std::bit_ceil(static_cast<std::uint64_t>(samples)));
-    study.seed = static_cast<std::uint64_t>(arguments.number("seed", 1, 0, std::numeric_limits<long>::max()));
-    study.keepsEnergy = arguments.has("keep-energy");
+    study.seed = static_cast<std::uint64_t>(arguments.number(
+        "seed", static_cast<long>(setup.seed.value_or(1)), 0, std::numeric_limits<long>::max()));
+    study.keepsEnergy = arguments.has("keep-energy") || setup.keepEnergy;
     study.workLimit = workLimitOf(arguments);
     // What could not be read is missing there: it is not told a second time that nothing is given.
-    const bool hasWords = arguments.has("uncertain") || arguments.has("draws");
+    const bool hasWords = !uncertain.words.empty() || arguments.has("draws");
     for (const DesignProblemLine& line : problemsOf(study, {}, unread)) {
         if (hasWords && study.dimensions() == 0 && line.isUsage) continue;
         faults.add(line.isUsage ? ExitCode::usage : ExitCode::invalidScenario, line.text);

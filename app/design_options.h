@@ -8,6 +8,7 @@
 
 #include "app/arguments.h"
 #include "app/command_error.h"
+#include "core/model/design_setup.h"
 #include "core/model/scenario.h"
 #include "core/study/design/design_study.h"
 
@@ -27,7 +28,9 @@ class DesignFaults {
 /// Whether an operand is a further word of --aim, and not FILE: "min:thrust@q95".
 bool isAimWord(const std::string& word);
 
-/// Reads them all on top of a scenario. What is wrong is added to the faults.
-DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, DesignFaults& faults);
+/// Reads all options on top of a scenario. The set-up of the file stands for each option that is not given;
+/// --draws also replaces its uncertain inputs. What is wrong is added to the faults.
+DesignStudy designStudyOf(const Arguments& arguments, const Scenario& base, const DesignSetup& setup,
+                          DesignFaults& faults);
 
 }  // namespace drillwave

@@ -7,10 +7,9 @@
 #include "app/input_text.h"
 #include "app/scenario_argument.h"
 #include "core/model/blow_traits.h"
+#include "core/model/preset_choice.h"
 #include "core/text/decimal_text.h"
 #include "core/text/enum_names.h"
-#include "core/text/lower_case.h"
-#include "core/text/nearest_name.h"
 #include "core/yaml/preset_file.h"
 
 namespace drillwave {
@@ -21,34 +20,20 @@ namespace {
     throw CommandError(ExitCode::usage, about(option + " " + shortened(wanted), reason));
 }
 
-/// The preset of that name, or the only one whose name begins with it: `T51` for "T51, round 52 mm". `file`
-/// is where they are from, empty for the built-in ones.
+/// The preset that findPresetName() finds. `file` is where they are from, empty for the built-in ones.
 const Preset& presetNamed(const std::vector<Preset>& presets, PresetKind kind, const std::string& wanted,
                           const std::string& file) {
-    const std::string option = "--" + std::string(name(kind));
+    std::vector<const Preset*> ofKind;
     std::vector<std::string_view> names;
-    const Preset* beginning = nullptr;
-    std::string candidates;
     for (const Preset& preset : presets) {
         if (preset.kind != kind) continue;
-        if (lowerCase(preset.name) == lowerCase(wanted)) return preset;
-        names.push_back(preset.name);
-        names.push_back(std::string_view(preset.name).substr(0, preset.name.find(',')));  // is enough, too
-        if (wanted.empty() || !lowerCase(preset.name).starts_with(lowerCase(wanted))) continue;
-        beginning = &preset;
-        candidates += (candidates.empty() ? "`" : ", `") + preset.name + "`";
+        ofKind.push_back(&preset);
+        names.emplace_back(preset.name);
     }
-    if (beginning && candidates == "`" + beginning->name + "`") return *beginning;
-    if (beginning)
-        refuse(option, wanted,
-               {translatable("drillwave::Message", "may be %1; give the whole name"), {candidates}});
-    const std::string near(nearestName(wanted, names));
-    if (!near.empty())
-        refuse(option, wanted,
-               {translatable("drillwave::Message", "is not known; did you mean `%1`?"), {near}});
-    refuse(option, wanted,
-           {translatable("drillwave::Message", "is not known; `%1` lists them"),
-            {"drillwave presets" + (file.empty() ? file : " " + file)}});
+    const FoundName found =
+        findPresetName(names, wanted, "drillwave presets" + (file.empty() ? file : " " + file));
+    if (!found.problem.isEmpty()) refuse("--" + std::string(name(kind)), wanted, found.problem);
+    return *ofKind[found.number];
 }
 
 }  // namespace
@@ -97,7 +82,8 @@ PresetFile parsedPresets(std::string_view text, const std::string& path) {
     }
 }
 
-void applyPresets(Scenario& scenario, const Arguments& arguments, const std::string& path) {
+void applyPresets(Scenario& scenario, const Arguments& arguments, const std::string& path,
+                  bool arePresetsChosen) {
     const std::optional<std::string> file = arguments.value("presets");
     std::vector<Preset> presets;
     for (const PresetKind kind : allValues<PresetKind>) {
@@ -119,8 +105,9 @@ void applyPresets(Scenario& scenario, const Arguments& arguments, const std::str
         scenario = withPreset(std::move(scenario),
                               presetNamed(presets, kind, *wanted, file.value_or(std::string())));
     }
-    const bool used = std::ranges::any_of(allValues<PresetKind>,
-                                          [&](PresetKind kind) { return arguments.has(name(kind)); });
+    const bool used = arePresetsChosen || std::ranges::any_of(allValues<PresetKind>, [&](PresetKind kind) {
+                          return arguments.has(name(kind));
+                      });
     if (arguments.has("presets") && !used)
         throw CommandError(ExitCode::usage,
                            translatable("drillwave::Message",

@@ -18,8 +18,10 @@ std::vector<OptionSpec> presetOptionSpecs();
 /// "rod", "hammer", "rock": the option that takes a preset.
 std::string_view name(PresetKind kind);
 
-/// Puts the values of the presets that are named into a scenario, which `path` names. Throws CommandError.
-void applyPresets(Scenario& scenario, const Arguments& arguments, const std::string& path);
+/// Puts the values of the presets that are named into a scenario, which `path` names. `arePresetsChosen`:
+/// --presets is also about presets that are designs of a study. Throws CommandError.
+void applyPresets(Scenario& scenario, const Arguments& arguments, const std::string& path,
+                  bool arePresetsChosen = false);
 
 /// The presets of a file, of standard input ("-") or a pipe, or the built-in ones without one. Throws
 /// CommandError.

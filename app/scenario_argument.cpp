@@ -5,6 +5,7 @@
 #include <cassert>
 #include <cstdio>
 #include <filesystem>
+#include <iterator>
 
 #include "app/command_error.h"
 #include "app/input_text.h"
@@ -19,6 +20,7 @@
 #include "core/model/version.h"
 #include "core/model/word_parameter.h"
 #include "core/report/alert_words.h"
+#include "core/study/design/design_texts.h"
 #include "core/text/decimal_text.h"
 #include "core/text/message_list.h"
 #include "core/text/name_text.h"
@@ -201,7 +203,9 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
     tellNewerVersion(inputName(path), input.version, arguments.style());
     tellOlderVersion(inputName(path), input, arguments.style());
     Scenario& scenario = input.document.scenario;
-    applyPresets(scenario, arguments, inputName(path));
+    std::vector<std::string> choices = arguments.values("choose");
+    std::ranges::copy(input.document.design.choose, std::back_inserter(choices));
+    applyPresets(scenario, arguments, inputName(path), std::ranges::any_of(choices, choosesPresets));
     std::vector<Message> problems;
     bool isUsage = false;
     const std::vector<Setting> all = settings(arguments);
@@ -245,12 +249,16 @@ void checkNotSet(const Arguments& arguments, const Scenario& scenario, std::span
         for (std::uint64_t i = 0; i < std::min<std::uint64_t>(axis.count, maximumSections); ++i)
             axis.assign(repeated.emplace_back(scenario), axis.value(i));
     }
+    const auto keysOf = [](const SweepAxis& axis) {
+        return axis.presets ? axis.presets->keys() : std::vector<std::string_view>{axis.key()};
+    };
     for (const Setting& setting : settings(arguments))
         for (std::size_t a = 0; a < axes.size(); ++a)
-            for (const Scenario& there : repeated)
-                if (const Message problem = rivalProblem(setting.key, scenario, axes[a].key(), there);
-                    !problem.isEmpty())
-                    refusePair(words[a], setting.word, problem);
+            for (const std::string_view key : keysOf(axes[a]))
+                for (const Scenario& there : repeated)
+                    if (const Message problem = rivalProblem(setting.key, scenario, key, there);
+                        !problem.isEmpty())
+                        refusePair(words[a], setting.word, problem);
 }
 
 void remarkOnValues(const Scenario& scenario, const std::string& path, const ReadingStyle& style) {

@@ -47,10 +47,10 @@ _drillwave_stage() {
         [[ -n $word && $word == "$current"* && $word != "$current" ]] || continue
         rest=${word#"$current"} head=${rest%%[=:@]*}
         word=$current$head${rest:${#head}:1}
-        [[ $word == "$last" ]] || COMPREPLY+=("${word#"$before"}")
+        [[ $word == "$last" ]] || COMPREPLY+=("$(printf %q "${word#"$before"}")")
         last=$word
     done < <(
-        if [[ $1 != parameter && $current == *@* ]]; then
+        if [[ $1 != parameter && $1 != choice && $current == *@* ]]; then
             while IFS= read -r word; do echo "${current%%@*}@$word$behind"; done < <(_drillwave_words statistic)
         else
             _drillwave_words "$1"
@@ -72,7 +72,7 @@ _drillwave_kind() {
         folder) _drillwave_files -d ;;
         file) _drillwave_files -f ;;
         scenario) _drillwave_offer scenario && _drillwave_files -f ;;
-        parameter | aim | limit) _drillwave_stage "$1" ;;
+        parameter | choice | aim | limit) _drillwave_stage "$1" ;;
         outputs | formats) compopt -o nospace 2>/dev/null && _drillwave_offer "$1" list ;;
         *) _drillwave_offer "$1" ;;
     esac

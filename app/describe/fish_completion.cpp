@@ -79,7 +79,7 @@ std::string fishFunction(ValueKind kind) {
     std::string text = "\nfunction " + functionName(kind) + "\n";
     if (isStaged(kind)) {
         text += "    set -l words" + list + "\n";
-        if (kind != ValueKind::parameter)
+        if (kind == ValueKind::aim || kind == ValueKind::limit)
             text +=
                 "    if string match -q '*@*' -- (commandline -ct)\n"
                 "        set words (string replace -r '@.*' '' -- (commandline -ct))@(" +

@@ -9,6 +9,7 @@
 #include "core/blow/method.h"
 #include "core/blow/outputs.h"
 #include "core/model/parameter.h"
+#include "core/model/preset_choice.h"
 #include "core/model/section_field.h"
 #include "core/model/word_parameter.h"
 #include "core/study/design/statistic.h"
@@ -28,6 +29,7 @@ constexpr EnumNames<ValueKind> kindNames{{{ValueKind::free, "free"},
                                           {ValueKind::scenario, "scenario"},
                                           {ValueKind::example, "example"},
                                           {ValueKind::parameter, "parameter"},
+                                          {ValueKind::choice, "choice"},
                                           {ValueKind::aim, "aim"},
                                           {ValueKind::limit, "limit"},
                                           {ValueKind::statistic, "statistic"},
@@ -46,10 +48,10 @@ struct NamedKind {
     std::string_view option;
     ValueKind kind;
 };
-constexpr NamedKind namedKinds[]{{"outputs", ValueKind::outputs},   {"output", ValueKind::output},
-                                 {"plots", ValueKind::formats},     {"method", ValueKind::method},
-                                 {"language", ValueKind::language}, {"rod", ValueKind::rod},
-                                 {"hammer", ValueKind::hammer},     {"rock", ValueKind::rock}};
+constexpr NamedKind namedKinds[]{
+    {"outputs", ValueKind::outputs}, {"output", ValueKind::output},     {"plots", ValueKind::formats},
+    {"method", ValueKind::method},   {"language", ValueKind::language}, {"rod", ValueKind::rod},
+    {"hammer", ValueKind::hammer},   {"rock", ValueKind::rock},         {"choose", ValueKind::choice}};
 
 /// "string.rod.length" and "hammer.1.length", with the names that the built-in strings give to sections.
 std::vector<std::string> sectionKeys() {
@@ -130,6 +132,22 @@ std::vector<std::string> presetWords(PresetKind kind) {
     return words;
 }
 
+/// Keys, and the presets of hammers, rods and bits, each once.
+std::vector<std::string> choiceWords() {
+    std::vector<std::string> words = parameterWords();
+    const auto add = [&](PresetPart part, const std::string& presetName) {
+        std::string word = std::string(name(part)) + "=" + presetName;
+        if (std::ranges::find(words, word) == words.end()) words.push_back(std::move(word));
+    };
+    for (const std::string& preset : presetWords(PresetKind::hammer)) add(PresetPart::hammer, preset);
+    for (const SectionPreset& preset : builtInSectionPresets())
+        if (preset.kind == SectionPresetKind::piston) add(PresetPart::hammer, preset.name);
+    for (const std::string& preset : presetWords(PresetKind::rod)) add(PresetPart::rod, preset);
+    for (const SectionPreset& preset : builtInSectionPresets())
+        if (preset.kind == SectionPresetKind::bit) add(PresetPart::bit, preset.name);
+    return words;
+}
+
 }  // namespace
 
 std::string_view name(ValueKind kind) {
@@ -153,7 +171,8 @@ ValueKind operandKind(const Command& command) {
 }
 
 bool isStaged(ValueKind kind) {
-    return kind == ValueKind::parameter || kind == ValueKind::aim || kind == ValueKind::limit;
+    return kind == ValueKind::parameter || kind == ValueKind::choice || kind == ValueKind::aim ||
+           kind == ValueKind::limit;
 }
 
 std::vector<std::string> wordsOf(ValueKind kind) {
@@ -163,6 +182,8 @@ std::vector<std::string> wordsOf(ValueKind kind) {
             return exampleWords();
         case ValueKind::parameter:
             return parameterWords();
+        case ValueKind::choice:
+            return choiceWords();
         case ValueKind::aim:
             return aimWords();
         case ValueKind::limit:

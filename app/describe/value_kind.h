@@ -18,6 +18,7 @@ enum class ValueKind {
     scenario,   ///< a file, or the name of an example
     example,    ///< the name of one
     parameter,  ///< KEY=…, of the table of parameters and of sections; with the values of words
+    choice,     ///< KEY=… as a parameter has, or presets by name: hammer=NAME
     aim,        ///< max:OUTPUT@STATISTIC, or min:…
     limit,      ///< OUTPUT@STATISTIC=…
     statistic,  ///< "mean", what follows the @ of an aim or a limit

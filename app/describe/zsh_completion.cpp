@@ -72,15 +72,17 @@ std::string zshFunction(ValueKind kind) {
     if (words.empty()) return {};
     std::string list;
     for (const std::string& word : words) list += " '" + zshText(word, "") + "'";
+    const bool isOfKeys = kind == ValueKind::parameter || kind == ValueKind::choice;
     std::string text = "\n_drillwave_" + std::string(name(kind)) + "() {\n" +
-                       (kind == ValueKind::parameter ? "    local previous=$words[CURRENT-1]\n" : "") +
-                       "    local -a words=(" + list.substr(1) + ")\n";
+                       (isOfKeys ? "    local previous=$words[CURRENT-1]\n" : "") + "    local -a words=(" +
+                       list.substr(1) + ")\n";
     switch (kind) {
         case ValueKind::aim:
         case ValueKind::limit:
             text += statisticsBehind(kind) + "    _drillwave_stage $words\n";
             break;
         case ValueKind::parameter:
+        case ValueKind::choice:
             // Behind the first one of a list FILE may stand as well.
             text += "    [[ $previous == -* ]] || _drillwave_scenario\n    _drillwave_stage $words\n";
             break;

@@ -60,17 +60,6 @@ JsonArray eventsJson(const Impact& impact) {
     return array;
 }
 
-JsonArray alertsJson(const std::vector<Alert>& alerts) {
-    JsonArray array;
-    for (const Alert& alert : alerts)
-        array.emplace_back(
-            JsonObject{{"level", alert.level == AlertLevel::warning ? "warning" : "information"},
-                       {"code", name(alert.code)},
-                       {"parameter", alert.parameter},
-                       {"text", alertText(alert)}});
-    return array;
-}
-
 std::string_view outcomeName(const Blow& blow) {
     static constexpr EnumNames<Outcome> names{{{Outcome::rebounded, "rebounded"},
                                                {Outcome::endTime, "end_time"},
@@ -128,6 +117,17 @@ JsonArray sectionsJson(const Blow& blow) {
 }
 
 }  // namespace
+
+JsonArray alertsJson(const std::vector<Alert>& alerts) {
+    JsonArray array;
+    for (const Alert& alert : alerts)
+        array.emplace_back(
+            JsonObject{{"level", alert.level == AlertLevel::warning ? "warning" : "information"},
+                       {"code", name(alert.code)},
+                       {"parameter", alert.parameter},
+                       {"text", alertText(alert)}});
+    return array;
+}
 
 double inSi(const Output& output, double value, const Blow& blow) {
     return output.inSi(value, {blow.summary, blow.scenario}, blow.scales);

@@ -6,11 +6,15 @@
 
 #include "core/blow/blow.h"
 #include "core/blow/outputs.h"
+#include "core/text/json.h"
 
 namespace drillwave {
 
 /// A value of an output in SI units; energies, which are told in shares of that of the hammer, in J.
 double inSi(const Output& output, double value, const Blow& blow);
+
+/// The JSON objects of alerts: level, code, parameter, text.
+JsonArray alertsJson(const std::vector<Alert>& alerts);
 
 /// The JSON object of a blow (files §5): results dimensionless and, where the scenario has units, in SI with
 /// the unit of each; and the scenario as the text that gives them again (completeScenarioText()). Numbers

@@ -2,6 +2,7 @@
 #include "core/report/design_csv.h"
 
 #include <algorithm>
+#include <variant>
 
 #include "core/model/parameter.h"
 #include "core/report/design_words.h"
@@ -18,13 +19,37 @@ std::string heading(const Parameter& parameter) {
     return withUnit(parameter.key, &unitsOf(parameter.quantity).front());
 }
 
+/// The values that the presets of a choice set, which a table of cases can set, too: those of hammers and
+/// rods of uniform rods.
+std::vector<std::string_view> presetKeys(const SweepAxis& axis) {
+    const bool isOfRod = axis.presets && std::holds_alternative<Preset>(axis.presets->presets().front());
+    return isOfRod ? axis.presets->keys() : std::vector<std::string_view>();
+}
+
+std::string presetHeading(std::string_view key) {
+    const KeptParameter parameter = findParameter(key);
+    return parameter ? heading(*parameter) : std::string(key);
+}
+
+/// Empty where the preset does not set it.
+std::string presetCell(const Preset& preset, std::string_view key) {
+    if (key == pulseShapeKey) return preset.shape ? std::string(name(*preset.shape)) : std::string();
+    std::string cell;
+    for (const PresetValue& value : preset.values)
+        if (value.parameter->key == key) appendNumber(cell, value.si);
+    return cell;
+}
+
 /// What sets a design: its choices, and the parameter that keeps the energy. The keys of `without` are left
 /// out, to be set otherwise.
 std::vector<std::string> designHeadings(const DesignStudy& study, const std::vector<std::string>& without) {
     std::vector<std::string> headings;
     const auto isOut = [&](std::string_view key) { return std::ranges::find(without, key) != without.end(); };
-    for (const SweepAxis& axis : study.choices)
+    for (const SweepAxis& axis : study.choices) {
         if (!isOut(axis.key())) headings.push_back(axis.column().header);
+        for (const std::string_view key : presetKeys(axis))
+            if (!isOut(key)) headings.push_back(presetHeading(key));
+    }
     if (!study.keepsEnergy || study.choices.empty()) return headings;
     const KeptParameter scaled = energyParameter(study.base);
     if (!isOut(scaled->key)) headings.push_back(heading(*scaled));
@@ -36,9 +61,14 @@ std::vector<std::string> designCells(const DesignStudy& study, std::uint64_t des
     std::vector<std::string> cells;
     const auto isOut = [&](std::string_view key) { return std::ranges::find(without, key) != without.end(); };
     const std::vector<double> values = study.choice(design);
-    for (std::size_t i = 0; i < values.size(); ++i)
-        if (!isOut(study.choices[i].key()))
-            study.choices[i].column().appendText(cells.emplace_back(), values[i]);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        const SweepAxis& axis = study.choices[i];
+        if (!isOut(axis.key())) axis.column().appendText(cells.emplace_back(), values[i]);
+        for (const std::string_view key : presetKeys(axis))
+            if (!isOut(key))
+                cells.push_back(presetCell(
+                    std::get<Preset>(axis.presets->presets()[static_cast<std::size_t>(values[i])]), key));
+    }
     if (!study.keepsEnergy || study.choices.empty()) return cells;
     const Scenario scenario = designScenario(study, design);
     const KeptParameter scaled = energyParameter(study.base);

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "core/model/parameter.h"
+#include "core/report/blow_json.h"
 #include "core/report/design_words.h"
 #include "core/report/json_value.h"
 
@@ -206,6 +207,9 @@ std::string designJson(const DesignReport& report) {
     object["designs"] = designs;
     const std::optional<DesignHeadline> headline = headlineOf(report);
     object["headline"] = headline ? Json(std::string(name(*headline))) : Json();
+    object["headline_text"] = headlineMessage(report).text();
+    object["recommended"] = number(report.findings.recommended);
+    object["alerts"] = alertsJson(report.findings.alerts);
     object["nominal_best"] = number(best.nominal);
     object["robust_best"] = number(best.robust);
     object["ties"] = ties;

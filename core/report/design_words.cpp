@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "core/model/parameter.h"
+#include "core/report/alert_words.h"
 #include "core/text/enum_names.h"
 #include "core/text/handy_text.h"
 
@@ -135,9 +136,24 @@ void addEdges(const DesignReport& report, std::vector<DesignRemark>& remarks) {
     }
 }
 
+bool choosesHammers(const DesignStudy& study) {
+    return std::ranges::any_of(study.choices, [](const SweepAxis& axis) {
+        return axis.presets && axis.presets->part() == PresetPart::hammer;
+    });
+}
+
 void addEnergy(const DesignReport& report, const ReadingStyle& style, std::vector<DesignRemark>& remarks) {
     constexpr double much = 0.01;
     if (report.study.keepsEnergy || report.findings.energySpread <= much) return;
+    if (choosesHammers(report.study)) {
+        remarks.push_back({false,
+                           "energy_varies",
+                           {translatable("drillwave::Message",
+                                         "The energy of the blow differs by up to %1 % between the designs: "
+                                         "hammers of different power are compared."),
+                            {style.number(report.findings.energySpread * 100, 3)}}});
+        return;
+    }
     remarks.push_back({true,
                        "energy_varies",
                        {translatable("drillwave::Message",
@@ -211,6 +227,51 @@ Message noDifferenceMessage(const DesignReport& report, const ReadingStyle& styl
              std::to_string(report.findings.designs.size())}};
 }
 
+/// The headline without what speaks against the design.
+Message answerMessage(const DesignReport& report, const ReadingStyle& style) {
+    const std::optional<DesignHeadline> headline = headlineOf(report);
+    if (!headline || *headline == DesignHeadline::noneFeasible) return {};
+    if (*headline == DesignHeadline::noDifference) return noDifferenceMessage(report, style);
+    const std::optional<std::size_t> present = presentDesign(report.study);
+    const DesignAim& first = report.study.aims.front();
+    if (*headline == DesignHeadline::keep)
+        return {translatable("drillwave::Message", "Keep %1: %2 is better in %3 (%4)."),
+                {designName(report.study, *present, style), othersMessage(report, style), aimedName(first),
+                 aimedWithError(report, first, *present, style)}};
+    const std::size_t chosen = *report.findings.best.chosen;
+    const std::string name = designName(report.study, chosen, style);
+    if (!present || std::isnan(aimedValue(report, first, *present).value))
+        return {translatable("drillwave::Message", "Take %1: %2 is %3."),
+                {name, aimedName(first), aimedWithError(report, first, chosen, style)}};
+    if (!report.findings.feasibility[*present].feasible)
+        return {translatable("drillwave::Message",
+                             "Change from %1 to %2: %3 is %4. The present design does not meet all limits."),
+                {designName(report.study, *present, style), name, aimedName(first),
+                 aimedWithError(report, first, chosen, style)}};
+    const DesignAim& deciding = decidingAim(report, *present);
+    return {
+        translatable("drillwave::Message", "Change from %1 to %2: %3 becomes %4 instead of %5."),
+        {designName(report.study, *present, style), name, aimedName(deciding),
+         aimedWithError(report, deciding, chosen, style), aimedWithError(report, deciding, *present, style)}};
+}
+
+/// The answer with the first warning about the design to take and the number of further ones.
+Message withAlerts(const DesignReport& report, Message answer, const ReadingStyle& style) {
+    const std::vector<Alert>& alerts = report.findings.alerts;
+    if (alerts.empty()) return answer;
+    Message text = alertMessage(alerts.front(), style);
+    Message warning =
+        report.study.choices.empty()
+            ? Message(translatable("drillwave::Message", "Warning: %1"), {std::move(text)})
+            : Message(translatable("drillwave::Message", "Warning for %1: %2"),
+                      {designName(report.study, *report.findings.recommended, style), std::move(text)});
+    if (alerts.size() > 1)
+        warning = {alerts.size() == 2 ? translatable("drillwave::Message", "%1 There is %2 more warning.")
+                                      : translatable("drillwave::Message", "%1 There are %2 more warnings."),
+                   {std::move(warning), std::to_string(alerts.size() - 1)}};
+    return answer.isEmpty() ? warning : Message("%1 %2", {std::move(answer), std::move(warning)});
+}
+
 }  // namespace
 
 std::string_view name(DesignHeadline headline) {
@@ -232,25 +293,7 @@ std::optional<DesignHeadline> headlineOf(const DesignReport& report) {
 }
 
 Message headlineMessage(const DesignReport& report, const ReadingStyle& style) {
-    const std::optional<DesignHeadline> headline = headlineOf(report);
-    if (!headline || *headline == DesignHeadline::noneFeasible) return {};
-    if (*headline == DesignHeadline::noDifference) return noDifferenceMessage(report, style);
-    const std::optional<std::size_t> present = presentDesign(report.study);
-    const DesignAim& first = report.study.aims.front();
-    if (*headline == DesignHeadline::keep)
-        return {translatable("drillwave::Message", "Keep %1: %2 is better in %3 (%4)."),
-                {designName(report.study, *present, style), othersMessage(report, style), aimedName(first),
-                 aimedWithError(report, first, *present, style)}};
-    const std::size_t chosen = *report.findings.best.chosen;
-    const std::string name = designName(report.study, chosen, style);
-    if (!present || std::isnan(aimedValue(report, first, *present).value))
-        return {translatable("drillwave::Message", "Take %1: %2 is %3."),
-                {name, aimedName(first), aimedWithError(report, first, chosen, style)}};
-    const DesignAim& deciding = decidingAim(report, *present);
-    return {
-        translatable("drillwave::Message", "Change from %1 to %2: %3 becomes %4 instead of %5."),
-        {designName(report.study, *present, style), name, aimedName(deciding),
-         aimedWithError(report, deciding, chosen, style), aimedWithError(report, deciding, *present, style)}};
+    return withAlerts(report, answerMessage(report, style), style);
 }
 
 std::vector<std::string_view> marksOf(const DesignReport& report, std::size_t design,

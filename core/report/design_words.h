@@ -33,7 +33,7 @@ enum class DesignHeadline {
 std::string_view name(DesignHeadline headline);
 /// Nothing of a study without choices.
 std::optional<DesignHeadline> headlineOf(const DesignReport& report);
-/// The headline as a sentence; empty where there is none.
+/// The headline as a sentence, with the warnings about the design to take; empty where there is none.
 Message headlineMessage(const DesignReport& report, const ReadingStyle& style = plainStyle());
 
 /// The marks of a design: "best_uncertain", "best_nominal", "equal" to the design to take, "present".

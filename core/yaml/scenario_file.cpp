@@ -5,6 +5,7 @@
 
 #include "core/disk/file_bytes.h"
 #include "core/model/validation.h"
+#include "core/yaml/design_setup_text.h"
 #include "core/yaml/remark_lines.h"
 #include "core/yaml/scenario_patch.h"
 #include "core/yaml/scenario_reader.h"
@@ -27,10 +28,12 @@ std::string joinedLines(const std::vector<InputProblem>& problems, const std::st
     return text;
 }
 
-/// Whether the text says exactly this scenario; a table file is taken to hold the scenario's points.
-bool says(std::string_view text, const Scenario& scenario, const std::string& source) {
+/// Whether the text says exactly this scenario and this design; a table file is taken to hold the scenario's
+/// points.
+bool says(std::string_view text, const Scenario& scenario, const DesignSetup& design,
+          const std::string& source) {
     const ReadScenario read = readScenario(text, source, &scenario.pulse.tablePoints);
-    return read.problems.empty() && read.scenario == scenario;
+    return read.problems.empty() && read.scenario == scenario && read.design == design;
 }
 
 /// The comments in front of the first key: they explain the scenario and survive a file written anew.
@@ -81,22 +84,24 @@ ScenarioDocument parseScenario(std::string_view text, const std::string& source)
     if (!read.problems.empty())
         throw ScenarioError(read.unreadable ? ScenarioError::Kind::unreadable : ScenarioError::Kind::invalid,
                             source, std::move(read.problems));
-    return {std::move(read.scenario), std::string(text), source};
+    return {std::move(read.scenario), std::string(text), source, std::move(read.design)};
 }
 
 std::string writeScenario(const ScenarioDocument& document) {
     assert(validate(document.scenario).empty());
     const Scenario scenario = withoutUnusedValues(document.scenario);
     if (!document.text.empty()) {
-        if (says(document.text, scenario, document.source)) return document.text;
+        if (says(document.text, scenario, document.design, document.source)) return document.text;
         // Who solved the scenario of a result, and how, is not true of another one.
         const std::string_view text = std::string_view(document.text).substr(remarksLength(document.text));
-        const std::optional<std::string> patched = patchedText(text, scenario);
-        if (patched && patched->size() <= maximumScenarioBytes && says(*patched, scenario, document.source))
+        const std::optional<std::string> patched = patchedText(text, scenario, document.design);
+        if (patched && patched->size() <= maximumScenarioBytes &&
+            says(*patched, scenario, document.design, document.source))
             return *patched;
     }
     const std::string_view old = std::string_view(document.text).substr(remarksLength(document.text));
-    std::string text = std::string(leadingComments(old)) + scenarioText(scenario);
+    std::string text =
+        std::string(leadingComments(old)) + scenarioText(scenario) + designSetupText(document.design);
     if (text.size() > maximumScenarioBytes)
         throw ScenarioError(
             ScenarioError::Kind::invalid, document.source,

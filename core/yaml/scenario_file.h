@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/model/design_setup.h"
 #include "core/model/scenario.h"
 #include "core/model/validation.h"
 
@@ -39,6 +40,7 @@ struct ScenarioDocument {
     Scenario scenario;
     std::string text;    ///< the bytes read, empty for a new scenario
     std::string source;  ///< file name for messages and for resolving a relative table file, may be empty
+    DesignSetup design = {};  ///< of its design study; studies other than that ignore it
 };
 
 /// Reads at most 1 MiB. Throws ScenarioError with every problem. A `table` pulse with a file is read relative
@@ -48,7 +50,7 @@ ScenarioDocument loadScenario(const std::string& path);
 /// The same for text in memory; `source` names it in messages.
 ScenarioDocument parseScenario(std::string_view text, const std::string& source);
 
-/// The document's scenario as YAML text. Byte for byte `document.text` if it still says the same scenario;
+/// The document's scenario and design as YAML text. Byte for byte `document.text` if it still says both;
 /// otherwise the changed values are patched in place where that is possible, or the file is written anew.
 /// Reading the result gives the same scenario, but for what its form and shape do not use (see
 /// withoutUnusedValues()). Throws ScenarioError where that would be larger than 1 MiB. Requires a valid

@@ -6,6 +6,7 @@
 
 #include "core/model/blow_traits.h"
 #include "core/text/text_edit.h"
+#include "core/yaml/design_setup_text.h"
 #include "core/yaml/scenario_text.h"
 #include "core/yaml/yaml_extent.h"
 
@@ -26,8 +27,8 @@ Extent literalExtent(std::string_view text, const YamlNode& scalar) {
 
 class Patcher {
   public:
-    Patcher(std::string_view text, const Scenario& scenario)
-        : m_text(text), m_scenario(scenario), m_values(savedValues(scenario)) {
+    Patcher(std::string_view text, const Scenario& scenario, const DesignSetup& design)
+        : m_text(text), m_scenario(scenario), m_design(design), m_values(savedValues(scenario)) {
         m_lineEnd = text.find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
     }
 
@@ -40,6 +41,7 @@ class Patcher {
             patchSection(root, section);
         if (hasSections(m_scenario)) patchDrillString(root);
         patchCorners(root);
+        patchDesign(root);
         return edited(m_text, std::move(m_edits));
     }
 
@@ -111,6 +113,32 @@ class Patcher {
         patchList(valueOf(root.children[at + 1], "corners", YamlKind::sequence), "bit_rock.corners", count);
     }
 
+    /// The block of the design study, which is exchanged as a whole.
+    void patchDesign(const YamlNode& root) {
+        const std::size_t at = indexOf(root, designKey);
+        if (at >= root.children.size()) {
+            if (!m_design.isEmpty()) append(designSetupText(m_design));
+            return;
+        }
+        SectionReader reader(m_text);
+        const YamlEntries block{{std::string(designKey), {&root.children[at], &root.children[at + 1]}}};
+        if (readDesignSetup(reader, block) == m_design) return;
+        const YamlNode& last = lastScalarOf(root.children[at], root.children[at + 1]);
+        const Extent key = lineOf(literalExtent(m_text, root.children[at]));
+        const Extent end = lineOf(literalExtent(m_text, last));
+        m_edits.push_back({key.begin, end.end - key.begin, inLines(designSetupText(m_design))});
+    }
+
+    /// The last value of a block that is written line by line, or its key where it has none.
+    static const YamlNode& lastScalarOf(const YamlNode& key, const YamlNode& value) {
+        if (value.flow) throw NotPatchable();
+        if (value.kind == YamlKind::null) return key;
+        if (value.kind == YamlKind::scalar || value.children.empty()) return value;
+        const std::size_t count = value.children.size();
+        return lastScalarOf(value.kind == YamlKind::map ? value.children[count - 2] : value.children.back(),
+                            value.children.back());
+    }
+
     void patchSection(const YamlNode& root, std::string_view section) {
         const std::size_t at = indexOf(root, section);
         const bool there = at < root.children.size();
@@ -136,13 +164,19 @@ class Patcher {
         m_edits.push_back({key.begin, end - key.begin, ""});
     }
 
-    void appendSection(std::string_view section) {
-        std::string text = sectionText(m_scenario, section);
+    void appendSection(std::string_view section) { append(sectionText(m_scenario, section)); }
+
+    void append(const std::string& text) {
+        const bool open = !m_text.ends_with('\n');
+        m_edits.push_back({m_text.size(), 0, (open ? std::string(m_lineEnd) : "") + inLines(text)});
+    }
+
+    /// The text with the line ends of the file.
+    std::string inLines(std::string text) const {
         if (m_lineEnd == "\r\n")
             for (std::size_t at = text.find('\n'); at != std::string::npos; at = text.find('\n', at + 2))
                 text.replace(at, 1, "\r\n");
-        const bool open = !m_text.ends_with('\n');
-        m_edits.push_back({m_text.size(), 0, (open ? std::string(m_lineEnd) : "") + text});
+        return text;
     }
 
     void patchMap(const YamlNode& map, std::string_view section) {
@@ -264,6 +298,7 @@ class Patcher {
 
     std::string_view m_text;
     const Scenario& m_scenario;
+    const DesignSetup& m_design;
     std::vector<SavedValue> m_values;
     std::string_view m_lineEnd;
     std::vector<TextEdit> m_edits;
@@ -271,11 +306,12 @@ class Patcher {
 
 }  // namespace
 
-std::optional<std::string> patchedText(std::string_view text, const Scenario& scenario) {
+std::optional<std::string> patchedText(std::string_view text, const Scenario& scenario,
+                                       const DesignSetup& design) {
     const YamlTree tree = parseYaml(text);
     if (!tree.problem.text.isEmpty() || tree.root.kind != YamlKind::map) return std::nullopt;
     try {
-        return Patcher(text, scenario).patched(tree.root);
+        return Patcher(text, scenario, design).patched(tree.root);
     } catch (const NotPatchable&) {
         return std::nullopt;
     }

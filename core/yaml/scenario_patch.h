@@ -6,14 +6,16 @@
 #include <string>
 #include <string_view>
 
+#include "core/model/design_setup.h"
 #include "core/model/scenario.h"
 
 namespace drillwave {
 
-/// The text with the scenario's values: changed ones in the unit the file used and without the
-/// comment behind them, which was about the value before, new ones on new lines, those
-/// that went taken out. nullopt where that takes more than exchanging single values and lines (another form,
-/// changed points of a table, values that span lines). The caller checks that the result says the scenario.
-std::optional<std::string> patchedText(std::string_view text, const Scenario& scenario);
+/// The text with the values of the scenario and its design: changed ones in the unit the file used and
+/// without the comment behind them, which was about the value before, new ones on new lines, those that went
+/// taken out. nullopt where that takes more than exchanging single values and lines (another form, changed
+/// points of a table, values that span lines). The caller checks that the result says the scenario.
+std::optional<std::string> patchedText(std::string_view text, const Scenario& scenario,
+                                       const DesignSetup& design);
 
 }  // namespace drillwave

@@ -8,6 +8,7 @@
 #include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
 #include "core/model/word_parameter.h"
+#include "core/yaml/design_setup_text.h"
 #include "core/yaml/law_reader.h"
 #include "core/yaml/pulse_reader.h"
 #include "core/yaml/section_reader.h"
@@ -23,7 +24,7 @@ constexpr std::string_view rodKeys[] = {"dimensionless", "rod"};
 /// Key of the one word in a drill.
 constexpr std::string_view indexingKey = "indexing";
 
-constexpr std::string_view commonKeys[] = {"drillwave", "title", "pulse", "bit_rock", "drill"};
+constexpr std::string_view commonKeys[] = {"drillwave", "title", "pulse", "bit_rock", "drill", designKey};
 
 /// The keys at the top level that a format has and the other one has not.
 std::span<const std::string_view> keysOf(int format) {
@@ -243,7 +244,8 @@ ScenarioForm formOf(const YamlEntries& file, int format) {
 }
 
 /// True when all that is wrong is an unreadable table file.
-bool readScenario(SectionReader& reader, const YamlNode& root, int format, const TableSource& tables) {
+bool readScenario(SectionReader& reader, const YamlNode& root, int format, const TableSource& tables,
+                  DesignSetup& design) {
     std::vector<std::string_view> known(std::begin(commonKeys), std::end(commonKeys));
     known.insert(known.end(), keysOf(format).begin(), keysOf(format).end());
     // Those of the other format are told of as such where they stand.
@@ -252,6 +254,7 @@ bool readScenario(SectionReader& reader, const YamlNode& root, int format, const
     const YamlEntries file = reader.entriesOf(root, "", known);
     reader.scenario().form = formOf(file, format);
     readTitle(reader, file);
+    design = readDesignSetup(reader, file);
     if (!checkKeysOfFormat(reader, file, format)) return false;
     if (format == stringFormat) readDrillString(reader, file);
     if (reader.dimensional()) readRod(reader, file);
@@ -302,7 +305,7 @@ ReadScenario readScenario(std::string_view text, const std::string& source, cons
             translatable("drillwave::Message",
                          "the file must be lines of `key: value`, the first `drillwave: 1`"));
     else if (const std::optional<int> format = readFormat(reader, tree.root))
-        result.unreadable = readScenario(reader, tree.root, *format, {source, tablePoints});
+        result.unreadable = readScenario(reader, tree.root, *format, {source, tablePoints}, result.design);
     result.problems = reader.problems().take();
     result.scenario = std::move(reader.scenario());
     return result;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/model/design_setup.h"
 #include "core/model/scenario.h"
 #include "core/model/validation.h"
 #include "core/yaml/yaml_tree.h"
@@ -22,9 +23,10 @@ inline constexpr int newestFormat = stringFormat;
 /// Most bytes of a scenario file.
 inline constexpr std::size_t maximumScenarioBytes = std::size_t{1} << 20;
 
-/// A scenario, valid if there are no problems.
+/// A scenario, valid if there are no problems, and the set-up of its design study.
 struct ReadScenario {
     Scenario scenario;
+    DesignSetup design;
     std::vector<InputProblem> problems;
     bool unreadable = false;  ///< what is wrong is that the text, or a file it names, cannot be read
 };

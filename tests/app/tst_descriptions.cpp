@@ -192,6 +192,13 @@ class TestDescriptions : public QObject {
         QTest::newRow("a key after an axis with colons")
             << QStringList{"sweep", "x", "--vary", "beta", "=", "0.1", ":", "10", ":", "5", "pulse.sh"}
             << QStringList{"pulse.shape="};
+        QTest::newRow("a bit that is chosen")
+            << QStringList{"design", "x", "--choose", "bit", "=", "T51"} << QStringList{"T51\\,\\ 100\\ mm"};
+        QTest::newRow("a preset that is chosen") << QStringList{"design", "x", "--choose", "rod", "=", "T45"}
+                                                 << QStringList{"T45\\,\\ round\\ 46\\ mm"};
+        QTest::newRow("a preset whose name is begun")
+            << QStringList{"design", "x", "--choose", "hammer", "=", "medium\\ drifter\\,"}
+            << QStringList{"medium\\ drifter\\,\\ piston"};
         QTest::newRow("the sense of an aim")
             << QStringList{"design", "x", "--aim", "m"} << QStringList{"max:", "min:"};
         QTest::newRow("its output") << QStringList{"design", "x", "--aim", "max", ":", "rock_w"}
@@ -262,7 +269,8 @@ class TestDescriptions : public QObject {
         QVERIFY(zsh.contains(":*-*:KEY=VALUE:_drillwave_parameter'"));
         QVERIFY(zsh.contains("compadd -- --help --version --language --reset-ui"));
         for (const QString& script : {fish, zsh})
-            for (const char* word : {"'pulse.shape=half_sine'", "'string.coupling.diameter='", "'max:cor@'"})
+            for (const char* word : {"'pulse.shape=half_sine'", "'string.coupling.diameter='", "'max:cor@'",
+                                     "'hammer=medium drifter, piston'"})
                 QVERIFY2(script.contains(word), word);
     }
 

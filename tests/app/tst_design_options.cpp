@@ -9,11 +9,11 @@ using namespace drillwave;
 
 namespace {
 
-DesignStudy read(std::vector<std::string> words, DesignFaults& faults) {
+DesignStudy read(std::vector<std::string> words, DesignFaults& faults, const DesignSetup& setup = {}) {
     words.insert(words.begin(), "FILE");
     Scenario base;
     base.drill.blowFrequency = 60;
-    return designStudyOf(parseArguments(designCommand(), words), base, faults);
+    return designStudyOf(parseArguments(designCommand(), words), base, setup, faults);
 }
 
 /// The exit code, and how many lines.
@@ -40,6 +40,8 @@ class TestDesignOptions : public QObject {
     void severalAimsMayStandBehindOneOption();
     void samplesArePowersOfTwo();
     void faultsHaveTheirExitCodes();
+    void theFileStandsForWhatIsNotGiven();
+    void faultsOfTheFileAreNamedByItsKeys();
 };
 
 void TestDesignOptions::aimsAreTakenWhereNoneAreGiven() {
@@ -83,6 +85,61 @@ void TestDesignOptions::faultsHaveTheirExitCodes() {
     QCOMPARE(refused({"--uncertain", gap, "--choose", "bit_rock.gap=nothing"}),
              Refusal(ExitCode::invalidScenario, 2));
     QCOMPARE(refused({"--uncertain", gap}), Refusal(ExitCode::done, 0));
+    QCOMPARE(refused({"--uncertain", gap, "--choose", "hammer=heavy,light"}), Refusal(ExitCode::done, 0));
+    QCOMPARE(refused({"--uncertain", gap, "--choose", "hammer=heawy"}), Refusal(ExitCode::usage, 1));
+    QCOMPARE(refused({"--uncertain", gap, "--choose", "bit=T38, 76 mm"}),
+             Refusal(ExitCode::invalidScenario, 1));
+}
+
+void TestDesignOptions::theFileStandsForWhatIsNotGiven() {
+    const DesignSetup setup{.uncertain = {gap},
+                            .choose = {"hammer=heavy,light"},
+                            .aims = {"max:cor@mean"},
+                            .atMost = {"thrust@q95=8kN"},
+                            .atLeast = {},
+                            .keepEnergy = false,
+                            .samples = 100,
+                            .seed = 7};
+    DesignFaults faults;
+    const DesignStudy ofFile = read({}, faults, setup);
+    faults.check();
+    QCOMPARE(ofFile.uncertain.size(), std::size_t{1});
+    QCOMPARE(ofFile.choices.front().key(), std::string_view("hammer"));
+    QCOMPARE(ofFile.aims.front().name(), std::string("max:cor@mean"));
+    QCOMPARE(ofFile.limits.front().bound, 8000.0);
+    QCOMPARE(ofFile.samples, std::uint64_t{128});
+    QCOMPARE(ofFile.seed, std::uint64_t{7});
+    const DesignStudy replaced = read({"--choose", "rod.length=3m,4m", "--samples", "64", "--at-least",
+                                       "efficiency@mean=0.1", "--keep-energy"},
+                                      faults, setup);
+    faults.check();
+    QCOMPARE(replaced.choices.front().key(), std::string_view("rod.length"));
+    QCOMPARE(replaced.samples, std::uint64_t{64});
+    QCOMPARE(replaced.seed, std::uint64_t{7});
+    QCOMPARE(replaced.limits.size(), std::size_t{2});
+    QVERIFY(replaced.keepsEnergy && replaced.uncertain == ofFile.uncertain);
+}
+
+void TestDesignOptions::faultsOfTheFileAreNamedByItsKeys() {
+    const DesignSetup setup{.uncertain = {"bit_rock.gap=1mm:0mm"},
+                            .choose = {},
+                            .aims = {"max:cor"},
+                            .atMost = {"thrust@q95=8mm"},
+                            .atLeast = {},
+                            .keepEnergy = false,
+                            .samples = {},
+                            .seed = {}};
+    DesignFaults faults;
+    read({}, faults, setup);
+    try {
+        faults.check();
+        QFAIL("is taken");
+    } catch (const CommandError& error) {
+        QCOMPARE(error.lines().size(), std::size_t{3});
+        QVERIFY(error.lines()[0].starts_with("design.uncertain: "));
+        QVERIFY(error.lines()[1].starts_with("design.aims max:cor: "));
+        QVERIFY(error.lines()[2].starts_with("design.at_most thrust@q95=8mm: "));
+    }
 }
 
 QTEST_GUILESS_MAIN(TestDesignOptions)

@@ -12,6 +12,7 @@
 #include "core/model/blow_traits.h"
 #include "core/yaml/preset_remarks.h"
 #include "core/yaml/pulse_table.h"
+#include "ui/document/design_edit.h"
 #include "ui/document/scenario_edit.h"
 #include "ui/document/table_name.h"
 #include "ui/document/whole_file.h"
@@ -91,10 +92,21 @@ Document::Document(QObject* parent, Check check) : QObject(parent), m_check(std:
 }
 
 bool Document::isModified() const {
+    return hasUnsaved([](const QUndoCommand& step) {
+        return dynamic_cast<const ScenarioEdit*>(&step) || dynamic_cast<const DesignEdit*>(&step);
+    });
+}
+
+bool Document::isScenarioModified() const {
+    return hasUnsaved(
+        [](const QUndoCommand& step) { return dynamic_cast<const ScenarioEdit*>(&step) != nullptr; });
+}
+
+bool Document::hasUnsaved(const std::function<bool(const QUndoCommand&)>& counts) const {
     if (m_undoStack.cleanIndex() < 0) return true;
     const auto [from, to] = std::minmax({m_undoStack.cleanIndex(), m_undoStack.index()});
     for (int i = from; i < to; ++i)
-        if (dynamic_cast<const ScenarioEdit*>(m_undoStack.command(i))) return true;
+        if (counts(*m_undoStack.command(i))) return true;
     return false;
 }
 
@@ -118,7 +130,7 @@ bool Document::isChangedExample() const {
 }
 
 ScenarioDocument Document::contents() const {
-    return {m_scenario, isChangedExample() ? withoutHead(m_text) : m_text, m_source.source};
+    return {m_scenario, isChangedExample() ? withoutHead(m_text) : m_text, m_source.source, m_design};
 }
 
 // Its own title comes back with its values.
@@ -218,14 +230,16 @@ void Document::push(std::unique_ptr<ScenarioEdit> edit, const QString& name) {
 }
 
 // With its text, byte for byte.
-void Document::pushContents(Scenario after, const std::string& text, const QString& name) {
-    ScenarioDocument contents{std::move(after), text, m_source.source};
+void Document::pushContents(Scenario after, const std::string& text, const DesignSetup& design,
+                            const QString& name) {
+    ScenarioDocument contents{std::move(after), text, m_source.source, design};
     // Comments are no part of the scenario.
-    const bool isSame =
-        contents.scenario == m_scenario && writeScenario(contents) == writeScenario(this->contents());
+    const bool isSame = contents.scenario == m_scenario && design == m_design &&
+                        writeScenario(contents) == writeScenario(this->contents());
     if (isSame) return;
     std::unique_ptr<ScenarioEdit> edit = newEdit(std::move(contents.scenario), {}, 0);
     edit->takeText(m_text, text);
+    if (design != m_design) edit->takeDesign(m_design, design);
     push(std::move(edit), name);
 }
 
@@ -238,8 +252,28 @@ std::unique_ptr<ScenarioEdit> Document::newEdit(Scenario after, const QString& k
         m_scenario, [this] { announceChange(); }, std::move(after), key, gesture);
 }
 
+void Document::setDesign(const DesignSetup& design) {
+    if (design == m_design) return;
+    auto edit = std::make_unique<DesignEdit>(
+        m_design,
+        [this] {
+            announceDesign();
+            emit stateChanged();
+        },
+        design);
+    edit->setText(tr("change the design study"));
+    m_undoStack.push(edit.release());
+}
+
+void Document::announceDesign() {
+    if (m_design == m_designTold) return;
+    m_designTold = m_design;
+    emit designChanged();
+}
+
 void Document::announceChange() {
     emit scenarioChanged();
+    announceDesign();
     emit stateChanged();
 }
 
@@ -253,6 +287,7 @@ void Document::take(ScenarioDocument source, const QString& path, const QString&
     m_undoStack.setClean();  // an empty stack ignores clear(), and may have been marked unsaved
     emit replaced();
     m_scenario = m_source.scenario;
+    m_design = m_source.design;
     announceChange();
     emit tableRead();
 }
@@ -291,7 +326,7 @@ QString Document::reload() {
     try {
         ScenarioDocument source = loadScenario(nativePath(m_path));
         m_example.reset();  // the file has words of its own
-        pushContents(source.scenario, source.text, tr("reload the file"));
+        pushContents(source.scenario, source.text, source.design, tr("reload the file"));
         m_source = std::move(source);
     } catch (const ScenarioError& error) {
         return translated(error);
@@ -331,9 +366,9 @@ QString Document::applyPreset(const Preset& preset) {
     if (!problems.empty()) return inWordsOfTheForm(preset.name, problems);
     if (changed == m_scenario) return {};
     try {
-        const std::string text = writeWithPreset({changed, m_text, m_source.source}, preset);
+        const std::string text = writeWithPreset({changed, m_text, m_source.source, m_design}, preset);
         emit presetTaken();
-        pushContents(std::move(changed), text, tr("take the preset %1").arg(coreText(preset.name)));
+        pushContents(std::move(changed), text, m_design, tr("take the preset %1").arg(coreText(preset.name)));
     } catch (const ScenarioError& error) {
         return translated(error);
     }
@@ -354,7 +389,7 @@ QString Document::useContents(const ScenarioDocument& contents, const QString& s
     Scenario after = contents.scenario;
     after.pulse.tableFile =
         tableSeenFrom(m_origin, QFile::decodeName(contents.source.c_str()), after.pulse.tableFile);
-    pushContents(std::move(after), contents.text, step);
+    pushContents(std::move(after), contents.text, contents.design, step);
     return {};
 }
 
@@ -420,7 +455,7 @@ QString Document::save(const QString& path) {
     }
     if (const QString reason = replaceFile(absolute, bytes); !reason.isEmpty()) return failed(reason);
     // The text it came from stays: the bytes of every step of the history are what they were before.
-    m_source = {m_scenario, bytes.toStdString(), nativePath(absolute)};
+    m_source = {m_scenario, bytes.toStdString(), nativePath(absolute), m_design};
     m_path = m_origin = absolute;
     m_undoStack.setClean();
     emit saved();

@@ -37,6 +37,10 @@ class Document : public QObject {
     explicit Document(QObject* parent = nullptr, Check check = validate);
 
     const Scenario& scenario() const { return m_scenario; }
+    /// The set-up of its design study, saved in its file; empty until the user makes one.
+    const DesignSetup& design() const { return m_design; }
+    /// Takes another set-up as one undo step.
+    void setDesign(const DesignSetup& design);
     QUndoStack& undoStack() { return m_undoStack; }
     /// Those in which it is shown, in fields and results alike.
     UnitChoice& units() { return m_units; }
@@ -51,6 +55,8 @@ class Document : public QObject {
     QString displayName() const;
     /// Whether the scenario is another one than in its file; other steps of the history do not count.
     bool isModified() const;
+    /// The same of what all commands read: the set-up of the design study does not count.
+    bool isScenarioModified() const;
     /// The bytes that saving would write. Throws ScenarioError where they would be more than a file may have.
     QByteArray text() const;
     /// The scenario as it is, with the text it came from: all that its bytes are made of.
@@ -121,6 +127,8 @@ class Document : public QObject {
     /// Written to its file, which may be another one than before.
     void saved();
     void scenarioChanged();
+    /// The set-up of the design study is another one. The scenario may have changed before.
+    void designChanged();
     /// The points of the hammer blow, if they have a tablePath(), were read from it just now. Emitted after
     /// scenarioChanged().
     void tableRead();
@@ -133,9 +141,12 @@ class Document : public QObject {
     QString change(Scenario& scenario, const std::vector<ParameterValue>& values) const;
     void push(Scenario after, const QString& name, const QString& key = {}, int gesture = 0);
     void push(std::unique_ptr<ScenarioEdit> edit, const QString& name);
-    void pushContents(Scenario after, const std::string& text, const QString& name);
+    void pushContents(Scenario after, const std::string& text, const DesignSetup& design,
+                      const QString& name);
     std::unique_ptr<ScenarioEdit> newEdit(Scenario after, const QString& key, int gesture);
     void announceChange();
+    void announceDesign();
+    bool hasUnsaved(const std::function<bool(const QUndoCommand&)>& counts) const;
     void nameChanged(Scenario& after) const;
     void take(ScenarioDocument source, const QString& path, const QString& origin);
     QString takeTable(const QString& path, const std::string& name, const QString& step);
@@ -143,6 +154,8 @@ class Document : public QObject {
 
     Check m_check;
     Scenario m_scenario;
+    DesignSetup m_design;
+    DesignSetup m_designTold;   // what designChanged() was emitted for last
     ScenarioDocument m_source;  // as last read or written
     std::string m_text;         // what saving changes as little as possible; changes only with the history
     std::optional<Scenario> m_example;  // which it began as

@@ -19,9 +19,16 @@ void ScenarioEdit::takeText(std::string& current, std::string after) {
     m_textAfter = std::move(after);
 }
 
-void ScenarioEdit::exchange(const std::string& text) {
+void ScenarioEdit::takeDesign(DesignSetup& current, DesignSetup after) {
+    m_currentDesign = &current;
+    m_designBefore = current;
+    m_designAfter = std::move(after);
+}
+
+void ScenarioEdit::exchange(const std::string& text, const DesignSetup& design) {
     std::swap(m_current, m_other);
     if (m_currentText) *m_currentText = text;
+    if (m_currentDesign) *m_currentDesign = design;
     m_changed();
 }
 

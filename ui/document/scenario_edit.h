@@ -7,6 +7,7 @@
 #include <functional>
 #include <string>
 
+#include "core/model/design_setup.h"
 #include "core/model/scenario.h"
 
 namespace drillwave {
@@ -28,13 +29,16 @@ class ScenarioEdit : public QUndoCommand {
     /// this.
     void takeText(std::string& current, std::string after);
 
-    void undo() override { exchange(m_textBefore); }
-    void redo() override { exchange(m_textAfter); }
+    /// Sets the set-up of the design study, too, and back to what it is now. `current` must outlive this.
+    void takeDesign(DesignSetup& current, DesignSetup after);
+
+    void undo() override { exchange(m_textBefore, m_designBefore); }
+    void redo() override { exchange(m_textAfter, m_designAfter); }
     int id() const override { return m_key.isEmpty() ? -1 : 1; }
     bool mergeWith(const QUndoCommand* other) override;
 
   private:
-    void exchange(const std::string& text);
+    void exchange(const std::string& text, const DesignSetup& design);
 
     Scenario& m_current;
     std::function<void()> m_changed;
@@ -42,6 +46,9 @@ class ScenarioEdit : public QUndoCommand {
     std::string* m_currentText = nullptr;
     std::string m_textBefore;
     std::string m_textAfter;
+    DesignSetup* m_currentDesign = nullptr;
+    DesignSetup m_designBefore;
+    DesignSetup m_designAfter;
     QString m_key;
     int m_gesture;
 };

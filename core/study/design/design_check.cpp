@@ -64,13 +64,28 @@ void checkCounts(const DesignStudy& study, Lines& lines) {
 }
 
 std::vector<NamedKey> keysOf(const DesignStudy& study, std::vector<NamedKey> keys) {
-    for (const SweepAxis& axis : study.choices) keys.push_back({std::string(axis.key()), true});
+    for (const SweepAxis& axis : study.choices) {
+        keys.push_back({std::string(axis.key()), true});
+        if (!axis.presets) continue;
+        for (const std::string_view key : axis.presets->keys())
+            keys.push_back({std::string(key), true, false, std::string(axis.key())});
+    }
     for (const UncertainInput& input : study.uncertain)
         keys.push_back({std::string(input.parameter->key), false, input.kind == DistributionKind::percent});
     if (study.draws)
         for (const KeptParameter& parameter : study.draws->parameters)
             keys.push_back({std::string(parameter->key)});
     return keys;
+}
+
+/// As the question has it.
+const std::string& nameOf(const NamedKey& named) {
+    return named.choice.empty() ? named.key : named.choice;
+}
+
+/// Whether the choice is one of hammers, each with an energy of its own.
+bool choosesHammers(const SweepAxis& axis) {
+    return axis.presets && axis.presets->part() == PresetPart::hammer;
 }
 
 Message energyLine(const Scenario& scenario) {
@@ -84,11 +99,13 @@ void checkKeys(const DesignStudy& study, const std::vector<NamedKey>& unread, Li
         for (std::size_t b = a + 1; b < keys.size(); ++b) {
             const NamedKey &one = keys[a], &other = keys[b];
             if (one.key == other.key && one.isChosen && other.isPercent) continue;
+            if (!one.choice.empty() && one.choice == other.choice) continue;
             const Message problem = rivalProblem(one.key, study.base, other.key, study.base);
             if (problem.isEmpty()) continue;
-            if (one.key != other.key)
+            const bool areChosenPresets = one.isChosen && other.isChosen && one.choice != other.choice;
+            if (one.key != other.key || areChosenPresets)
                 lines.invalid({translatable("drillwave::Message", "%1 and %2 %3; leave out one of them"),
-                               {one.key, other.key, problem}});
+                               {nameOf(one), nameOf(other), problem}});
             else if (one.isChosen == other.isChosen)
                 lines.invalid(
                     {translatable("drillwave::Message", "%1 is given twice; give it once"), {one.key}});
@@ -101,13 +118,17 @@ void checkKeys(const DesignStudy& study, const std::vector<NamedKey>& unread, Li
     if (!study.keepsEnergy) return;
     lines.invalid(energyLine(study.base));
     const KeptParameter scaled = energyParameter(study.base);
+    const auto refuse = [&](const std::string& choice) {
+        lines.invalid(
+            {translatable("drillwave::Message",
+                          "keeping the energy sets %1, and so does the choice of %2; leave out one of them"),
+             {std::string(scaled->key), choice}});
+    };
+    if (!scaled) return;
+    for (const SweepAxis& axis : study.choices)
+        if (choosesHammers(axis)) refuse(std::string(axis.key()));
     for (const NamedKey& named : keys)
-        if (scaled && named.isChosen && areRivals(named.key, scaled->key))
-            lines.invalid(
-                {translatable(
-                     "drillwave::Message",
-                     "keeping the energy sets %1, and so does the choice of %2; leave out one of them"),
-                 {std::string(scaled->key), named.key}});
+        if (named.isChosen && areRivals(named.key, scaled->key)) refuse(nameOf(named));
 }
 
 /// Limits and aims, of the base: what a blow has does not depend on its numbers.

@@ -20,7 +20,8 @@ struct DesignProblemLine {
 struct NamedKey {
     std::string key;
     bool isChosen = false;
-    bool isPercent = false;  ///< of a range: ± P %, which a choice may have too
+    bool isPercent = false;   ///< of a range: ± P %, which a choice may have too
+    std::string choice = {};  ///< the chosen part whose presets set it: "hammer"; empty where none do
 };
 
 /// All of it: too many of anything, nothing uncertain, two that set one thing, keys and outputs that a design

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/blow/blow.h"
 #include "core/model/blow_traits.h"
 #include "core/study/design/constant_energy.h"
 #include "core/study/design/design_check.h"
@@ -31,6 +32,45 @@ double energySpreadOf(const DesignStudy& study) {
         most = std::max(most, energy);
     }
     return most / least - 1;
+}
+
+bool isOfStrength(const Alert& alert) {
+    return alert.code == AlertCode::stressAboveYield || alert.code == AlertCode::stressAboveFatigue;
+}
+
+/// Whether the alert is about the numbers and not about the design.
+bool isOfAccuracy(const Alert& alert) {
+    using enum AlertCode;
+    return alert.code == reducedAccuracy || alert.code == inputDecides || alert.code == closedFormInvalid ||
+           alert.code == lengthsRounded || alert.code == stressesLeftOut;
+}
+
+std::vector<Alert> warningsOf(const Scenario& scenario, const std::stop_token& stop) {
+    std::vector<Alert> warnings = solveBlow(scenario, {}, Detail::summary, stop).alerts;
+    std::erase_if(warnings, [](const Alert& alert) {
+        return alert.level != AlertLevel::warning || isOfAccuracy(alert);
+    });
+    return warnings;
+}
+
+/// Strengths first.
+std::vector<Alert> alertsOf(const DesignStudy& study, std::size_t design, const std::stop_token& stop) {
+    const Scenario scenario = designScenario(study, design);
+    std::vector<Alert> alerts = warningsOf(scenario, stop);
+    const std::vector<Alert> ofBase = scenario == study.base ? alerts : warningsOf(study.base, stop);
+    std::erase_if(alerts, [&](const Alert& alert) {
+        return !isOfStrength(alert) && std::ranges::any_of(ofBase, [&](const Alert& other) {
+            return other.code == alert.code && other.parameter == alert.parameter;
+        });
+    });
+    std::ranges::stable_partition(alerts, isOfStrength);
+    return alerts;
+}
+
+std::optional<std::size_t> recommendedOf(const DesignStudy& study, const BestDesigns& best) {
+    const std::optional<std::size_t> present = presentDesign(study);
+    const bool isBest = present && std::ranges::find(best.equal, *present) != best.equal.end();
+    return isBest ? present : best.chosen;
 }
 
 /// Designs that are tried before any samples.
@@ -181,6 +221,8 @@ DesignFindings runDesign(const DesignStudy& study, const DesignWork& work, const
     for (const DesignAim& aim : study.aims) addOnce(found.aimed, aim.output);
     found.energySpread = energySpreadOf(study);
     if (work.stop.stop_requested() || !found.best.robust) return found;
+    found.recommended = recommendedOf(study, found.best);
+    if (found.recommended) found.alerts = alertsOf(study, *found.recommended, work.stop);
     if (show) show(found);
     std::vector<std::size_t> aimed;
     for (const Output* output : found.aimed) aimed.push_back(study.placeOf(*output, {}).output);

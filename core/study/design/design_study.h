@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/model/alerts.h"
 #include "core/model/scenario.h"
 #include "core/study/design/best_design.h"
 #include "core/study/design/design_samples.h"
@@ -95,6 +96,11 @@ struct DesignFindings {
     std::vector<const Output*> aimed;             ///< outputs of the aims, each once: those of
     Sensitivity sensitivity;                      ///< at the robust best
     std::vector<std::optional<WorstCase>> worst;  ///< of each aim, at the robust best
+    /// The design to take: the base where it is equal to the best ones, else that of the aims.
+    std::optional<std::size_t> recommended = {};
+    /// Warnings of the blow of that design with the values entered: all about strengths, and those that the
+    /// base does not raise.
+    std::vector<Alert> alerts = {};
     double energySpread = 0;  ///< largest over least energy of the designs, less 1; 0 without units
 };
 

@@ -35,11 +35,15 @@ void visitCorners(std::span<const SweepAxis> axes,
 
 AxisScenario::AxisScenario(const Scenario& base, std::span<const SweepAxis> axes)
     : m_base(base), m_axes(axes), m_assignments(assignmentsOf(axes)), m_scenario(base) {
-    const bool hasShapes = std::ranges::find(axes, pulseShapeKey, &SweepAxis::key) != axes.end();
+    const auto isPreset = [](const SweepAxis& axis) { return bool(axis.presets); };
+    const bool hasShapes = std::ranges::find(axes, pulseShapeKey, &SweepAxis::key) != axes.end() ||
+                           std::ranges::any_of(axes, isPreset);
     for (std::size_t a = 0; a < axes.size(); ++a) {
-        if (hasShapes ? m_assignments.movesPulse(a) : movesPulseForce(axes[a].key(), base.pulse.shape))
+        if (isPreset(axes[a]))
             m_lastPulseAxis = a;
-        m_restoresPulse |= axes[a].key().starts_with("pulse.");
+        else if (hasShapes ? m_assignments.movesPulse(a) : movesPulseForce(axes[a].key(), base.pulse.shape))
+            m_lastPulseAxis = a;
+        m_restoresPulse |= isPreset(axes[a]) || axes[a].key().starts_with("pulse.");
         m_changesLaw |= axes[a].key() == rockLawKey;
     }
     m_judges = hasSections(base) || hasImpossibleCorner();

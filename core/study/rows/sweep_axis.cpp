@@ -218,6 +218,8 @@ Message readFollowedAxis(ParsedAxis& parsed, std::string_view text) {
 RowColumn SweepAxis::column() const {
     if (kind == Kind::words)
         return {.header = std::string(key()), .kind = RowColumn::Kind::word, .words = words->words()};
+    if (kind == Kind::presets)
+        return {.header = std::string(key()), .kind = RowColumn::Kind::word, .words = presets->words()};
     const Quantity quantity = parameter->quantity;
     const bool hasUnit = quantity != Quantity::ratio;
     return {.header = withUnit(key(), unit),
@@ -227,11 +229,12 @@ RowColumn SweepAxis::column() const {
 }
 
 std::string_view SweepAxis::key() const {
+    if (presets) return name(presets->part());
     return parameter ? parameter->key : words->key;
 }
 
 double SweepAxis::value(std::uint64_t i) const {
-    if (kind == Kind::list || kind == Kind::words) return list[i];
+    if (kind == Kind::list || kind == Kind::words || kind == Kind::presets) return list[i];
     if (i == 0) return start;
     if (i + 1 == count) return stop;
     const double position = static_cast<double>(i);
@@ -243,6 +246,11 @@ double SweepAxis::value(std::uint64_t i) const {
 }
 
 Message SweepAxis::assign(Scenario& scenario, double value) const {
+    if (presets) {
+        const Message problem =
+            replacePart(scenario, presets->part(), presets->presets()[static_cast<std::size_t>(value)]);
+        return problem.isEmpty() ? problem : Message("%1: %2", {std::string(key()), problem});
+    }
     if (words) {
         const Message reason = words->assign(scenario, static_cast<std::size_t>(value));
         return reason.isEmpty() ? reason
@@ -260,7 +268,7 @@ Message SweepAxis::readBackProblem(const Scenario& scenario, double value) const
 
 std::vector<std::uint64_t> SweepAxis::extremes() const {
     std::vector<std::uint64_t> indices;
-    if (kind == Kind::words) {
+    if (kind == Kind::words || kind == Kind::presets) {
         for (std::uint64_t i = 0; i < count; ++i) indices.push_back(i);
     } else if (kind == Kind::list) {
         const auto [low, high] = std::ranges::minmax_element(list);

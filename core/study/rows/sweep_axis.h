@@ -9,24 +9,26 @@
 #include <vector>
 
 #include "core/model/parameter.h"
+#include "core/model/preset_choice.h"
 #include "core/model/word_parameter.h"
 #include "core/study/rows/row_column.h"
 
 namespace drillwave {
 
-/// The values of one parameter, or the words of one that is a word, along an axis. Ranges are not stored
-/// value by value.
+/// The values of one parameter, or the words of one that is a word, or presets of one part, along an axis.
+/// Ranges are not stored value by value.
 struct SweepAxis {
-    enum class Kind { linear, logarithmic, list, words };
+    enum class Kind { linear, logarithmic, list, words, presets };
 
-    KeptParameter parameter = {};          ///< none for Kind::words
+    KeptParameter parameter = {};          ///< none for Kind::words and Kind::presets
     const WordParameter* words = nullptr;  ///< of Kind::words
+    SharedPresetChoice presets = {};       ///< of Kind::presets
     const Unit* unit = nullptr;            ///< of the column: as typed, SI where several were typed
     Kind kind = Kind::list;
     double start = 0;          ///< SI
     double stop = 0;           ///< SI
     std::uint64_t count = 0;   ///< number of values, at least 1
-    std::vector<double> list;  ///< Kind::list, SI; Kind::words, the numbers of the words
+    std::vector<double> list;  ///< Kind::list, SI; Kind::words and Kind::presets, the numbers of the words
 
     /// Its column of numbers, headed "beta" or "rod.length [mm]".
     RowColumn column() const;
@@ -39,7 +41,7 @@ struct SweepAxis {
     Message assign(Scenario& scenario, double value) const;
     /// Why a scenario in which all axes have been set does not hold that value; empty when it does.
     Message readBackProblem(const Scenario& scenario, double value) const;
-    /// Where the extreme values are: two indices, all of them for words.
+    /// Where the extreme values are: two indices, all of them for words and presets.
     std::vector<std::uint64_t> extremes() const;
     bool operator==(const SweepAxis&) const = default;
 };

@@ -6,15 +6,14 @@
 #include "core/model/blow_traits.h"
 #include "core/numeric/available_threads.h"
 #include "core/study/design/design_check.h"
+#include "ui/job/study_budget.h"
 
 namespace drillwave {
 
-DesignAnswer answerDesign(const DesignStudy& asked, const StudyFeed<DesignAnswer>& feed) {
-    DesignAnswer answer{.report = {.study = asked, .findings = {}, .scenarioText = {}},
-                        .wanted = asked.samples,
-                        .problems = {}};
-    for (const DesignProblemLine& line : problemsOf(asked, feed.stop)) answer.problems.push_back(line.text);
-    if (!answer.problems.empty() || feed.stop.stop_requested()) return answer;
+namespace {
+
+/// The study with few samples first, then with more.
+std::vector<DesignStudy> stagesOf(const DesignStudy& asked) {
     std::vector<DesignStudy> stages;
     const std::uint64_t first = isFollowedByEvents(asked.base) ? quickSamples : firstSamples;
     for (const std::uint64_t samples : {first, quickSamples, asked.samples}) {
@@ -22,25 +21,62 @@ DesignAnswer answerDesign(const DesignStudy& asked, const StudyFeed<DesignAnswer
         stages.push_back(asked);
         stages.back().samples = samples;
     }
+    return stages;
+}
+
+}  // namespace
+
+DesignAnswer answerDesign(const DesignQuestion& question, const StudyFeed<DesignAnswer>& feed) {
+    const DesignStudy& asked = question.study;
+    DesignAnswer answer{.report = {.study = asked, .findings = {}, .scenarioText = {}},
+                        .wanted = asked.samples,
+                        .problems = {}};
+    for (const DesignProblemLine& line : problemsOf(asked, feed.stop)) answer.problems.push_back(line.text);
+    if (!answer.problems.empty() || feed.stop.stop_requested()) return answer;
+    const std::vector<DesignStudy> stages = stagesOf(asked);
     std::uint64_t wanted = 0;
     for (const DesignStudy& stage : stages) wanted += designSolves(stage);
+    StudyBudget budget(question.seconds, feed.stop);
     // The searches for worst cases take what they take: a stage counts no more than was thought of it, so
     // that the count never goes back where the next one begins.
-    std::uint64_t done = 0, end = 0;
-    const DesignWork work{.jobs = availableThreads(), .stop = feed.stop, .progress = [&](std::uint64_t more) {
-                              done = std::min(done + more, end);
-                              feed.tell({done, wanted});
-                          }};
+    std::uint64_t done = 0, end = 0, solved = 0;
+    const auto secondsFor = [&](std::uint64_t solves) {
+        return solved > 0 ? budget.elapsed() / double(solved) * double(solves) : 0;
+    };
+    const DesignWork work{
+        .jobs = availableThreads(), .stop = budget.token(), .progress = [&](std::uint64_t more) {
+            solved += more;
+            done = std::min(done + more, end);
+            feed.tell({done, wanted});
+            budget.check();
+        }};
     for (const DesignStudy& stage : stages) {
         const bool isFirst = &stage == &stages.front(), isLast = &stage == &stages.back();
+        if (!isFirst && !budget.hasRoomFor(secondsFor(designSolves(stage)))) {
+            answer.secondsLeft = secondsFor(wanted - end);
+            break;
+        }
+        const DesignAnswer before = answer;
         answer.report.study = stage;
         done = end;
         end += designSolves(stage);
-        answer.report.findings = runDesign(stage, work, [&](const DesignFindings& soFar) {
+        DesignFindings shown;
+        DesignFindings found = runDesign(stage, work, [&](const DesignFindings& soFar) {
+            shown = soFar;
             if (!isFirst || isLast) return;  // what is there says more
             answer.report.findings = soFar;
             feed.show(answer);
         });
+        if (budget.isSpent() && budget.token().stop_requested() && !feed.stop.stop_requested()) {
+            // The stage is whole as far as it was shown.
+            if (!shown.best.robust && before.hasBest())
+                answer = before;
+            else
+                answer.report.findings = std::move(shown);
+            answer.secondsLeft = secondsFor(wanted - done);
+            break;
+        }
+        answer.report.findings = std::move(found);
         if (const Message& unsolved = answer.report.findings.unsolved; !unsolved.isEmpty()) {
             answer.problems.push_back(unsolved);
             break;

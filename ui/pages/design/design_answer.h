@@ -2,6 +2,7 @@
 // The study of the page Design: what is asked, and the answer while it gets better.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -15,17 +16,29 @@ inline constexpr std::uint64_t quickSamples = 256;
 /// Where a blow is marched on cells, which takes a hundred times as long, these come before.
 inline constexpr std::uint64_t firstSamples = 16;
 
+/// Seconds that a study of drill strings takes unasked.
+inline constexpr double unaskedSeconds = 10;
+
+/// A study, and the seconds that it may take; without them it takes what it needs.
+struct DesignQuestion {
+    DesignStudy study;
+    std::optional<double> seconds = {};
+    bool operator==(const DesignQuestion&) const = default;
+};
+
 /// What there is so far.
 struct DesignAnswer {
-    DesignReport report;            ///< of as many samples as its study says
-    std::uint64_t wanted = 0;       ///< samples of the last answer
-    std::vector<Message> problems;  ///< why nothing can be solved: then there is nothing else
+    DesignReport report;                     ///< of as many samples as its study says
+    std::uint64_t wanted = 0;                ///< samples of the last answer
+    std::vector<Message> problems;           ///< why nothing can be solved: then there is nothing else
+    std::optional<double> secondsLeft = {};  ///< expected for the rest, where the seconds were over before
     bool isRefined() const { return report.study.samples == wanted; }
     /// Whether there are designs to be shown, and one of them to be taken.
     bool hasBest() const { return report.findings.best.robust.has_value(); }
 };
 
-/// Quick answers first. The text of the scenario is left empty.
-DesignAnswer answerDesign(const DesignStudy& asked, const StudyFeed<DesignAnswer>& feed);
+/// Quick answers first; where the seconds are over, the last of them is the answer. The text of the scenario
+/// is left empty.
+DesignAnswer answerDesign(const DesignQuestion& question, const StudyFeed<DesignAnswer>& feed);
 
 }  // namespace drillwave

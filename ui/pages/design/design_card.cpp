@@ -32,16 +32,42 @@ QString percentBetween(double value, double of, const DesignUnits& units) {
     return numberText(100 * std::abs(value / of - 1), 2, units.locale());
 }
 
+/// The other designs that the tables and files mark: a line for each mark.
+QString markLines(const DesignReport& report, const DesignUnits& units) {
+    if (report.findings.designs.size() < 2) return {};
+    const std::pair<std::string_view, QString> marks[]{
+        {"best_nominal", DesignCard::tr("Best for the values entered: %1")},
+        {"present", DesignCard::tr("Present design: %1")},
+        {"equal", DesignCard::tr("Equally good: %1")},
+    };
+    constexpr qsizetype enough = 4;
+    const std::optional<std::size_t> present = presentDesign(report.study);
+    QString lines;
+    for (const auto& [mark, words] : marks) {
+        QStringList names;
+        for (std::size_t d = 0; d < report.findings.designs.size() && names.size() <= enough; ++d) {
+            const auto ofDesign = marksOf(report, d, present);
+            if (std::ranges::find(ofDesign, mark) == ofDesign.end()) continue;
+            names << (names.size() < enough ? units.designName(d) : QStringLiteral("…"));
+        }
+        if (!names.isEmpty())
+            lines += QStringLiteral("<br>") + words.arg(names.join(QStringLiteral("; ")).toHtmlEscaped());
+    }
+    return lines;
+}
+
 QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
     const DesignReport& report = answer.report;
     const BestDesigns& best = report.findings.best;
     const DesignStudy& study = report.study;
     const DesignAim& first = study.aims.front();
-    QString text = study.choices.empty()
-                       ? DesignCard::tr("<b>This scenario</b>")
-                       : DesignCard::tr("<b>Robust best: %1</b>").arg(units.designName(*best.robust));
+    QString text =
+        study.choices.empty()
+            ? DesignCard::tr("<b>This scenario</b>")
+            : DesignCard::tr("<b>Best for uncertain rock: %1</b>").arg(units.designName(*best.robust));
     for (const DesignAim& aim : study.aims)
         text += QStringLiteral("<br>%1 %2").arg(aimName(aim), valueText(report, aim, *best.robust, units));
+    text += markLines(report, units);
     if (!best.ties.empty()) {
         QStringList names;
         constexpr std::size_t enough = 4;

@@ -3,17 +3,24 @@
 
 #include <QBoxLayout>
 #include <QCheckBox>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <algorithm>
+#include <bit>
+#include <cmath>
 
 #include "core/archive/result_scenario.h"
+#include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/report/design_csv.h"
+#include "core/report/design_words.h"
 #include "core/study/design/constant_energy.h"
+#include "core/study/design/design_texts.h"
 #include "ui/form/choice_box.h"
 #include "ui/pages/design/aim_rows.h"
 #include "ui/pages/design/design_card.h"
 #include "ui/pages/design/design_plot.h"
+#include "ui/pages/design/preset_ticks.h"
 #include "ui/pages/design/range_rows.h"
 #include "ui/pages/study/command_text.h"
 #include "ui/pages/study/labelled_control.h"
@@ -36,7 +43,12 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
     : StudyPage(document, parent), m_card(new DesignCard), m_study(answerDesign) {
     m_card->setMinimumWidth(fontMetrics().averageCharWidth() * cardCharacters);
     QWidget* questions = makeQuestions();
-    PlotWidget* widget = arrange({m_keepEnergy, labelled(tr("samples"), m_samples, this)}, m_card);
+    m_refine = new QPushButton(this);
+    m_refine->setObjectName(QStringLiteral("refine"));
+    m_refine->setToolTip(tr("Solve all samples of this study; the time is an estimate"));
+    m_refine->hide();
+    connect(m_refine, &QPushButton::clicked, this, &DesignPage::refine);
+    PlotWidget* widget = arrange({m_keepEnergy, labelled(tr("samples"), m_samples, this), m_refine}, m_card);
     static_cast<QBoxLayout*>(layout())->insertWidget(0, questions);
     setLeastLines(plotLinesOfDesigns);
     m_plot = new DesignPlot(widget);
@@ -44,9 +56,10 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
     watch(m_study.job());
     connect(widget, &PlotWidget::clicked, this, &DesignPage::click);
     connect(m_card, &DesignCard::designWanted, this,
-            [this](std::uint64_t design) { load(valuesOf(design)); });
+            [this](std::uint64_t design) { takeDesign(design, {}); });
     connect(m_card, &DesignCard::worstWanted, this, &DesignPage::loadWorst);
     connect(&document, &Document::replaced, this, &DesignPage::forget);
+    connect(&document, &Document::designChanged, this, &DesignPage::askSoon);
     connect(&document.units(), &UnitChoice::changed, this, [this] {
         if (isVisible()) present();
     });
@@ -72,27 +85,38 @@ QWidget* DesignPage::makeQuestions() {
     m_samples->setObjectName(QStringLiteral("samples"));
     m_samples->setAccessibleName(tr("Samples of each design"));
     for (const int samples : samplesOffered) m_samples->addItem(QString::number(samples), samples);
+    m_presets = new PresetTicks(this);
+    m_presets->setObjectName(QStringLiteral("presets"));
     for (RangeRows* rows : {m_uncertain, m_choices})
-        connect(rows, &RangeRows::changed, this, &DesignPage::askSoon);
-    connect(m_aims, &AimRows::changed, this, &DesignPage::askSoon);
-    connect(m_keepEnergy, &QCheckBox::toggled, this, &DesignPage::askSoon);
-    connect(m_samples, &QComboBox::currentIndexChanged, this, &DesignPage::askSoon);
+        connect(rows, &RangeRows::changed, this, &DesignPage::keepSetup);
+    connect(m_presets, &PresetTicks::changed, this, [this] {
+        excludePresetKeys();
+        keepSetup();
+    });
+    connect(m_aims, &AimRows::changed, this, &DesignPage::keepSetup);
+    connect(m_keepEnergy, &QCheckBox::toggled, this, &DesignPage::keepSetup);
+    connect(m_samples, &QComboBox::currentIndexChanged, this, &DesignPage::keepSetup);
     auto* lines = new QVBoxLayout(questions);
     lines->setContentsMargins(4, 0, 4, 0);
     lines->setSpacing(2);
-    for (QWidget* each : std::initializer_list<QWidget*>{m_uncertain, m_choices, m_aims})
+    for (QWidget* each : std::initializer_list<QWidget*>{m_uncertain, m_choices, m_presets, m_aims})
         lines->addWidget(each);
     return questions;
 }
 
-// Another document begins with what is proposed for it.
+// Another document begins with its own set-up, or with what is proposed for it.
 void DesignPage::forget() {
     m_uncertain->forget();
+    m_choices->exclude({});
     m_choices->forget();
     m_aims->forget();
+    m_presets->clear();
     const QSignalBlocker quiet(m_keepEnergy);
     m_keepEnergy->setChecked(true);
     m_customary = 0;
+    m_setup = {};
+    m_isSetUp = false;
+    m_refined.reset();
 }
 
 // As many samples as are customary for what is solved, until the user chooses.
@@ -100,8 +124,70 @@ void DesignPage::followScenario() {
     const int customary = customarySamples(scenario());
     if (m_customary == customary) return;
     m_customary = customary;
+    chooseSamples(customary);
+}
+
+void DesignPage::chooseSamples(int samples) {
     const QSignalBlocker quiet(m_samples);
-    m_samples->setCurrentIndex(m_samples->findData(customary));
+    if (m_samples->findData(samples) < 0) m_samples->addItem(QString::number(samples), samples);
+    m_samples->setCurrentIndex(m_samples->findData(samples));
+}
+
+/// Shows the set-up of the document; for an empty one, the proposed controls.
+void DesignPage::showSetup(const DesignSetup& setup) {
+    if (setup.isEmpty()) {
+        forget();
+        m_uncertain->present(scenario());
+        m_choices->present(scenario());
+        m_aims->present(scenario());
+        followScenario();
+        return;
+    }
+    m_setup = setup;
+    m_presets->clear();
+    std::vector<std::string> choices;
+    for (const std::string& text : setup.choose)
+        if (!m_presets->tick(text)) choices.push_back(text);
+    m_choices->exclude({});
+    m_choices->setTexts(choices);
+    m_choices->exclude(m_presets->keys());
+    m_uncertain->setTexts(setup.uncertain);
+    std::vector<DesignAim> aims;
+    for (const std::string& text : setup.aims)
+        if (const ParsedAim parsed = parseAim(text); parsed.problem.isEmpty() && aims.size() < mostAims)
+            aims.push_back(parsed.aim);
+    const QSignalBlocker first(m_aims), second(m_keepEnergy);
+    m_aims->setAims(aims.empty() ? customaryAims(scenario()) : aims);
+    m_keepEnergy->setChecked(setup.keepEnergy);
+    const auto samples = setup.samples.value_or(static_cast<std::uint64_t>(customarySamples(scenario())));
+    chooseSamples(static_cast<int>(std::max(leastDesignSamples, std::bit_ceil(samples))));
+}
+
+/// Returns the set-up of the controls; limits and seed have none and stay.
+DesignSetup DesignPage::setup() const {
+    DesignSetup setup = m_setup;
+    setup.uncertain = m_uncertain->texts();
+    setup.choose = m_presets->texts();
+    for (const std::string& text : m_choices->texts()) setup.choose.push_back(text);
+    setup.aims.clear();
+    for (const DesignAim& aim : m_aims->aims()) setup.aims.push_back(aim.name());
+    setup.keepEnergy = m_keepEnergy->isEnabled() && m_keepEnergy->isChecked();
+    setup.samples = static_cast<std::uint64_t>(m_samples->currentData().toInt());
+    return setup;
+}
+
+// By the user: what the document has, and its file once it is saved.
+void DesignPage::keepSetup() {
+    if (!m_isSetUp) return askSoon();
+    m_keepEnergy->setEnabled(keepEnergyProblem(scenario()).isEmpty() && !m_presets->hasHammers());
+    m_setup = setup();
+    if (m_setup == document().design()) return askSoon();
+    document().setDesign(m_setup);  // which asks
+}
+
+// A preset and a number that it sets cannot both be chosen.
+void DesignPage::excludePresetKeys() {
+    m_choices->exclude(m_presets->keys());
 }
 
 // Of the words of the command, so that both have the same values.
@@ -109,36 +195,68 @@ DesignPage::Wish DesignPage::wish() const {
     DesignStudy study;
     study.base = scenario();
     QStringList problems;
-    for (const std::string& text : m_uncertain->texts()) {
+    const auto tell = [&](const Message& problem) {
+        if (!problem.isEmpty()) problems << translated(withTitles(problem));
+    };
+    const DesignSetup now = setup();
+    for (const std::string& text : now.uncertain) {
         ParsedUncertain parsed = parseUncertain(text);
-        if (!parsed.problem.isEmpty()) problems << translated(withTitles(parsed.problem));
+        tell(parsed.problem);
         study.uncertain.push_back(std::move(parsed.input));
     }
-    for (const std::string& text : m_choices->texts()) {
-        ParsedAxis parsed = parseAxis(text);
-        if (!parsed.problem.isEmpty()) problems << translated(withTitles(parsed.problem));
+    for (const std::string& text : now.choose) {
+        ParsedAxis parsed = parseChoice(text, scenario(), m_presets->lookup());
+        tell(parsed.problem);
         study.choices.push_back(std::move(parsed.axis));
     }
+    for (const bool atMost : {true, false})
+        for (const std::string& text : atMost ? now.atMost : now.atLeast) {
+            ParsedLimit parsed = parseLimit(text, atMost, scenario());
+            tell(parsed.problem);
+            study.limits.push_back(parsed.limit);
+        }
     if (!problems.isEmpty()) return {{}, problems.join(QLatin1Char('\n'))};
     study.aims = m_aims->aims();
-    study.keepsEnergy = m_keepEnergy->isEnabled() && m_keepEnergy->isChecked();
-    study.samples = static_cast<std::uint64_t>(m_samples->currentData().toInt());
+    study.keepsEnergy = now.keepEnergy;
+    study.samples = *now.samples;
+    study.seed = now.seed.value_or(1);
     return {std::move(study), {}};
 }
 
 void DesignPage::ask() {
-    followScenario();
     {
         const QSignalBlocker first(m_uncertain), second(m_choices), third(m_aims);
+        followScenario();
         m_uncertain->present(scenario());
         m_choices->present(scenario());
+        m_presets->present(scenario());
         m_aims->present(scenario());
+        if (document().design() != m_setup) showSetup(document().design());
     }
-    m_keepEnergy->setEnabled(keepEnergyProblem(scenario()).isEmpty());
+    m_isSetUp = true;
+    m_keepEnergy->setEnabled(keepEnergyProblem(scenario()).isEmpty() && !m_presets->hasHammers());
     Wish now = wish();
     m_problem = now.problem;
     if (!now.study) return m_study.job().cancel();
-    m_study.ask(std::move(*now.study));
+    // A study of drill strings takes minutes: all of it is solved when the user wants it.
+    const bool isLong = !isFollowedByEvents(scenario()) && m_refined != now.study;
+    m_study.ask({std::move(*now.study), isLong ? std::optional(unaskedSeconds) : std::nullopt});
+}
+
+void DesignPage::refine() {
+    m_refined = wish().study;
+    m_refine->hide();
+    askSoon();
+}
+
+void DesignPage::showRefine(const DesignAnswer& answer) {
+    m_refine->setVisible(answer.secondsLeft && m_study.job().isCurrent() &&
+                         m_study.job().state() == StudyState::finished);
+    if (!answer.secondsLeft) return;
+    const double seconds = std::ceil(*answer.secondsLeft);
+    m_refine->setText(seconds < 100
+                          ? tr("Refine (%1 s)").arg(locale().toString(seconds, 'f', 0))
+                          : tr("Refine (%1 min)").arg(locale().toString(std::ceil(seconds / 60), 'f', 0)));
 }
 
 ShownUnits DesignPage::shownUnitsOf(const Scenario& base) const {
@@ -158,8 +276,12 @@ void DesignPage::present() {
         for (const Message& line : answer->problems) lines << translated(withTitles(line));
         return refuse(lines.join(QLatin1Char('\n')));
     }
+    showRefine(*answer);
     if (!answer->hasBest()) {
         if (m_study.job().state() == StudyState::running) return;
+        if (answer->secondsLeft)
+            return refuse(
+                tr("Nothing is solved yet: this study takes more than 10 s. The button Refine starts it."));
         Message reason;
         for (const DesignSamples& design : answer->report.findings.designs)
             if (reason.isEmpty()) reason = design.reason;
@@ -200,11 +322,13 @@ void DesignPage::draw(const DesignAnswer& answer) {
     m_card->present(answer, units);
     QStringList aims;
     for (const DesignAim& aim : answer.report.study.aims) aims << aimWords(aim);
-    m_sentence = aims.join(QStringLiteral(" · ")) + QLatin1Char('\n') +
-                 (answer.isRefined() ? tr("%1 samples of each design").arg(answer.wanted)
-                                     : tr("%1 samples of each design so far, refined to %2")
-                                           .arg(answer.report.study.samples)
-                                           .arg(answer.wanted));
+    m_sentence =
+        aims.join(QStringLiteral(" · ")) + QLatin1Char('\n') +
+        (answer.isRefined()   ? tr("%1 samples of each design").arg(answer.wanted)
+         : answer.secondsLeft ? tr("%1 samples of each design so far").arg(answer.report.study.samples)
+                              : tr("%1 samples of each design so far, refined to %2")
+                                    .arg(answer.report.study.samples)
+                                    .arg(answer.wanted));
     redraw();
 }
 
@@ -234,6 +358,7 @@ void DesignPage::showRuns() {
 std::optional<QPointF> DesignPage::placeOf(const SolvedBlow& blow) const {
     const DesignStudy& study = m_shown->report.study;
     if (study.choices.empty() || !blow.fault.isEmpty()) return {};
+    if (!study.choices.back().parameter) return {};
     const Parameter& along = *study.choices.back().parameter;
     if (!along.applies(blow.scenario) || hasUnits(blow.scenario) != hasUnits(study.base)) return {};
     if (const auto& map = m_plot->picture().map) return map->placeOf(blow.scenario);
@@ -260,7 +385,24 @@ std::vector<ParameterValue> DesignPage::valuesOf(std::uint64_t design) const {
 
 void DesignPage::click(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers) {
     if ((modifiers & ~Qt::ShiftModifier) || !m_shown || m_shown->report.study.choices.empty()) return;
-    if (const auto design = m_plot->designAt(rect, coordinates)) take(valuesOf(*design), modifiers);
+    if (const auto design = m_plot->designAt(rect, coordinates)) takeDesign(*design, modifiers);
+}
+
+/// Whether designs differ in more than numbers, so that a whole scenario is taken over.
+bool DesignPage::choosesPresets() const {
+    return m_shown && std::ranges::any_of(m_shown->report.study.choices,
+                                          [](const SweepAxis& axis) { return !axis.parameter; });
+}
+
+void DesignPage::takeDesign(std::uint64_t design, Qt::KeyboardModifiers modifiers) {
+    if (!m_shown) return;
+    if (!choosesPresets()) return take(valuesOf(design), modifiers);
+    const DesignStudy& study = m_shown->report.study;
+    const Scenario taken = designScenario(study, design);
+    if (modifiers & Qt::ShiftModifier)
+        pin(taken);
+    else
+        load(taken, tr("take the design %1").arg(QString::fromStdString(designName(study, design))));
 }
 
 void DesignPage::loadWorst(std::size_t aim) {
@@ -268,7 +410,14 @@ void DesignPage::loadWorst(std::size_t aim) {
     const std::optional<WorstCase>& worst = m_shown->report.findings.worst[aim];
     if (!worst) return;
     const DesignStudy& study = m_shown->report.study;
-    std::vector<ParameterValue> values = valuesOf(*m_shown->report.findings.best.robust);
+    const std::size_t robust = *m_shown->report.findings.best.robust;
+    if (choosesPresets()) {
+        Scenario scenario = designScenario(study, robust);
+        for (std::size_t i = 0; i < study.uncertain.size(); ++i)
+            study.uncertain[i].parameter->assign(scenario, worst->at[i]);
+        return load(scenario, tr("take the worst case"));
+    }
+    std::vector<ParameterValue> values = valuesOf(robust);
     for (std::size_t i = 0; i < study.uncertain.size(); ++i)
         values.push_back({study.uncertain[i].parameter, worst->at[i]});
     load(values);
@@ -292,13 +441,19 @@ QStringList DesignPage::commandWords() const {
     const std::optional<DesignStudy> study = wish().study;
     if (!study || !inputProblem().isEmpty()) return {};
     QStringList words{QStringLiteral("design"), QStringLiteral("--uncertain")};
-    for (const std::string& text : m_uncertain->texts()) words << fromView(text);
-    const std::vector<std::string> choices = m_choices->texts();
-    if (!choices.empty()) words << QStringLiteral("--choose");
-    for (const std::string& text : choices) words << fromView(text);
+    const DesignSetup now = setup();
+    const auto add = [&](const QString& option, const std::vector<std::string>& texts) {
+        if (!texts.empty()) words << option;
+        for (const std::string& text : texts) words << fromView(text);
+    };
+    for (const std::string& text : now.uncertain) words << fromView(text);
+    add(QStringLiteral("--choose"), now.choose);
     for (const DesignAim& aim : study->aims) words << QStringLiteral("--aim") << fromView(aim.name());
+    add(QStringLiteral("--at-most"), now.atMost);
+    add(QStringLiteral("--at-least"), now.atLeast);
     if (study->keepsEnergy) words << QStringLiteral("--keep-energy");
     words << QStringLiteral("--samples") << QString::number(study->samples);
+    if (now.seed) words << QStringLiteral("--seed") << QString::number(*now.seed);
     return words;
 }
 

@@ -9,6 +9,7 @@
 
 class QCPAxisRect;
 class QCheckBox;
+class QPushButton;
 
 namespace drillwave {
 
@@ -16,6 +17,7 @@ class AimRows;
 class ChoiceBox;
 class DesignCard;
 class DesignPlot;
+class PresetTicks;
 class RangeRows;
 
 class DesignPage : public StudyPage {
@@ -51,6 +53,15 @@ class DesignPage : public StudyPage {
     QString inputProblem() const;
     void forget();
     void followScenario();
+    void chooseSamples(int samples);
+    void showSetup(const DesignSetup& setup);
+    DesignSetup setup() const;
+    void keepSetup();
+    void excludePresetKeys();
+    void refine();
+    void showRefine(const DesignAnswer& answer);
+    bool choosesPresets() const;
+    void takeDesign(std::uint64_t design, Qt::KeyboardModifiers modifiers);
     void draw(const DesignAnswer& answer);
     void refuse(const QString& why);
     void showHere();
@@ -64,7 +75,9 @@ class DesignPage : public StudyPage {
     RangeRows* m_uncertain = nullptr;
     RangeRows* m_choices = nullptr;
     AimRows* m_aims = nullptr;
+    PresetTicks* m_presets = nullptr;
     QCheckBox* m_keepEnergy = nullptr;
+    QPushButton* m_refine = nullptr;
     ChoiceBox* m_samples = nullptr;
     DesignCard* m_card;
     DesignPlot* m_plot = nullptr;
@@ -73,7 +86,10 @@ class DesignPage : public StudyPage {
     int m_customary = 0;  // samples, of what was asked last
     std::shared_ptr<const DesignAnswer> m_shown;
     ShownUnits m_shownUnits;
-    AskedStudy<DesignStudy, DesignAnswer> m_study;  // goes first: its thread works
+    DesignSetup m_setup;                               // of the document, as it was shown last
+    bool m_isSetUp = false;                            // the controls are of the document
+    std::optional<DesignStudy> m_refined;              // which may take what it needs
+    AskedStudy<DesignQuestion, DesignAnswer> m_study;  // goes first: its thread works
 };
 
 }  // namespace drillwave

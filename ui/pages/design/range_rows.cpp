@@ -16,6 +16,7 @@
 #include "core/model/scales.h"
 #include "core/model/section_choice.h"
 #include "core/study/design/uncertain_input.h"
+#include "core/study/rows/sweep_axis.h"
 #include "ui/form/choice_box.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/design/density_mark.h"
@@ -252,6 +253,38 @@ std::string RangeRow::text() const {
     return m_range.text() + (m_isBell ? m_range.logarithmic ? ":lognormal" : ":normal" : m_range.tail());
 }
 
+bool RangeRow::setText(const std::string& text) {
+    StudyRange range;
+    bool isBell = false;
+    int count = customaryCount;
+    if (m_use == RangeUse::uncertain) {
+        using enum DistributionKind;
+        const ParsedUncertain parsed = parseUncertain(text);
+        if (!parsed.problem.isEmpty() || parsed.input.kind == percent) return false;
+        const DistributionKind kind = parsed.input.kind;
+        isBell = kind == normal || kind == lognormal;
+        range = {parsed.input.parameter, parsed.input.low, parsed.input.high,
+                 kind == log || kind == lognormal};
+    } else {
+        const ParsedAxis parsed = parseAxis(text);
+        const SweepAxis& axis = parsed.axis;
+        const bool isRange =
+            axis.kind == SweepAxis::Kind::linear || axis.kind == SweepAxis::Kind::logarithmic;
+        if (!parsed.problem.isEmpty() || !isRange || axis.count < 2 || axis.count > mostCount) return false;
+        count = static_cast<int>(axis.count);
+        range = {axis.parameter, axis.start, axis.stop, axis.kind == SweepAxis::Kind::logarithmic};
+    }
+    if (!range.parameter->applies(m_scenario) || m_parameters->count() == 0) return false;
+    m_isBell = isBell;
+    if (m_count) {
+        const QSignalBlocker quiet(m_count);
+        m_count->setValue(count);
+    }
+    setRange(range);
+    follow();
+    return m_range == range;
+}
+
 QString RangeRow::problem() const {
     for (const QuantityField* field : {m_low, m_high})
         if (field && !field->problem().isEmpty())
@@ -308,7 +341,77 @@ void RangeRows::present(const Scenario& scenario) {
 std::vector<std::string> RangeRows::texts() const {
     std::vector<std::string> texts;
     for (const RangeRow* row : rows()) texts.push_back(row->text());
+    for (const auto& [text, line] : m_texts) texts.push_back(text);
     return texts;
+}
+
+void RangeRows::setTexts(const std::vector<std::string>& texts) {
+    const QSignalBlocker quiet(this);
+    m_isProposed = true;
+    m_rows.clear();
+    clearTexts();
+    for (const std::string& text : texts) {
+        if (m_rows.isFull()) {
+            appendText(text);
+            continue;
+        }
+        RangeRow* row = append({});
+        if (row->setText(text)) continue;
+        m_rows.removeLast();
+        appendText(text);
+    }
+}
+
+void RangeRows::appendText(const std::string& text) {
+    auto* line = new QWidget(this);
+    auto* layout = new QHBoxLayout(line);
+    layout->setContentsMargins(0, 0, 0, 0);
+    auto* label = new QLabel(QString::fromStdString(text), line);
+    label->setTextFormat(Qt::PlainText);
+    auto* button = new QToolButton(line);
+    button->setObjectName(QStringLiteral("removeText"));
+    button->setText(QStringLiteral("✕"));
+    button->setAutoRaise(true);
+    button->setAccessibleName(tr("Remove %1").arg(label->text()));
+    layout->addWidget(label);
+    layout->addWidget(button);
+    layout->addStretch(1);
+    m_layout->addWidget(line);
+    line->show();
+    m_texts.emplace_back(text, line);
+    connect(button, &QToolButton::clicked, this, [this, line] {
+        std::erase_if(m_texts, [&](const auto& each) { return each.second == line; });
+        line->hide();
+        line->deleteLater();
+        emit changed();
+    });
+}
+
+void RangeRows::clearTexts() {
+    for (const auto& [text, line] : m_texts) {
+        line->hide();
+        line->deleteLater();
+    }
+    m_texts.clear();
+}
+
+bool RangeRows::isExcluded(std::string_view key) const {
+    return std::ranges::any_of(m_excluded, [&](const std::string& other) { return areRivals(other, key); });
+}
+
+bool RangeRows::exclude(std::vector<std::string> keys) {
+    m_excluded = std::move(keys);
+    std::vector<std::string> kept;
+    bool hasExcluded = false;
+    for (const RangeRow* row : rows()) {
+        if (isExcluded(row->range().parameter->key))
+            hasExcluded = true;
+        else
+            kept.push_back(row->text());
+    }
+    for (const auto& [text, line] : m_texts) kept.push_back(text);
+    if (hasExcluded) setTexts(kept);
+    return hasExcluded;
 }
 
 QString RangeRows::problem() const {
@@ -330,7 +433,8 @@ StudyRange RangeRows::proposal() const {
                parameter.value(m_scenario).value_or(0) > 0;
     };
     for (const KeptParameter& parameter : proposable(m_use, m_scenario))
-        if (parameter && parameter->applies(m_scenario) && !isThere(parameter->key) && hasValue(*parameter))
+        if (parameter && parameter->applies(m_scenario) && !isThere(parameter->key) &&
+            !isExcluded(parameter->key) && hasValue(*parameter))
             return rangeOfHalf(*parameter, m_scenario, m_use);
     return {};
 }
@@ -339,6 +443,7 @@ void RangeRows::propose() {
     m_isProposed = true;
     const QSignalBlocker quiet(this);
     m_rows.clear();
+    clearTexts();
     const std::size_t usual = m_use == RangeUse::uncertain ? 3 : 1;
     for (std::size_t i = 0; i < usual; ++i) append(proposal());
 }
@@ -352,12 +457,13 @@ void RangeRows::add() {
     emit changed();
 }
 
-void RangeRows::append(const StudyRange& range) {
+RangeRow* RangeRows::append(const StudyRange& range) {
     auto* row = new RangeRow(m_use, m_units, this);
     row->present(m_scenario);
     if (range.parameter) row->setRange(range);
     connect(row, &RangeRow::changed, this, &RangeRows::changed);
     m_rows.append(row, [this] { emit changed(); });
+    return row;
 }
 
 }  // namespace drillwave

@@ -5,6 +5,7 @@
 #include <QWidget>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "ui/pages/design/row_list.h"
@@ -38,6 +39,8 @@ class RangeRow : public QWidget {
     void setRange(const StudyRange& range);
     /// As on the command line: "bit_rock.gamma=0.05:0.3:normal", "pulse.duration=100 us:400 us:11".
     std::string text() const;
+    /// Shows what such a text says. False, and nothing changes, where the row has no controls for it.
+    bool setText(const std::string& text);
     /// What is wrong with the text in a field, with its name; empty where nothing is.
     QString problem() const;
     void setRemovable(bool removable);
@@ -86,8 +89,14 @@ class RangeRows : public QWidget {
     void present(const Scenario& scenario);
     /// The scenario that is presented next is another document, for which ranges are proposed anew.
     void forget() { m_isProposed = false; }
-    /// The texts of the rows.
+    /// The texts of the rows, and those that no row can show.
     std::vector<std::string> texts() const;
+    /// Shows these instead of the rows. Texts that no row can show stay as texts, with a button to remove
+    /// each. Emits no changed().
+    void setTexts(const std::vector<std::string>& texts);
+    /// Removes the rows about one of these keys or its rivals, and proposes none of them, until other keys
+    /// are excluded. Returns whether a row was removed; emits no changed().
+    bool exclude(std::vector<std::string> keys);
     /// The first of those of the rows.
     QString problem() const;
     const std::vector<RangeRow*>& rows() const { return m_rows.rows(); }
@@ -101,7 +110,10 @@ class RangeRows : public QWidget {
     void changed();
 
   private:
-    void append(const StudyRange& range);
+    RangeRow* append(const StudyRange& range);
+    void appendText(const std::string& text);
+    void clearTexts();
+    bool isExcluded(std::string_view key) const;
     StudyRange proposal() const;
     void propose();
 
@@ -111,7 +123,9 @@ class RangeRows : public QWidget {
     bool m_isProposed = false;
     QVBoxLayout* m_layout;
     QToolButton* m_add;
-    RowList<RangeRow> m_rows;  // in those
+    RowList<RangeRow> m_rows;                               // in those
+    std::vector<std::pair<std::string, QWidget*>> m_texts;  // that no row can show, with their lines
+    std::vector<std::string> m_excluded;
 };
 
 }  // namespace drillwave

@@ -34,6 +34,8 @@ class RowList {
         row->show();
         showButtons();
     }
+    /// Requires that there is one.
+    void removeLast() { remove(m_rows.back()); }
     void clear() {
         while (!m_rows.empty()) remove(m_rows.back());
     }

@@ -16,7 +16,7 @@ QString shellWord(const QString& word) {
 }
 
 QString commandText(const Document& document, const QString& name, const QStringList& words) {
-    const bool isSaved = !document.path().isEmpty() && !document.isModified();
+    const bool isSaved = !document.path().isEmpty() && !document.isScenarioModified();
     QStringList line{QStringLiteral("drillwave"), name,
                      isSaved ? shellWord(QDir::toNativeSeparators(document.path())) : QStringLiteral("-")};
     for (const QString& word : words) line << shellWord(word);

@@ -210,6 +210,24 @@ void StudyPage::pin(const std::vector<ParameterValue>& values) {
     if (m_refusal.isEmpty()) emit pinRequested(contents);
 }
 
+void StudyPage::load(const Scenario& scenario, const QString& step) {
+    m_refusal = m_document.useScenario(scenario, step);
+    showWords();
+}
+
+void StudyPage::pin(const Scenario& scenario) {
+    ScenarioDocument contents = m_document.contents();
+    contents.scenario = scenario;
+    m_refusal.clear();
+    try {
+        contents.text = writeScenario(contents);
+    } catch (const ScenarioError& error) {
+        m_refusal = translated(error);
+    }
+    showWords();
+    if (m_refusal.isEmpty()) emit pinRequested(contents);
+}
+
 void StudyPage::take(const std::vector<ParameterValue>& values, Qt::KeyboardModifiers modifiers) {
     if (modifiers & Qt::ShiftModifier)
         pin(values);

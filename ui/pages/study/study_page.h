@@ -76,6 +76,9 @@ class StudyPage : public PlotPage {
     void load(const std::vector<ParameterValue>& values);
     /// Pins the scenario with those values, which stays as it is; says why not.
     void pin(const std::vector<ParameterValue>& values);
+    /// The same with a whole scenario; `step` names the step.
+    void load(const Scenario& scenario, const QString& step);
+    void pin(const Scenario& scenario);
     /// The one or the other, by Shift.
     void take(const std::vector<ParameterValue>& values, Qt::KeyboardModifiers modifiers);
 

@@ -11,10 +11,13 @@
 #include <sstream>
 
 #include "core/model/parameter.h"
+#include "core/report/design_json.h"
+#include "core/report/design_text.h"
 #include "core/report/design_words.h"
 #include "core/study/design/constant_energy.h"
 #include "core/study/design/design_check.h"
 #include "core/study/design/design_study.h"
+#include "core/study/design/design_texts.h"
 #include "core/study/design/draws.h"
 #include "core/study/design/scenario_designs.h"
 #include "core/study/gap/gap_study.h"
@@ -87,41 +90,59 @@ double solvedAt(const DesignStudy& study, std::size_t design, std::size_t aim, c
     return outputs[study.placeOf(*study.aims[aim].output, {}).output];
 }
 
-/// Five designs of 100 to 300 us, of which 200 us is the present one, with such values of two aims: the first
-/// to be large, the second small. Values of NaN are not feasible.
-DesignReport reportOf(const std::vector<double>& first, const std::vector<double>& second, double error) {
+/// A problem whose answer is known: five designs with such values of two aims, the first to be large, the
+/// second small. Values of NaN are not feasible.
+struct KnownProblem {
+    QList<double> first = {1, 1, 1, 1, 1};
+    QList<double> second = {1, 1, 1, 1, 1};
+    double error = 1e-4;
+    double bound = NAN;  ///< the second is to be at most that, if it is a number
+    bool isNamed =
+        false;  ///< five hammers by name, of which the third is the present one; else 100 to 300 us
+    bool isForeign = false;  ///< the present one is none of the five
+};
+
+SweepAxis choiceOf(const KnownProblem& problem, Scenario& base) {
+    const char* text = problem.isNamed ? "hammer=light,Epiroc COP 1838,medium drifter,Montabert HC 50,heavy"
+                                       : "pulse.duration=100us,150us,200us,250us,300us";
+    const SweepAxis axis = parseChoice(text, base, builtInLookup()).axis;
+    axis.assign(base, axis.value(2));
+    if (problem.isForeign) base.pulse.duration *= 1.01;
+    return axis;
+}
+
+DesignReport reportOf(const KnownProblem& problem) {
     DesignReport report;
     DesignStudy& study = report.study;
     study.base = parseScenario(findExample("t38_medium_rock")->text, "").scenario;
-    study.base.pulse.duration = 200e-6;
-    SweepAxis axis;
-    axis.kind = SweepAxis::Kind::list;
-    axis.parameter = findParameter("pulse.duration");
-    axis.unit = &axis.parameter->displayUnit();
-    axis.list = {100e-6, 150e-6, 200e-6, 250e-6, 300e-6};
-    axis.count = axis.list.size();
-    study.choices = {axis};
+    study.choices = {choiceOf(problem, study.base)};
     const Statistic mean{.kind = Statistic::Kind::mean};
     study.aims = {{Sense::largest, findOutput("efficiency"), mean},
                   {Sense::least, findOutput("peak_force"), mean}};
     std::vector<AimOrder> orders;
     for (const DesignAim& aim : study.aims)
         orders.push_back({aim.sense, study.placeOf(*aim.output, aim.statistic)});
-    for (std::size_t d = 0; d < first.size(); ++d) {
+    std::vector<LimitOrder> limits;
+    if (!std::isnan(problem.bound)) {
+        study.limits = {{true, study.aims[1].output, mean, problem.bound}};
+        limits = {{true, orders[1].place, problem.bound}};
+    }
+    for (qsizetype d = 0; d < problem.first.size(); ++d) {
         DesignSamples samples;
         for (const OutputColumn& column : study.columns()) {
-            const double value = column.output->name == "efficiency" ? first[d] : second[d];
+            const double value = column.output->name == "efficiency" ? problem.first[d] : problem.second[d];
             SampledValue sampled{.value = value};
             // Replicates of every other design scatter the other way: the errors add up.
             for (std::size_t r = 0; r < replicateCount; ++r)
-                sampled.replicates[r] = value + ((r + d) % 2 == 0 ? error : -error) / 2;
+                sampled.replicates[r] =
+                    value + ((r + static_cast<std::size_t>(d)) % 2 == 0 ? problem.error : -problem.error) / 2;
             samples.nominal.push_back(value);
             samples.statistics.emplace_back(study.statisticsOf(*column.output).size(), sampled);
         }
         report.findings.designs.push_back(samples);
-        report.findings.feasibility.push_back(feasibilityOf(samples, orders, {}));
+        report.findings.feasibility.push_back(feasibilityOf(samples, orders, limits));
     }
-    report.findings.best = bestOf(report.findings.designs, orders, {});
+    report.findings.best = bestOf(report.findings.designs, orders, limits);
     return report;
 }
 
@@ -140,6 +161,7 @@ class TestDesignStudy : public QObject {
     void whatToMeasureIsSaidOnceTheSamplesCarryIt();
     void headlinesFollowTheAims_data();
     void headlinesFollowTheAims();
+    void headlinesWarnOfOverloadedRods();
     void drawsNeedEveryCell();
 };
 
@@ -323,48 +345,63 @@ void TestDesignStudy::whatToMeasureIsSaidOnceTheSamplesCarryIt() {
 }
 
 void TestDesignStudy::headlinesFollowTheAims_data() {
-    QTest::addColumn<QList<double>>("first");
-    QTest::addColumn<QList<double>>("second");
-    QTest::addColumn<double>("error");
+    QTest::addColumn<KnownProblem>("problem");
     QTest::addColumn<QString>("headline");
     QTest::addColumn<QString>("begins");
     QTest::addColumn<bool>("widens");
-    const QList<double> same{1, 1, 1, 1, 1};
-    const auto row = [](const char* name, const QList<double>& first, const QList<double>& second,
-                        double error, const char* headline, const char* begins, bool widens) {
-        QTest::newRow(name) << first << second << error << headline << begins << widens;
+    const auto row = [](const char* name, const KnownProblem& problem, const char* headline,
+                        const char* begins, bool widens = false) {
+        QTest::newRow(name) << problem << headline << begins << widens;
     };
-    row("the present one is best", {0.5, 0.6, 0.7, 0.6, 0.5}, same, 1e-4, "keep",
-        "Keep 200 us: nothing from 100 us to 300 us is better in efficiency mean", false);
-    row("another is better", {0.5, 0.6, 0.7, 0.8, 0.5}, same, 1e-4, "change",
-        "Change from 200 us to 250 us: efficiency mean becomes 0.8", false);
-    row("another is better by less than the errors", {0.5, 0.6, 0.7, 0.701, 0.5}, same, 1e-2, "keep",
-        "Keep 200 us", false);
-    row("the next aim decides", {0.5, 0.7, 0.7, 0.7, 0.5}, {9, 1, 2, 3, 9}, 1e-4, "change",
-        "Change from 200 us to 150 us: peak_force mean becomes 1", false);
-    row("ties in all aims", {0.5, 0.7, 0.7, 0.7, 0.5}, same, 1e-4, "keep", "Keep 200 us", false);
-    row("flat", {0.7, 0.7, 0.7, 0.7, 0.7}, same, 1e-3, "no_difference",
-        "pulse.duration makes no difference: efficiency mean is 0.7, within ", false);
-    row("flat but for rounding", {0.7, 0.7, 0.7 + 1e-15, 0.7, 0.7}, same, 0, "no_difference", "pulse", false);
-    row("the end is better", {0.5, 0.6, 0.7, 0.8, 0.9}, same, 1e-4, "change", "Change from 200 us to 300 us",
+    row("the present one is best", {.first = {0.5, 0.6, 0.7, 0.6, 0.5}}, "keep",
+        "Keep 200 us: nothing from 100 us to 300 us is better in efficiency mean");
+    row("another is better", {.first = {0.5, 0.6, 0.7, 0.8, 0.5}}, "change",
+        "Change from 200 us to 250 us: efficiency mean becomes 0.8");
+    row("another is better by less than the errors", {.first = {0.5, 0.6, 0.7, 0.701, 0.5}, .error = 1e-2},
+        "keep", "Keep 200 us");
+    row("the next aim decides", {.first = {0.5, 0.7, 0.7, 0.7, 0.5}, .second = {9, 1, 2, 3, 9}}, "change",
+        "Change from 200 us to 150 us: peak_force mean becomes 1");
+    row("ties in all aims", {.first = {0.5, 0.7, 0.7, 0.7, 0.5}}, "keep", "Keep 200 us");
+    row("flat", {.first = {0.7, 0.7, 0.7, 0.7, 0.7}, .error = 1e-3}, "no_difference",
+        "pulse.duration makes no difference: efficiency mean is 0.7, within ");
+    row("flat but for rounding", {.first = {0.7, 0.7, 0.7 + 1e-15, 0.7, 0.7}, .error = 0}, "no_difference",
+        "pulse");
+    row("the end is better", {.first = {0.5, 0.6, 0.7, 0.8, 0.9}}, "change", "Change from 200 us to 300 us",
         true);
-    row("the other end is better", {0.9, 0.8, 0.7, 0.6, 0.5}, same, 1e-4, "change",
+    row("the other end is better", {.first = {0.9, 0.8, 0.7, 0.6, 0.5}}, "change",
         "Change from 200 us to 100 us", true);
-    row("the end is no better than its neighbour", {0.5, 0.6, 0.7, 0.9, 0.9001}, same, 1e-2, "change",
-        "Change from 200 us to 300 us", false);
-    row("the present one has no answer", {0.5, 0.6, NAN, 0.7, 0.5}, same, 1e-4, "change",
-        "Take 250 us: efficiency mean is 0.7", false);
-    row("none is feasible", {NAN, NAN, NAN, NAN, NAN}, same, 1e-4, "none_feasible", "", false);
+    row("the end is no better than its neighbour", {.first = {0.5, 0.6, 0.7, 0.9, 0.9001}, .error = 1e-2},
+        "change", "Change from 200 us to 300 us");
+    row("the present one has no answer", {.first = {0.5, 0.6, NAN, 0.7, 0.5}}, "change",
+        "Take 250 us: efficiency mean is 0.7");
+    row("none is feasible", {.first = {NAN, NAN, NAN, NAN, NAN}}, "none_feasible", "");
+    row("a limit excludes the best",
+        {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .second = {1, 1, 1, 1, 3}, .bound = 2}, "change",
+        "Change from 200 us to 250 us: efficiency mean becomes 0.8");
+    row("a limit excludes all that is better",
+        {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .second = {1, 1, 1, 3, 3}, .bound = 2}, "keep", "Keep 200 us");
+    row("a limit excludes the present one",
+        {.first = {0.5, 0.6, 0.7, 0.5, 0.4}, .second = {1, 1, 3, 1, 1}, .bound = 2}, "change",
+        "Change from 200 us to 150 us: efficiency mean is 0.6 +- 5e-05. The present design does not meet all "
+        "limits.");
+    row("a limit excludes all", {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .bound = 0.5}, "none_feasible", "");
+    row("the present hammer is best", {.first = {0.5, 0.6, 0.7, 0.6, 0.5}, .isNamed = true}, "keep",
+        "Keep medium drifter: none of 5 designs is better in efficiency mean");
+    row("the last hammer is better", {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .isNamed = true}, "change",
+        "Change from medium drifter to heavy drifter, piston: efficiency mean becomes 0.9");
+    row("hammers are equal", {.first = {0.7, 0.7, 0.7, 0.7, 0.7}, .error = 1e-3, .isNamed = true},
+        "no_difference", "hammer makes no difference: efficiency mean is 0.7, within ");
+    row("the present hammer is none of them",
+        {.first = {0.5, 0.6, 0.7, 0.8, 0.5}, .isNamed = true, .isForeign = true}, "change",
+        "Take Montabert HC 50: efficiency mean is 0.8");
 }
 
 void TestDesignStudy::headlinesFollowTheAims() {
-    QFETCH(QList<double>, first);
-    QFETCH(QList<double>, second);
-    QFETCH(double, error);
+    QFETCH(KnownProblem, problem);
     QFETCH(QString, headline);
     QFETCH(QString, begins);
     QFETCH(bool, widens);
-    const DesignReport report = reportOf({first.begin(), first.end()}, {second.begin(), second.end()}, error);
+    const DesignReport report = reportOf(problem);
     const std::string_view found = name(headlineOf(report).value());
     QCOMPARE(QString::fromUtf8(found.data(), static_cast<qsizetype>(found.size())), headline);
     const QString sentence = QString::fromStdString(headlineMessage(report).text());
@@ -373,7 +410,38 @@ void TestDesignStudy::headlinesFollowTheAims() {
     const std::vector<DesignRemark> remarks = remarksOn(report);
     QCOMPARE(std::ranges::find(remarks, "optimum_at_edge", &DesignRemark::code) != remarks.end(), widens);
     const auto marks = marksOf(report, 2, presentDesign(report.study));
-    QVERIFY(std::ranges::find(marks, "present") != marks.end());
+    QCOMPARE(std::ranges::find(marks, "present") != marks.end(), !problem.isForeign);
+}
+
+// A hammer that drills deepest overloads the rod, which the hammer before it does not.
+void TestDesignStudy::headlinesWarnOfOverloadedRods() {
+    DesignReport report;
+    DesignStudy& study = report.study;
+    study.base = parseScenario(findExample("t38_medium_rock")->text, "").scenario;
+    study.base.rod.fatigueStrength = 1e9;
+    study.uncertain = {parseUncertain("bit_rock.gap=0mm:1mm").input};
+    study.aims = {{Sense::largest, findOutput("max_penetration"), {.kind = Statistic::Kind::mean}}};
+    study.samples = leastDesignSamples;
+    const auto headline = [&] {
+        report.findings = runDesign(study, {.jobs = 1});
+        return QString::fromStdString(headlineMessage(report).text());
+    };
+    study.choices = {parseChoice("hammer=medium drifter,heavy", study.base, builtInLookup()).axis};
+    QVERIFY2(!headline().contains("fatigued"), qPrintable(headline()));
+    QCOMPARE(report.findings.recommended, std::optional<std::size_t>(1));
+    const Scenario heavy = designScenario(study, 1);
+    study.base.rod.fatigueStrength = 350e6;
+    QVERIFY2(headline().contains("Warning for heavy drifter, piston: The rod is fatigued by every blow"),
+             qPrintable(headline()));
+    QCOMPARE(report.findings.alerts.front().code, AlertCode::stressAboveFatigue);
+    QVERIFY(designJson(report).find("\"stress_above_fatigue\"") != std::string::npos);
+    QVERIFY(designText(report).find("Warning for heavy drifter") != std::string::npos);
+    // of one design, and of the base kept: strengths are named, what the base raises anyway is not
+    study.choices.clear();
+    study.base = heavy;
+    study.base.rod.fatigueStrength = 350e6;
+    QVERIFY2(headline().startsWith("Warning: The rod is fatigued"), qPrintable(headline()));
+    for (const Alert& alert : report.findings.alerts) QCOMPARE(alert.code, AlertCode::stressAboveFatigue);
 }
 
 void TestDesignStudy::drawsNeedEveryCell() {

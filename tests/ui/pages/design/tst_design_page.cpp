@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The page Design: the numbers of the command, rows that say what is not known, and designs in the hand.
 #include <QCheckBox>
+#include <QFile>
 #include <QFontMetricsF>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QMenu>
 #include <QProcess>
 #include <QSignalSpy>
 #include <QSpinBox>
@@ -18,7 +20,10 @@
 
 #include "core/model/form_conversion.h"
 #include "core/model/section_choice.h"
+#include "core/report/design_words.h"
 #include "core/study/design/constant_energy.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 #include "tests/support/program.h"
 #include "tests/support/window.h"
 #include "ui/form/quantity_field.h"
@@ -69,6 +74,12 @@ class TestDesignPage : public QObject {
     void boxesAreAsWideAsWhatIsChosen();
     void theCountOfSolvesNeverGoesBack();
     void aStudyOutOfSightIsStopped();
+    void theSetUpOfTheDocumentIsShownAndKept();
+    void untouchedControlsChangeNoFile();
+    void tickedHammersAreDesigns();
+    void whatNoRowShowsStaysAsText();
+    void aStudyOfAStringStopsAndOffersTheRest();
+    void theCardHasTheMarksOfTheFiles();
 
   private:
     /// What the rows ask.
@@ -533,12 +544,12 @@ void TestDesignPage::theCountOfSolvesNeverGoesBack() {
     std::mutex lock;
     std::vector<std::size_t> told;
     const std::stop_source never;
-    const DesignAnswer answer = answerDesign(study, {never.get_token(),
-                                                     [&](const StudyProgress& progress) {
-                                                         const std::lock_guard guard(lock);
-                                                         told.push_back(progress.done);
-                                                     },
-                                                     [](const DesignAnswer&) {}});
+    const DesignAnswer answer = answerDesign({study}, {never.get_token(),
+                                                       [&](const StudyProgress& progress) {
+                                                           const std::lock_guard guard(lock);
+                                                           told.push_back(progress.done);
+                                                       },
+                                                       [](const DesignAnswer&) {}});
     QVERIFY(answer.isRefined());
     QVERIFY(told.size() > 10);
     QVERIFY(std::ranges::is_sorted(told));
@@ -551,6 +562,133 @@ void TestDesignPage::aStudyOutOfSightIsStopped() {
     QTRY_COMPARE(m_page->activity()->state(), StudyState::running);
     m_page->hide();
     QCOMPARE(m_page->activity()->state(), StudyState::stopped);
+}
+
+// Undone, saved and opened as every other edit.
+void TestDesignPage::theSetUpOfTheDocumentIsShownAndKept() {
+    showPage();
+    m_document->undoStack().clear();
+    QVERIFY(!m_document->isModified());
+    const DesignSetup before = m_document->design();
+    rows("uncertain").rows()[0]->setRange({findParameter("bit_rock.stiffness"), 60e6, 240e6, false});
+    QVERIFY(m_document->isModified());
+    QCOMPARE(m_document->design().uncertain[0], std::string("bit_rock.stiffness=60 MN/m:240 MN/m"));
+    m_document->undoStack().undo();
+    QVERIFY(!m_document->isModified() && m_document->design() == before);
+    QVERIFY(rows("uncertain").texts()[0] != "bit_rock.stiffness=60 MN/m:240 MN/m");
+    m_document->undoStack().redo();
+    auto* aims = m_page->findChild<AimRows*>();
+    aims->setAims({{Sense::largest, findOutput("loading_work"), {Statistic::Kind::mean}}});
+    const QString path = m_folder.filePath(QStringLiteral("with_design.yaml"));
+    QVERIFY(m_document->save(path).isEmpty());
+    const Asked kept = asked();
+    QVERIFY(m_document->open(example(QStringLiteral("t38_medium_rock"))).isEmpty());
+    QVERIFY(!(asked() == kept) && m_document->design().isEmpty());
+    QVERIFY(m_document->open(path).isEmpty());
+    QVERIFY(asked() == kept);
+    QVERIFY(!m_document->isModified());
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
+    QCOMPARE(m_page->answer()->report.study.aims[0].name(), std::string("max:loading_work@mean"));
+}
+
+void TestDesignPage::untouchedControlsChangeNoFile() {
+    const QByteArray before = m_document->text();
+    m_page->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+    QTRY_VERIFY(m_page->studies() > 0);
+    QVERIFY(!m_document->isModified() && m_document->design().isEmpty());
+    QCOMPARE(m_document->text(), before);
+}
+
+void TestDesignPage::tickedHammersAreDesigns() {
+    showPage();
+    auto* menu = m_page->findChild<QToolButton*>(QStringLiteral("hammer"))->menu();
+    QVERIFY(m_page->findChild<QToolButton*>(QStringLiteral("bit"))->isHidden());
+    for (const char* name : {"light drifter, short blow", "heavy drifter, piston"})
+        menu->findChild<QCheckBox*>(QString::fromLatin1(name))->click();
+    // the duration of the blow is the hammer's now, and so is its energy
+    QVERIFY(rows("choices").rows().empty());
+    QVERIFY(!m_page->findChild<QCheckBox*>(QStringLiteral("keepEnergy"))->isEnabled());
+    QCOMPARE(m_document->design().choose,
+             std::vector<std::string>{"hammer=light drifter, short blow,heavy drifter, piston"});
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
+    QVERIFY2(m_page->answer()->problems.empty(), "cannot run");
+    const DesignPicture& picture = m_page->designPlot().picture();
+    QCOMPARE(picture.words.size(), 2);
+    QCOMPARE(m_page->answer()->report.findings.designs.size(), std::size_t{2});
+    QVERIFY(
+        m_page->command().contains(QStringLiteral("hammer=light drifter, short blow,heavy drifter, piston")));
+    const int steps = m_document->undoStack().count();
+    auto* card = m_page->findChild<DesignCard*>();
+    const Scenario expected = designScenario(m_page->answer()->report.study, 1);
+    emit card->designWanted(1);
+    QCOMPARE(m_document->undoStack().count(), steps + 1);
+    QVERIFY(m_document->scenario().pulse == expected.pulse);
+}
+
+void TestDesignPage::whatNoRowShowsStaysAsText() {
+    const QString path = m_folder.filePath(QStringLiteral("texts.yaml"));
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(m_document->text() +
+               "design:\n  uncertain: [bit_rock.gap=0mm:1mm, pulse.impulse=+-10%]\n"
+               "  choose: ['rod.length=3m,4m', rod.diameter=36mm:40mm:3]\n  at_most: [thrust@q95=20kN]\n"
+               "  samples: 512\n  seed: 5\n");
+    file.close();
+    QVERIFY(m_document->open(path).isEmpty());
+    m_page->show();
+    QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
+    const DesignStudy& study = m_page->answer()->report.study;
+    QCOMPARE(study.uncertain.size(), std::size_t{2});
+    QCOMPARE(study.choices.size(), std::size_t{2});
+    QCOMPARE(study.limits.size(), std::size_t{1});
+    QCOMPARE(study.samples, std::uint64_t{512});
+    QCOMPARE(study.seed, std::uint64_t{5});
+    QVERIFY(!study.keepsEnergy);
+    QVERIFY(!m_document->isModified());
+    QCOMPARE(rows("uncertain").rows().size(), std::size_t{1});
+    rows("uncertain").findChild<QToolButton*>(QStringLiteral("removeText"))->click();
+    QCOMPARE(m_document->design().uncertain.size(), std::size_t{1});
+    QCOMPARE(m_document->design().atMost, std::vector<std::string>{"thrust@q95=20kN"});
+}
+
+// Without seconds to spare the first samples are the answer.
+void TestDesignPage::aStudyOfAStringStopsAndOffersTheRest() {
+    DesignStudy study;
+    study.base = parseScenario(findExample("t38_string")->text, "").scenario;
+    study.uncertain = {parseUncertain("bit_rock.gap=0mm:1mm").input};
+    study.choices = {parseAxis("bit_rock.stiffness=80MN/m,100MN/m").axis};
+    study.aims = {{Sense::largest, findOutput("efficiency"), {Statistic::Kind::mean}}};
+    study.samples = 1024;
+    const StudyFeed<DesignAnswer> feed{.stop = {}, .tell = [](auto) {}, .show = [](auto) {}};
+    const DesignAnswer cut = answerDesign({study, 0.0}, feed);
+    QVERIFY(cut.secondsLeft && *cut.secondsLeft > 0);
+    QVERIFY(!cut.isRefined());
+    study.samples = 16;
+    const DesignAnswer whole = answerDesign({study, {}}, feed);
+    QVERIFY(!whole.secondsLeft && whole.isRefined() && whole.hasBest());
+}
+
+void TestDesignPage::theCardHasTheMarksOfTheFiles() {
+    showPage();
+    const DesignReport& report = m_page->answer()->report;
+    const std::optional<std::size_t> present = presentDesign(report.study);
+    const std::pair<std::string_view, QString> marks[]{
+        {"best_uncertain", QStringLiteral("Best for uncertain rock")},
+        {"best_nominal", QStringLiteral("Best for the values entered")},
+        {"equal", QStringLiteral("Equally good")},
+        {"present", QStringLiteral("Present design")}};
+    const QString text = m_page->card().toPlainText();
+    for (const auto& [mark, words] : marks) {
+        bool isThere = false;
+        for (std::size_t d = 0; d < report.findings.designs.size(); ++d) {
+            const auto ofDesign = marksOf(report, d, present);
+            isThere |= std::ranges::find(ofDesign, mark) != ofDesign.end();
+        }
+        QVERIFY2(text.contains(words) == isThere, qPrintable(words + QLatin1Char('\n') + text));
+    }
+    QVERIFY(text.contains(QStringLiteral("Present design: 200")));
 }
 
 QTEST_MAIN(TestDesignPage)
