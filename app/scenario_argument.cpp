@@ -9,6 +9,7 @@
 #include "app/command_error.h"
 #include "app/input_text.h"
 #include "app/preset_options.h"
+#include "app/signal_options.h"
 #include "core/model/alerts.h"
 #include "core/model/assignments.h"
 #include "core/model/blow_traits.h"
@@ -130,6 +131,7 @@ std::vector<OptionSpec> scenarioOptions(std::initializer_list<OptionSpec> own) {
     std::vector<OptionSpec> options{setOption};
     for (const OptionSpec& option : presetOptionSpecs()) options.push_back(option);
     options.insert(options.end(), own);
+    for (const OptionSpec& option : recordOptionSpecs()) options.push_back(option);
     return options;
 }
 
@@ -195,6 +197,7 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
     tellNewerVersion(inputName(path), input.version, arguments.style());
     Scenario& scenario = input.document.scenario;
     applyPresets(scenario, arguments, inputName(path));
+    applySignal(scenario, arguments, inputName(path));
     std::vector<Message> problems;
     bool isUsage = false;
     const std::vector<Setting> all = settings(arguments);

@@ -12,8 +12,9 @@ namespace drillwave {
 
 /// The text with the scenario's values: changed ones in the unit the file used and without the
 /// comment behind them, which was about the value before, new ones on new lines, those
-/// that went taken out. nullopt where that takes more than exchanging single values and lines (another form,
-/// changed points of a table, values that span lines). The caller checks that the result says the scenario.
+/// that went taken out. A list of points or of corners that changes is put in as lines of its own. nullopt
+/// where that takes more than exchanging values, lines and such lists (another form, values that span lines).
+/// The caller checks that the result says the scenario.
 std::optional<std::string> patchedText(std::string_view text, const Scenario& scenario);
 
 }  // namespace drillwave
