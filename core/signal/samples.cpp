@@ -121,6 +121,13 @@ class SampleReader {
         return {};
     }
 
+    /// 60 us as the double nearest to 60e-6: by division, as the inverse of the unit is a whole number.
+    double inSeconds(double time) const {
+        const double inverse = std::round(1 / m_source.timeUnit);
+        const bool isWhole = inverse > 1 && std::abs(inverse * m_source.timeUnit - 1) < 1e-12;
+        return isWhole ? time / inverse : time * m_source.timeUnit;
+    }
+
     std::optional<double> timeIn(const std::vector<std::string_view>& cells) {
         const std::size_t column = *m_source.timeColumn;
         if (column < cells.size() && cells[column].find(':') != std::string_view::npos) {
@@ -131,7 +138,7 @@ class SampleReader {
             }
         }
         const std::optional<double> time = number(cells, column);
-        return time ? std::optional(*time * m_source.timeUnit) : std::nullopt;
+        return time ? std::optional(inSeconds(*time)) : std::nullopt;
     }
 
     void readRow(std::string_view line) {
