@@ -29,7 +29,7 @@ namespace {
 
 constexpr OptionSpec recorderOption{"recorder", "NAME", "read with the settings kept under this name"};
 
-/// Of a table of a blow.
+/// Most points of a tabulated blow.
 constexpr std::size_t mostPoints = 10'000;
 
 [[noreturn]] void refuseUsage(const Message& message) {

@@ -17,7 +17,7 @@ std::vector<OptionSpec> signalOptionSpecs();
 /// --signal with the reading options, of a command that takes a scenario.
 std::vector<OptionSpec> recordOptionSpecs();
 
-/// What the words say: the settings of --recorder, and those of the options on top. Throws CommandError.
+/// Returns the settings of --recorder, overridden by the options given. Throws CommandError.
 SignalOptions signalOptionsOf(const Arguments& arguments);
 
 /// Keeps the reading options of the words under the name of --save-recorder, where it is given. Throws
@@ -27,7 +27,7 @@ void saveRecorder(const Arguments& arguments);
 /// recorders.yaml beside the user's presets.yaml.
 std::string recordersPath();
 
-/// Puts the blow of --signal in place of the blow of the scenario, which `path` names: thinned to
+/// Replaces the blow of the scenario by that of --signal, thinned to
 /// thinningError, unless --all-samples asks for all of them. A hammer of sections makes room for it. Says on
 /// stderr what was done. Throws CommandError: usage where a reading option comes without --signal, unreadable
 /// input, an open question.

@@ -17,7 +17,7 @@ namespace {
 constexpr std::size_t fewestPoints = 12;
 constexpr double moreByStep = 1.4;  // points from try to try
 
-/// Of the exact solver, for one try.
+/// Wave pieces of the exact solver for one try.
 constexpr long mostPiecesOfTry = 10'000'000;
 
 /// The rod on which e is compared; nothing where there is none, as without units.

@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// Of the impulse, and of e, that thinning may change.
+/// Largest change of e and relative change of the impulse that thinning may cause.
 inline constexpr double thinningError = 1e-4;
 
 struct ThinnedBlow {

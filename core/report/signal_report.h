@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What was read of a record, as text, as a row of a series, as JSON and as a table of samples.
+// Reports of a record: text, a row of a series, JSON and a table of samples.
 #pragma once
 
 #include <span>

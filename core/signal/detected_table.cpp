@@ -26,7 +26,7 @@ bool isComment(std::string_view line) {
 /// The cells of a line that are numbers, and how much speaks for the format.
 struct RowLook {
     Pattern numbers;   // or missing values
-    Pattern isNumber;  // numbers alone
+    Pattern isNumber;  // numbers only
     int count = 0;
     int words = 0;
 };
@@ -222,7 +222,7 @@ void readHeader(std::span<const std::string> lines, const Pattern& columns, Dete
         // Any comment is one cell: of a single column only one with a unit speaks.
         if (comment && (found.size() < 2 && std::ranges::none_of(found, hasUnit))) continue;
         if (found.empty()) {
-            // What stands between headings, such as ranges and offsets, is none of them.
+            // Ranges and offsets between headings are no headings.
             TableRow row;
             const bool hasCells =
                 row.split(lines[line], table.format.separator).size() == table.columns.size();
@@ -256,7 +256,7 @@ void readHeader(std::span<const std::string> lines, const Pattern& columns, Dete
     }
 }
 
-/// What the cells of a column are: numbers, stamps, a count of the rows.
+/// Sorts columns into numbers, stamps and counts of the rows.
 void judgeColumns(std::span<const std::string> lines, DetectedTable& table) {
     const std::size_t count = table.columns.size();
     std::vector<std::size_t> numbers(count), stamps(count), filled(count);

@@ -32,7 +32,7 @@ std::optional<NamedSignalUnit> statedUnit(const TableColumn& column);
 /// The unit of a column of times [s], 1 of stamps; nothing where the heading states none that is known.
 std::optional<double> statedTimeUnit(const TableColumn& column);
 
-/// What a signal probably is where its heading has no unit: a strain by its name, else a force.
+/// Returns the likely kind of a signal whose heading has no unit: a strain by its name, else a force.
 SignalKind likelyKind(const TableColumn& column);
 
 }  // namespace drillwave

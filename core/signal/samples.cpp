@@ -52,7 +52,7 @@ class SampleReader {
     }
 
   private:
-    /// Of times that repeat: as many samples at even times say at which rate.
+    /// Refuses times that repeat, with the rate at which as many samples are evenly spaced.
     Samples coarse(std::size_t line) {
         Samples none = failed(
             line,
@@ -106,7 +106,7 @@ class SampleReader {
         return std::nullopt;
     }
 
-    /// What a cell looks like that is no number with these signs.
+    /// Says how a cell can be read that is no number with these signs.
     std::string likelyReading(std::string_view cell) const {
         RowFormat other = m_source.format;
         const bool isPoint = other.decimal == DecimalSign::point;

@@ -48,7 +48,7 @@ struct Samples {
     std::vector<double> halfDifference;  ///< of the first and the second gauge, where there are two
     std::size_t problemLine = 0;         ///< 0 where the problem is of no line
     std::string problem;                 ///< why not; then there are no samples
-    /// Of times that are too coarse: what follows from the first, the last and their number, rounded as far
+    /// Estimated rate of times that are too coarse, from the first, the last and their number, rounded as far
     /// as their steps allow [Hz], and the first time [s].
     std::optional<double> estimatedRate = {};
     double firstTime = 0;
@@ -57,8 +57,8 @@ struct Samples {
 /// More are refused: 160 MB.
 inline constexpr std::size_t mostSamples = 10'000'000;
 
-/// What follows from the first time, the last and the number of samples, rounded to as few digits as the
-/// steps of the clock leave open: `firstStep` and `lastStep` are how far it jumps there [s].
+/// Returns the rate that follows from the first time, the last and the number of samples, to as few digits as
+/// the steps of the clock leave open: `firstStep` and `lastStep` are how far it jumps there [s].
 double estimatedRate(double first, double last, std::size_t samples, double firstStep, double lastStep);
 
 /// Reads all rows from the first line with samples to the end, blank lines and comments passed over. A row

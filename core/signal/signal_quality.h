@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is remarkable about a record: flat tops, offset, drift, steps, jitter, several blows, opposite gauges.
+// Quality of a record: flat tops, offset, drift, steps, jitter, several blows, opposite gauges.
 #pragma once
 
 #include <cstddef>

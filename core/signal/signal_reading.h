@@ -22,21 +22,22 @@
 
 namespace drillwave {
 
-/// What one number of the table is, given by hand: so many of a unit of force, or newtons per volt.
+/// Scale of the numbers of a table, given by hand: a factor of a force, or newtons per volt.
 struct SignalScale {
     double factor = 1;       ///< as typed
     bool isPerUnit = false;  ///< in N for one V, m/s or m/m of the column: "50 kN/V"
     bool operator==(const SignalScale&) const = default;
 };
 
-/// What a user says of a record where it states nothing, or something wrong. Nothing is left as it is found.
+/// Facts about a record that its table does not state, or states wrongly. Empty ones are taken from the
+/// table.
 struct SignalOptions {
     std::optional<char> separator = {};
     std::optional<DecimalSign> decimal = {};
     std::optional<std::size_t> firstLine = {};
     TextEncoding encoding = TextEncoding::found;
     std::string timeColumn = {};          ///< name, or number from 1
-    std::string signalColumn = {};        ///< likewise; two with a plus sign between are averaged
+    std::string signalColumn = {};        ///< by name or number; two with a plus sign between are averaged
     std::optional<double> timeUnit = {};  ///< [s]
     std::optional<NamedSignalUnit> unit = {};
     std::optional<double> rate = {};  ///< [Hz]

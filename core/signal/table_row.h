@@ -47,7 +47,7 @@ std::optional<double> cellNumber(std::string_view cell, const RowFormat& format)
 /// as it is.
 std::string plainCell(std::string_view cell, const RowFormat& format);
 
-/// What a number in a cell says of its signs.
+/// Evidence in one cell of the decimal sign and of groups of thousands.
 struct SignEvidence {
     bool point = false;      ///< the point must be a decimal sign
     bool comma = false;      ///< the comma must be

@@ -73,7 +73,7 @@ class TextLines {
 std::vector<std::string> firstLines(std::istream& in, std::size_t most,
                                     TextEncoding wanted = TextEncoding::found);
 
-/// What a file is that begins so, where it is known and no text: "a zip archive". Empty for what may be a
+/// Names a file that begins so and is no text: "a zip archive". Empty for what may be a
 /// table.
 std::string_view knownFormat(std::string_view beginning);
 

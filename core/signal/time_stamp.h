@@ -17,7 +17,7 @@ struct TimeStamp {
 };
 
 /// Reads "09:11:02.0001", "09:11:02,0001", "11:02.5" (minutes and seconds), "9:11:02 PM", each also after a
-/// date and a blank or T: "2024-03-12T09:11:02Z", "12.03.2024 09:11:02", "03/12/2024 9:11:02 AM". Of "03/12"
+/// date and a blank or T: "2024-03-12T09:11:02Z", "12.03.2024 09:11:02", "03/12/2024 9:11:02 AM". In "03/12"
 /// the month is taken to be first; it matters only where a record passes midnight.
 std::optional<TimeStamp> timeStamp(std::string_view cell);
 

@@ -154,7 +154,7 @@ class Patcher {
         return points;
     }
 
-    /// The items of a list of a section as they would be written anew, one a line, without indentation.
+    /// Returns the items of a list of a section as a new file has them, one per line, without indentation.
     std::vector<std::string> listItems(std::string_view section, std::string_view key) const {
         const std::string text = sectionText(m_scenario, section);
         const std::string heading = "  " + std::string(key) + ":\n";
@@ -171,7 +171,7 @@ class Patcher {
         return items;
     }
 
-    /// Puts a list into the map of a section as lines of its own, in place of the one that is there.
+    /// Puts a list into the map of a section as lines of its own, and removes the old one.
     void patchLines(const YamlNode& map, std::string_view section, std::string_view key, bool wanted) {
         const std::size_t at = indexOf(map, key);
         const bool there = at < map.children.size();

@@ -48,7 +48,7 @@
         <translation>Dichte</translation>
     </message>
     <message>
-        <source>Of the bar: its impedance is area times √(E ρ)</source>
+        <source>The impedance of the bar is its area times √(E ρ)</source>
         <translation>Des Stabs: Seine Impedanz ist Fläche mal √(E ρ)</translation>
     </message>
     <message>
@@ -64,7 +64,7 @@
         <translation>Verstärkung</translation>
     </message>
     <message>
-        <source>Of the amplifier: volts out over volts in</source>
+        <source>Volts out of the amplifier over volts in</source>
         <translation>Des Verstärkers: Volt am Ausgang durch Volt am Eingang</translation>
     </message>
     <message>
@@ -84,7 +84,7 @@
         <translation>Kraft je Volt</translation>
     </message>
     <message>
-        <source>Of a calibration; it goes before the bridge</source>
+        <source>Result of a calibration; it overrides the bridge</source>
         <translation>Aus einer Kalibrierung; sie geht der Brücke vor</translation>
     </message>
     <message>
@@ -3627,7 +3627,7 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <translation>NUL-Bytes beenden die Tabelle: Der Rekorder hat seine Datei nicht gefüllt.</translation>
     </message>
     <message>
-        <source>Table: separator, decimal sign, the first line with a sample and the columns are found out; change what is wrong. What the table does not state, such as a unit or the sampling rate, has to be chosen.
+        <source>Table: separator, decimal sign, the first line with a sample and the columns are found out; change what is wrong. A unit or a sampling rate that the table does not state has to be chosen.
 Signal: force, strain, output of a bridge, voltage, stress or velocity in the unit of the column. A strain becomes a force by E and the area of the rod, of the string where the gauge is, or of another bar; a voltage by a calibration, or by gain, excitation and bridge factor; a velocity by the impedance. Tension is positive in the rod; a blow presses.
 Zero line: the mean of the first samples, in which nothing happens.
 Range: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and Shift+drag zoom there), “All” the whole record.

@@ -24,7 +24,7 @@ GaugeRows::GaugeRows(QFormLayout& form, const std::function<void()>& changed) : 
         addQuantity(form, {"gaugeFactor", tr("gauge factor k"), tr("Relative resistance over strain")},
                     Quantity::ratio, "", FieldRange::positive, 2, changed);
     m_density =
-        addQuantity(form, {"density", tr("density"), tr("Of the bar: its impedance is area times √(E ρ)")},
+        addQuantity(form, {"density", tr("density"), tr("The impedance of the bar is its area times √(E ρ)")},
                     Quantity::density, "kg/m^3", FieldRange::positive, 7850, changed);
     m_bridgeFactor =
         addQuantity(form,
@@ -32,13 +32,13 @@ GaugeRows::GaugeRows(QFormLayout& form, const std::function<void()>& changed) : 
                      tr("Active gauges: 1 quarter, 2 half, 4 full bridge; 2.6 full bridge with two "
                         "gauges across a bar of Poisson's ratio 0.3")},
                     Quantity::ratio, "", FieldRange::positive, 1, changed);
-    m_gain = addQuantity(form, {"gain", tr("gain"), tr("Of the amplifier: volts out over volts in")},
+    m_gain = addQuantity(form, {"gain", tr("gain"), tr("Volts out of the amplifier over volts in")},
                          Quantity::ratio, "", FieldRange::positive, 1, changed);
     m_excitation = addQuantity(form, {"excitation", tr("excitation in V"), tr("Supply of the bridge")},
                                Quantity::ratio, "", FieldRange::positive, {}, changed);
     m_excitation->setOptional(tr("not given"));
     m_forcePerVolt = addQuantity(
-        form, {"forcePerVolt", tr("force per volt"), tr("Of a calibration; it goes before the bridge")},
+        form, {"forcePerVolt", tr("force per volt"), tr("Result of a calibration; it overrides the bridge")},
         Quantity::force, "kN", FieldRange::notZero, {}, changed);
     m_forcePerVolt->setOptional(tr("not given"));
     m_fields = {m_modulus,      m_diameter, m_gaugeFactor, m_density,

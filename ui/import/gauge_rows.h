@@ -29,7 +29,7 @@ class GaugeRows {
     void show(SignalKind kind);
     /// `ofScenario`: the rod or string where the gauge is, where it is offered.
     GaugedBar bar(const GaugedBar& ofScenario) const;
-    /// What the user has not said yet of a bridge or an amplifier; empty when all is there.
+    /// Returns the question that is open about a bridge or an amplifier; empty when all is known.
     QString problem(SignalKind kind) const;
     const QList<QuantityField*>& fields() const { return m_fields; }
 

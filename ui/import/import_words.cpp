@@ -80,7 +80,7 @@ QString importSummary(const ImportPreview& preview, const UnitChoice& units) {
 QString importHelp() {
     return tr(
         "Table: separator, decimal sign, the first line with a sample and the columns are found out; change "
-        "what is wrong. What the table does not state, such as a unit or the sampling rate, has to be "
+        "what is wrong. A unit or a sampling rate that the table does not state has to be "
         "chosen.\n"
         "Signal: force, strain, output of a bridge, voltage, stress or velocity in the unit of the column. A "
         "strain becomes a force by E and the area of the rod, of the string where the gauge is, or of "

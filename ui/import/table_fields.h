@@ -33,7 +33,7 @@ class TableFields : public QWidget {
     SampleSource source() const;
     /// What the header says of the chosen column of values; nothing where its unit is not known.
     std::optional<NamedSignalUnit> valueUnit() const;
-    /// What that column probably is where its unit is not stated.
+    /// Returns the likely kind of that column where its unit is not stated.
     SignalKind valueKind() const;
     /// A rate that follows from the record, where the table states none and the user has typed none.
     void proposeRate(double rate);
