@@ -43,11 +43,14 @@ std::optional<std::size_t> timeColumn(const std::vector<TableColumn>& columns) {
         }
         if (count++ == 0 && !findSignalUnit(columns[i].unit)) first = i;
     }
-    if (count > 1 && first) return first;
-    // Whole numbers that count on are times of a recorder where there is no heading.
-    const bool isNameless =
-        std::ranges::all_of(columns, [](const TableColumn& column) { return column.name.empty(); });
-    return count == 1 && index && *index == 0 && isNameless ? index : std::nullopt;
+    // Whole numbers that count on may be times where there is no heading; below a name they are an index, and
+    // no other column is taken for times that does not say so.
+    if (index && (!first || *index < *first)) {
+        const bool isNameless =
+            std::ranges::all_of(columns, [](const TableColumn& column) { return column.name.empty(); });
+        return isNameless ? index : std::nullopt;
+    }
+    return count > 1 ? first : std::nullopt;
 }
 
 /// How much speaks for a column as the signal.

@@ -202,9 +202,12 @@ class Patcher {
 
     void patchFlowList(const YamlNode& map, std::string_view section, std::string_view key, bool wanted) {
         const std::size_t at = indexOf(map, key);
+        const std::vector<std::string> items = listItems(section, key);
+        // Many points in one line are better written anew, one per line.
+        constexpr std::size_t mostInLine = 20;
+        if (items.size() > mostInLine) throw NotPatchable();
         std::string list;
-        for (const std::string& item : listItems(section, key))
-            list += (list.empty() ? "" : ", ") + item.substr(2);
+        for (const std::string& item : items) list += (list.empty() ? "" : ", ") + item.substr(2);
         if (at < map.children.size()) {
             if (!wanted || map.children[at + 1].children.empty()) throw NotPatchable();
             const YamlNode& old = map.children[at + 1];

@@ -284,6 +284,7 @@ void TestImportDialog::theSecondGaugeCanBeChosenWithoutTimes() {
 void TestImportDialog::anotherFirstLineKeepsWhatWasChosen() {
     const QByteArray bytes("a;b;c\n0;1;5\n1;2;6\n2;3;7\n3;4;8\n");
     ImportDialog& dialog = open(write("chosen.csv", bytes), ImportUse::impactForce);
+    choose(dialog, "timeColumn", QStringLiteral("column 1"));
     choose(dialog, "valueColumn", QStringLiteral("column 3"));
     choose(dialog, "secondGauge", QStringLiteral("column 2"));
     choose(dialog, "timeUnit", QStringLiteral("ms"));
@@ -353,7 +354,8 @@ void TestImportDialog::rangeStaysOnceTheUserHasEditedIt() {
     type(dialog, "from", QStringLiteral("200 us"));
     choose(dialog, "wrongRows", QStringLiteral("skip"));
     QVERIFY(settle(dialog));
-    QVERIFY(std::abs(dialog.result()->start - 200e-6) < 1e-9);
+    // To one sample.
+    QVERIFY(std::abs(dialog.result()->start - 200e-6) < 0.3e-6);
 }
 
 void TestImportDialog::voltsNeedACalibrationOrABridge() {

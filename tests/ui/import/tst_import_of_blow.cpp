@@ -149,6 +149,8 @@ void TestImportOfBlow::aBlowThatTheScenarioRefusesStaysInTheDialog() {
 
 void TestImportOfBlow::theDialogFollowsTheRod() {
     ImportDialog& dialog = open(write("record.csv", gaugeRecord()), ImportUse::blow);
+    // The same points for both rods, however few each of them needs.
+    control<QSpinBox>(dialog, "points").setValue(500);
     QVERIFY(settle(dialog));
     const double before = dialog.result()->peak;
     Document& document = m_window->document();
