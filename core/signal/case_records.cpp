@@ -82,10 +82,12 @@ RowFormat caseFormat(std::string_view beginning) {
 
 DecodedText::int_type DecodedText::underflow() {
     m_block.clear();
-    std::string_view line;
-    while (m_block.size() < decodedBytes && m_lines.next(line)) {
-        m_block += line;
-        m_block += '\n';
+    if (!m_lines.takePlainBlock(m_block)) {
+        std::string_view line;
+        while (m_block.size() < decodedBytes && m_lines.next(line)) {
+            m_block += line;
+            m_block += '\n';
+        }
     }
     setg(m_block.data(), m_block.data(), m_block.data() + m_block.size());
     return m_block.empty() ? traits_type::eof() : traits_type::to_int_type(m_block.front());
@@ -166,7 +168,12 @@ std::uint64_t CaseRecords::skip(std::uint64_t most) {
             continue;
         }
         const CsvReader::Skipped skipped = m_reader->skipNext();
-        if (skipped == CsvReader::Skipped::none) break;
+        if (skipped == CsvReader::Skipped::none) {
+            // The record with the problem of the text, as next() gives it.
+            if (!m_hasEnded && !m_text.problem().empty()) ++count;
+            m_hasEnded = true;
+            break;
+        }
         const bool isFirst = std::exchange(m_isFirst, false);
         if (skipped == CsvReader::Skipped::record || isFirst || findBehindEmptyRows()) ++count;
     }

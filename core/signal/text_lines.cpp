@@ -191,6 +191,20 @@ std::string_view TextLines::beginning() {
     return m_text;
 }
 
+bool TextLines::takePlainBlock(std::string& block) {
+    if (m_at == m_text.size() && (!m_problem.empty() || !fill())) return false;
+    const std::string_view ahead = std::string_view(m_text).substr(m_at);
+    const bool needsDecoding = m_encoding != Encoding::bytes || !isAscii(ahead) ||
+                               ahead.find('\r') != std::string_view::npos ||
+                               ahead.find('\0') != std::string_view::npos;
+    if (ahead.empty() || needsDecoding) return false;
+    if (m_at > 0) m_text.erase(0, m_at);
+    block.swap(m_text);
+    m_text.clear();
+    m_at = 0;
+    return true;
+}
+
 bool TextLines::next(std::string_view& line) {
     if (!m_problem.empty()) return false;
     std::size_t end = m_text.find(m_end, m_at);

@@ -30,6 +30,9 @@ class TextLines {
     /// The next line as UTF-8 without its end, good until the next call. False at the end, and where the text
     /// cannot be read on: problem().
     bool next(std::string_view& line);
+    /// Instead of lines: moves all that is read ahead into `block`, where it is ASCII with LF only and so
+    /// needs no decoding. False where next() is to be asked, also at the end. Does not count lines.
+    bool takePlainBlock(std::string& block);
     /// Of the last line, from 1.
     std::size_t number() const { return m_number; }
     /// Bytes taken from the stream so far.

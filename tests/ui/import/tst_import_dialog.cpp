@@ -282,7 +282,7 @@ void TestImportDialog::theSecondGaugeCanBeChosenWithoutTimes() {
 }
 
 void TestImportDialog::anotherFirstLineKeepsWhatWasChosen() {
-    const QByteArray bytes("a;b;c\n0;1;5\n1;2;6\n2;3;7\n3;4;8\n");
+    const QByteArray bytes("a;b;c\n0;0.5;5\n1;2;6\n2;3;7\n3;4;8\n");
     ImportDialog& dialog = open(write("chosen.csv", bytes), ImportUse::impactForce);
     choose(dialog, "timeColumn", QStringLiteral("column 1"));
     choose(dialog, "valueColumn", QStringLiteral("column 3"));
