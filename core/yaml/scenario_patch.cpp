@@ -203,7 +203,7 @@ class Patcher {
     void patchFlowList(const YamlNode& map, std::string_view section, std::string_view key, bool wanted) {
         const std::size_t at = indexOf(map, key);
         const std::vector<std::string> items = listItems(section, key);
-        // Many points in one line are better written anew, one per line.
+        // Many points are written one per line, not all in one.
         constexpr std::size_t mostInLine = 20;
         if (items.size() > mostInLine) throw NotPatchable();
         std::string list;
