@@ -22,10 +22,10 @@ bool isLinkToFile(const std::string& path) {
 
 std::span<const Command* const> commands() {
     static const std::array all{
-        &runCommand(),      &sweepCommand(),   &tableCommand(),    &curveCommand(),     &mapCommand(),
-        &joinCommand(),     &gapCommand(),     &drillCommand(),    &thrustCommand(),    &designCommand(),
-        &reportCommand(),   &figuresCommand(), &accuracyCommand(), &stabilityCommand(), &validateCommand(),
-        &examplesCommand(), &presetsCommand()};
+        &runCommand(),      &sweepCommand(),    &tableCommand(),   &curveCommand(),    &mapCommand(),
+        &joinCommand(),     &gapCommand(),      &drillCommand(),   &thrustCommand(),   &designCommand(),
+        &signalCommand(),   &reportCommand(),   &figuresCommand(), &accuracyCommand(), &stabilityCommand(),
+        &validateCommand(), &examplesCommand(), &presetsCommand()};
     return all;
 }
 

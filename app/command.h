@@ -38,6 +38,7 @@ const Command& drillCommand();
 const Command& gapCommand();
 const Command& thrustCommand();
 const Command& designCommand();
+const Command& signalCommand();
 const Command& reportCommand();
 const Command& joinCommand();
 const Command& figuresCommand();

@@ -10,6 +10,7 @@
 #include "app/command_error.h"
 #include "app/input_text.h"
 #include "app/preset_options.h"
+#include "app/signal_options.h"
 #include "core/archive/outputs_changes.h"
 #include "core/model/alerts.h"
 #include "core/model/assignments.h"
@@ -138,6 +139,7 @@ std::vector<OptionSpec> scenarioOptions(std::initializer_list<OptionSpec> own) {
     std::vector<OptionSpec> options{setOption};
     for (const OptionSpec& option : presetOptionSpecs()) options.push_back(option);
     options.insert(options.end(), own);
+    for (const OptionSpec& option : recordOptionSpecs()) options.push_back(option);
     return options;
 }
 
@@ -206,6 +208,7 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
     std::vector<std::string> choices = arguments.values("choose");
     std::ranges::copy(input.document.design.choose, std::back_inserter(choices));
     applyPresets(scenario, arguments, inputName(path), std::ranges::any_of(choices, choosesPresets));
+    applySignal(scenario, arguments, inputName(path));
     std::vector<Message> problems;
     bool isUsage = false;
     const std::vector<Setting> all = settings(arguments);

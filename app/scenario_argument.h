@@ -35,7 +35,7 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
 ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments);
 
 /// The options that name a file which is read.
-inline constexpr std::string_view inputOptions[] = {"presets", "draws"};
+inline constexpr std::string_view inputOptions[] = {"presets", "draws", "signal"};
 
 /// Every file that a command reads: its operands, those of inputOptions, and the table of the scenario's
 /// blow.

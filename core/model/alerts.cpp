@@ -40,6 +40,19 @@ void addImplausibleValues(const Scenario& scenario, std::vector<Alert>& alerts) 
         addImplausibleValue(*parameter, scenario, alerts);
 }
 
+/// The largest force of a tabulated blow, which a wrong unit makes a thousand times what it is.
+void addImplausiblePeak(const Scenario& scenario, std::vector<Alert>& alerts) {
+    const TablePoints& points = scenario.pulse.tablePoints;
+    if (scenario.pulse.shape != PulseShape::table || !hasUnits(scenario) || points.empty()) return;
+    const double peak = std::ranges::max_element(points, {}, &TablePoint::force)->force;
+    const Parameter& force = *findParameter("pulse.force");
+    if (force.plausible.contains(peak)) return;
+    alerts.push_back({AlertLevel::warning,
+                      AlertCode::implausibleValue,
+                      "pulse.force",
+                      {{"value", peak, Quantity::force}}});
+}
+
 void addImplausibleSection(SectionAddress::Chain chain, std::uint64_t place, const Section& section,
                            std::vector<Alert>& alerts) {
     for (const SectionField& field : sectionFields()) {
@@ -166,6 +179,7 @@ std::vector<Alert> alertsFor(const Scenario& scenario) {
     addImplausibleValues(scenario, alerts);
     if (hasSections(scenario)) addImplausibleSections(scenario.drillString, alerts);
     if (isForced(scenario)) {
+        addImplausiblePeak(scenario, alerts);
         addLongPulse(scenario, alerts);
         addDefaultHammer(scenario, alerts);
         addPistonAssumption(scenario, alerts);

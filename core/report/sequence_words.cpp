@@ -26,7 +26,7 @@ int digitsLeft(double value, double error, int ofError) {
 /// An error that no printed digit shows.
 constexpr double unseenError = 5e-5;
 
-std::string rateText(const SequenceMean& rate, const ReadingStyle& style) {
+std::string penetrationRateText(const SequenceMean& rate, const ReadingStyle& style) {
     constexpr int fewest = 2, most = 4;
     const int digits = digitsLeft(rate.value, rate.error.value_or(0), 1);
     return style.rate(rate.value, std::clamp(digits, fewest, most));
@@ -68,7 +68,7 @@ const char* remedyWords(UnresolvedReason reason) {
 Message penetrationSentence(const Sequence& sequence, const ReadingStyle& style) {
     const std::string penetration =
         withError(sequence.penetration.value, sequence.penetration.error, Quantity::length, style);
-    const std::string rate = rateText(sequence.penetrationRate, style);
+    const std::string rate = penetrationRateText(sequence.penetrationRate, style);
     if (!sequence.singleBlowShare)
         return {translatable("drillwave::Message", "%1 per blow, %2."), {penetration, rate}};
     return {translatable("drillwave::Message", "%1 per blow, %2: %3 of a single blow from rest."),
@@ -194,11 +194,11 @@ std::vector<Message> scanSentences(const DrillingScan& scan, const std::optional
     } else if (comparison->entries.size() > 1 && !comparison->isAnyLower()) {
         sentences.push_back(
             {translatable("drillwave::Message", "All values give the same rate within the errors, %1."),
-             {rateText(comparison->best().sequence.penetrationRate, style)}});
+             {penetrationRateText(comparison->best().sequence.penetrationRate, style)}});
     } else {
         sentences.push_back({translatable("drillwave::Message", "%1 gives the most, %2%3."),
                              {settingOf(scan, comparison->best().at, style),
-                              rateText(comparison->best().sequence.penetrationRate, style),
+                              penetrationRateText(comparison->best().sequence.penetrationRate, style),
                               gainWords(*comparison, present, style)}});
         if (Message equal = equalSentence(scan, *comparison, style); !equal.isEmpty())
             sentences.push_back(std::move(equal));

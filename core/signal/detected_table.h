@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
@@ -16,6 +17,12 @@ struct DetectedTable {
     RowFormat format;
     std::size_t firstLine = 1;  ///< with samples, from 1; behind all lines where none has
     std::vector<TableColumn> columns;
+    char groups = 0;             ///< sign between groups of three digits, where one was seen
+    bool isDecimalOpen = false;  ///< each number with a sign could also be a whole one with groups: "1,234"
+    bool hasRows = false;        ///< each channel is a row, its name first: the table is to be turned
+    std::optional<double> rate;  ///< stated above or beside the samples [Hz], with its unit
+    std::string rateText;        ///< the words that state it, or that state a rate without a unit
+    std::optional<double> bareRate;  ///< stated without a unit: taken in Hz, or for an interval in s [Hz]
     bool operator==(const DetectedTable&) const = default;
 
     bool hasSamples() const { return !columns.empty(); }

@@ -1,77 +1,105 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/signal/sample_guess.h"
 
+#include <algorithm>
+
 #include "core/text/lower_case.h"
-#include "core/text/units.h"
 
 namespace drillwave {
 namespace {
 
-/// Without a time column nothing tells the rate: a common one.
-constexpr double usualInterval = 1e-6;
-
-/// Of a table without a header: a record of milliseconds would be one of seconds.
-bool saysNothing(const TableColumn& column) {
-    return column.name.empty() && column.unit.empty();
-}
+/// Only for what needs a number: hasRate says whether the table states it.
+constexpr double placeholderInterval = 1e-6;
 
 bool saysTime(const TableColumn& column) {
-    return findUnit(Quantity::time, column.unit) || isTimeName(column.name);
+    return column.isStamp || findTimeUnit(column.unit) || isTimeName(column.name);
+}
+
+bool nameHas(const TableColumn& column, std::initializer_list<std::string_view> words) {
+    const std::string name = lowerCase(column.name);
+    return std::ranges::any_of(words, [&](std::string_view word) { return name.find(word) != name.npos; });
 }
 
 bool saysStrain(const TableColumn& column) {
-    const std::string name = lowerCase(column.name);
-    return name.find("strain") != std::string::npos || name.find("dehnung") != std::string::npos;
+    return nameHas(column, {"strain", "dehnung", "t\u00f6jning"});
+}
+
+bool saysSignal(const TableColumn& column) {
+    return saysStrain(column) || column.name == "F" || column.name == "N" ||
+           nameHas(column, {"force", "kraft", "load", "stress", "spannung", "volt", "gauge"});
 }
 
 std::optional<std::size_t> timeColumn(const std::vector<TableColumn>& columns) {
-    std::optional<std::size_t> first;
+    std::optional<std::size_t> first, index;
     std::size_t count = 0;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+        if (columns[i].isStamp) return i;
     for (std::size_t i = 0; i < columns.size(); ++i) {
         if (!columns[i].isNumeric) continue;
         if (saysTime(columns[i])) return i;
-        if (count++ == 0) first = i;
+        if (columns[i].isIndex) {
+            index = i;
+            continue;
+        }
+        if (count++ == 0 && !findSignalUnit(columns[i].unit)) first = i;
+    }
+    // Whole numbers that count on may be times where there is no heading; below a name they are an index, and
+    // no other column is taken for times that does not say so.
+    if (index && (!first || *index < *first)) {
+        const bool isNameless =
+            std::ranges::all_of(columns, [](const TableColumn& column) { return column.name.empty(); });
+        return isNameless ? index : std::nullopt;
     }
     return count > 1 ? first : std::nullopt;
 }
 
-std::size_t valueColumn(const std::vector<TableColumn>& columns, std::optional<std::size_t> time) {
-    std::optional<std::size_t> first;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        if (!columns[i].isNumeric || time == i) continue;
-        if (findSignalUnit(columns[i].unit)) return i;
-        if (!first) first = i;
-    }
-    return first.value_or(0);
+/// How much speaks for a column as the signal.
+int rank(const TableColumn& column) {
+    if (column.isIndex) return 0;
+    if (findSignalUnit(column.unit)) return 4;
+    if (!column.unit.empty()) return 1;  // of another quantity
+    return saysSignal(column) ? 3 : 2;
 }
 
 }  // namespace
 
-std::optional<double> guessedTimeUnit(const TableColumn& column) {
-    if (saysNothing(column)) return std::nullopt;
-    if (column.unit.empty()) return 1;
-    const Unit* unit = findUnit(Quantity::time, column.unit);
-    return unit ? std::optional(unit->factor()) : std::nullopt;
+SignalKind likelyKind(const TableColumn& column) {
+    return saysStrain(column) ? SignalKind::strain : SignalKind::force;
 }
 
-std::optional<NamedSignalUnit> guessedUnit(const TableColumn& column) {
-    if (saysNothing(column)) return std::nullopt;
-    if (!column.unit.empty()) return findSignalUnit(column.unit);
-    const SignalKind kind = saysStrain(column) ? SignalKind::strain : SignalKind::force;
-    return NamedSignalUnit{kind, signalUnits(kind).front()};
+std::optional<double> statedTimeUnit(const TableColumn& column) {
+    return column.isStamp ? std::optional(1.0) : findTimeUnit(column.unit);
+}
+
+std::optional<NamedSignalUnit> statedUnit(const TableColumn& column) {
+    return findSignalUnit(column.unit);
 }
 
 SampleGuess guessedSource(const DetectedTable& table) {
     SampleGuess guess;
     guess.source.format = table.format;
     guess.source.firstLine = table.firstLine;
-    guess.source.interval = usualInterval;
+    guess.source.interval = table.rate ? 1 / *table.rate : placeholderInterval;
+    guess.hasRate = table.rate.has_value();
     guess.source.timeColumn = timeColumn(table.columns);
-    if (guess.source.timeColumn)
-        guess.source.timeUnit = guessedTimeUnit(table.columns[*guess.source.timeColumn]).value_or(1);
-    guess.source.valueColumn = valueColumn(table.columns, guess.source.timeColumn);
+    if (guess.source.timeColumn) {
+        const std::optional<double> unit = statedTimeUnit(table.columns[*guess.source.timeColumn]);
+        guess.hasTimeUnit = unit.has_value();
+        guess.source.timeUnit = unit.value_or(1);
+    }
+    int best = -1;
+    for (std::size_t i = 0; i < table.columns.size(); ++i) {
+        if (!table.columns[i].isNumeric || guess.source.timeColumn == i) continue;
+        const int now = rank(table.columns[i]);
+        if (now == best) ++guess.rivals;
+        if (now <= best) continue;
+        best = now;
+        guess.rivals = 0;
+        guess.source.valueColumn = i;
+    }
+    if (best == 0 && guess.rivals > 0) guess.rivals = 0;
     if (guess.source.valueColumn < table.columns.size())
-        guess.unit = guessedUnit(table.columns[guess.source.valueColumn]);
+        guess.unit = statedUnit(table.columns[guess.source.valueColumn]);
     return guess;
 }
 

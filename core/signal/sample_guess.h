@@ -11,22 +11,28 @@
 namespace drillwave {
 
 struct SampleGuess {
-    SampleSource source;                  ///< times in s where their unit is not known
-    std::optional<NamedSignalUnit> unit;  ///< guessedUnit() of the signal
+    SampleSource source;                  ///< times in s where their unit is not stated
+    std::optional<NamedSignalUnit> unit;  ///< statedUnit() of the signal
+    bool hasTimeUnit = false;             ///< the table states it, or the times are stamps
+    bool hasRate = false;                 ///< without a column of times: the table states it with its unit
+    std::size_t rivals = 0;               ///< further columns that could as well be the signal
     bool operator==(const SampleGuess&) const = default;
 };
 
-/// Time is the first column of numbers whose unit or name says so, else the first of several; the signal is
-/// the first other one whose unit is that of a force, a strain or a bridge, else the first other one. A
-/// single column is evenly spaced.
+/// Time is the first column of stamps or numbers whose unit or name says so, else the first of several; the
+/// signal is the first other one whose unit is one of a signal, else one whose name is a force's or a
+/// strain's, else the first other one. Columns that count the rows come last. A single column is evenly
+/// spaced.
 SampleGuess guessedSource(const DetectedTable& table);
 
-/// The kind and unit of a column: N where its name is all that it says, nothing where it has no name either
-/// or says one that is not known.
-std::optional<NamedSignalUnit> guessedUnit(const TableColumn& column);
+/// The kind and unit that the heading of a column states; nothing where it states none, or one that is not
+/// known.
+std::optional<NamedSignalUnit> statedUnit(const TableColumn& column);
 
-/// The unit of a column of times [s]: 1 where its name is all that it says, nothing where it has no name
-/// either or says one that is not known.
-std::optional<double> guessedTimeUnit(const TableColumn& column);
+/// The unit of a column of times [s], 1 of stamps; nothing where the heading states none that is known.
+std::optional<double> statedTimeUnit(const TableColumn& column);
+
+/// Returns the likely kind of a signal whose heading has no unit: a strain by its name, else a force.
+SignalKind likelyKind(const TableColumn& column);
 
 }  // namespace drillwave

@@ -3,8 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <string>
 #include <utility>
 
+#include "core/text/decimal_text.h"
+#include "core/text/lower_case.h"
+#include "core/text/number_text.h"
 #include "core/text/units.h"
 
 namespace drillwave {
@@ -14,58 +18,276 @@ constexpr std::array strainUnits{SignalUnit{"microstrain", 1e-6}, SignalUnit{"m/
                                  SignalUnit{"mm/m", 1e-3}, SignalUnit{"%", 1e-2}};
 constexpr std::array bridgeUnits{SignalUnit{"mV/V", 1e-3}, SignalUnit{"V/V", 1}, SignalUnit{"uV/V", 1e-6}};
 
-/// Other spellings of strains and bridges.
-constexpr std::array<std::pair<std::string_view, std::string_view>, 18> unitSpellings{{
-    {"ustrain", "microstrain"},
-    {"um/m", "microstrain"},
-    {"µm/m", "microstrain"},
-    {"μm/m", "microstrain"},
-    {"µε", "microstrain"},
-    {"με", "microstrain"},
-    {"ue", "microstrain"},
-    {"uε", "microstrain"},
-    {"µstrain", "microstrain"},
-    {"µS", "microstrain"},
-    {"uS", "microstrain"},
-    {"1e-6", "microstrain"},
-    {"Microstrain", "microstrain"},
-    {"strain", "m/m"},
-    {"ε", "m/m"},
-    {"mstrain", "mm/m"},
-    {"µV/V", "uV/V"},
-    {"μV/V", "uV/V"},
-}};
+constexpr std::array voltageUnits{SignalUnit{"V", 1}, SignalUnit{"mV", 1e-3}, SignalUnit{"uV", 1e-6}};
+constexpr SignalUnit tonneForce{"tf", 9806.65};
+
+using SignalSpelling = std::pair<std::string_view, std::string_view>;
+
+/// Other spellings of units, after "µ" has become "u".
+constexpr SignalSpelling unitSpellings[] = {{"ustrain", "microstrain"},
+                                            {"um/m", "microstrain"},
+                                            {"uε", "microstrain"},
+                                            {"ue", "microstrain"},
+                                            {"uS", "microstrain"},
+                                            {"1e-6", "microstrain"},
+                                            {"ppm", "microstrain"},
+                                            {"ustr", "microstrain"},
+                                            {"uD", "microstrain"},
+                                            {"ε", "m/m"},
+                                            {"mstrain", "mm/m"},
+                                            {"mε", "mm/m"},
+                                            {"KN", "kN"},
+                                            {"MPA", "MPa"},
+                                            {"N/mm2", "MPa"},
+                                            {"N/mm^2", "MPa"},
+                                            {"N/mm²", "MPa"},
+                                            {"ton-force", "tf"},
+                                            {"Mp", "tf"},
+                                            {"t-f", "tf"},
+                                            {"kp", "kgf"},
+                                            {"lbs", "lbf"},
+                                            {"klbf", "kip"},
+                                            {"kips", "kip"},
+                                            {"lb", "lbf"},
+                                            {"fps", "ft/s"},
+                                            {"m/sec", "m/s"},
+                                            {"mm/sec", "mm/s"},
+                                            {"in/in", "m/m"},
+                                            {"mm/mm", "m/m"},
+                                            {"ms^-1", "m/s"},
+                                            {"m s^-1", "m/s"}};
+
+/// Words for units, in small letters.
+constexpr SignalSpelling unitWords[] = {{"microstrain", "microstrain"},
+                                        {"microstrains", "microstrain"},
+                                        {"mikrostrain", "microstrain"},
+                                        {"micro strain", "microstrain"},
+                                        {"mikrodehnung", "microstrain"},
+                                        {"mikrotöjning", "microstrain"},
+                                        {"strain", "m/m"},
+                                        {"millistrain", "mm/m"},
+                                        {"percent", "%"},
+                                        {"volt", "V"},
+                                        {"volts", "V"},
+                                        {"voltage", "V"},
+                                        {"spannung", "V"},
+                                        {"spänning", "V"},
+                                        {"millivolt", "mV"},
+                                        {"millivolts", "mV"},
+                                        {"microvolt", "uV"},
+                                        {"microvolts", "uV"},
+                                        {"mikrovolt", "uV"},
+                                        {"newton", "N"},
+                                        {"newtons", "N"},
+                                        {"kilonewton", "kN"},
+                                        {"kilonewtons", "kN"},
+                                        {"meganewton", "MN"},
+                                        {"pascal", "Pa"},
+                                        {"megapascal", "MPa"},
+                                        {"kilopond", "kgf"},
+                                        {"tonf", "tf"},
+                                        {"tonnef", "tf"},
+                                        {"pound-force", "lbf"},
+                                        {"mv/v", "mV/V"},
+                                        {"kn", "kN"},
+                                        {"mpa", "MPa"}};
+
+/// Words for units of time, in small letters.
+constexpr SignalSpelling timeWords[] = {{"second", "s"},
+                                        {"seconds", "s"},
+                                        {"sekunde", "s"},
+                                        {"sekunden", "s"},
+                                        {"sekund", "s"},
+                                        {"sekunder", "s"},
+                                        {"sec", "s"},
+                                        {"secs", "s"},
+                                        {"sek", "s"},
+                                        {"sek.", "s"},
+                                        {"sec.", "s"},
+                                        {"millisecond", "ms"},
+                                        {"milliseconds", "ms"},
+                                        {"millisekunde", "ms"},
+                                        {"millisekunden", "ms"},
+                                        {"millisekund", "ms"},
+                                        {"millisekunder", "ms"},
+                                        {"msek", "ms"},
+                                        {"msec", "ms"},
+                                        {"microsecond", "us"},
+                                        {"microseconds", "us"},
+                                        {"mikrosekunde", "us"},
+                                        {"mikrosekunden", "us"},
+                                        {"mikrosekund", "us"},
+                                        {"mikrosekunder", "us"},
+                                        {"usec", "us"},
+                                        {"microsec", "us"},
+                                        {"usek", "us"},
+                                        {"nanosecond", "ns"},
+                                        {"nanoseconds", "ns"},
+                                        {"nanosekunden", "ns"},
+                                        {"nanosekunder", "ns"},
+                                        {"nsec", "ns"},
+                                        {"minute", "min"},
+                                        {"minutes", "min"},
+                                        {"minuten", "min"},
+                                        {"minuter", "min"}};
+
+/// Units of rates in Hz, in small letters but for their prefix.
+constexpr std::pair<std::string_view, double> rateUnits[] = {{"Hz", 1},
+                                                             {"kHz", 1e3},
+                                                             {"KHz", 1e3},
+                                                             {"MHz", 1e6},
+                                                             {"GHz", 1e9},
+                                                             {"hz", 1},
+                                                             {"khz", 1e3},
+                                                             {"1/s", 1},
+                                                             {"1/ms", 1e3},
+                                                             {"1/us", 1e6},
+                                                             {"S/s", 1},
+                                                             {"kS/s", 1e3},
+                                                             {"KS/s", 1e3},
+                                                             {"MS/s", 1e6},
+                                                             {"GS/s", 1e9},
+                                                             {"Sa/s", 1},
+                                                             {"kSa/s", 1e3},
+                                                             {"KSa/s", 1e3},
+                                                             {"MSa/s", 1e6},
+                                                             {"GSa/s", 1e9},
+                                                             {"sps", 1},
+                                                             {"SPS", 1},
+                                                             {"kSPS", 1e3},
+                                                             {"MSPS", 1e6},
+                                                             {"ksps", 1e3},
+                                                             {"Msps", 1e6},
+                                                             {"s/s", 1},
+                                                             {"s^-1", 1},
+                                                             {"samples/s", 1},
+                                                             {"Samples/s", 1},
+                                                             {"samples/sec", 1},
+                                                             {"Samples/sec", 1},
+                                                             {"samples/second", 1},
+                                                             {"Samples/second", 1},
+                                                             {"Hertz", 1},
+                                                             {"hertz", 1},
+                                                             {"kilohertz", 1e3},
+                                                             {"Kilohertz", 1e3},
+                                                             {"megahertz", 1e6},
+                                                             {"Megahertz", 1e6},
+                                                             {"S/sec", 1}};
+
+/// Without blanks around it, and "µ" of either kind as "u".
+std::string plainUnit(std::string_view name) {
+    std::string text(trimmed(withPlainSigns(name)));
+    for (const std::string_view micro : {"\u00b5", "\u03bc"})
+        for (std::size_t at = text.find(micro); at != std::string::npos; at = text.find(micro))
+            text.replace(at, micro.size(), "u");
+    return text;
+}
+
+constexpr std::size_t longestUnit = 32;
+
+std::optional<std::string_view> spelled(std::span<const SignalSpelling> table, std::string_view name) {
+    const auto found = std::ranges::find(table, name, &SignalSpelling::first);
+    return found == table.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// The name as the tables have it.
+std::string tableName(std::string_view name) {
+    const std::string plain = plainUnit(name);
+    if (const auto known = spelled(unitSpellings, plain)) return std::string(*known);
+    if (const auto known = spelled(unitWords, lowerCase(plain)); known && plain.size() > 1)
+        return std::string(*known);
+    return plain;
+}
+
+const SignalUnit* named(std::span<const SignalUnit> units, std::string_view name) {
+    const auto found = std::ranges::find(units, name, &SignalUnit::name);
+    return found == units.end() ? nullptr : &*found;
+}
+
+std::vector<SignalUnit> unitsFrom(Quantity quantity) {
+    std::vector<SignalUnit> units;
+    for (const Unit& unit : unitsOf(quantity)) units.push_back({unit.name, unit.factor()});
+    return units;
+}
 
 }  // namespace
 
 std::vector<SignalUnit> signalUnits(SignalKind kind) {
-    if (kind == SignalKind::strain) return {strainUnits.begin(), strainUnits.end()};
-    if (kind == SignalKind::bridge) return {bridgeUnits.begin(), bridgeUnits.end()};
-    std::vector<SignalUnit> units;
-    for (const Unit& unit : unitsOf(Quantity::force)) units.push_back({unit.name, unit.factor()});
+    switch (kind) {
+        case SignalKind::strain:
+            return {strainUnits.begin(), strainUnits.end()};
+        case SignalKind::bridge:
+            return {bridgeUnits.begin(), bridgeUnits.end()};
+        case SignalKind::voltage:
+            return {voltageUnits.begin(), voltageUnits.end()};
+        case SignalKind::stress:
+            return unitsFrom(Quantity::stress);
+        case SignalKind::velocity:
+            return unitsFrom(Quantity::velocity);
+        case SignalKind::force:
+            break;
+    }
+    std::vector<SignalUnit> units = unitsFrom(Quantity::force);
+    units.push_back(tonneForce);
     return units;
 }
 
-std::optional<NamedSignalUnit> findSignalUnit(std::string_view name) {
+std::optional<NamedSignalUnit> findSignalUnit(std::string_view written) {
+    if (written.empty() || written.size() > longestUnit) return std::nullopt;
+    const std::string name = tableName(written);
     if (const Unit* unit = findUnit(Quantity::force, name))
         return NamedSignalUnit{SignalKind::force, {unit->name, unit->factor()}};
-    const auto spelling = std::ranges::find(unitSpellings, name, &decltype(unitSpellings)::value_type::first);
-    if (spelling != unitSpellings.end()) name = spelling->second;
-    for (const SignalUnit& unit : strainUnits)
-        if (unit.name == name) return NamedSignalUnit{SignalKind::strain, unit};
-    for (const SignalUnit& unit : bridgeUnits)
-        if (unit.name == name) return NamedSignalUnit{SignalKind::bridge, unit};
+    if (name == tonneForce.name) return NamedSignalUnit{SignalKind::force, tonneForce};
+    if (const SignalUnit* unit = named(strainUnits, name)) return NamedSignalUnit{SignalKind::strain, *unit};
+    if (const SignalUnit* unit = named(bridgeUnits, name)) return NamedSignalUnit{SignalKind::bridge, *unit};
+    if (const SignalUnit* unit = named(voltageUnits, name))
+        return NamedSignalUnit{SignalKind::voltage, *unit};
+    if (const Unit* unit = findUnit(Quantity::stress, name))
+        return NamedSignalUnit{SignalKind::stress, {unit->name, unit->factor()}};
+    if (const Unit* unit = findUnit(Quantity::velocity, name))
+        return NamedSignalUnit{SignalKind::velocity, {unit->name, unit->factor()}};
     return std::nullopt;
 }
 
+std::optional<double> findTimeUnit(std::string_view written) {
+    if (written.empty() || written.size() > longestUnit) return std::nullopt;
+    std::string name = plainUnit(written);
+    if (const auto word = spelled(timeWords, lowerCase(name))) name = *word;
+    const Unit* unit = findUnit(Quantity::time, name);
+    return unit ? std::optional(unit->factor()) : std::nullopt;
+}
+
+std::optional<double> findRateUnit(std::string_view written) {
+    if (written.empty() || written.size() > longestUnit) return std::nullopt;
+    const std::string name = plainUnit(written);
+    const auto found =
+        std::ranges::find(rateUnits, std::string_view(name), &std::pair<std::string_view, double>::first);
+    return found == std::end(rateUnits) ? std::nullopt : std::optional(found->second);
+}
+
+std::string rateText(double rate) {
+    constexpr int digits = 6;
+    for (const auto& [name, factor] : {std::pair{" GHz", 1e9}, {" MHz", 1e6}, {" kHz", 1e3}})
+        if (rate >= factor) return rounded(rate / factor, digits) + name;
+    return rounded(rate, digits) + " Hz";
+}
+
 double forcePerNumber(SignalKind kind, double unitFactor, const GaugedBar& bar) {
+    const double perStrain = 4 / (bar.gaugeFactor * bar.activeGauges);
     switch (kind) {
         case SignalKind::force:
             return unitFactor;
         case SignalKind::strain:
             return bar.axialStiffness * unitFactor;
         case SignalKind::bridge:
-            return bar.axialStiffness * unitFactor * 4 / (bar.gaugeFactor * bar.activeGauges);
+            return bar.axialStiffness * unitFactor * perStrain;
+        case SignalKind::voltage:
+            if (bar.forcePerVolt != 0) return bar.forcePerVolt * unitFactor;
+            return bar.axialStiffness * unitFactor / (bar.gain * bar.excitation) * perStrain;
+        case SignalKind::stress:
+            return bar.area * unitFactor;
+        case SignalKind::velocity:
+            return bar.impedance * unitFactor;
     }
     return unitFactor;
 }

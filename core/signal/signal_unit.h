@@ -4,18 +4,22 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <vector>
 
 namespace drillwave {
 
 enum class SignalKind {
-    force,   ///< in N
-    strain,  ///< in m/m
-    bridge,  ///< output over supply of a Wheatstone bridge, V/V
+    force,     ///< in N
+    strain,    ///< in m/m
+    bridge,    ///< output over supply of a Wheatstone bridge, V/V
+    voltage,   ///< output of an amplifier or a bridge in V: gain and excitation make V/V of it
+    stress,    ///< in Pa
+    velocity,  ///< of a particle, in m/s: the impedance of the bar makes a force of it
 };
 
-/// One number of the file is so many N, m/m or V/V.
+/// One number of the file is so many N, m/m, V/V, V, Pa or m/s.
 struct SignalUnit {
     std::string_view name;  ///< "kN", "microstrain", "mV/V"
     double factor = 1;
@@ -33,11 +37,25 @@ struct NamedSignalUnit {
 };
 std::optional<NamedSignalUnit> findSignalUnit(std::string_view name);
 
-/// Where strain gauges sit, and how a bridge tells their strain: N = E A ε, ε = 4 r/(k n).
+/// The unit of time that a word is, "us", "µsec", "Mikrosekunden", in s.
+std::optional<double> findTimeUnit(std::string_view name);
+
+/// The sampling rates that a text can be in, "MHz", "kS/s", "samples/s", in Hz.
+std::optional<double> findRateUnit(std::string_view name);
+
+/// A sampling rate [Hz] for people: "5 MHz".
+std::string rateText(double rate);
+
+/// Where strain gauges sit, and how a bridge tells their strain: N = E A ε, ε = 4 r/(k n), r = U/(g V).
 struct GaugedBar {
     double axialStiffness = 0;  ///< E A [N], > 0
-    double gaugeFactor = 2;     ///< k > 0, of the gauges; for bridges
-    double activeGauges = 1;    ///< n: 1 quarter bridge, 2, 4 full bridge that see ±ε
+    double gaugeFactor = 2;     ///< k > 0, of the gauges; for bridges and volts
+    double activeGauges = 1;  ///< n: 1 quarter bridge, 2, 4 full bridge that see ±ε, 2.6 full with ν = 0.3
+    double gain = 1;          ///< g > 0 of the amplifier; for volts
+    double excitation = 1;    ///< V > 0 of the bridge [V]; for volts
+    double area = 0;          ///< A [m²], > 0; for stresses
+    double forcePerVolt = 0;  ///< of a calibration [N/V], which goes before the bridge; 0 for none
+    double impedance = 0;     ///< Z = E A/c [N s/m], > 0; for velocities
     bool operator==(const GaugedBar&) const = default;
 };
 

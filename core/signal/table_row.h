@@ -14,8 +14,11 @@ enum class DecimalSign { point, comma };
 
 /// How the rows of a table are written.
 struct RowFormat {
-    char separator = ',';  ///< ',', ';' or a tab; a blank stands for any number of blanks and tabs
+    char separator = ',';  ///< ',', ';', '|' or a tab; a blank stands for any number of blanks and tabs
     DecimalSign decimal = DecimalSign::point;
+    /// Whether the other sign may part groups of three digits: only where the decimal sign is known. Blanks
+    /// and apostrophes between groups of three are always read.
+    bool otherSignGroups = false;
     bool operator==(const RowFormat&) const = default;
 };
 
@@ -35,10 +38,35 @@ class TableRow {
     std::deque<std::string> m_unquoted;
 };
 
-/// The number that a cell holds, or nothing. A sign of the other kind is no part of a number.
-std::optional<double> cellNumber(std::string_view cell, DecimalSign decimal);
+/// The number that a cell holds, or nothing. A sign of the other kind is no part of a number, except between
+/// groups of three digits where the format says so, or before the decimal sign: "3,676.8". Reads U+2212 as
+/// minus, no-break spaces as blanks, and exponents with D as Fortran writes them.
+std::optional<double> cellNumber(std::string_view cell, const RowFormat& format);
 
-/// Whether a cell says that there is no value: empty, "NaN", "n/a", "-" and the like.
+/// A cell that begins with a number, with that number in C notation, "3,66 m" as "3.66 m"; every other cell
+/// as it is.
+std::string plainCell(std::string_view cell, const RowFormat& format);
+
+/// Evidence in one cell of the decimal sign and of groups of thousands.
+struct SignEvidence {
+    bool point = false;      ///< the point must be a decimal sign
+    bool comma = false;      ///< the comma must be
+    bool ambiguous = false;  ///< one sign before three digits: "1,234"
+    char groups = 0;         ///< ',', '.', an apostrophe or ' ' between groups of three
+};
+SignEvidence signEvidence(std::string_view cell);
+
+/// Values from here on stand for "overload" in files of recorders.
+inline constexpr double overloadValue = 9.9e37;
+
+/// Whether a cell says that there is no value: empty, "NaN", "#N/A", "-", "OVL", 9.9e37 and the like, as
+/// instruments and spreadsheets write them.
 bool isMissing(std::string_view cell);
+/// Whether a cell says that the value was too large for the instrument.
+bool isOverload(std::string_view cell);
+
+/// Whether a line is blank or a comment: '#' at its beginning, unless the first cell is a spreadsheet's word
+/// for a missing value such as #N/A.
+bool isPassedOver(std::string_view line, char separator);
 
 }  // namespace drillwave

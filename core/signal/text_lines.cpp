@@ -4,14 +4,33 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/text/lower_case.h"
+#include "core/text/message.h"
 #include "core/text/text_input.h"
 
 namespace drillwave {
 namespace {
 
 constexpr std::size_t blockBytes = std::size_t{1} << 18;
-constexpr std::size_t longestLine = std::size_t{1} << 16;
-constexpr std::size_t longestPreview = 1000;
+constexpr std::size_t longestLine = std::size_t{16} << 20;
+
+/// Windows-1252 from 0x80 to 0x9F, 0 where it has nothing.
+constexpr char16_t windowsCharacters[] = {0x20AC, 0,      0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021,
+                                          0x02C6, 0x2030, 0x0160, 0x2039, 0x0152, 0,      0x017D, 0,
+                                          0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022, 0x2013, 0x2014,
+                                          0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0,      0x017E, 0x0178};
+
+constexpr std::pair<std::string_view, TextEncoding> encodingNames[] = {
+    {"utf-8", TextEncoding::utf8},
+    {"windows-1252", TextEncoding::windows1252},
+    {"utf-16le", TextEncoding::utf16LittleEndian},
+    {"utf-16be", TextEncoding::utf16BigEndian},
+    {"utf8", TextEncoding::utf8},
+    {"latin-1", TextEncoding::windows1252},
+    {"latin1", TextEncoding::windows1252},
+    {"iso-8859-1", TextEncoding::windows1252},
+    {"cp1252", TextEncoding::windows1252},
+    {"utf-16", TextEncoding::utf16LittleEndian}};
 
 unsigned byteOf(char c) {
     return static_cast<unsigned char>(c);
@@ -46,8 +65,28 @@ std::size_t markLength(std::string_view raw, std::string_view mark) {
 
 }  // namespace
 
-bool TextLines::refuse(const char* reason) {
-    m_problem = reason;
+std::optional<TextEncoding> findEncoding(std::string_view name) {
+    const std::string wanted = lowerCase(std::string(name));
+    for (const auto& [written, encoding] : encodingNames)
+        if (written == wanted) return encoding;
+    return std::nullopt;
+}
+
+std::string_view name(TextEncoding encoding) {
+    for (const auto& [written, found] : encodingNames)
+        if (found == encoding) return written;
+    return {};
+}
+
+TextEncoding TextLines::encoding() const {
+    if (m_encoding == Encoding::utf16LittleEndian) return TextEncoding::utf16LittleEndian;
+    if (m_encoding == Encoding::utf16BigEndian) return TextEncoding::utf16BigEndian;
+    return m_hasWindows1252 || m_wanted == TextEncoding::windows1252 ? TextEncoding::windows1252
+                                                                     : TextEncoding::utf8;
+}
+
+bool TextLines::refuse(std::string reason) {
+    m_problem = std::move(reason);
     return false;
 }
 
@@ -56,7 +95,11 @@ void TextLines::findEncoding() {
     const std::string_view raw = m_raw;
     const bool even = raw.size() >= 2 && raw[0] != '\0' && raw[1] == '\0';
     const bool odd = raw.size() >= 2 && raw[0] == '\0' && raw[1] != '\0';
-    if (raw.starts_with("\xFF\xFE") || even)
+    if (m_wanted == TextEncoding::utf8 || m_wanted == TextEncoding::windows1252)
+        m_encoding = Encoding::bytes;
+    else if (m_wanted == TextEncoding::utf16BigEndian)
+        m_encoding = Encoding::utf16BigEndian;
+    else if (raw.starts_with("\xFF\xFE") || even || m_wanted == TextEncoding::utf16LittleEndian)
         m_encoding = Encoding::utf16LittleEndian;
     else if (raw.starts_with("\xFE\xFF") || odd)
         m_encoding = Encoding::utf16BigEndian;
@@ -115,6 +158,53 @@ bool TextLines::fill() {
     return count > 0;
 }
 
+// NUL bytes, and line ends among them, from there to the end of the stream.
+bool TextLines::endsInNuls(std::string_view line, std::size_t nul) {
+    const std::string_view ends("\0\r\n", 3);
+    if (line.find_first_not_of(ends, nul) != std::string_view::npos) return false;
+    // The line stays where it is: what is behind it is read into another text.
+    if (std::string_view(m_text).find_first_not_of(ends, m_at) != std::string_view::npos) return false;
+    std::string rest(blockBytes, '\0');
+    do {
+        m_in.read(rest.data(), static_cast<std::streamsize>(rest.size()));
+        const auto count = static_cast<std::size_t>(m_in.gcount());
+        m_bytesRead += count;
+        if (std::string_view(rest.data(), count).find_first_not_of(ends) != std::string_view::npos)
+            return false;
+    } while (m_in);
+    m_at = m_text.size();
+    return m_hasNulTail = true;
+}
+
+std::string_view TextLines::inUtf8(std::string_view line) {
+    m_converted.clear();
+    for (const char c : line) {
+        const unsigned byte = byteOf(c);
+        const char16_t known = byte >= 0x80 && byte < 0xA0 ? windowsCharacters[byte - 0x80] : char16_t{0};
+        appendUtf8(m_converted, known ? known : byte);
+    }
+    return m_converted;
+}
+
+std::string_view TextLines::beginning() {
+    if (m_encoding == Encoding::unknown) fill();
+    return m_text;
+}
+
+bool TextLines::takePlainBlock(std::string& block) {
+    if (m_at == m_text.size() && (!m_problem.empty() || !fill())) return false;
+    const std::string_view ahead = std::string_view(m_text).substr(m_at);
+    const bool needsDecoding = m_encoding != Encoding::bytes || !isAscii(ahead) ||
+                               ahead.find('\r') != std::string_view::npos ||
+                               ahead.find('\0') != std::string_view::npos;
+    if (ahead.empty() || needsDecoding) return false;
+    if (m_at > 0) m_text.erase(0, m_at);
+    block.swap(m_text);
+    m_text.clear();
+    m_at = 0;
+    return true;
+}
+
 bool TextLines::next(std::string_view& line) {
     if (!m_problem.empty()) return false;
     std::size_t end = m_text.find(m_end, m_at);
@@ -127,29 +217,85 @@ bool TextLines::next(std::string_view& line) {
     if (last && m_at == m_text.size()) return false;
     ++m_number;
     line = std::string_view(m_text).substr(m_at, last ? std::string::npos : end - m_at);
-    if (line.size() > longestLine) return refuse("the line is longer than 65536 bytes");
+    if (line.size() > longestLine)
+        return refuse("the line is longer than " + std::to_string(longestLine) +
+                      " bytes: this is no table of text");
     m_at = last ? m_text.size() : end + 1;
-    if (line.ends_with('\r')) line.remove_suffix(1);
-    if (line.find('\0') != std::string_view::npos) return refuse("holds a NUL byte: this is no text");
-    if (!isAscii(line) && !isUtf8(line)) {
-        m_converted.clear();
-        for (const char c : line) appendUtf8(m_converted, byteOf(c));
-        line = m_converted;
+    while (line.ends_with('\r')) line.remove_suffix(1);
+    if (const std::size_t nul = line.find('\0'); nul != std::string_view::npos) {
+        if (!endsInNuls(line, nul)) return refuse("holds a NUL byte: this is no text");
+        line = line.substr(0, nul);
+        if (line.empty()) return false;
+    }
+    const bool isWindows = m_wanted == TextEncoding::windows1252 && m_encoding == Encoding::bytes;
+    if (!isAscii(line) && (isWindows || !isUtf8(line))) {
+        if (m_wanted == TextEncoding::utf8)
+            return refuse("holds a byte that is not UTF-8: try another encoding");
+        m_hasWindows1252 = true;
+        line = inUtf8(line);
     }
     return true;
 }
 
-std::vector<std::string> firstLines(std::istream& in, std::size_t most) {
-    TextLines text(in);
+std::vector<std::string> firstLines(std::istream& in, std::size_t most, TextEncoding wanted) {
+    TextLines text(in, wanted);
     std::vector<std::string> lines;
     std::string_view line;
-    while (lines.size() < most && text.next(line)) {
-        // Not in the middle of a character.
-        std::size_t end = std::min(line.size(), longestPreview);
-        while (end < line.size() && end > 0 && (byteOf(line[end]) & 0xC0) == 0x80) --end;
-        lines.emplace_back(line.substr(0, end));
-    }
+    constexpr std::size_t mostBytes = std::size_t{4} << 20;
+    for (std::size_t bytes = 0; lines.size() < most && bytes < mostBytes && text.next(line);
+         bytes += line.size())
+        lines.emplace_back(line);
     return lines;
+}
+
+std::string_view knownFormat(std::string_view beginning) {
+    using namespace std::string_view_literals;
+    if (beginning.starts_with("PK\3\4"))
+        return beginning.find("xl/") != std::string_view::npos ||
+                       beginning.find("[Content_Types].xml") != std::string_view::npos
+                   ? translatable("drillwave::Message", "an Excel workbook (.xlsx); save the sheet as CSV")
+               : beginning.find("opendocument.spreadsheet") != std::string_view::npos
+                   ? translatable("drillwave::Message",
+                                  "an OpenDocument spreadsheet (.ods); save the sheet as CSV")
+                   : translatable("drillwave::Message", "a zip archive; unpack it first");
+    struct Signature {
+        std::string_view bytes;
+        std::string_view what;
+    };
+    static const Signature signatures[] = {
+        {"\x1F\x8B"sv, translatable("drillwave::Message", "compressed by gzip; unpack it first")},
+        {"BZh"sv, translatable("drillwave::Message", "compressed by bzip2; unpack it first")},
+        {"\xFD"
+         "7zXZ"sv,
+         translatable("drillwave::Message", "compressed by xz; unpack it first")},
+        {"7z\xBC\xAF"sv, translatable("drillwave::Message", "a 7-Zip archive; unpack it first")},
+        {"\x28\xB5\x2F\xFD"sv, translatable("drillwave::Message", "compressed by zstd; unpack it first")},
+        {"\xD0\xCF\x11\xE0"sv,
+         translatable("drillwave::Message", "an old Excel workbook (.xls); save the sheet as CSV")},
+        {"\x09\x08\x10\x00"sv,
+         translatable("drillwave::Message", "an old Excel workbook (.xls); save the sheet as CSV")},
+        {"\x89HDF"sv, translatable("drillwave::Message",
+                                   "an HDF5 file (MATLAB 7.3 also writes it); export the channels as CSV")},
+        {"MATLAB 5.0"sv, translatable("drillwave::Message", "a MATLAB file; export the channels as CSV")},
+        {"TDSm"sv, translatable("drillwave::Message", "a TDMS file; export the channels as CSV")},
+        {"\x93NUMPY"sv, translatable("drillwave::Message", "a NumPy array; write it by numpy.savetxt")},
+        {"PAR1"sv, translatable("drillwave::Message", "a Parquet file; export the columns as CSV")},
+        {"SQLite format 3"sv,
+         translatable("drillwave::Message", "an SQLite database; export a table as CSV")},
+        {"%PDF"sv, translatable("drillwave::Message", "a PDF document, not a table")},
+        {"{\\rtf"sv, translatable("drillwave::Message", "a document in RTF; save it as plain text")},
+        {"\x89PNG"sv, translatable("drillwave::Message", "a picture, not a table")},
+        {"\xFF\xD8\xFF"sv, translatable("drillwave::Message", "a picture, not a table")},
+        {"RIFF"sv, translatable("drillwave::Message", "a sound or video file (RIFF); export samples as CSV")},
+        {"\xFF\xFE\0\0"sv, translatable("drillwave::Message", "text in UTF-32; save it as UTF-8")},
+        {"\0\0\xFE\xFF"sv, translatable("drillwave::Message", "text in UTF-32; save it as UTF-8")},
+        {"<?xml"sv, translatable("drillwave::Message", "an XML document; save the sheet as CSV")},
+        {"<html"sv, translatable("drillwave::Message", "a web page; save the table as CSV")},
+        {"<!DOCTYPE"sv, translatable("drillwave::Message", "a web page; save the table as CSV")},
+    };
+    for (const Signature& signature : signatures)
+        if (beginning.starts_with(signature.bytes)) return signature.what;
+    return {};
 }
 
 }  // namespace drillwave

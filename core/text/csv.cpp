@@ -9,8 +9,8 @@ constexpr int endOfInput = std::char_traits<char>::eof();
 /// Takes one cell off the stream; `budget` is what is left of the record's limit.
 class CellScanner {
   public:
-    CellScanner(std::streambuf& in, std::size_t budget, int& line)
-        : m_in(in), m_budget(budget), m_line(line) {}
+    CellScanner(std::streambuf& in, std::size_t budget, char separator, int& line)
+        : m_in(in), m_budget(budget), m_separator(separator), m_line(line) {}
 
     /// Reads a cell up to, and not including, the comma or line end behind it.
     std::string cell() {
@@ -33,7 +33,7 @@ class CellScanner {
         const int c = m_in.sgetc();
         if (c == endOfInput) return false;
         m_in.sbumpc();
-        if (c == ',') return true;
+        if (c == m_separator) return true;
         if (c == '\r' && m_in.sgetc() == '\n') m_in.sbumpc();
         ++m_line;
         return false;
@@ -44,7 +44,7 @@ class CellScanner {
   private:
     bool atCellEnd() const {
         const int c = m_in.sgetc();
-        return c == endOfInput || c == ',' || c == '\n' || c == '\r';
+        return c == endOfInput || c == m_separator || c == '\n' || c == '\r';
     }
 
     /// Everything up to the closing quote; a doubled quote is one of the text.
@@ -77,18 +77,26 @@ class CellScanner {
 
     std::streambuf& m_in;
     std::size_t m_budget;
+    int m_separator;
     int& m_line;
     bool m_wasQuoted = false;
     Message m_problem;
 };
 
-/// Steps over a record and its line end, counting lines; false where it is blank.
-bool skipRecord(std::streambuf& in, int& line) {
-    bool isBlank = true, beginsCell = true;
+using Skipped = CsvReader::Skipped;
+
+/// Steps over a record and its line end, counting lines; `none` where it is blank.
+Skipped skipRecord(std::streambuf& in, char separator, int& line) {
+    bool isBlank = true, isEmpty = true, beginsCell = true, hasSeparator = false, hasQuotes = false;
     for (int c = in.sgetc(); c != endOfInput; c = in.snextc()) {
         if (beginsCell && c == '"') {
             isBlank = false;
-            for (c = in.snextc(); c != endOfInput && c != '"'; c = in.snextc()) line += c == '\n';
+            if (hasQuotes) isEmpty = false;  // a doubled quote
+            hasQuotes = true;
+            for (c = in.snextc(); c != endOfInput && c != '"'; c = in.snextc()) {
+                line += c == '\n';
+                if (c != ' ' && c != '\t') isEmpty = false;
+            }
             if (c == endOfInput) break;
             continue;  // a doubled quote ends one quotation and begins the next
         }
@@ -98,9 +106,13 @@ bool skipRecord(std::streambuf& in, int& line) {
             break;
         }
         isBlank = false;
-        beginsCell = c == ',';
+        beginsCell = c == separator;
+        if (!beginsCell && c != ' ' && c != '\t') isEmpty = false;
+        hasSeparator |= beginsCell;
+        hasQuotes = hasQuotes && !beginsCell;
     }
-    return !isBlank;
+    if (isBlank) return Skipped::none;
+    return isEmpty && hasSeparator ? Skipped::emptyCells : Skipped::record;
 }
 
 void skipByteOrderMark(std::streambuf& in) {
@@ -124,8 +136,8 @@ std::string csvCell(std::string_view text) {
     return quoted + "\"";
 }
 
-CsvReader::CsvReader(std::istream& in, std::size_t maximumRecordBytes)
-    : m_in(in), m_maximumRecordBytes(maximumRecordBytes) {}
+CsvReader::CsvReader(std::istream& in, std::size_t maximumRecordBytes, char separator)
+    : m_in(in), m_maximumRecordBytes(maximumRecordBytes), m_separator(separator) {}
 
 bool CsvReader::findRecord() {
     std::streambuf& in = *m_in.rdbuf();
@@ -135,13 +147,19 @@ bool CsvReader::findRecord() {
     return in.sgetc() != endOfInput;
 }
 
+CsvReader::Skipped CsvReader::skipNext() {
+    while (findRecord()) {
+        const Skipped skipped = skipRecord(*m_in.rdbuf(), m_separator, m_nextLine);
+        if (skipped == Skipped::none) continue;
+        m_first = false;
+        return skipped;
+    }
+    return Skipped::none;
+}
+
 std::uint64_t CsvReader::skip(std::uint64_t most) {
     std::uint64_t count = 0;
-    while (count < most && findRecord()) {
-        if (!skipRecord(*m_in.rdbuf(), m_nextLine)) continue;
-        m_first = false;
-        ++count;
-    }
+    while (count < most && skipNext() != Skipped::none) ++count;
     return count;
 }
 
@@ -150,7 +168,7 @@ bool CsvReader::next(CsvRecord& record) {
     while (findRecord()) {
         record = {};
         const bool quoted = in.sgetc() == '"';
-        CellScanner scanner(in, m_maximumRecordBytes, m_nextLine);
+        CellScanner scanner(in, m_maximumRecordBytes, m_separator, m_nextLine);
         do {
             record.cells.push_back(scanner.cell());
             // A cell costs more than its bytes: a line of a million commas is refused as well.

@@ -24,10 +24,14 @@ struct CsvRecord {
 /// Reads records one at a time in bounded memory (quotes, CRLF, embedded line ends, UTF-8 BOM skipped).
 class CsvReader {
   public:
-    explicit CsvReader(std::istream& in, std::size_t maximumRecordBytes = 1 << 20);
+    explicit CsvReader(std::istream& in, std::size_t maximumRecordBytes = 1 << 20, char separator = ',');
     /// Reads the next record that is not empty and, before the header, does not begin with '#'. False at the
     /// end.
     bool next(CsvRecord& record);
+    /// Steps over the next record without reading its cells; says whether there was one, and one of several
+    /// cells with nothing but blanks in them.
+    enum class Skipped { none, record, emptyCells };
+    Skipped skipNext();
     /// Steps over the next `most` records without reading their cells, and says how many there were.
     std::uint64_t skip(std::uint64_t most);
     int line() const { return m_line; }  ///< line on which the last record began, 1-based
@@ -38,6 +42,7 @@ class CsvReader {
 
     std::istream& m_in;
     std::size_t m_maximumRecordBytes;
+    char m_separator;
     int m_line = 0;
     int m_nextLine = 1;
     bool m_first = true;

@@ -5,6 +5,7 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <utility>
 
 #include "core/text/name_text.h"
 
@@ -59,6 +60,26 @@ std::string_view trimmed(std::string_view text) {
     const std::size_t first = text.find_first_not_of(" \t");
     if (first == std::string_view::npos) return {};
     return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+bool hasWideCharacters(std::string_view text) {
+    unsigned any = 0;
+    for (const char c : text) any |= static_cast<unsigned char>(c);
+    return any >= 0x80;
+}
+
+std::string withPlainSigns(std::string_view text) {
+    constexpr std::pair<std::string_view, char> signs[] = {
+        {"\u2212", '-'}, {"\u00a0", ' '}, {"\u202f", ' '}, {"\u2009", ' '}};
+    std::string plain;
+    plain.reserve(text.size());
+    while (!text.empty()) {
+        const auto sign = std::ranges::find_if(
+            signs, [&](const auto& candidate) { return text.starts_with(candidate.first); });
+        plain += sign == std::end(signs) ? text.front() : sign->second;
+        text.remove_prefix(sign == std::end(signs) ? 1 : sign->first.size());
+    }
+    return plain;
 }
 
 std::string shortened(std::string_view text) {

@@ -16,6 +16,12 @@ namespace drillwave {
 /// Without blanks and tabs at either end.
 std::string_view trimmed(std::string_view text);
 
+/// The text with the minus sign U+2212 as a hyphen and the no-break and thin spaces U+00A0, U+202F, U+2009 as
+/// blanks: the characters that word processors and spreadsheets put into numbers.
+std::string withPlainSigns(std::string_view text);
+/// Whether withPlainSigns() may change the text: it holds a byte that is not ASCII.
+bool hasWideCharacters(std::string_view text);
+
 /// At most about 40 bytes of it, control characters replaced, the rest printable(), for quoting in a message.
 std::string shortened(std::string_view text);
 

@@ -119,6 +119,9 @@ std::string normalised(std::string_view name) {
     replaceAll(text, "\u00b7", " ");
     replaceAll(text, "\u22c5", " ");
     replaceAll(text, "*", " ");
+    replaceAll(text, "\u00a0", " ");
+    replaceAll(text, "\u202f", " ");
+    replaceAll(text, "\u2009", " ");
     replaceAll(text, "\t", " ");
     const auto twoBlanks = [](char a, char b) { return a == ' ' && b == ' '; };
     text.erase(std::unique(text.begin(), text.end(), twoBlanks), text.end());
@@ -254,6 +257,10 @@ std::string unitList(Quantity quantity) {
 }
 
 std::optional<double> parseNumber(std::string_view text) {
+    if (hasWideCharacters(text)) {
+        const std::string plain = withPlainSigns(text);
+        return hasWideCharacters(plain) ? std::nullopt : parseNumber(plain);
+    }
     text = trimmed(text);
     const std::size_t length = numberLength(text);
     if (length == 0 || length != text.size()) return std::nullopt;
@@ -268,6 +275,8 @@ std::string formatNumber(double value) {
 
 TypedQuantity parseQuantity(std::string_view text, Quantity quantity, BareNumber bare,
                             const Unit* defaultUnit) {
+    std::string plain;
+    if (hasWideCharacters(text)) text = plain = withPlainSigns(text);
     text = trimmed(text);
     if (text.empty()) return refused(translatable("drillwave::Message", "is empty"));
     const std::size_t length = numberLength(text);

@@ -1,22 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/yaml/pulse_table.h"
 
+#include <algorithm>
 #include <sstream>
 
 #include "core/disk/file_bytes.h"
 #include "core/model/pulse_force.h"
-#include "core/text/csv.h"
+#include "core/signal/detected_table.h"
+#include "core/signal/sample_guess.h"
+#include "core/signal/samples.h"
+#include "core/signal/text_lines.h"
 #include "core/text/decimal_text.h"
-#include "core/text/text_input.h"
-#include "core/text/unit_heading.h"
 #include "core/text/units.h"
 
 namespace drillwave {
 namespace {
 
 constexpr std::size_t maximumTableBytes = std::size_t{16} << 20;
-constexpr std::size_t maximumRecordBytes = 4096;
-constexpr std::size_t mostWrongRows = 20;
+constexpr std::size_t headLines = 2000;
 
 class TableReader {
   public:
@@ -24,15 +25,20 @@ class TableReader {
 
     PulseTable read(const std::string& bytes) {
         std::istringstream in(bytes);
-        CsvReader csv(in, maximumRecordBytes);
-        CsvRecord record;
-        if (!csv.next(record)) {
-            report(1, "holds no header `" + expectedHeader() + "`");
+        const std::vector<std::string> lines = firstLines(in, headLines);
+        if (std::ranges::all_of(lines, [](const std::string& line) { return isPassedOver(line, ','); })) {
+            report(1, {translatable("drillwave::Message", "holds no header `%1`"), {expectedHeader()}});
             return std::move(m_table);
         }
-        readHeader(record, csv.line());
-        while (m_table.problems.size() < mostWrongRows && csv.next(record)) readPoint(record, csv.line());
-        if (m_table.problems.empty()) checkPoints(csv.line());
+        const DetectedTable table = detectTable(lines);
+        m_headerLine = static_cast<int>(std::max<std::size_t>(2, table.firstLine)) - 1;
+        if (!table.hasSamples() || !chooseColumns(table)) {
+            if (m_table.problems.empty()) refuseHeader();
+            return std::move(m_table);
+        }
+        in.clear();
+        in.seekg(0);
+        takeSamples(readSamples(in, m_guess.source));
         return std::move(m_table);
     }
 
@@ -44,72 +50,101 @@ class TableReader {
         m_table.problems.push_back({"pulse.file", reason, line, 1, m_source});
     }
 
-    const Unit* columnUnit(const std::string& cell, std::string_view name, Quantity quantity, int line) {
-        const UnitHeading header = splitHeading(cell);
-        const Quantity expected = dimensional() ? quantity : Quantity::ratio;
-        const Unit* unit = findUnit(expected, header.unit);
-        if (header.name != name)
-            report(line, {translatable("drillwave::Message", "%1 (the header must be %2)"),
-                          {"`" + shortened(cell) + "`", "`" + expectedHeader() + "`"}});
-        else if (!unit)
-            report(line, {dimensional()
-                              ? translatable("drillwave::Message", "%1 (needs a unit in brackets, one of %2)")
-                              : translatable("drillwave::Message",
-                                             "%1 (must have no unit in a dimensionless scenario)"),
-                          {"`" + shortened(cell) + "`", unitList(quantity)}});
-        return unit;
+    void refuseHeader() {
+        report(m_headerLine,
+               {translatable("drillwave::Message", "the header must be %1"), {"`" + expectedHeader() + "`"}});
     }
 
-    void readHeader(const CsvRecord& record, int line) {
-        const bool isHeader =
-            record.problem.isEmpty() && record.cells.size() == 2 &&
-            (splitHeading(record.cells[0]).name == "time" || splitHeading(record.cells[1]).name == "force");
-        if (!isHeader) {
-            report(line, record.problem.isEmpty()
-                             ? Message(translatable("drillwave::Message", "the header must be %1"),
-                                       {"`" + expectedHeader() + "`"})
-                             : record.problem);
+    /// Returns whether both units are known; reports what is missing.
+    bool chooseColumns(const DetectedTable& table) {
+        m_guess = guessedSource(table);
+        if (table.hasRows) {
+            report(1, translatable(
+                          "drillwave::Message",
+                          "each channel is a row; write `drillwave signal FILE -o blow.csv` and take that"));
+            return false;
+        }
+        if (table.isDecimalOpen) {
+            report(m_headerLine,
+                   translatable("drillwave::Message",
+                                "1,234 can be a number with decimals or a thousand: write one number with "
+                                "another count of decimals, such as 0,5 or 0.5"));
+            return false;
+        }
+        if (!m_guess.source.timeColumn && !(m_guess.hasRate && dimensional())) return false;
+        const TableColumn& force = table.columns[m_guess.source.valueColumn];
+        const TableColumn time =
+            m_guess.source.timeColumn ? table.columns[*m_guess.source.timeColumn] : TableColumn{};
+        if (time.name.empty() && time.unit.empty() && force.name.empty() && force.unit.empty() &&
+            !time.isStamp)
+            return false;
+        if (m_guess.rivals > 0 && force.name != "force") {
+            report(m_headerLine,
+                   {translatable("drillwave::Message",
+                                 "several columns could be the force, %1 is one; leave the others out"),
+                    {"`" + shortened(force.name) + "`"}});
+            return false;
+        }
+        return dimensional() ? takeUnits(time, force) : refuseUnits(time, force);
+    }
+
+    static std::string heading(const TableColumn& column) {
+        return "`" + shortened(column.unit.empty() ? column.name : column.name + " [" + column.unit + "]") +
+               "`";
+    }
+
+    bool takeUnits(const TableColumn& time, const TableColumn& force) {
+        if (m_guess.source.timeColumn && !m_guess.hasTimeUnit) needUnit(time, unitList(Quantity::time));
+        if (!m_guess.unit)
+            needUnit(force, unitList(Quantity::force));
+        else if (m_guess.unit->kind != SignalKind::force)
+            report(
+                m_headerLine,
+                {translatable("drillwave::Message",
+                              "%1 is no force; `--signal FILE` and the import make one of strains and volts"),
+                 {heading(force)}});
+        if (!m_table.problems.empty()) return false;
+        m_forceUnit = m_guess.unit->unit.factor;
+        return true;
+    }
+
+    void needUnit(const TableColumn& column, const std::string& units) {
+        report(m_headerLine, {translatable("drillwave::Message", "%1 (needs a unit in brackets, one of %2)"),
+                              {heading(column), units}});
+    }
+
+    bool refuseUnits(const TableColumn& time, const TableColumn& force) {
+        for (const TableColumn& column : {time, force})
+            if (!column.unit.empty())
+                report(m_headerLine, {translatable("drillwave::Message",
+                                                   "%1 (must have no unit in a dimensionless scenario)"),
+                                      {heading(column)}});
+        m_guess.source.timeUnit = 1;
+        return m_table.problems.empty();
+    }
+
+    void takeSamples(const Samples& samples) {
+        if (!samples.problem.empty()) {
+            report(samples.problemLine > 0 ? static_cast<int>(samples.problemLine) : m_headerLine + 1,
+                   Message(samples.problem));
             return;
         }
-        m_timeUnit = columnUnit(record.cells[0], "time", Quantity::time, line);
-        m_forceUnit = columnUnit(record.cells[1], "force", Quantity::force, line);
-    }
-
-    double number(const std::string& cell, std::string_view column, Quantity quantity, const Unit* unit,
-                  int line) {
-        const Quantity expected = dimensional() ? quantity : Quantity::ratio;
-        const TypedQuantity typed = parseQuantity(cell, expected, BareNumber::inDefaultUnit, unit);
-        if (!typed.valid())
-            report(line, {"%1 (%2)", {std::string(column) + " = " + shortened(cell), typed.problem}});
-        return typed.si;
-    }
-
-    void readPoint(const CsvRecord& record, int line) {
-        if (!m_timeUnit || !m_forceUnit) return;
-        if (!record.problem.isEmpty() || record.cells.size() != 2) {
-            report(line, record.problem.isEmpty()
-                             ? Message(translatable("drillwave::Message", "a row must be a time and a force"))
-                             : record.problem);
-            return;
+        for (std::size_t i = 0; i < samples.time.size(); ++i) {
+            m_table.points.push_back({samples.time[i], samples.value[i] * m_forceUnit});
+            if (m_table.points.size() > static_cast<std::size_t>(maximumPulseSegments)) break;
         }
-        const double time = number(record.cells[0], "time", Quantity::time, m_timeUnit, line);
-        const double force = number(record.cells[1], "force", Quantity::force, m_forceUnit, line);
-        if (m_table.points.size() <= static_cast<std::size_t>(maximumPulseSegments))
-            m_table.points.push_back({time, force});
-        m_lines.push_back(line);
-    }
-
-    void checkPoints(int lastLine) {
         const PointProblem problem = pointProblem(m_table.points);
-        if (problem.reason.isEmpty()) return;
-        report(problem.index < m_lines.size() ? m_lines[problem.index] : lastLine, problem.reason);
+        // Lines are counted without those that are passed over: most often there are none.
+        if (!problem.reason.isEmpty())
+            report(m_headerLine + 1 + static_cast<int>(std::min(problem.index, samples.time.size() - 1)),
+                   problem.reason);
     }
 
     std::string m_source;
     ScenarioForm m_form;
-    const Unit* m_timeUnit = nullptr;
-    const Unit* m_forceUnit = nullptr;
-    std::vector<int> m_lines;
+    int m_headerLine = 1;
+    SampleGuess m_guess;
+    double m_forceUnit = 1;
     PulseTable m_table;
 };
 
@@ -127,15 +162,13 @@ PulseTable readPulseTable(const std::string& path, const std::string& source, Sc
                                   source});
         return table;
     }
-    const TextProblem text = checkText(file.bytes);
-    if (!text.reason.empty()) {
-        const TextPosition at = positionOf(file.bytes, text.offset);
-        table.problems.push_back({"pulse.file",
-                                  {translatable("drillwave::Message", "is not text: it holds %1"),
-                                   {Message::ofTable(text.reason)}},
-                                  at.line,
-                                  at.column,
-                                  source});
+    if (const std::string_view what = knownFormat(file.bytes); !what.empty()) {
+        table.problems.push_back(
+            {"pulse.file",
+             {translatable("drillwave::Message", "this is no table: it is %1"), {Message::ofTable(what)}},
+             1,
+             1,
+             source});
         return table;
     }
     return TableReader(source, form).read(file.bytes);

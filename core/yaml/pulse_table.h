@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The CSV file of a tabulated pulse: time and force, with their units in the header.
+// The table file of a tabulated pulse: time and force, with their units in the header.
 #pragma once
 
 #include <string>
@@ -17,7 +17,9 @@ struct PulseTable {
     bool unreadable = false;             ///< the file could not be opened or is no text
 };
 
-/// Reads "time [us],force [kN]" (units as in the header; "time,force" in a dimensionless scenario). `path` is
+/// Reads what the import of records reads: a column of times and one of forces with their units in the
+/// heading, whatever the separator, the decimal sign and the encoding ("time,force" without units in a
+/// dimensionless scenario). `path` is
 /// the file as opened, `source` how messages name it. At most 16 MiB.
 PulseTable readPulseTable(const std::string& path, const std::string& source, ScenarioForm form);
 

@@ -42,6 +42,7 @@ class Patcher {
         if (hasSections(m_scenario)) patchDrillString(root);
         patchCorners(root);
         patchDesign(root);
+        patchPoints(root);
         return edited(m_text, std::move(m_edits));
     }
 
@@ -103,14 +104,136 @@ class Patcher {
     }
 
     void patchCorners(const YamlNode& root) {
-        const std::size_t at = indexOf(root, "bit_rock");
         const std::size_t count = m_scenario.bitRock.corners.size();
-        const bool isMap = at < root.children.size() && root.children[at + 1].kind == YamlKind::map;
-        if (!isMap || indexOf(root.children[at + 1], "corners") >= root.children[at + 1].children.size()) {
-            if (count > 0) throw NotPatchable();
+        const YamlNode* map = sectionMap(root, "bit_rock");
+        if (!map) {
+            if (count > 0 && indexOf(root, "bit_rock") < root.children.size()) throw NotPatchable();
             return;
         }
-        patchList(valueOf(root.children[at + 1], "corners", YamlKind::sequence), "bit_rock.corners", count);
+        const std::size_t at = indexOf(*map, "corners");
+        const bool there = at < map->children.size();
+        const bool same = there && map->children[at + 1].kind == YamlKind::sequence &&
+                          map->children[at + 1].children.size() == count;
+        if (same && count > 0)
+            patchList(map->children[at + 1], "bit_rock.corners", count);
+        else
+            patchLines(*map, "bit_rock", "corners", count > 0);
+    }
+
+    /// The points of a table that stand in the file itself.
+    void patchPoints(const YamlNode& root) {
+        const bool wanted = isForced(m_scenario) && m_scenario.pulse.shape == PulseShape::table &&
+                            m_scenario.pulse.tableFile.empty();
+        const YamlNode* map = sectionMap(root, "pulse");
+        if (!map) {
+            if (wanted && indexOf(root, "pulse") < root.children.size()) throw NotPatchable();
+            return;
+        }
+        const std::size_t at = indexOf(*map, "points");
+        if (wanted && at < map->children.size() &&
+            pointsOf(map->children[at + 1]) == m_scenario.pulse.tablePoints)
+            return;
+        patchLines(*map, "pulse", "points", wanted);
+    }
+
+    static const YamlNode* sectionMap(const YamlNode& root, std::string_view section) {
+        const std::size_t at = indexOf(root, section);
+        const bool isMap = at < root.children.size() && root.children[at + 1].kind == YamlKind::map;
+        return isMap ? &root.children[at + 1] : nullptr;
+    }
+
+    TablePoints pointsOf(const YamlNode& list) const {
+        std::vector<TablePoint> points;
+        for (const YamlNode& item : list.children) {
+            if (item.children.size() != 2) return {};
+            const bool units = hasUnits(m_scenario);
+            const auto value = [](const YamlNode& node, Quantity quantity) {
+                return parseQuantity(node.text, quantity).si;
+            };
+            points.push_back({value(item.children[0], units ? Quantity::time : Quantity::ratio),
+                              value(item.children[1], units ? Quantity::force : Quantity::ratio)});
+        }
+        return points;
+    }
+
+    /// Returns the items of a list of a section as a new file has them, one per line, without indentation.
+    std::vector<std::string> listItems(std::string_view section, std::string_view key) const {
+        const std::string text = sectionText(m_scenario, section);
+        const std::string heading = "  " + std::string(key) + ":\n";
+        std::size_t at = text.find(heading);
+        std::vector<std::string> items;
+        if (at == std::string::npos) return items;
+        for (at += heading.size(); at < text.size();) {
+            const std::size_t end = std::min(text.find('\n', at), text.size());
+            const std::size_t dash = text.find_first_not_of(' ', at);
+            if (dash >= end || text[dash] != '-') break;
+            items.push_back(text.substr(dash, end - dash));
+            at = end + 1;
+        }
+        return items;
+    }
+
+    /// Puts a list into the map of a section as lines of its own, and removes the old one.
+    void patchLines(const YamlNode& map, std::string_view section, std::string_view key, bool wanted) {
+        const std::size_t at = indexOf(map, key);
+        const bool there = at < map.children.size();
+        if (!wanted && !there) return;
+        if (map.children.empty()) throw NotPatchable();
+        if (map.flow) return patchFlowList(map, section, key, wanted);
+        const std::size_t column =
+            map.children[0].offset - lineOf(literalExtent(m_text, map.children[0])).begin;
+        std::string text;
+        if (wanted) {
+            text = std::string(column, ' ') + std::string(key) + ":" + std::string(m_lineEnd);
+            const std::vector<std::string> items = listItems(section, key);
+            if (items.empty()) throw NotPatchable();
+            for (const std::string& item : items)
+                text += std::string(column + 2, ' ') + item + std::string(m_lineEnd);
+        }
+        if (there) {
+            const Extent begin = lineOf(literalExtent(m_text, map.children[at]));
+            const Extent end = lineOf({begin.begin, lastOf(map.children[at + 1])});
+            m_edits.push_back({begin.begin, end.end - begin.begin, std::move(text)});
+            return;
+        }
+        // Behind the last entry of the map.
+        const Extent end = lineOf({map.children[0].offset, lastOf(map)});
+        const bool isOpen = m_text.substr(0, end.end).find_last_of('\n') + 1 != end.end;
+        m_edits.push_back({end.end, 0, (isOpen ? std::string(m_lineEnd) : std::string()) + text});
+    }
+
+    void patchFlowList(const YamlNode& map, std::string_view section, std::string_view key, bool wanted) {
+        const std::size_t at = indexOf(map, key);
+        const std::vector<std::string> items = listItems(section, key);
+        // Many points are written one per line, not all in one.
+        constexpr std::size_t mostInLine = 20;
+        if (items.size() > mostInLine) throw NotPatchable();
+        std::string list;
+        for (const std::string& item : items) list += (list.empty() ? "" : ", ") + item.substr(2);
+        if (at < map.children.size()) {
+            if (!wanted || map.children[at + 1].children.empty()) throw NotPatchable();
+            const YamlNode& old = map.children[at + 1];
+            m_edits.push_back({old.offset, behindBrackets(old) - old.offset, "[" + list + "]"});
+        } else {
+            m_edits.push_back(
+                {behindBrackets(map.children.back()), 0, ", " + std::string(key) + ": [" + list + "]"});
+        }
+    }
+
+    /// The byte behind a value, with the brackets that close it.
+    std::size_t behindBrackets(const YamlNode& node) const {
+        if (node.kind == YamlKind::scalar) return literalExtent(m_text, node).end;
+        if (!node.flow || node.children.empty()) throw NotPatchable();
+        const std::size_t end = m_text.find_first_of("]}", behindBrackets(node.children.back()));
+        if (end == std::string_view::npos) throw NotPatchable();
+        return end + 1;
+    }
+
+    /// The byte behind the last scalar of a value.
+    std::size_t lastOf(const YamlNode& node) const {
+        if (node.kind == YamlKind::scalar) return literalExtent(m_text, node).end;
+        if (node.children.empty()) throw NotPatchable();
+        return lastOf(node.children.back());
     }
 
     /// The block of the design study, which is exchanged as a whole.

@@ -13,8 +13,9 @@ namespace drillwave {
 
 /// The text with the values of the scenario and its design: changed ones in the unit the file used and
 /// without the comment behind them, which was about the value before, new ones on new lines, those that went
-/// taken out. nullopt where that takes more than exchanging single values and lines (another form, changed
-/// points of a table, values that span lines). The caller checks that the result says the scenario.
+/// taken out. A list of points or of corners that changes is put in as lines of its own. nullopt where that
+/// takes more than exchanging values, lines and such lists (another form, values that span lines). The caller
+/// checks that the result says the scenario.
 std::optional<std::string> patchedText(std::string_view text, const Scenario& scenario,
                                        const DesignSetup& design);
 

@@ -38,6 +38,22 @@ std::size_t excessiveBracket(std::string_view text) {
     return std::string_view::npos;
 }
 
+/// The first tab before the first word of a line, down to the line behind a place; npos where there is none.
+std::size_t tabInIndentation(std::string_view text, std::size_t place) {
+    const std::size_t end = std::min(text.find('\n', place), text.size());
+    for (std::size_t line = 0; line < end;) {
+        const std::size_t word = std::min(text.find_first_not_of(" \t", line), text.size());
+        const std::size_t tab = text.substr(line, word - line).find('\t');
+        if (tab != std::string_view::npos && word < text.size() && text[word] != '\n' && text[word] != '#' &&
+            text[word] != '\r')
+            return line + tab;
+        const std::size_t next = text.find('\n', line);
+        if (next == std::string_view::npos) break;
+        line = next + 1;
+    }
+    return std::string_view::npos;
+}
+
 Message tooDeep() {
     return {translatable("drillwave::Message", "more than %1 levels of nesting are not accepted"),
             {std::to_string(maximumDepth)}};
@@ -218,6 +234,13 @@ YamlTree parseYaml(std::string_view text) {
     } catch (const YAML::Exception& error) {
         const std::size_t position = error.mark.pos < 0 ? 0 : static_cast<std::size_t>(error.mark.pos);
         const std::size_t offset = std::min(position + byteOrderMarkLength(text), text.size());
+        if (const std::size_t tab = tabInIndentation(text, offset); tab != std::string_view::npos) {
+            tree.problem = {tab,
+                            translatable("drillwave::Message",
+                                         "not YAML: this line is indented by a tab; indent it by blanks"),
+                            false};
+            return tree;
+        }
         tree.problem = {
             offset, {translatable("drillwave::Message", "not YAML: %1"), {asciiOnly(error.msg)}}, false};
     }

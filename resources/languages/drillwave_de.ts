@@ -44,12 +44,52 @@
         <translation>Relative Widerstandsänderung je Dehnung</translation>
     </message>
     <message>
-        <source>active gauges</source>
-        <translation>aktive DMS</translation>
+        <source>density</source>
+        <translation>Dichte</translation>
     </message>
     <message>
-        <source>Of the bridge that see the strain: 1 quarter, 2 half, 4 full bridge</source>
-        <translation>Der Brücke, die die Dehnung sehen: 1 Viertel-, 2 Halb-, 4 Vollbrücke</translation>
+        <source>The impedance of the bar is its area times √(E ρ)</source>
+        <translation>Des Stabs: Seine Impedanz ist Fläche mal √(E ρ)</translation>
+    </message>
+    <message>
+        <source>bridge factor</source>
+        <translation>Brückenfaktor</translation>
+    </message>
+    <message>
+        <source>Active gauges: 1 quarter, 2 half, 4 full bridge; 2.6 full bridge with two gauges across a bar of Poisson&apos;s ratio 0.3</source>
+        <translation>Aktive Dehnungsmessstreifen: 1 Viertel-, 2 Halb-, 4 Vollbrücke; 2,6 Vollbrücke mit zwei Streifen quer an einem Stab mit der Querkontraktionszahl 0,3</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Volts out of the amplifier over volts in</source>
+        <translation>Des Verstärkers: Volt am Ausgang durch Volt am Eingang</translation>
+    </message>
+    <message>
+        <source>excitation in V</source>
+        <translation>Speisung in V</translation>
+    </message>
+    <message>
+        <source>Supply of the bridge</source>
+        <translation>Speisespannung der Brücke</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>ohne</translation>
+    </message>
+    <message>
+        <source>force per volt</source>
+        <translation>Kraft je Volt</translation>
+    </message>
+    <message>
+        <source>Result of a calibration; it overrides the bridge</source>
+        <translation>Aus einer Kalibrierung; sie geht der Brücke vor</translation>
+    </message>
+    <message>
+        <source>Volts are no forces: type the force per volt of a calibration, or the excitation of the bridge.</source>
+        <translation>Volt sind keine Kräfte: Geben Sie die Kraft je Volt einer Kalibrierung ein oder die Speisung der Brücke.</translation>
     </message>
 </context>
 <context>
@@ -2805,18 +2845,6 @@ Trotzdem löschen?</translation>
         <translation>%1 Zeilen ohne Zahl werden übergangen, die erste ist Zeile %2.</translation>
     </message>
     <message>
-        <source>Table: separator, decimal sign, the first line with a sample and the columns are found out; change what is wrong. Without a column of times give the sampling rate.
-Signal: force, strain or the output of a bridge in the unit of the column. A strain becomes a force by E and the area of the rod, of the string where the gauge is, or of another bar. Tension is positive in the rod; a blow presses.
-Zero line: the mean of the first samples, in which nothing happens.
-Range: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and Shift+drag zoom there), “All” the whole record.
-Points at most: of so many samples only some are kept, and it is said how far the others are from the lines between them. A blow keeps its impulse where that moves its forces little.</source>
-        <translation>Tabelle: Trennzeichen, Dezimalzeichen, die erste Zeile mit einem Abtastwert und die Spalten werden erkannt; was falsch ist, lässt sich ändern. Ohne Spalte der Zeiten ist die Abtastrate anzugeben.
-Signal: Kraft, Dehnung oder Ausgang einer Brücke in der Einheit der Spalte. Aus einer Dehnung wird eine Kraft mit E und dem Querschnitt der Stange, des Strangs an der Messstelle oder eines anderen Stabs. Zug ist in der Stange positiv; ein Schlag drückt.
-Nulllinie: der Mittelwert der ersten Abtastwerte, in denen nichts geschieht.
-Bereich: „Spitze“ nimmt den Abschnitt um den größten Wert, „Ansicht“, was das Diagramm zeigt (dort zoomen das Rad und Ziehen mit Umschalt), „Alles“ die ganze Aufzeichnung.
-Punkte höchstens: Von so vielen Abtastwerten bleiben nur einige, und es wird gesagt, wie weit die anderen von den Linien dazwischen entfernt sind. Ein Schlag behält seinen Kraftstoß, wo das seine Kräfte wenig verändert.</translation>
-    </message>
-    <message>
         <source>%1, the paper&apos;s choice</source>
         <translation>%1, die Wahl der Veröffentlichung</translation>
     </message>
@@ -3594,6 +3622,26 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <source>Effective feed force less the largest of the four, and as a share of that: thrust_margin of commands and files</source>
         <translation>Wirksamer Andruck abzüglich der größten der vier Kräfte, und als Anteil davon: thrust_margin in Befehlen und Dateien</translation>
     </message>
+    <message>
+        <source>They leave a gap of %1, which a straight line crosses.</source>
+        <translation>Sie hinterlassen eine Lücke von %1, die eine Gerade überbrückt.</translation>
+    </message>
+    <message>
+        <source>NUL bytes end the table: the recorder did not fill its file.</source>
+        <translation>NUL-Bytes beenden die Tabelle: Der Rekorder hat seine Datei nicht gefüllt.</translation>
+    </message>
+    <message>
+        <source>Table: separator, decimal sign, the first line with a sample and the columns are found out; change what is wrong. A unit or a sampling rate that the table does not state has to be chosen.
+Signal: force, strain, output of a bridge, voltage, stress or velocity in the unit of the column. A strain becomes a force by E and the area of the rod, of the string where the gauge is, or of another bar; a voltage by a calibration, or by gain, excitation and bridge factor; a velocity by the impedance. Tension is positive in the rod; a blow presses.
+Zero line: the mean of the first samples, in which nothing happens.
+Range: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and Shift+drag zoom there), “All” the whole record.
+Points at most: a blow keeps as few samples as leave impulse and e the same to 1e-4, unless you choose a number; a curve keeps so many. The summary says how far the others are from the lines between them.</source>
+        <translation>Tabelle: Trennzeichen, Dezimalzeichen, die erste Zeile mit einem Abtastwert und die Spalten werden erkannt; ändern Sie, was nicht stimmt. Was in der Tabelle nicht steht, etwa eine Einheit oder die Abtastrate, ist zu wählen.
+Signal: Kraft, Dehnung, Ausgang einer Brücke, Spannung in Volt, mechanische Spannung oder Geschwindigkeit in der Einheit der Spalte. Aus einer Dehnung wird eine Kraft durch E und die Fläche der Stange, des Strangs am Messstreifen oder eines anderen Stabs; aus Volt durch eine Kalibrierung oder durch Verstärkung, Speisung und Brückenfaktor; aus einer Geschwindigkeit durch die Impedanz. Zug ist in der Stange positiv; ein Schlag drückt.
+Nulllinie: der Mittelwert der ersten Abtastwerte, in denen nichts geschieht.
+Bereich: „Spitze“ nimmt das Stück um den größten Wert, „Ansicht“ das, was das Bild zeigt (Mausrad und Umschalt+Ziehen zoomen dort), „Alles“ die ganze Aufzeichnung.
+Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und e auf 1e-4 gleich lassen, solange Sie keine Anzahl wählen; eine Kurve behält so viele. Die Zusammenfassung sagt, wie weit die übrigen von den Geraden dazwischen entfernt sind.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -4254,10 +4302,6 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>&lt;b&gt;Dieses Szenario&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Robust best: %1&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Robusteste Auslegung: %1&lt;/b&gt;</translation>
-    </message>
-    <message>
         <source>The samples do not tell it apart from %1: any of them will do.</source>
         <translation>Die Stichproben unterscheiden sie nicht von %1: jede davon ist recht.</translation>
     </message>
@@ -4329,6 +4373,22 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <source>Where all is as in the file, the robust best has %1&#xa0;% more.</source>
         <translation>Wo alles wie in der Datei ist, hat die robusteste %1&#xa0;% mehr.</translation>
     </message>
+    <message>
+        <source>Best for the values entered: %1</source>
+        <translation>Am besten für die eingegebenen Werte: %1</translation>
+    </message>
+    <message>
+        <source>Present design: %1</source>
+        <translation>Jetzige Auslegung: %1</translation>
+    </message>
+    <message>
+        <source>Equally good: %1</source>
+        <translation>Gleich gut: %1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Best for uncertain rock: %1&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Am besten für unsicheres Gestein: %1&lt;/b&gt;</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::DesignPage</name>
@@ -4385,6 +4445,34 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>Design</source>
         <translation>Auslegung</translation>
+    </message>
+    <message>
+        <source>Solve all samples of this study; the time is an estimate</source>
+        <translation>Alle Stichproben dieser Studie rechnen; die Zeit ist geschätzt</translation>
+    </message>
+    <message>
+        <source>Refine (%1 s)</source>
+        <translation>Verfeinern (%1 s)</translation>
+    </message>
+    <message>
+        <source>Refine (%1 min)</source>
+        <translation>Verfeinern (%1 min)</translation>
+    </message>
+    <message>
+        <source>Nothing is solved yet: this study takes more than 10 s. The button Refine starts it.</source>
+        <translation>Noch ist nichts gerechnet: diese Studie dauert länger als 10 s. Der Knopf „Verfeinern“ startet sie.</translation>
+    </message>
+    <message>
+        <source>%1 samples of each design so far</source>
+        <translation>bisher %1 Stichproben je Auslegung</translation>
+    </message>
+    <message>
+        <source>take the design %1</source>
+        <translation>Auslegung %1 übernehmen</translation>
+    </message>
+    <message>
+        <source>take the worst case</source>
+        <translation>schlechtesten Fall übernehmen</translation>
     </message>
 </context>
 <context>
@@ -4493,6 +4581,10 @@ Gezeigt wird der Wert davor.</translation>
     <message>
         <source>%1: cannot be saved: %2. Nothing is lost: save it under another name or in another folder.</source>
         <translation>%1: kann nicht gespeichert werden: %2. Nichts ist verloren: unter einem anderen Namen oder in einem anderen Ordner speichern.</translation>
+    </message>
+    <message>
+        <source>change the design study</source>
+        <translation>Auslegungsstudie ändern</translation>
     </message>
 </context>
 <context>
@@ -5511,8 +5603,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Nur die Form wird übernommen: dieses Szenario hat keine physikalischen Einheiten.</translation>
     </message>
     <message>
-        <source>This string is struck by the sections of its hammer; Edit ▸ Put a force in place of the hammer makes room for a measured one.</source>
-        <translation>Diesen Strang schlagen die Abschnitte seines Hammers; Bearbeiten ▸ Kraft anstelle des Hammers setzen macht Platz für einen gemessenen Schlag.</translation>
+        <source>The blow takes the place of the hammer; undo brings it back.</source>
+        <translation>Der Schlag ersetzt den Kolben; Rückgängig bringt ihn zurück.</translation>
     </message>
 </context>
 <context>
@@ -7249,10 +7341,6 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>muss der Name einer CSV-Datei sein</translation>
     </message>
     <message>
-        <source>%1 (the header must be %2)</source>
-        <translation>%1 (der Kopf muss %2 sein)</translation>
-    </message>
-    <message>
         <source>%1 (needs a unit in brackets, one of %2)</source>
         <translation>%1 (braucht eine Einheit in eckigen Klammern, eine von %2)</translation>
     </message>
@@ -7265,16 +7353,8 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>der Kopf muss %1 sein</translation>
     </message>
     <message>
-        <source>a row must be a time and a force</source>
-        <translation>eine Zeile muss eine Zeit und eine Kraft sein</translation>
-    </message>
-    <message>
         <source>the pulse table %1</source>
         <translation>die Tabelle des Schlags %1</translation>
-    </message>
-    <message>
-        <source>is not text: it holds %1</source>
-        <translation>ist kein Text: sie enthält %1</translation>
     </message>
     <message>
         <source>the scenario file %1</source>
@@ -10686,7 +10766,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>a constant force</source>
-        <translation>konstante Kraft</translation>
+        <translation>konstanter Kraft</translation>
     </message>
     <message>
         <source>This mean is not resolved, its error is above %1, because %2.</source>
@@ -10698,11 +10778,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Feed modelled as %1 (assumed).</source>
-        <translation>Der Vorschub ist modelliert als %1 (angenommen).</translation>
+        <translation>Der Vorschub ist mit %1 modelliert (angenommen).</translation>
     </message>
     <message>
         <source>Feed modelled as %1.</source>
-        <translation>Der Vorschub ist modelliert als %1.</translation>
+        <translation>Der Vorschub ist mit %1 modelliert.</translation>
     </message>
     <message>
         <source>The scan cannot resolve a difference: +- %1, because %2.</source>
@@ -10779,6 +10859,542 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>%1: note: %2</source>
         <translation>%1: Hinweis: %2</translation>
+    </message>
+    <message>
+        <source>presets need physical units, and this scenario is given by its dimensionless groups; choose a group such as beta</source>
+        <translation>Voreinstellungen brauchen physikalische Einheiten, und dieses Szenario ist durch seine dimensionslosen Kennzahlen gegeben; wählen Sie eine Kennzahl wie beta</translation>
+    </message>
+    <message>
+        <source>a uniform rod has no bit; a drill string has one</source>
+        <translation>eine gleichförmige Stange hat keine Bohrkrone; ein Bohrstrang hat eine</translation>
+    </message>
+    <message>
+        <source>the string does not end with a section called bit; name its last section so</source>
+        <translation>der Strang endet nicht mit einem Abschnitt namens bit; geben Sie seinem letzten Abschnitt diesen Namen</translation>
+    </message>
+    <message>
+        <source>a preset of a rod is for uniform rods, and this scenario is a drill string; choose sizes such as string.rod.diameter</source>
+        <translation>eine Voreinstellung für eine Stange gilt für gleichförmige Stangen, und dieses Szenario ist ein Bohrstrang; wählen Sie Maße wie string.rod.diameter</translation>
+    </message>
+    <message>
+        <source>this drill string is struck by a prescribed force, which no preset replaces; choose numbers such as pulse.duration</source>
+        <translation>auf diesen Bohrstrang schlägt eine vorgegebene Kraft, die keine Voreinstellung ersetzt; wählen Sie Zahlen wie pulse.duration</translation>
+    </message>
+    <message>
+        <source>The energy of the blow differs by up to %1 % between the designs: hammers of different power are compared.</source>
+        <translation>Die Schlagenergie der Auslegungen unterscheidet sich um bis zu %1 %: es werden Hämmer verschiedener Leistung verglichen.</translation>
+    </message>
+    <message>
+        <source>Change from %1 to %2: %3 is %4. The present design does not meet all limits.</source>
+        <translation>Von %1 zu %2 wechseln: %3 ist %4. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
+    </message>
+    <message>
+        <source>Warning: %1</source>
+        <translation>Warnung: %1</translation>
+    </message>
+    <message>
+        <source>Warning for %1: %2</source>
+        <translation>Warnung zu %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 There is %2 more warning.</source>
+        <translation>%1 Es gibt %2 weitere Warnung.</translation>
+    </message>
+    <message>
+        <source>%1 There are %2 more warnings.</source>
+        <translation>%1 Es gibt %2 weitere Warnungen.</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>Tabulator</translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation>Semikolon</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>senkrechter Strich</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>Leerzeichen</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>Komma</translation>
+    </message>
+    <message>
+        <source>from the table</source>
+        <translation>aus der Tabelle</translation>
+    </message>
+    <message>
+        <source>from the option</source>
+        <translation>aus der Option</translation>
+    </message>
+    <message>
+        <source>an estimate</source>
+        <translation>eine Schätzung</translation>
+    </message>
+    <message>
+        <source>In what unit is the signal? Volts also need --scale 50kN/V, or --excitation, --gain, --bridge and --gauge-factor</source>
+        <translation>In welcher Einheit ist das Signal? Volt brauchen auch --scale 50kN/V oder --excitation, --gain, --bridge und --gauge-factor</translation>
+    </message>
+    <message>
+        <source>What is the sampling rate?</source>
+        <translation>Wie groß ist die Abtastrate?</translation>
+    </message>
+    <message>
+        <source>In what unit are the times?</source>
+        <translation>In welcher Einheit sind die Zeiten?</translation>
+    </message>
+    <message>
+        <source>Which column is the signal? Several could be</source>
+        <translation>Welche Spalte ist das Signal? Mehrere kommen in Frage</translation>
+    </message>
+    <message>
+        <source>Is the sign in 1,234 a decimal sign or a group of thousands?</source>
+        <translation>Ist das Zeichen in 1,234 ein Dezimalzeichen oder trennt es Tausender?</translation>
+    </message>
+    <message>
+        <source>What is the area of the bar at the gauge?</source>
+        <translation>Wie groß ist die Fläche des Stabs am Messstreifen?</translation>
+    </message>
+    <message>
+        <source>What is Young&apos;s modulus of the bar?</source>
+        <translation>Wie groß ist der Elastizitätsmodul des Stabs?</translation>
+    </message>
+    <message>
+        <source>How many gauges of the bridge are active?</source>
+        <translation>Wie viele Messstreifen der Brücke sind aktiv?</translation>
+    </message>
+    <message>
+        <source>What is the gauge factor?</source>
+        <translation>Wie groß ist der k-Faktor?</translation>
+    </message>
+    <message>
+        <source>What is the impedance of the bar? Give it as 18kN s/m</source>
+        <translation>Wie groß ist die Impedanz des Stabs? Geben Sie sie als 18kN s/m an</translation>
+    </message>
+    <message>
+        <source>times of day, as s since the first</source>
+        <translation>Uhrzeiten, als s seit der ersten</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>column %1, %2, %3</source>
+        <translation>Spalte %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>no unit</source>
+        <translation>keine Einheit</translation>
+    </message>
+    <message>
+        <source>evenly spaced, %1, %2</source>
+        <translation>gleichmäßig, %1, %2</translation>
+    </message>
+    <message>
+        <source>no rate</source>
+        <translation>keine Rate</translation>
+    </message>
+    <message>
+        <source>format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>%1, separator %2, decimal sign %3, samples from line %4</source>
+        <translation>%1, Trennzeichen %2, Dezimalzeichen %3, Abtastwerte ab Zeile %4</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>Stichproben</translation>
+    </message>
+    <message>
+        <source>%1, one in %2, from %3 on</source>
+        <translation>%1, einer je %2, ab %3</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>question</source>
+        <translation>Frage</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>record</source>
+        <translation>Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>Rate</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>Versatz</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>Rauschen</translation>
+    </message>
+    <message>
+        <source>remarks</source>
+        <translation>Bemerkungen</translation>
+    </message>
+    <message>
+        <source>questions</source>
+        <translation>Fragen</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>nicht gelesen</translation>
+    </message>
+    <message>
+        <source>a row without values stands between the cases; delete it</source>
+        <translation>eine Zeile ohne Werte steht zwischen den Fällen; löschen Sie sie</translation>
+    </message>
+    <message>
+        <source>must be one of tab, semicolon, comma, bar, blank</source>
+        <translation>muss eines von tab, semicolon, comma, bar, blank sein</translation>
+    </message>
+    <message>
+        <source>must be point or comma</source>
+        <translation>muss point oder comma sein</translation>
+    </message>
+    <message>
+        <source>must be one of utf-8, windows-1252, latin-1, utf-16le, utf-16be</source>
+        <translation>muss eines von utf-8, windows-1252, latin-1, utf-16le, utf-16be sein</translation>
+    </message>
+    <message>
+        <source>must be the name of a column, or its number from 1</source>
+        <translation>muss der Name einer Spalte sein oder ihre Nummer ab 1</translation>
+    </message>
+    <message>
+        <source>must be a unit of time, one of %1</source>
+        <translation>muss eine Zeiteinheit sein, eine von %1</translation>
+    </message>
+    <message>
+        <source>must be a unit of a signal, one of %1</source>
+        <translation>muss eine Einheit eines Signals sein, eine von %1</translation>
+    </message>
+    <message>
+        <source>must be above 0</source>
+        <translation>muss über 0 sein</translation>
+    </message>
+    <message>
+        <source>must be two times A:B, as in -50us:-10us</source>
+        <translation>müssen zwei Zeiten A:B sein, wie in -50us:-10us</translation>
+    </message>
+    <message>
+        <source>the first time must be before the second one</source>
+        <translation>die erste Zeit muss vor der zweiten liegen</translation>
+    </message>
+    <message>
+        <source>must be a factor that is not 0, or a force per unit: 2.5, 50kN/V, 18kN s/m</source>
+        <translation>muss ein Faktor sein, der nicht 0 ist, oder eine Kraft je Einheit: 2.5, 50kN/V, 18kN s/m</translation>
+    </message>
+    <message>
+        <source>must be refuse or skip</source>
+        <translation>muss refuse oder skip sein</translation>
+    </message>
+    <message>
+        <source>%1 equal samples at the largest value, %2: clipped?</source>
+        <translation>%1 gleiche Abtastwerte beim größten Wert, %2: abgeschnitten?</translation>
+    </message>
+    <message>
+        <source>before the blow the record is at %1 of its peak: set the zero line</source>
+        <translation>vor dem Schlag steht die Aufzeichnung bei %1 ihrer Spitze: Setzen Sie die Nulllinie</translation>
+    </message>
+    <message>
+        <source>the zero line drifts by %1 of the peak per ms</source>
+        <translation>die Nulllinie driftet um %1 der Spitze je ms</translation>
+    </message>
+    <message>
+        <source>the recorder has steps of %1 of the peak, and the noise is smaller: use a smaller range</source>
+        <translation>der Rekorder hat Stufen von %1 der Spitze, und das Rauschen ist kleiner: Nehmen Sie einen kleineren Messbereich</translation>
+    </message>
+    <message>
+        <source>steps of time differ from the usual step by up to %1</source>
+        <translation>Zeitschritte weichen um bis zu %1 vom üblichen ab</translation>
+    </message>
+    <message>
+        <source>the record holds %1 blows: choose one by its range of time</source>
+        <translation>die Aufzeichnung enthält %1 Schläge: Wählen Sie einen durch seinen Zeitbereich</translation>
+    </message>
+    <message>
+        <source>opposite gauges differ: half their difference is %1 of the peak (rms); is the bar bent or a gauge loose?</source>
+        <translation>gegenüberliegende Messstreifen unterscheiden sich: Ihre halbe Differenz ist %1 der Spitze (Effektivwert); ist der Stab gebogen oder ein Streifen lose?</translation>
+    </message>
+    <message>
+        <source>the times have a gap of %1</source>
+        <translation>die Zeiten haben eine Lücke von %1</translation>
+    </message>
+    <message>
+        <source>this is no table: it is %1</source>
+        <translation>das ist keine Tabelle: Es ist %1</translation>
+    </message>
+    <message>
+        <source>each channel is a row: the table is turned, lines count its columns</source>
+        <translation>jeder Kanal ist eine Zeile: Die Tabelle ist gedreht, Zeilennummern zählen ihre Spalten</translation>
+    </message>
+    <message>
+        <source>no line of numbers is found in the first %1 lines; is it a table of samples? Give --separator, --decimal or --first-line</source>
+        <translation>in den ersten %1 Zeilen steht keine Zeile mit Zahlen; ist es eine Tabelle von Abtastwerten? Geben Sie --separator, --decimal oder --first-line an</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>Zeile %1: %2</translation>
+    </message>
+    <message>
+        <source>there is no column `%1`; there are: %2</source>
+        <translation>es gibt keine Spalte `%1`; es gibt: %2</translation>
+    </message>
+    <message>
+        <source>column %1 cannot be time and signal; choose another by --signal-column</source>
+        <translation>Spalte %1 kann nicht Zeit und Signal sein; wählen Sie eine andere mit --signal-column</translation>
+    </message>
+    <message>
+        <source>%1 (--rows skip)</source>
+        <translation>%1 (--rows skip)</translation>
+    </message>
+    <message>
+        <source>NUL bytes end the table: the recorder did not fill its file</source>
+        <translation>NUL-Bytes beenden die Tabelle: Der Rekorder hat seine Datei nicht gefüllt</translation>
+    </message>
+    <message>
+        <source>%1 rows without a number are skipped, the first is line %2</source>
+        <translation>%1 Zeilen ohne Zahl werden übergangen, die erste ist Zeile %2</translation>
+    </message>
+    <message>
+        <source>%1 of them say that the recorder was overloaded</source>
+        <translation>%1 davon sagen, dass der Rekorder übersteuert war</translation>
+    </message>
+    <message>
+        <source>skipped rows leave a gap of %1 in the blow, from %2 on: straight lines cross it</source>
+        <translation>übergangene Zeilen hinterlassen eine Lücke von %1 im Schlag, ab %2: Geraden überbrücken sie</translation>
+    </message>
+    <message>
+        <source>no sample lies between the times of --zero, %1 and %2</source>
+        <translation>zwischen den Zeiten von --zero, %1 und %2, liegt kein Abtastwert</translation>
+    </message>
+    <message>
+        <source>an Excel workbook (.xlsx); save the sheet as CSV</source>
+        <translation>eine Excel-Arbeitsmappe (.xlsx); speichern Sie das Blatt als CSV</translation>
+    </message>
+    <message>
+        <source>an OpenDocument spreadsheet (.ods); save the sheet as CSV</source>
+        <translation>eine OpenDocument-Tabelle (.ods); speichern Sie das Blatt als CSV</translation>
+    </message>
+    <message>
+        <source>a zip archive; unpack it first</source>
+        <translation>ein Zip-Archiv; entpacken Sie es zuerst</translation>
+    </message>
+    <message>
+        <source>compressed by gzip; unpack it first</source>
+        <translation>mit gzip komprimiert; entpacken Sie es zuerst</translation>
+    </message>
+    <message>
+        <source>compressed by bzip2; unpack it first</source>
+        <translation>mit bzip2 komprimiert; entpacken Sie es zuerst</translation>
+    </message>
+    <message>
+        <source>compressed by xz; unpack it first</source>
+        <translation>mit xz komprimiert; entpacken Sie es zuerst</translation>
+    </message>
+    <message>
+        <source>a 7-Zip archive; unpack it first</source>
+        <translation>ein 7-Zip-Archiv; entpacken Sie es zuerst</translation>
+    </message>
+    <message>
+        <source>compressed by zstd; unpack it first</source>
+        <translation>mit zstd komprimiert; entpacken Sie es zuerst</translation>
+    </message>
+    <message>
+        <source>an old Excel workbook (.xls); save the sheet as CSV</source>
+        <translation>eine alte Excel-Arbeitsmappe (.xls); speichern Sie das Blatt als CSV</translation>
+    </message>
+    <message>
+        <source>an HDF5 file (MATLAB 7.3 also writes it); export the channels as CSV</source>
+        <translation>eine HDF5-Datei (auch MATLAB 7.3 schreibt sie); exportieren Sie die Kanäle als CSV</translation>
+    </message>
+    <message>
+        <source>a MATLAB file; export the channels as CSV</source>
+        <translation>eine MATLAB-Datei; exportieren Sie die Kanäle als CSV</translation>
+    </message>
+    <message>
+        <source>a TDMS file; export the channels as CSV</source>
+        <translation>eine TDMS-Datei; exportieren Sie die Kanäle als CSV</translation>
+    </message>
+    <message>
+        <source>a NumPy array; write it by numpy.savetxt</source>
+        <translation>ein NumPy-Feld; schreiben Sie es mit numpy.savetxt</translation>
+    </message>
+    <message>
+        <source>a Parquet file; export the columns as CSV</source>
+        <translation>eine Parquet-Datei; exportieren Sie die Spalten als CSV</translation>
+    </message>
+    <message>
+        <source>an SQLite database; export a table as CSV</source>
+        <translation>eine SQLite-Datenbank; exportieren Sie eine Tabelle als CSV</translation>
+    </message>
+    <message>
+        <source>a PDF document, not a table</source>
+        <translation>ein PDF-Dokument, keine Tabelle</translation>
+    </message>
+    <message>
+        <source>a document in RTF; save it as plain text</source>
+        <translation>ein RTF-Dokument; speichern Sie es als reinen Text</translation>
+    </message>
+    <message>
+        <source>a picture, not a table</source>
+        <translation>ein Bild, keine Tabelle</translation>
+    </message>
+    <message>
+        <source>a sound or video file (RIFF); export samples as CSV</source>
+        <translation>eine Ton- oder Videodatei (RIFF); exportieren Sie die Abtastwerte als CSV</translation>
+    </message>
+    <message>
+        <source>text in UTF-32; save it as UTF-8</source>
+        <translation>Text in UTF-32; speichern Sie ihn als UTF-8</translation>
+    </message>
+    <message>
+        <source>an XML document; save the sheet as CSV</source>
+        <translation>ein XML-Dokument; speichern Sie das Blatt als CSV</translation>
+    </message>
+    <message>
+        <source>a web page; save the table as CSV</source>
+        <translation>eine Webseite; speichern Sie die Tabelle als CSV</translation>
+    </message>
+    <message>
+        <source>is no bit; give the preset of a bit</source>
+        <translation>ist keine Bohrkrone; geben Sie die Voreinstellung einer Bohrkrone an</translation>
+    </message>
+    <message>
+        <source>is no rod; give the preset of a rod</source>
+        <translation>ist keine Stange; geben Sie die Voreinstellung einer Stange an</translation>
+    </message>
+    <message>
+        <source>does not fit a drill string, whose hammer is followed too; give the preset of a piston</source>
+        <translation>passt nicht zu einem Bohrstrang, dessen Hammer mitgerechnet wird; geben Sie die Voreinstellung eines Kolbens an</translation>
+    </message>
+    <message>
+        <source>does not fit a uniform rod, whose hammer is a force; give the preset of a hammer</source>
+        <translation>passt nicht zu einer gleichförmigen Stange, deren Hammer eine Kraft ist; geben Sie die Voreinstellung eines Hammers an</translation>
+    </message>
+    <message>
+        <source>must be a list of texts, each after a `-`</source>
+        <translation>muss eine Liste von Texten sein, jeder nach einem `-`</translation>
+    </message>
+    <message>
+        <source>has an item that is no text</source>
+        <translation>hat einen Eintrag, der kein Text ist</translation>
+    </message>
+    <message>
+        <source>holds no header `%1`</source>
+        <translation>hat keine Kopfzeile `%1`</translation>
+    </message>
+    <message>
+        <source>each channel is a row; write `drillwave signal FILE -o blow.csv` and take that</source>
+        <translation>jeder Kanal ist eine Zeile; schreiben Sie `drillwave signal FILE -o blow.csv` und nehmen Sie diese Datei</translation>
+    </message>
+    <message>
+        <source>1,234 can be a number with decimals or a thousand: write one number with another count of decimals, such as 0,5 or 0.5</source>
+        <translation>1,234 kann eine Zahl mit Dezimalen oder ein Tausender sein: Schreiben Sie eine Zahl mit einer anderen Anzahl von Dezimalen, etwa 0,5 oder 0.5</translation>
+    </message>
+    <message>
+        <source>several columns could be the force, %1 is one; leave the others out</source>
+        <translation>mehrere Spalten könnten die Kraft sein, %1 ist eine; lassen Sie die anderen weg</translation>
+    </message>
+    <message>
+        <source>%1 is no force; `--signal FILE` and the import make one of strains and volts</source>
+        <translation>%1 ist keine Kraft; `--signal FILE` und der Import machen eine aus Dehnungen und Volt</translation>
+    </message>
+    <message>
+        <source>is no file of recorders; it must begin with `drillwave_recorders: 1`</source>
+        <translation>ist keine Datei von Rekordern; sie muss mit `drillwave_recorders: 1` beginnen</translation>
+    </message>
+    <message>
+        <source>`%1` is not a known key; only `recorders` is</source>
+        <translation>`%1` ist kein bekannter Schlüssel; nur `recorders` ist einer</translation>
+    </message>
+    <message>
+        <source>must be names of recorders with settings</source>
+        <translation>müssen Namen von Rekordern mit Einstellungen sein</translation>
+    </message>
+    <message>
+        <source>must be settings, each `option: value`</source>
+        <translation>müssen Einstellungen sein, jede `option: value`</translation>
+    </message>
+    <message>
+        <source>`%1` is no option of drillwave signal</source>
+        <translation>`%1` ist keine Option von drillwave signal</translation>
+    </message>
+    <message>
+        <source>the recorder `%1` is there twice</source>
+        <translation>der Rekorder `%1` steht zweimal da</translation>
+    </message>
+    <message>
+        <source>not YAML: this line is indented by a tab; indent it by blanks</source>
+        <translation>kein YAML: Diese Zeile ist mit einem Tabulator eingerückt; rücken Sie sie mit Leerzeichen ein</translation>
+    </message>
+    <message>
+        <source>%1 is about the file of -o; add -o FILE.csv</source>
+        <translation>%1 betrifft die Datei von -o; fügen Sie -o FILE.csv hinzu</translation>
+    </message>
+    <message>
+        <source>-o takes one record; give one FILE</source>
+        <translation>-o nimmt eine Aufzeichnung; geben Sie eine FILE an</translation>
+    </message>
+    <message>
+        <source>the file of recorders %1</source>
+        <translation>die Datei der Rekorder %1</translation>
+    </message>
+    <message>
+        <source>--recorder %1: is not known; did you mean `%2`?</source>
+        <translation>--recorder %1: ist nicht bekannt; meinten Sie `%2`?</translation>
+    </message>
+    <message>
+        <source>--recorder %1: is not known; --save-recorder %1 keeps options in %2</source>
+        <translation>--recorder %1: ist nicht bekannt; --save-recorder %1 bewahrt Optionen in %2 auf</translation>
+    </message>
+    <message>
+        <source>--from must be before --to</source>
+        <translation>--from muss vor --to liegen</translation>
+    </message>
+    <message>
+        <source>--save-recorder needs a name, this one is empty</source>
+        <translation>--save-recorder braucht einen Namen, dieser ist leer</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: kann nicht geschrieben werden: %2</translation>
+    </message>
+    <message>
+        <source>%1 is about a record; add --signal FILE</source>
+        <translation>%1 betrifft eine Aufzeichnung; fügen Sie --signal FILE hinzu</translation>
+    </message>
+    <message>
+        <source>is given by its dimensionless groups; --signal needs physical units</source>
+        <translation>ist durch seine dimensionslosen Größen gegeben; --signal braucht physikalische Einheiten</translation>
+    </message>
+    <message>
+        <source>the table leaves open: %1; answer by %2, see drillwave signal</source>
+        <translation>die Tabelle lässt offen: %1; antworten Sie mit %2, siehe drillwave signal</translation>
+    </message>
+    <message>
+        <source>%1: note: %2 of %3 samples are kept, impulse and e to 1e-4; --all-samples keeps all</source>
+        <translation>%1: Hinweis: %2 von %3 Abtastwerten bleiben, Kraftstoß und e auf 1e-4; --all-samples behält alle</translation>
     </message>
 </context>
 <context>
@@ -11325,6 +11941,29 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     </message>
 </context>
 <context>
+    <name>drillwave::PresetTicks</name>
+    <message>
+        <source>hammers</source>
+        <translation>Hämmer</translation>
+    </message>
+    <message>
+        <source>rods</source>
+        <translation>Stangen</translation>
+    </message>
+    <message>
+        <source>bits</source>
+        <translation>Bohrkronen</translation>
+    </message>
+    <message>
+        <source>Ticked presets are designs to choose from</source>
+        <translation>Angekreuzte Voreinstellungen sind Auslegungen, die zur Wahl stehen</translation>
+    </message>
+    <message>
+        <source>%1 to choose from</source>
+        <translation>%1 zur Wahl</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::ProofStudy</name>
     <message>
         <source>Not solved: %1</source>
@@ -11580,6 +12219,10 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     <message>
         <source>One more number that can be chosen</source>
         <translation>Eine weitere Zahl, die gewählt werden kann</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>%1 entfernen</translation>
     </message>
 </context>
 <context>
@@ -12495,10 +13138,6 @@ der verbleibenden Wellen: %4 und %5</translation>
         <translation>Punkte höchstens</translation>
     </message>
     <message>
-        <source>That are kept of the samples; how far the rest is from the lines between them is said below</source>
-        <translation>Die von den Abtastwerten bleiben; wie weit die übrigen von den Linien dazwischen entfernt sind, steht unten</translation>
-    </message>
-    <message>
         <source>choose</source>
         <translation>wählen</translation>
     </message>
@@ -12525,6 +13164,22 @@ der verbleibenden Wellen: %4 und %5</translation>
     <message>
         <source>place x: must be at most %1, the length of the rod</source>
         <translation>Stelle x: darf höchstens %1 sein, die Länge der Stange</translation>
+    </message>
+    <message>
+        <source>voltage</source>
+        <translation>elektrische Spannung</translation>
+    </message>
+    <message>
+        <source>stress</source>
+        <translation>Spannung</translation>
+    </message>
+    <message>
+        <source>particle velocity</source>
+        <translation>Teilchengeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>That are kept of the samples; a blow keeps as few as leave impulse and e the same to 1e-4 until you choose a number. How far the rest is from the lines between them is said below</source>
+        <translation>Die von den Abtastwerten bleiben; ein Schlag behält so wenige, wie Kraftstoß und e auf 1e-4 gleich lassen, bis Sie eine Anzahl wählen. Wie weit die übrigen von den Geraden dazwischen entfernt sind, steht unten</translation>
     </message>
 </context>
 <context>
@@ -13248,6 +13903,30 @@ flexion</translation>
     <message>
         <source>sampling rate: %1</source>
         <translation>Abtastrate: %1</translation>
+    </message>
+    <message>
+        <source>bar |</source>
+        <translation>Strich |</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>Each channel of this table is a row: turn rows into columns in a spreadsheet, or read it by drillwave signal -o.</source>
+        <translation>Jeder Kanal dieser Tabelle ist eine Zeile: Machen Sie in einer Tabellenkalkulation Spalten daraus, oder lesen Sie sie mit drillwave signal -o.</translation>
+    </message>
+    <message>
+        <source>decimal sign: 1,234 and 1.234 can be a number with decimals or a thousand: choose the sign.</source>
+        <translation>Dezimalzeichen: 1,234 und 1.234 können eine Zahl mit Dezimalen oder ein Tausender sein: Wählen Sie das Zeichen.</translation>
+    </message>
+    <message>
+        <source>sampling rate: the table says “%1”, without a unit: type the rate.</source>
+        <translation>Abtastrate: In der Tabelle steht „%1“ ohne Einheit: Geben Sie die Rate ein.</translation>
+    </message>
+    <message>
+        <source>sampling rate: the table does not state it: type it.</source>
+        <translation>Abtastrate: Sie steht nicht in der Tabelle: Geben Sie sie ein.</translation>
     </message>
 </context>
 <context>
@@ -14008,38 +14687,12 @@ Schlag und starres Gestein angegeben werden.</translation>
         <translation>die beste Wahl bei unsicheren Größen, was sie kostet, was zu messen ist</translation>
     </message>
     <message>
-        <source>Every design of the choices is solved at the same samples of what is uncertain. Told are the best
-one by the first aim (robust best), the one that would be best where all is as in FILE (nominal
-best), which others are as good as far as the samples tell, what is worth measuring, and the worst
-that was found in the ranges.
-  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
-                                       :lognormal with LOW and HIGH as the limits of 95 %
-  --uncertain KEY=+-P%                 about the value of FILE or of the design
-Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
-max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. DIR gets designs.csv,
-pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
-        <translation>Jede Auslegung, die zur Wahl steht, wird an denselben Stichproben dessen gelöst, was unsicher ist.
-Genannt werden die nach dem ersten Ziel beste (robusteste), die, die am besten wäre, wenn alles
-wie in FILE ist (nominal beste), welche anderen nach den Stichproben gleichauf liegen, was sich zu
-messen lohnt, und das Schlechteste, das in den Bereichen gefunden wurde.
-  --uncertain KEY=LOW:HIGH             alle Werte gleich wahrscheinlich, mit :log im Logarithmus;
-                                       :normal und :lognormal mit LOW und HIGH als Grenzen von 95&#xa0;%
-  --uncertain KEY=+-P%                 um den Wert von FILE oder der Auslegung
-Statistiken sind mean, q01 bis q99, min, max und nominal (wie in FILE). Ohne --aim:
-max:efficiency@q05, und min:thrust@q95, wo FILE eine Schlagfrequenz hat. DIR bekommt designs.csv,
-pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json und, mit --plots, design.png.</translation>
-    </message>
-    <message>
         <source>what is not known; see below</source>
         <translation>was nicht bekannt ist; siehe unten</translation>
     </message>
     <message>
         <source>rows of values that belong together, headed as for table</source>
         <translation>Zeilen zusammengehöriger Werte, mit einem Kopf wie bei table</translation>
-    </message>
-    <message>
-        <source>what can be chosen; :log behind it, or KEY=A,B,C</source>
-        <translation>was gewählt werden kann; auch mit :log dahinter, oder KEY=A,B,C</translation>
     </message>
     <message>
         <source>or min:…; one to three, the first decides</source>
@@ -14379,6 +15032,166 @@ die Energie geht. FILE braucht drill.blow_frequency und drill.thrust. Eindringun
 Grenzen. Mit --scan dasselbe über einem Parameter, jeder Wert aus der Ruhe und aus dem Springen. DIR
 bekommt scenario.yaml, summary.json, blows.csv, mit --histories histories.csv und mit --plots
 drilling.png.</translation>
+    </message>
+    <message>
+        <source>take the blow from a record; the options below say how it is read</source>
+        <translation>den Schlag aus einer Aufzeichnung nehmen; die Optionen darunter sagen, wie sie gelesen wird</translation>
+    </message>
+    <message>
+        <source>keep all samples of --signal instead of thinning them to an error of 1e-4</source>
+        <translation>alle Abtastwerte von --signal behalten, statt sie auf einen Fehler von 1e-4 auszudünnen</translation>
+    </message>
+    <message>
+        <source>sign between cells: tab, semicolon, comma, bar or blank (default: found)</source>
+        <translation>Zeichen zwischen Zellen: tab, semicolon, comma, bar oder blank (Vorgabe: erkannt)</translation>
+    </message>
+    <message>
+        <source>decimal sign: point or comma (default: found)</source>
+        <translation>Dezimalzeichen: point oder comma (Vorgabe: erkannt)</translation>
+    </message>
+    <message>
+        <source>first line with a sample (default: found)</source>
+        <translation>erste Zeile mit einem Abtastwert (Vorgabe: erkannt)</translation>
+    </message>
+    <message>
+        <source>utf-8, windows-1252, latin-1, utf-16le or utf-16be (default: found)</source>
+        <translation>utf-8, windows-1252, latin-1, utf-16le oder utf-16be (Vorgabe: erkannt)</translation>
+    </message>
+    <message>
+        <source>column of times, by name or number from 1</source>
+        <translation>Spalte der Zeiten, durch Namen oder Nummer ab 1</translation>
+    </message>
+    <message>
+        <source>column of the signal, by name or number; A+B averages two opposite gauges</source>
+        <translation>Spalte des Signals, durch Namen oder Nummer; A+B mittelt zwei gegenüberliegende Messstreifen</translation>
+    </message>
+    <message>
+        <source>unit of the times where the table does not state it: s, ms, us</source>
+        <translation>Einheit der Zeiten, wo die Tabelle sie nicht nennt: s, ms, us</translation>
+    </message>
+    <message>
+        <source>unit of the signal where the table does not state it: kN, microstrain, V, MPa, m/s</source>
+        <translation>Einheit des Signals, wo die Tabelle sie nicht nennt: kN, microstrain, V, MPa, m/s</translation>
+    </message>
+    <message>
+        <source>sampling rate, 5MHz; a column of times is not read then</source>
+        <translation>Abtastrate, 5MHz; eine Spalte von Zeiten wird dann nicht gelesen</translation>
+    </message>
+    <message>
+        <source>factor of the signal, or force per unit: 50kN/V, 18kN s/m</source>
+        <translation>Faktor des Signals, oder Kraft je Einheit: 50kN/V, 18kN s/m</translation>
+    </message>
+    <message>
+        <source>gain of the amplifier, of a signal in volts (default: 1)</source>
+        <translation>Verstärkung des Verstärkers, bei einem Signal in Volt (Vorgabe: 1)</translation>
+    </message>
+    <message>
+        <source>supply of the bridge in volts, of a signal in volts</source>
+        <translation>Speisung der Brücke in Volt, bei einem Signal in Volt</translation>
+    </message>
+    <message>
+        <source>bridge factor: 1 quarter, 2 half, 4 full bridge, 2.6 full with Poisson gauges</source>
+        <translation>Brückenfaktor: 1 Viertel-, 2 Halb-, 4 Vollbrücke, 2.6 Vollbrücke mit Querstreifen</translation>
+    </message>
+    <message>
+        <source>gauge factor, of a signal in volts or mV/V</source>
+        <translation>k-Faktor, bei einem Signal in Volt oder mV/V</translation>
+    </message>
+    <message>
+        <source>area of the bar at the gauge, 1134mm^2</source>
+        <translation>Fläche des Stabs am Messstreifen, 1134mm^2</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of the bar, 210GPa</source>
+        <translation>Elastizitätsmodul des Stabs, 210GPa</translation>
+    </message>
+    <message>
+        <source>times whose mean is the zero line, -50us:-10us</source>
+        <translation>Zeiten, deren Mittelwert die Nulllinie ist, -50us:-10us</translation>
+    </message>
+    <message>
+        <source>leave out samples before this time of the table, 0us</source>
+        <translation>Abtastwerte vor dieser Zeit der Tabelle weglassen, 0us</translation>
+    </message>
+    <message>
+        <source>leave out samples after this time of the table, 400us</source>
+        <translation>Abtastwerte nach dieser Zeit der Tabelle weglassen, 400us</translation>
+    </message>
+    <message>
+        <source>turn the sign: the largest value pulls</source>
+        <translation>Vorzeichen umkehren: Der größte Wert zieht</translation>
+    </message>
+    <message>
+        <source>rows without a number: refuse or skip (default: refuse)</source>
+        <translation>Zeilen ohne Zahl: refuse oder skip (Vorgabe: refuse)</translation>
+    </message>
+    <message>
+        <source>read with the settings kept under this name</source>
+        <translation>mit den unter diesem Namen aufbewahrten Einstellungen lesen</translation>
+    </message>
+    <message>
+        <source>Solves every design of the choices at the same samples of the uncertain inputs. Prints the best
+design by the first aim (robust best), the best one where all is as in FILE (nominal best), the
+designs that are equally good within the errors, what is worth measuring, and the worst case
+found in the ranges. A warning about the strength of the design to take is in the first sentence.
+  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
+                                       :lognormal with LOW and HIGH as the limits of 95 %
+  --uncertain KEY=+-P%                 about the value of FILE or of the design
+  --choose hammer=NAME,NAME            presets by name, as --hammer takes them; also rod=, and
+                                       bit= of a drill string, whose hammers are pistons
+Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
+max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. The block `design` of FILE
+stands for each option that is not given. DIR gets designs.csv, pareto.csv, sensitivity.csv,
+worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
+        <translation>Löst jede Auslegung, die zur Wahl steht, an denselben Stichproben der unsicheren Größen. Gibt aus: die
+nach dem ersten Ziel beste Auslegung (robusteste), die beste, wenn alles wie in FILE ist (nominal beste),
+die Auslegungen, die im Rahmen der Fehler gleich gut sind, was sich zu messen lohnt, und den
+schlechtesten Fall in den Bereichen. Eine Warnung zur Festigkeit steht im ersten Satz.
+  --uncertain KEY=LOW:HIGH             alle Werte gleich wahrscheinlich, mit :log im Logarithmus;
+                                       :normal und :lognormal mit LOW und HIGH als Grenzen von 95&#xa0;%
+  --uncertain KEY=+-P%                 um den Wert von FILE oder der Auslegung
+  --choose hammer=NAME,NAME            Voreinstellungen mit Namen, wie für --hammer; auch rod=, und bit= eines
+                                       Bohrstrangs, dessen Hämmer Kolben sind
+Statistiken sind mean, q01 bis q99, min, max und nominal (wie in FILE). Ohne --aim:
+max:efficiency@q05, und min:thrust@q95, wo FILE eine Schlagfrequenz hat. Der Block `design` von FILE
+gilt für jede Option, die nicht angegeben ist. DIR bekommt designs.csv, pareto.csv, sensitivity.csv,
+worst.csv, best.yaml, design.json und, mit --plots, design.png.</translation>
+    </message>
+    <message>
+        <source>what can be chosen; also :log after it, KEY=A,B,C or hammer=NAME</source>
+        <translation>was gewählt werden kann; auch mit :log dahinter, KEY=A,B,C oder hammer=NAME</translation>
+    </message>
+    <message>
+        <source>read records of force, strain or voltage; their units, blow and quality</source>
+        <translation>Aufzeichnungen von Kraft, Dehnung oder Volt lesen; ihre Einheiten, Schlag und Qualität</translation>
+    </message>
+    <message>
+        <source>Finds encoding, separator, decimal sign, columns and units, and asks for what the table does not
+state: exit code 5, the questions last. Several FILEs are one series: a row for each.
+Commands that take a scenario take a blow from a record by --signal FILE with the same options.</source>
+        <translation>Erkennt Kodierung, Trennzeichen, Dezimalzeichen, Spalten und Einheiten und fragt nach dem, was die
+Tabelle nicht nennt: Exit-Code 5, die Fragen zuletzt. Mehrere FILE sind eine Reihe: eine Zeile je Datei.
+Befehle, die ein Szenario nehmen, nehmen mit --signal FILE und denselben Optionen einen Schlag aus einer Aufzeichnung.</translation>
+    </message>
+    <message>
+        <source>keep these options under a name for --recorder</source>
+        <translation>diese Optionen unter einem Namen für --recorder aufbewahren</translation>
+    </message>
+    <message>
+        <source>Print JSON, of several FILEs an array</source>
+        <translation>JSON ausgeben, bei mehreren FILE ein Array</translation>
+    </message>
+    <message>
+        <source>Write the signal as read: time [us],force [kN]</source>
+        <translation>Das Signal wie gelesen schreiben: time [us],force [kN]</translation>
+    </message>
+    <message>
+        <source>Write semicolons and decimal commas</source>
+        <translation>Semikolons und Dezimalkommas schreiben</translation>
+    </message>
+    <message>
+        <source>Overwrite FILE.csv</source>
+        <translation>FILE.csv überschreiben</translation>
     </message>
 </context>
 </TS>

@@ -44,12 +44,52 @@
         <translation>Relativ resistansändring per töjning</translation>
     </message>
     <message>
-        <source>active gauges</source>
-        <translation>aktiva givare</translation>
+        <source>density</source>
+        <translation>densitet</translation>
     </message>
     <message>
-        <source>Of the bridge that see the strain: 1 quarter, 2 half, 4 full bridge</source>
-        <translation>I bryggan, som känner töjningen: 1 kvarts-, 2 halv-, 4 helbrygga</translation>
+        <source>The impedance of the bar is its area times √(E ρ)</source>
+        <translation>Stångens: impedansen är arean gånger √(E ρ)</translation>
+    </message>
+    <message>
+        <source>bridge factor</source>
+        <translation>bryggfaktor</translation>
+    </message>
+    <message>
+        <source>Active gauges: 1 quarter, 2 half, 4 full bridge; 2.6 full bridge with two gauges across a bar of Poisson&apos;s ratio 0.3</source>
+        <translation>Aktiva töjningsgivare: 1 kvarts-, 2 halv-, 4 helbrygga; 2,6 helbrygga med två givare tvärs en stång med Poissons tal 0,3</translation>
+    </message>
+    <message>
+        <source>gain</source>
+        <translation>förstärkning</translation>
+    </message>
+    <message>
+        <source>Volts out of the amplifier over volts in</source>
+        <translation>Förstärkarens: volt ut genom volt in</translation>
+    </message>
+    <message>
+        <source>excitation in V</source>
+        <translation>matning i V</translation>
+    </message>
+    <message>
+        <source>Supply of the bridge</source>
+        <translation>Bryggans matningsspänning</translation>
+    </message>
+    <message>
+        <source>not given</source>
+        <translation>inte angiven</translation>
+    </message>
+    <message>
+        <source>force per volt</source>
+        <translation>kraft per volt</translation>
+    </message>
+    <message>
+        <source>Result of a calibration; it overrides the bridge</source>
+        <translation>Från en kalibrering; den går före bryggan</translation>
+    </message>
+    <message>
+        <source>Volts are no forces: type the force per volt of a calibration, or the excitation of the bridge.</source>
+        <translation>Volt är inte krafter: ange kraften per volt från en kalibrering eller bryggans matning.</translation>
     </message>
 </context>
 <context>
@@ -2805,18 +2845,6 @@ Ta bort ändå?</translation>
         <translation>%1 rader utan tal hoppas över, den första är rad %2.</translation>
     </message>
     <message>
-        <source>Table: separator, decimal sign, the first line with a sample and the columns are found out; change what is wrong. Without a column of times give the sampling rate.
-Signal: force, strain or the output of a bridge in the unit of the column. A strain becomes a force by E and the area of the rod, of the string where the gauge is, or of another bar. Tension is positive in the rod; a blow presses.
-Zero line: the mean of the first samples, in which nothing happens.
-Range: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and Shift+drag zoom there), “All” the whole record.
-Points at most: of so many samples only some are kept, and it is said how far the others are from the lines between them. A blow keeps its impulse where that moves its forces little.</source>
-        <translation>Tabell: skiljetecken, decimaltecken, första raden med ett mätvärde och kolumnerna hittas av sig själva; ändra det som är fel. Ange samplingsfrekvensen om ingen kolumn har tider.
-Signal: kraft, töjning eller en bryggas utsignal i kolumnens enhet. En töjning blir en kraft genom E och arean hos stången, hos strängen där givaren sitter, eller hos en annan stång. Drag är positivt i stången; ett slag trycker.
-Nollinje: medelvärdet av de första mätvärdena, där ingenting händer.
-Område: ”Topp” tar stycket kring det största värdet, ”Vy” det som diagrammet visar (där zoomar hjulet och Skift+dra), ”Allt” hela inspelningen.
-Högst antal punkter: av så många mätvärden behålls bara några, och det anges hur långt de övriga ligger från linjerna mellan dem. Ett slag behåller sin impuls där det ändrar krafterna litet.</translation>
-    </message>
-    <message>
         <source>%1, the paper&apos;s choice</source>
         <translation>%1, artikelns val</translation>
     </message>
@@ -3594,6 +3622,26 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
         <source>Effective feed force less the largest of the four, and as a share of that: thrust_margin of commands and files</source>
         <translation>Verksam matningskraft minus den största av de fyra, och som andel av den: thrust_margin i kommandon och filer</translation>
     </message>
+    <message>
+        <source>They leave a gap of %1, which a straight line crosses.</source>
+        <translation>De lämnar ett gap på %1 som en rät linje korsar.</translation>
+    </message>
+    <message>
+        <source>NUL bytes end the table: the recorder did not fill its file.</source>
+        <translation>NUL-byte avslutar tabellen: mätinstrumentet fyllde inte sin fil.</translation>
+    </message>
+    <message>
+        <source>Table: separator, decimal sign, the first line with a sample and the columns are found out; change what is wrong. A unit or a sampling rate that the table does not state has to be chosen.
+Signal: force, strain, output of a bridge, voltage, stress or velocity in the unit of the column. A strain becomes a force by E and the area of the rod, of the string where the gauge is, or of another bar; a voltage by a calibration, or by gain, excitation and bridge factor; a velocity by the impedance. Tension is positive in the rod; a blow presses.
+Zero line: the mean of the first samples, in which nothing happens.
+Range: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and Shift+drag zoom there), “All” the whole record.
+Points at most: a blow keeps as few samples as leave impulse and e the same to 1e-4, unless you choose a number; a curve keeps so many. The summary says how far the others are from the lines between them.</source>
+        <translation>Tabell: avgränsare, decimaltecken, första raden med ett mätvärde och kolumnerna hittas; ändra det som är fel. Det som inte står i tabellen, till exempel en enhet eller samplingsfrekvensen, ska väljas.
+Signal: kraft, töjning, utsignal från en brygga, elektrisk spänning, mekanisk spänning eller hastighet i kolumnens enhet. En töjning blir en kraft genom E och arean hos stången, strängen vid givaren eller en annan stång; volt genom en kalibrering eller genom förstärkning, matning och bryggfaktor; en hastighet genom impedansen. Drag är positivt i stången; ett slag trycker.
+Nollinje: medelvärdet av de första mätvärdena, då ingenting händer.
+Område: ”Topp” tar stycket kring det största värdet, ”Vy” det som bilden visar (hjul och Skift+dra zoomar där), ”Allt” hela mätningen.
+Högst antal punkter: ett slag behåller så få mätvärden att impuls och e är lika till 1e-4, så länge du inte väljer ett antal; en kurva behåller så många. Sammanfattningen säger hur långt de övriga är från linjerna emellan.</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>
@@ -4254,10 +4302,6 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>&lt;b&gt;Detta scenario&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>&lt;b&gt;Robust best: %1&lt;/b&gt;</source>
-        <translation>&lt;b&gt;Robustaste konstruktion: %1&lt;/b&gt;</translation>
-    </message>
-    <message>
         <source>The samples do not tell it apart from %1: any of them will do.</source>
         <translation>Stickproven skiljer den inte från %1: vilken som helst av dem duger.</translation>
     </message>
@@ -4329,6 +4373,22 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <source>Where all is as in the file, the robust best has %1&#xa0;% more.</source>
         <translation>Där allt är som i filen har den robustaste %1&#xa0;% mer.</translation>
     </message>
+    <message>
+        <source>Best for the values entered: %1</source>
+        <translation>Bäst för de angivna värdena: %1</translation>
+    </message>
+    <message>
+        <source>Present design: %1</source>
+        <translation>Nuvarande konstruktion: %1</translation>
+    </message>
+    <message>
+        <source>Equally good: %1</source>
+        <translation>Lika bra: %1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Best for uncertain rock: %1&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Bäst för osäkert berg: %1&lt;/b&gt;</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::DesignPage</name>
@@ -4385,6 +4445,34 @@ Det som visas gäller värdet dessförinnan.</translation>
     <message>
         <source>Design</source>
         <translation>Konstruktion</translation>
+    </message>
+    <message>
+        <source>Solve all samples of this study; the time is an estimate</source>
+        <translation>Beräkna alla stickprov i studien; tiden är en uppskattning</translation>
+    </message>
+    <message>
+        <source>Refine (%1 s)</source>
+        <translation>Förfina (%1 s)</translation>
+    </message>
+    <message>
+        <source>Refine (%1 min)</source>
+        <translation>Förfina (%1 min)</translation>
+    </message>
+    <message>
+        <source>Nothing is solved yet: this study takes more than 10 s. The button Refine starts it.</source>
+        <translation>Inget är beräknat ännu: studien tar mer än 10 s. Knappen ”Förfina” startar den.</translation>
+    </message>
+    <message>
+        <source>%1 samples of each design so far</source>
+        <translation>hittills %1 stickprov för varje konstruktion</translation>
+    </message>
+    <message>
+        <source>take the design %1</source>
+        <translation>ta över konstruktionen %1</translation>
+    </message>
+    <message>
+        <source>take the worst case</source>
+        <translation>ta över det sämsta fallet</translation>
     </message>
 </context>
 <context>
@@ -4493,6 +4581,10 @@ Det som visas gäller värdet dessförinnan.</translation>
     <message>
         <source>%1: cannot be saved: %2. Nothing is lost: save it under another name or in another folder.</source>
         <translation>%1: kan inte sparas: %2. Inget är förlorat: spara under ett annat namn eller i en annan mapp.</translation>
+    </message>
+    <message>
+        <source>change the design study</source>
+        <translation>ändra konstruktionsstudien</translation>
     </message>
 </context>
 <context>
@@ -5511,8 +5603,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Bara formen används: detta scenario har inga fysikaliska enheter.</translation>
     </message>
     <message>
-        <source>This string is struck by the sections of its hammer; Edit ▸ Put a force in place of the hammer makes room for a measured one.</source>
-        <translation>Denna sträng slås av sektionerna i sin hammare; Redigera ▸ Sätt en kraft i hammarens ställe ger plats för ett uppmätt slag.</translation>
+        <source>The blow takes the place of the hammer; undo brings it back.</source>
+        <translation>Slaget ersätter hammaren; ångra tar tillbaka den.</translation>
     </message>
 </context>
 <context>
@@ -7249,10 +7341,6 @@ en projektion av fler dimensioner</translation>
         <translation>måste vara namnet på en CSV-fil</translation>
     </message>
     <message>
-        <source>%1 (the header must be %2)</source>
-        <translation>%1 (huvudet måste vara %2)</translation>
-    </message>
-    <message>
         <source>%1 (needs a unit in brackets, one of %2)</source>
         <translation>%1 (behöver en enhet inom hakparentes, en av %2)</translation>
     </message>
@@ -7265,16 +7353,8 @@ en projektion av fler dimensioner</translation>
         <translation>huvudet måste vara %1</translation>
     </message>
     <message>
-        <source>a row must be a time and a force</source>
-        <translation>en rad måste bestå av en tid och en kraft</translation>
-    </message>
-    <message>
         <source>the pulse table %1</source>
         <translation>slagets tabell %1</translation>
-    </message>
-    <message>
-        <source>is not text: it holds %1</source>
-        <translation>är inte text: den innehåller %1</translation>
     </message>
     <message>
         <source>the scenario file %1</source>
@@ -10780,6 +10860,542 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>%1: note: %2</source>
         <translation>%1: anmärkning: %2</translation>
     </message>
+    <message>
+        <source>presets need physical units, and this scenario is given by its dimensionless groups; choose a group such as beta</source>
+        <translation>förval kräver fysikaliska enheter, och detta scenario ges av sina dimensionslösa tal; välj ett tal som beta</translation>
+    </message>
+    <message>
+        <source>a uniform rod has no bit; a drill string has one</source>
+        <translation>en likformig stång har ingen borrkrona; en borrsträng har en</translation>
+    </message>
+    <message>
+        <source>the string does not end with a section called bit; name its last section so</source>
+        <translation>strängen slutar inte med en sektion som heter bit; ge den sista sektionen det namnet</translation>
+    </message>
+    <message>
+        <source>a preset of a rod is for uniform rods, and this scenario is a drill string; choose sizes such as string.rod.diameter</source>
+        <translation>ett förval för en stång gäller likformiga stänger, och detta scenario är en borrsträng; välj mått som string.rod.diameter</translation>
+    </message>
+    <message>
+        <source>this drill string is struck by a prescribed force, which no preset replaces; choose numbers such as pulse.duration</source>
+        <translation>denna borrsträng slås av en given kraft, som inget förval ersätter; välj tal som pulse.duration</translation>
+    </message>
+    <message>
+        <source>The energy of the blow differs by up to %1 % between the designs: hammers of different power are compared.</source>
+        <translation>Slagenergin skiljer sig med upp till %1 % mellan konstruktionerna: hammare med olika effekt jämförs.</translation>
+    </message>
+    <message>
+        <source>Change from %1 to %2: %3 is %4. The present design does not meet all limits.</source>
+        <translation>Byt från %1 till %2: %3 är %4. Den nuvarande konstruktionen uppfyller inte alla gränser.</translation>
+    </message>
+    <message>
+        <source>Warning: %1</source>
+        <translation>Varning: %1</translation>
+    </message>
+    <message>
+        <source>Warning for %1: %2</source>
+        <translation>Varning för %1: %2</translation>
+    </message>
+    <message>
+        <source>%1 There is %2 more warning.</source>
+        <translation>%1 Det finns %2 varning till.</translation>
+    </message>
+    <message>
+        <source>%1 There are %2 more warnings.</source>
+        <translation>%1 Det finns %2 varningar till.</translation>
+    </message>
+    <message>
+        <source>tab</source>
+        <translation>tabb</translation>
+    </message>
+    <message>
+        <source>semicolon</source>
+        <translation>semikolon</translation>
+    </message>
+    <message>
+        <source>bar</source>
+        <translation>lodstreck</translation>
+    </message>
+    <message>
+        <source>blanks</source>
+        <translation>blanksteg</translation>
+    </message>
+    <message>
+        <source>comma</source>
+        <translation>komma</translation>
+    </message>
+    <message>
+        <source>from the table</source>
+        <translation>från tabellen</translation>
+    </message>
+    <message>
+        <source>from the option</source>
+        <translation>från alternativet</translation>
+    </message>
+    <message>
+        <source>an estimate</source>
+        <translation>en uppskattning</translation>
+    </message>
+    <message>
+        <source>In what unit is the signal? Volts also need --scale 50kN/V, or --excitation, --gain, --bridge and --gauge-factor</source>
+        <translation>I vilken enhet är signalen? Volt behöver också --scale 50kN/V eller --excitation, --gain, --bridge och --gauge-factor</translation>
+    </message>
+    <message>
+        <source>What is the sampling rate?</source>
+        <translation>Vilken är samplingsfrekvensen?</translation>
+    </message>
+    <message>
+        <source>In what unit are the times?</source>
+        <translation>I vilken enhet är tiderna?</translation>
+    </message>
+    <message>
+        <source>Which column is the signal? Several could be</source>
+        <translation>Vilken kolumn är signalen? Flera kan vara det</translation>
+    </message>
+    <message>
+        <source>Is the sign in 1,234 a decimal sign or a group of thousands?</source>
+        <translation>Är tecknet i 1,234 ett decimaltecken eller skiljer det tusental?</translation>
+    </message>
+    <message>
+        <source>What is the area of the bar at the gauge?</source>
+        <translation>Hur stor är stångens area vid givaren?</translation>
+    </message>
+    <message>
+        <source>What is Young&apos;s modulus of the bar?</source>
+        <translation>Vilken är stångens elasticitetsmodul?</translation>
+    </message>
+    <message>
+        <source>How many gauges of the bridge are active?</source>
+        <translation>Hur många av bryggans givare är aktiva?</translation>
+    </message>
+    <message>
+        <source>What is the gauge factor?</source>
+        <translation>Vilken är givarfaktorn?</translation>
+    </message>
+    <message>
+        <source>What is the impedance of the bar? Give it as 18kN s/m</source>
+        <translation>Vilken är stångens impedans? Ange den som 18kN s/m</translation>
+    </message>
+    <message>
+        <source>times of day, as s since the first</source>
+        <translation>klockslag, som s sedan det första</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>tid</translation>
+    </message>
+    <message>
+        <source>column %1, %2, %3</source>
+        <translation>kolumn %1, %2, %3</translation>
+    </message>
+    <message>
+        <source>no unit</source>
+        <translation>ingen enhet</translation>
+    </message>
+    <message>
+        <source>evenly spaced, %1, %2</source>
+        <translation>jämnt, %1, %2</translation>
+    </message>
+    <message>
+        <source>no rate</source>
+        <translation>ingen frekvens</translation>
+    </message>
+    <message>
+        <source>format</source>
+        <translation>format</translation>
+    </message>
+    <message>
+        <source>%1, separator %2, decimal sign %3, samples from line %4</source>
+        <translation>%1, avgränsare %2, decimaltecken %3, mätvärden från rad %4</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>stickprov</translation>
+    </message>
+    <message>
+        <source>%1, one in %2, from %3 on</source>
+        <translation>%1, ett per %2, från %3</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>topp</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>anmärkning</translation>
+    </message>
+    <message>
+        <source>question</source>
+        <translation>fråga</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>record</source>
+        <translation>inspelning</translation>
+    </message>
+    <message>
+        <source>rate</source>
+        <translation>frekvens</translation>
+    </message>
+    <message>
+        <source>offset</source>
+        <translation>förskjutning</translation>
+    </message>
+    <message>
+        <source>noise</source>
+        <translation>brus</translation>
+    </message>
+    <message>
+        <source>remarks</source>
+        <translation>anmärkningar</translation>
+    </message>
+    <message>
+        <source>questions</source>
+        <translation>frågor</translation>
+    </message>
+    <message>
+        <source>not read</source>
+        <translation>ej läst</translation>
+    </message>
+    <message>
+        <source>a row without values stands between the cases; delete it</source>
+        <translation>en rad utan värden står mellan fallen; ta bort den</translation>
+    </message>
+    <message>
+        <source>must be one of tab, semicolon, comma, bar, blank</source>
+        <translation>måste vara ett av tab, semicolon, comma, bar, blank</translation>
+    </message>
+    <message>
+        <source>must be point or comma</source>
+        <translation>måste vara point eller comma</translation>
+    </message>
+    <message>
+        <source>must be one of utf-8, windows-1252, latin-1, utf-16le, utf-16be</source>
+        <translation>måste vara ett av utf-8, windows-1252, latin-1, utf-16le, utf-16be</translation>
+    </message>
+    <message>
+        <source>must be the name of a column, or its number from 1</source>
+        <translation>måste vara namnet på en kolumn eller dess nummer från 1</translation>
+    </message>
+    <message>
+        <source>must be a unit of time, one of %1</source>
+        <translation>måste vara en tidsenhet, en av %1</translation>
+    </message>
+    <message>
+        <source>must be a unit of a signal, one of %1</source>
+        <translation>måste vara en enhet för en signal, en av %1</translation>
+    </message>
+    <message>
+        <source>must be above 0</source>
+        <translation>måste vara över 0</translation>
+    </message>
+    <message>
+        <source>must be two times A:B, as in -50us:-10us</source>
+        <translation>måste vara två tider A:B, som i -50us:-10us</translation>
+    </message>
+    <message>
+        <source>the first time must be before the second one</source>
+        <translation>den första tiden måste vara före den andra</translation>
+    </message>
+    <message>
+        <source>must be a factor that is not 0, or a force per unit: 2.5, 50kN/V, 18kN s/m</source>
+        <translation>måste vara en faktor som inte är 0, eller en kraft per enhet: 2.5, 50kN/V, 18kN s/m</translation>
+    </message>
+    <message>
+        <source>must be refuse or skip</source>
+        <translation>måste vara refuse eller skip</translation>
+    </message>
+    <message>
+        <source>%1 equal samples at the largest value, %2: clipped?</source>
+        <translation>%1 lika mätvärden vid det största värdet, %2: avklippt?</translation>
+    </message>
+    <message>
+        <source>before the blow the record is at %1 of its peak: set the zero line</source>
+        <translation>före slaget ligger mätningen på %1 av sin topp: ställ in nollinjen</translation>
+    </message>
+    <message>
+        <source>the zero line drifts by %1 of the peak per ms</source>
+        <translation>nollinjen driver med %1 av toppen per ms</translation>
+    </message>
+    <message>
+        <source>the recorder has steps of %1 of the peak, and the noise is smaller: use a smaller range</source>
+        <translation>instrumentet har steg på %1 av toppen, och bruset är mindre: använd ett mindre mätområde</translation>
+    </message>
+    <message>
+        <source>steps of time differ from the usual step by up to %1</source>
+        <translation>tidssteg avviker med upp till %1 från det vanliga</translation>
+    </message>
+    <message>
+        <source>the record holds %1 blows: choose one by its range of time</source>
+        <translation>mätningen innehåller %1 slag: välj ett genom dess tidsområde</translation>
+    </message>
+    <message>
+        <source>opposite gauges differ: half their difference is %1 of the peak (rms); is the bar bent or a gauge loose?</source>
+        <translation>motstående givare skiljer sig: halva skillnaden är %1 av toppen (effektivvärde); är stången böjd eller en givare lös?</translation>
+    </message>
+    <message>
+        <source>the times have a gap of %1</source>
+        <translation>tiderna har ett gap på %1</translation>
+    </message>
+    <message>
+        <source>this is no table: it is %1</source>
+        <translation>det är ingen tabell: det är %1</translation>
+    </message>
+    <message>
+        <source>each channel is a row: the table is turned, lines count its columns</source>
+        <translation>varje kanal är en rad: tabellen är vriden, radnummer räknar dess kolumner</translation>
+    </message>
+    <message>
+        <source>no line of numbers is found in the first %1 lines; is it a table of samples? Give --separator, --decimal or --first-line</source>
+        <translation>ingen rad med tal finns bland de första %1 raderna; är det en tabell med mätvärden? Ange --separator, --decimal eller --first-line</translation>
+    </message>
+    <message>
+        <source>line %1: %2</source>
+        <translation>rad %1: %2</translation>
+    </message>
+    <message>
+        <source>there is no column `%1`; there are: %2</source>
+        <translation>det finns ingen kolumn `%1`; det finns: %2</translation>
+    </message>
+    <message>
+        <source>column %1 cannot be time and signal; choose another by --signal-column</source>
+        <translation>kolumn %1 kan inte vara både tid och signal; välj en annan med --signal-column</translation>
+    </message>
+    <message>
+        <source>%1 (--rows skip)</source>
+        <translation>%1 (--rows skip)</translation>
+    </message>
+    <message>
+        <source>NUL bytes end the table: the recorder did not fill its file</source>
+        <translation>NUL-byte avslutar tabellen: mätinstrumentet fyllde inte sin fil</translation>
+    </message>
+    <message>
+        <source>%1 rows without a number are skipped, the first is line %2</source>
+        <translation>%1 rader utan tal hoppas över, den första är rad %2</translation>
+    </message>
+    <message>
+        <source>%1 of them say that the recorder was overloaded</source>
+        <translation>%1 av dem säger att instrumentet var överstyrt</translation>
+    </message>
+    <message>
+        <source>skipped rows leave a gap of %1 in the blow, from %2 on: straight lines cross it</source>
+        <translation>överhoppade rader lämnar ett gap på %1 i slaget, från %2: räta linjer korsar det</translation>
+    </message>
+    <message>
+        <source>no sample lies between the times of --zero, %1 and %2</source>
+        <translation>inget mätvärde ligger mellan tiderna i --zero, %1 och %2</translation>
+    </message>
+    <message>
+        <source>an Excel workbook (.xlsx); save the sheet as CSV</source>
+        <translation>en Excel-arbetsbok (.xlsx); spara bladet som CSV</translation>
+    </message>
+    <message>
+        <source>an OpenDocument spreadsheet (.ods); save the sheet as CSV</source>
+        <translation>ett OpenDocument-kalkylark (.ods); spara bladet som CSV</translation>
+    </message>
+    <message>
+        <source>a zip archive; unpack it first</source>
+        <translation>ett zip-arkiv; packa upp det först</translation>
+    </message>
+    <message>
+        <source>compressed by gzip; unpack it first</source>
+        <translation>komprimerat med gzip; packa upp det först</translation>
+    </message>
+    <message>
+        <source>compressed by bzip2; unpack it first</source>
+        <translation>komprimerat med bzip2; packa upp det först</translation>
+    </message>
+    <message>
+        <source>compressed by xz; unpack it first</source>
+        <translation>komprimerat med xz; packa upp det först</translation>
+    </message>
+    <message>
+        <source>a 7-Zip archive; unpack it first</source>
+        <translation>ett 7-Zip-arkiv; packa upp det först</translation>
+    </message>
+    <message>
+        <source>compressed by zstd; unpack it first</source>
+        <translation>komprimerat med zstd; packa upp det först</translation>
+    </message>
+    <message>
+        <source>an old Excel workbook (.xls); save the sheet as CSV</source>
+        <translation>en gammal Excel-arbetsbok (.xls); spara bladet som CSV</translation>
+    </message>
+    <message>
+        <source>an HDF5 file (MATLAB 7.3 also writes it); export the channels as CSV</source>
+        <translation>en HDF5-fil (MATLAB 7.3 skriver också sådana); exportera kanalerna som CSV</translation>
+    </message>
+    <message>
+        <source>a MATLAB file; export the channels as CSV</source>
+        <translation>en MATLAB-fil; exportera kanalerna som CSV</translation>
+    </message>
+    <message>
+        <source>a TDMS file; export the channels as CSV</source>
+        <translation>en TDMS-fil; exportera kanalerna som CSV</translation>
+    </message>
+    <message>
+        <source>a NumPy array; write it by numpy.savetxt</source>
+        <translation>en NumPy-matris; skriv den med numpy.savetxt</translation>
+    </message>
+    <message>
+        <source>a Parquet file; export the columns as CSV</source>
+        <translation>en Parquet-fil; exportera kolumnerna som CSV</translation>
+    </message>
+    <message>
+        <source>an SQLite database; export a table as CSV</source>
+        <translation>en SQLite-databas; exportera en tabell som CSV</translation>
+    </message>
+    <message>
+        <source>a PDF document, not a table</source>
+        <translation>ett PDF-dokument, ingen tabell</translation>
+    </message>
+    <message>
+        <source>a document in RTF; save it as plain text</source>
+        <translation>ett RTF-dokument; spara det som ren text</translation>
+    </message>
+    <message>
+        <source>a picture, not a table</source>
+        <translation>en bild, ingen tabell</translation>
+    </message>
+    <message>
+        <source>a sound or video file (RIFF); export samples as CSV</source>
+        <translation>en ljud- eller videofil (RIFF); exportera mätvärdena som CSV</translation>
+    </message>
+    <message>
+        <source>text in UTF-32; save it as UTF-8</source>
+        <translation>text i UTF-32; spara den som UTF-8</translation>
+    </message>
+    <message>
+        <source>an XML document; save the sheet as CSV</source>
+        <translation>ett XML-dokument; spara bladet som CSV</translation>
+    </message>
+    <message>
+        <source>a web page; save the table as CSV</source>
+        <translation>en webbsida; spara tabellen som CSV</translation>
+    </message>
+    <message>
+        <source>is no bit; give the preset of a bit</source>
+        <translation>är ingen borrkrona; ange förvalet för en borrkrona</translation>
+    </message>
+    <message>
+        <source>is no rod; give the preset of a rod</source>
+        <translation>är ingen stång; ange förvalet för en stång</translation>
+    </message>
+    <message>
+        <source>does not fit a drill string, whose hammer is followed too; give the preset of a piston</source>
+        <translation>passar inte en borrsträng, vars hammare också beräknas; ange förvalet för en kolv</translation>
+    </message>
+    <message>
+        <source>does not fit a uniform rod, whose hammer is a force; give the preset of a hammer</source>
+        <translation>passar inte en likformig stång, vars hammare är en kraft; ange förvalet för en hammare</translation>
+    </message>
+    <message>
+        <source>must be a list of texts, each after a `-`</source>
+        <translation>måste vara en lista med texter, var och en efter ett `-`</translation>
+    </message>
+    <message>
+        <source>has an item that is no text</source>
+        <translation>har en post som inte är en text</translation>
+    </message>
+    <message>
+        <source>holds no header `%1`</source>
+        <translation>har ingen rubrikrad `%1`</translation>
+    </message>
+    <message>
+        <source>each channel is a row; write `drillwave signal FILE -o blow.csv` and take that</source>
+        <translation>varje kanal är en rad; skriv `drillwave signal FILE -o blow.csv` och använd den filen</translation>
+    </message>
+    <message>
+        <source>1,234 can be a number with decimals or a thousand: write one number with another count of decimals, such as 0,5 or 0.5</source>
+        <translation>1,234 kan vara ett tal med decimaler eller ett tusental: skriv ett tal med ett annat antal decimaler, till exempel 0,5 eller 0.5</translation>
+    </message>
+    <message>
+        <source>several columns could be the force, %1 is one; leave the others out</source>
+        <translation>flera kolumner kan vara kraften, %1 är en; utelämna de andra</translation>
+    </message>
+    <message>
+        <source>%1 is no force; `--signal FILE` and the import make one of strains and volts</source>
+        <translation>%1 är ingen kraft; `--signal FILE` och importen gör en av töjningar och volt</translation>
+    </message>
+    <message>
+        <source>is no file of recorders; it must begin with `drillwave_recorders: 1`</source>
+        <translation>är ingen fil med mätinstrument; den måste börja med `drillwave_recorders: 1`</translation>
+    </message>
+    <message>
+        <source>`%1` is not a known key; only `recorders` is</source>
+        <translation>`%1` är ingen känd nyckel; endast `recorders` är det</translation>
+    </message>
+    <message>
+        <source>must be names of recorders with settings</source>
+        <translation>måste vara namn på mätinstrument med inställningar</translation>
+    </message>
+    <message>
+        <source>must be settings, each `option: value`</source>
+        <translation>måste vara inställningar, var och en `option: value`</translation>
+    </message>
+    <message>
+        <source>`%1` is no option of drillwave signal</source>
+        <translation>`%1` är inget alternativ till drillwave signal</translation>
+    </message>
+    <message>
+        <source>the recorder `%1` is there twice</source>
+        <translation>mätinstrumentet `%1` finns två gånger</translation>
+    </message>
+    <message>
+        <source>not YAML: this line is indented by a tab; indent it by blanks</source>
+        <translation>inte YAML: raden är indragen med en tabb; dra in den med blanksteg</translation>
+    </message>
+    <message>
+        <source>%1 is about the file of -o; add -o FILE.csv</source>
+        <translation>%1 gäller filen för -o; lägg till -o FILE.csv</translation>
+    </message>
+    <message>
+        <source>-o takes one record; give one FILE</source>
+        <translation>-o tar en mätning; ange en FILE</translation>
+    </message>
+    <message>
+        <source>the file of recorders %1</source>
+        <translation>filen med mätinstrument %1</translation>
+    </message>
+    <message>
+        <source>--recorder %1: is not known; did you mean `%2`?</source>
+        <translation>--recorder %1: är inte känt; menade du `%2`?</translation>
+    </message>
+    <message>
+        <source>--recorder %1: is not known; --save-recorder %1 keeps options in %2</source>
+        <translation>--recorder %1: är inte känt; --save-recorder %1 sparar alternativ i %2</translation>
+    </message>
+    <message>
+        <source>--from must be before --to</source>
+        <translation>--from måste vara före --to</translation>
+    </message>
+    <message>
+        <source>--save-recorder needs a name, this one is empty</source>
+        <translation>--save-recorder behöver ett namn, detta är tomt</translation>
+    </message>
+    <message>
+        <source>%1: cannot be written: %2</source>
+        <translation>%1: kan inte skrivas: %2</translation>
+    </message>
+    <message>
+        <source>%1 is about a record; add --signal FILE</source>
+        <translation>%1 gäller en mätning; lägg till --signal FILE</translation>
+    </message>
+    <message>
+        <source>is given by its dimensionless groups; --signal needs physical units</source>
+        <translation>anges av sina dimensionslösa grupper; --signal behöver fysikaliska enheter</translation>
+    </message>
+    <message>
+        <source>the table leaves open: %1; answer by %2, see drillwave signal</source>
+        <translation>tabellen lämnar öppet: %1; svara med %2, se drillwave signal</translation>
+    </message>
+    <message>
+        <source>%1: note: %2 of %3 samples are kept, impulse and e to 1e-4; --all-samples keeps all</source>
+        <translation>%1: notera: %2 av %3 mätvärden behålls, impuls och e till 1e-4; --all-samples behåller alla</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -11325,6 +11941,29 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     </message>
 </context>
 <context>
+    <name>drillwave::PresetTicks</name>
+    <message>
+        <source>hammers</source>
+        <translation>hammare</translation>
+    </message>
+    <message>
+        <source>rods</source>
+        <translation>stänger</translation>
+    </message>
+    <message>
+        <source>bits</source>
+        <translation>borrkronor</translation>
+    </message>
+    <message>
+        <source>Ticked presets are designs to choose from</source>
+        <translation>Förkryssade förval är konstruktioner att välja mellan</translation>
+    </message>
+    <message>
+        <source>%1 to choose from</source>
+        <translation>%1 att välja mellan</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::ProofStudy</name>
     <message>
         <source>Not solved: %1</source>
@@ -11580,6 +12219,10 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     <message>
         <source>One more number that can be chosen</source>
         <translation>Ett tal till som kan väljas</translation>
+    </message>
+    <message>
+        <source>Remove %1</source>
+        <translation>Ta bort %1</translation>
     </message>
 </context>
 <context>
@@ -12495,10 +13138,6 @@ av de kvarvarande vågorna: %4 och %5</translation>
         <translation>punkter högst</translation>
     </message>
     <message>
-        <source>That are kept of the samples; how far the rest is from the lines between them is said below</source>
-        <translation>Som behålls av mätvärdena; hur långt resten ligger från linjerna mellan dem står nedan</translation>
-    </message>
-    <message>
         <source>choose</source>
         <translation>välj</translation>
     </message>
@@ -12525,6 +13164,22 @@ av de kvarvarande vågorna: %4 och %5</translation>
     <message>
         <source>place x: must be at most %1, the length of the rod</source>
         <translation>läge x: får vara högst %1, stångens längd</translation>
+    </message>
+    <message>
+        <source>voltage</source>
+        <translation>elektrisk spänning</translation>
+    </message>
+    <message>
+        <source>stress</source>
+        <translation>spänning</translation>
+    </message>
+    <message>
+        <source>particle velocity</source>
+        <translation>partikelhastighet</translation>
+    </message>
+    <message>
+        <source>That are kept of the samples; a blow keeps as few as leave impulse and e the same to 1e-4 until you choose a number. How far the rest is from the lines between them is said below</source>
+        <translation>Som behålls av mätvärdena; ett slag behåller så få att impuls och e är lika till 1e-4 tills du väljer ett antal. Hur långt de övriga är från linjerna emellan står nedan</translation>
     </message>
 </context>
 <context>
@@ -13248,6 +13903,30 @@ i skarv</translation>
     <message>
         <source>sampling rate: %1</source>
         <translation>samplingsfrekvens: %1</translation>
+    </message>
+    <message>
+        <source>bar |</source>
+        <translation>streck |</translation>
+    </message>
+    <message>
+        <source>not stated</source>
+        <translation>inte angivet</translation>
+    </message>
+    <message>
+        <source>Each channel of this table is a row: turn rows into columns in a spreadsheet, or read it by drillwave signal -o.</source>
+        <translation>Varje kanal i tabellen är en rad: gör kolumner av raderna i ett kalkylprogram, eller läs den med drillwave signal -o.</translation>
+    </message>
+    <message>
+        <source>decimal sign: 1,234 and 1.234 can be a number with decimals or a thousand: choose the sign.</source>
+        <translation>decimaltecken: 1,234 och 1.234 kan vara ett tal med decimaler eller ett tusental: välj tecknet.</translation>
+    </message>
+    <message>
+        <source>sampling rate: the table says “%1”, without a unit: type the rate.</source>
+        <translation>samplingsfrekvens: i tabellen står ”%1” utan enhet: ange frekvensen.</translation>
+    </message>
+    <message>
+        <source>sampling rate: the table does not state it: type it.</source>
+        <translation>samplingsfrekvens: den står inte i tabellen: ange den.</translation>
     </message>
 </context>
 <context>
@@ -14002,38 +14681,12 @@ slag och stelt berg anges.</translation>
         <translation>vilket val som är bäst över det som inte är känt, vad det kostar, vad man bör mäta</translation>
     </message>
     <message>
-        <source>Every design of the choices is solved at the same samples of what is uncertain. Told are the best
-one by the first aim (robust best), the one that would be best where all is as in FILE (nominal
-best), which others are as good as far as the samples tell, what is worth measuring, and the worst
-that was found in the ranges.
-  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
-                                       :lognormal with LOW and HIGH as the limits of 95 %
-  --uncertain KEY=+-P%                 about the value of FILE or of the design
-Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
-max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. DIR gets designs.csv,
-pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
-        <translation>Varje konstruktion bland valen löses för samma stickprov av det som är osäkert. Resultatet är den
-bästa efter det första målet (robustast), den som vore bäst om allt är som i FILE (nominellt
-bästa), vilka andra som är lika bra så långt stickproven kan skilja dem åt, vad som är värt att
-mäta, och det sämsta som hittades inom områdena.
-  --uncertain KEY=LOW:HIGH             alla värden lika sannolika; :log jämnt i logaritmen;
-                                       :normal och :lognormal med LOW och HIGH som gränser för 95&#xa0;%
-  --uncertain KEY=+-P%                 kring värdet i FILE eller i konstruktionen
-Möjlig statistik är mean, q01 till q99, min, max och nominal (som i FILE). Utan --aim:
-max:efficiency@q05, och min:thrust@q95 där FILE har en slagfrekvens. DIR får designs.csv,
-pareto.csv, sensitivity.csv, worst.csv, best.yaml, design.json och, med --plots, design.png.</translation>
-    </message>
-    <message>
         <source>what is not known; see below</source>
         <translation>vad som inte är känt; se nedan</translation>
     </message>
     <message>
         <source>rows of values that belong together, headed as for table</source>
         <translation>rader med värden som hör ihop, med huvud som för table</translation>
-    </message>
-    <message>
-        <source>what can be chosen; :log behind it, or KEY=A,B,C</source>
-        <translation>vad som kan väljas; :log kan läggas till; eller KEY=A,B,C</translation>
     </message>
     <message>
         <source>or min:…; one to three, the first decides</source>
@@ -14369,6 +15022,166 @@ börjar i kontakt, om rörelsen upprepar sig och vart energin tar vägen. FILE b
 drill.blow_frequency och drill.thrust. Inträngningar är övre gränser. Med --scan detsamma över en
 parameter, varje värde från vila och från studsande. DIR får scenario.yaml, summary.json, blows.csv,
 med --histories histories.csv och med --plots drilling.png.</translation>
+    </message>
+    <message>
+        <source>take the blow from a record; the options below say how it is read</source>
+        <translation>ta slaget från en mätning; alternativen nedan säger hur den läses</translation>
+    </message>
+    <message>
+        <source>keep all samples of --signal instead of thinning them to an error of 1e-4</source>
+        <translation>behåll alla mätvärden från --signal i stället för att gallra dem till ett fel på 1e-4</translation>
+    </message>
+    <message>
+        <source>sign between cells: tab, semicolon, comma, bar or blank (default: found)</source>
+        <translation>tecken mellan celler: tab, semicolon, comma, bar eller blank (standard: hittas)</translation>
+    </message>
+    <message>
+        <source>decimal sign: point or comma (default: found)</source>
+        <translation>decimaltecken: point eller comma (standard: hittas)</translation>
+    </message>
+    <message>
+        <source>first line with a sample (default: found)</source>
+        <translation>första raden med ett mätvärde (standard: hittas)</translation>
+    </message>
+    <message>
+        <source>utf-8, windows-1252, latin-1, utf-16le or utf-16be (default: found)</source>
+        <translation>utf-8, windows-1252, latin-1, utf-16le eller utf-16be (standard: hittas)</translation>
+    </message>
+    <message>
+        <source>column of times, by name or number from 1</source>
+        <translation>kolumn med tider, med namn eller nummer från 1</translation>
+    </message>
+    <message>
+        <source>column of the signal, by name or number; A+B averages two opposite gauges</source>
+        <translation>kolumn med signalen, med namn eller nummer; A+B tar medelvärdet av två motstående givare</translation>
+    </message>
+    <message>
+        <source>unit of the times where the table does not state it: s, ms, us</source>
+        <translation>tidernas enhet där tabellen inte anger den: s, ms, us</translation>
+    </message>
+    <message>
+        <source>unit of the signal where the table does not state it: kN, microstrain, V, MPa, m/s</source>
+        <translation>signalens enhet där tabellen inte anger den: kN, microstrain, V, MPa, m/s</translation>
+    </message>
+    <message>
+        <source>sampling rate, 5MHz; a column of times is not read then</source>
+        <translation>samplingsfrekvens, 5MHz; en kolumn med tider läses inte då</translation>
+    </message>
+    <message>
+        <source>factor of the signal, or force per unit: 50kN/V, 18kN s/m</source>
+        <translation>signalens faktor, eller kraft per enhet: 50kN/V, 18kN s/m</translation>
+    </message>
+    <message>
+        <source>gain of the amplifier, of a signal in volts (default: 1)</source>
+        <translation>förstärkarens förstärkning, för en signal i volt (standard: 1)</translation>
+    </message>
+    <message>
+        <source>supply of the bridge in volts, of a signal in volts</source>
+        <translation>bryggans matning i volt, för en signal i volt</translation>
+    </message>
+    <message>
+        <source>bridge factor: 1 quarter, 2 half, 4 full bridge, 2.6 full with Poisson gauges</source>
+        <translation>bryggfaktor: 1 kvarts-, 2 halv-, 4 helbrygga, 2.6 helbrygga med tvärgivare</translation>
+    </message>
+    <message>
+        <source>gauge factor, of a signal in volts or mV/V</source>
+        <translation>givarfaktor, för en signal i volt eller mV/V</translation>
+    </message>
+    <message>
+        <source>area of the bar at the gauge, 1134mm^2</source>
+        <translation>stångens area vid givaren, 1134mm^2</translation>
+    </message>
+    <message>
+        <source>Young&apos;s modulus of the bar, 210GPa</source>
+        <translation>stångens elasticitetsmodul, 210GPa</translation>
+    </message>
+    <message>
+        <source>times whose mean is the zero line, -50us:-10us</source>
+        <translation>tider vars medelvärde är nollinjen, -50us:-10us</translation>
+    </message>
+    <message>
+        <source>leave out samples before this time of the table, 0us</source>
+        <translation>utelämna mätvärden före denna tid i tabellen, 0us</translation>
+    </message>
+    <message>
+        <source>leave out samples after this time of the table, 400us</source>
+        <translation>utelämna mätvärden efter denna tid i tabellen, 400us</translation>
+    </message>
+    <message>
+        <source>turn the sign: the largest value pulls</source>
+        <translation>vänd tecknet: det största värdet drar</translation>
+    </message>
+    <message>
+        <source>rows without a number: refuse or skip (default: refuse)</source>
+        <translation>rader utan tal: refuse eller skip (standard: refuse)</translation>
+    </message>
+    <message>
+        <source>read with the settings kept under this name</source>
+        <translation>läs med inställningarna som sparats under detta namn</translation>
+    </message>
+    <message>
+        <source>Solves every design of the choices at the same samples of the uncertain inputs. Prints the best
+design by the first aim (robust best), the best one where all is as in FILE (nominal best), the
+designs that are equally good within the errors, what is worth measuring, and the worst case
+found in the ranges. A warning about the strength of the design to take is in the first sentence.
+  --uncertain KEY=LOW:HIGH             all values alike; :log even in the logarithm; :normal and
+                                       :lognormal with LOW and HIGH as the limits of 95 %
+  --uncertain KEY=+-P%                 about the value of FILE or of the design
+  --choose hammer=NAME,NAME            presets by name, as --hammer takes them; also rod=, and
+                                       bit= of a drill string, whose hammers are pistons
+Statistics are mean, q01 to q99, min, max and nominal (as in FILE). Without --aim:
+max:efficiency@q05, and min:thrust@q95 where FILE has a blow frequency. The block `design` of FILE
+stands for each option that is not given. DIR gets designs.csv, pareto.csv, sensitivity.csv,
+worst.csv, best.yaml, design.json and, with --plots, design.png.</source>
+        <translation>Löser varje konstruktion bland valen för samma stickprov av de osäkra storheterna. Skriver ut den
+bästa konstruktionen efter det första målet (robustast), den bästa om allt är som i FILE (nominellt
+bästa), de konstruktioner som är lika bra inom felen, vad som är värt att mäta, och det sämsta fallet
+som hittades inom områdena. En varning om hållfastheten står i den första meningen.
+  --uncertain KEY=LOW:HIGH             alla värden lika sannolika; :log jämnt i logaritmen;
+                                       :normal och :lognormal med LOW och HIGH som gränser för 95&#xa0;%
+  --uncertain KEY=+-P%                 kring värdet i FILE eller i konstruktionen
+  --choose hammer=NAME,NAME            förval med namn, som för --hammer; även rod=, och bit= för en
+                                       borrsträng, vars hammare är kolvar
+Möjlig statistik är mean, q01 till q99, min, max och nominal (som i FILE). Utan --aim:
+max:efficiency@q05, och min:thrust@q95 där FILE har en slagfrekvens. Blocket `design` i FILE gäller
+för varje alternativ som inte anges. DIR får designs.csv, pareto.csv, sensitivity.csv, worst.csv,
+best.yaml, design.json och, med --plots, design.png.</translation>
+    </message>
+    <message>
+        <source>what can be chosen; also :log after it, KEY=A,B,C or hammer=NAME</source>
+        <translation>vad som kan väljas; även med :log efter, KEY=A,B,C eller hammer=NAME</translation>
+    </message>
+    <message>
+        <source>read records of force, strain or voltage; their units, blow and quality</source>
+        <translation>läs mätningar av kraft, töjning eller volt; deras enheter, slag och kvalitet</translation>
+    </message>
+    <message>
+        <source>Finds encoding, separator, decimal sign, columns and units, and asks for what the table does not
+state: exit code 5, the questions last. Several FILEs are one series: a row for each.
+Commands that take a scenario take a blow from a record by --signal FILE with the same options.</source>
+        <translation>Hittar kodning, avgränsare, decimaltecken, kolumner och enheter, och frågar efter det som tabellen inte
+anger: returkod 5, frågorna sist. Flera FILE är en serie: en rad för var och en.
+Kommandon som tar ett scenario tar ett slag från en mätning med --signal FILE och samma alternativ.</translation>
+    </message>
+    <message>
+        <source>keep these options under a name for --recorder</source>
+        <translation>spara dessa alternativ under ett namn för --recorder</translation>
+    </message>
+    <message>
+        <source>Print JSON, of several FILEs an array</source>
+        <translation>skriv ut JSON, för flera FILE en array</translation>
+    </message>
+    <message>
+        <source>Write the signal as read: time [us],force [kN]</source>
+        <translation>skriv signalen som den lästes: time [us],force [kN]</translation>
+    </message>
+    <message>
+        <source>Write semicolons and decimal commas</source>
+        <translation>skriv semikolon och decimalkomma</translation>
+    </message>
+    <message>
+        <source>Overwrite FILE.csv</source>
+        <translation>skriv över FILE.csv</translation>
     </message>
 </context>
 </TS>

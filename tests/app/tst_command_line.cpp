@@ -127,7 +127,7 @@ void TestCommandLine::helpFindsEverydayWords_data() {
                                        {"exit codes", "§6 Exit codes"},
                                        {"slurm", "commands 4.12"},
                                        {"shard", "sweep, table, map"},
-                                       {"signal", "files 8"},
+                                       {"signal", "drillwave signal FILE"},
                                        {"measured", "files 8"},
                                        {"import", "files 8"},
                                        {"plots", "accuracy, stability"},

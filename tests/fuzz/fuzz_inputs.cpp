@@ -24,8 +24,8 @@
 #include "core/model/parameter_table.h"
 #include "core/model/parameter_text.h"
 #include "core/report/blow_json.h"
-#include "core/signal/sample_guess.h"
-#include "core/signal/text_lines.h"
+#include "core/report/signal_report.h"
+#include "core/signal/signal_reading.h"
 #include "core/study/design/draws.h"
 #include "core/study/design/uncertain_input.h"
 #include "core/study/rows/sweep_axis.h"
@@ -33,6 +33,7 @@
 #include "core/text/decimal_text.h"
 #include "core/yaml/preset_file.h"
 #include "core/yaml/pulse_table.h"
+#include "core/yaml/recorder_file.h"
 #include "tests/support/mutation.h"
 #include "tests/support/scenario_reading.h"
 
@@ -149,14 +150,24 @@ std::vector<std::string> tableTexts() {
     return {"beta,gamma\n0.5,0.1\n1,0.2\n",
             "rod.length [m],bit_rock.stiffness [MN/m],note\n3,300,a\n4.27,150,\"b, c\"\n",
             "scenario,pulse.shape,gap [um]\none,half_sine,0\ntwo,triangular,120\n",
-            "bit_rock.gamma\tpulse.duration\n0.1\t200 us\n0.2\t0.1 ms\n"};
+            "bit_rock.gamma\tpulse.duration\n0.1\t200 us\n0.2\t0.1 ms\n",
+            "rod.length [m];bit_rock.gamma\r\n3,66;0,1\r\n4,27;0,2\r\n;\r\n",
+            "beta\n0,5\n0,7\n"};
 }
 
 std::vector<std::string> sampleTexts() {
     return {"time [us],force [kN]\n0,0\n10,120\n20,180\n30,90\n40,0\n",
             "# scope\nt;strain A;strain B\n0,000;1,5;1,25\n0,001;20,5;21\n0,002;7;6,5\n",
             "Rate 1 MHz\n0\n1\n5\n3\n-1\n",
-            "\xEF\xBB\xBFtime (s)\tV\r\n0\t1e-3\r\n1e-6\t2e-3\r\n2e-6\t-1e-3\r\n"};
+            "\xEF\xBB\xBFtime (s)\tV\r\n0\t1e-3\r\n1e-6\t2e-3\r\n2e-6\t-1e-3\r\n",
+            "x-axis,3\nsecond,Volt\n0,1\n1,2\n2,0\n",
+            "Date;Time;Force "
+            "[kN]\n2024-03-12;09:11:02.1;1,5\n2024-03-12;09:11:02.2;2,5\n2024-03-12;09:11:03.0;0\n",
+            "\"Record Length\",3,\"Points\",0.0,1.5\r\r\n\"Sample "
+            "Interval\",1e-6,s,1e-6,2.5\r\r\n,,,2e-6,9.9e37\r\r\n",
+            "Tid [\u00b5s];Kraft [kN]\n\u22121;\u22120,5\n0;1\u00a0234,5\n1;#SAKNAS!\n2;1.234,5\n",
+            "time [us],-2,-1,0,1,2,3,4,5,6,7\nforce [kN],0,1,2,3,2,1,0,0,0,0\n",
+            std::string("t [us],F [kN]\n0,1\n1,2\n2,1\n\0\0\0", 31)};
 }
 
 std::vector<std::string> wordTexts() {
@@ -192,17 +203,39 @@ bool takesTable(const std::string& text) {
     return noneOf(check.problems);
 }
 
+/// As records are read, with rows refused and skipped.
 bool takesSamples(const std::string& text) {
-    std::vector<std::string> lines;
-    std::istringstream in(text);
-    for (std::string line; std::getline(in, line) && lines.size() < 200;) lines.push_back(line);
-    const DetectedTable table = detectTable(lines);
-    if (!table.hasSamples()) return false;
-    std::istringstream again(text);
-    const Samples samples = readSamples(again, guessedSource(table).source);
-    if (!samples.problem.empty()) return noneOf(std::vector{samples.problem});
-    if (samples.time.size() != samples.value.size()) throw std::logic_error("times without values");
-    if (!std::ranges::is_sorted(samples.time)) throw std::logic_error("time goes back");
+    bool isTaken = false;
+    for (const WrongRows wrongRows : {WrongRows::refused, WrongRows::skipped}) {
+        SignalOptions options;
+        options.wrongRows = wrongRows;
+        std::istringstream in(text);
+        const SignalReading reading = readSignal(in, options);
+        for (const SignalRemark& remark : reading.remarks) requireLine(remark.text);
+        if (!reading.problem.isEmpty()) {
+            requireLine(reading.problem);
+            continue;
+        }
+        const Samples& samples = reading.samples;
+        if (samples.time.size() != samples.value.size()) throw std::logic_error("times without values");
+        if (!std::ranges::is_sorted(samples.time)) throw std::logic_error("time goes back");
+        if (!reading.isOpen() && reading.blow.points.empty())
+            throw std::logic_error("no blow and no question");
+        if (!reading.isTimeKnown() && !reading.isOpen())
+            throw std::logic_error("a time is assumed in silence");
+        if (!reading.unit && !reading.isOpen()) throw std::logic_error("a unit is assumed in silence");
+        signalText({"record.csv", reading}, plainStyle());
+        signalJson({"record.csv", reading});
+        isTaken = true;
+    }
+    return isTaken;
+}
+
+bool takesRecorders(const std::string& text) {
+    const RecorderFile file = parseRecorders(text, "recorders.yaml");
+    if (!noneOf(file.problems)) return false;
+    if (parseRecorders(recorderText(file.recorders), "again").recorders != file.recorders)
+        throw std::logic_error("written they are others");
     return true;
 }
 
@@ -289,6 +322,11 @@ std::vector<Target> allTargets() {
         {"draws", tableTexts(), takesDraws},
         {"pulse_table", sampleTexts(), takesPulseTable},
         {"samples", sampleTexts(), takesSamples},
+        {"recorders",
+         {"drillwave_recorders: 1\nrecorders:\n  \"rig scope\":\n    unit: \"V\"\n    scale: \"50kN/V\"\n    "
+          "invert: true\n",
+          "drillwave_recorders: 1\nrecorders:\n  a: {rate: 5MHz, zero: \"0us:10us\", rows: skip}\n  b: {}\n"},
+         takesRecorders},
         {"axis", wordTexts(), [](const std::string& text) { return isWithoutProblem(parseAxis(text, 10)); }},
         {"uncertain", wordTexts(),
          [](const std::string& text) { return isWithoutProblem(parseUncertain(text)); }},

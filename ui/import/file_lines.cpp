@@ -9,6 +9,7 @@ namespace drillwave {
 namespace {
 
 constexpr int linesOnShow = 6;
+constexpr std::size_t shownBytes = 1000;  // of a line: more is not read by anybody
 
 }  // namespace
 
@@ -31,7 +32,7 @@ void FileLines::present(const std::vector<std::string>& lines, std::size_t first
         shown.append(QStringLiteral("%1%2  %3")
                          .arg(i + 1 == firstSample ? QLatin1Char('>') : QLatin1Char(' '))
                          .arg(i + 1, digits)
-                         .arg(QString::fromStdString(lines[i])));
+                         .arg(QString::fromStdString(lines[i].substr(0, shownBytes))));
     setPlainText(shown.join(QLatin1Char('\n')));
     constexpr int above = 3;
     verticalScrollBar()->setValue(std::max(0, static_cast<int>(firstSample) - above));

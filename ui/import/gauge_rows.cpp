@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/import/gauge_rows.h"
 
+#include <cmath>
 #include <numbers>
 
 #include "ui/import/import_rows.h"
@@ -22,14 +23,27 @@ GaugeRows::GaugeRows(QFormLayout& form, const std::function<void()>& changed) : 
     m_gaugeFactor =
         addQuantity(form, {"gaugeFactor", tr("gauge factor k"), tr("Relative resistance over strain")},
                     Quantity::ratio, "", FieldRange::positive, 2, changed);
-    m_activeGauges =
-        addChoice(form,
-                  {"activeGauges", tr("active gauges"),
-                   tr("Of the bridge that see the strain: 1 quarter, 2 half, 4 full bridge")},
-                  {{QStringLiteral("1"), 1}, {QStringLiteral("2"), 2}, {QStringLiteral("4"), 4}});
-    m_fields = {m_modulus, m_diameter, m_gaugeFactor};
-    for (ChoiceBox* box : {m_bar, m_activeGauges})
-        QObject::connect(box, &QComboBox::currentIndexChanged, box, changed);
+    m_density =
+        addQuantity(form, {"density", tr("density"), tr("The impedance of the bar is its area times √(E ρ)")},
+                    Quantity::density, "kg/m^3", FieldRange::positive, 7850, changed);
+    m_bridgeFactor =
+        addQuantity(form,
+                    {"bridgeFactor", tr("bridge factor"),
+                     tr("Active gauges: 1 quarter, 2 half, 4 full bridge; 2.6 full bridge with two "
+                        "gauges across a bar of Poisson's ratio 0.3")},
+                    Quantity::ratio, "", FieldRange::positive, 1, changed);
+    m_gain = addQuantity(form, {"gain", tr("gain"), tr("Volts out of the amplifier over volts in")},
+                         Quantity::ratio, "", FieldRange::positive, 1, changed);
+    m_excitation = addQuantity(form, {"excitation", tr("excitation in V"), tr("Supply of the bridge")},
+                               Quantity::ratio, "", FieldRange::positive, {}, changed);
+    m_excitation->setOptional(tr("not given"));
+    m_forcePerVolt = addQuantity(
+        form, {"forcePerVolt", tr("force per volt"), tr("Result of a calibration; it overrides the bridge")},
+        Quantity::force, "kN", FieldRange::notZero, {}, changed);
+    m_forcePerVolt->setOptional(tr("not given"));
+    m_fields = {m_modulus,      m_diameter, m_gaugeFactor, m_density,
+                m_bridgeFactor, m_gain,     m_excitation,  m_forcePerVolt};
+    QObject::connect(m_bar, &QComboBox::currentIndexChanged, m_bar, changed);
 }
 
 void GaugeRows::offerScenario(bool offered) {
@@ -42,20 +56,42 @@ bool GaugeRows::isOnScenario() const {
 }
 
 void GaugeRows::show(SignalKind kind) {
-    const bool needsBar = kind != SignalKind::force;
+    const bool isVoltage = kind == SignalKind::voltage;
+    const bool isCalibrated = isVoltage && m_forcePerVolt->value();
+    const bool needsBar = kind != SignalKind::force && !isCalibrated;
     const bool typed = needsBar && !isOnScenario();
+    const bool hasBridge = kind == SignalKind::bridge || (isVoltage && !isCalibrated);
     setRowVisible(m_form, *m_bar, needsBar && m_isOffered);
-    setRowVisible(m_form, *m_modulus, typed);
+    setRowVisible(m_form, *m_modulus, typed && kind != SignalKind::stress);
     setRowVisible(m_form, *m_diameter, typed);
-    setRowVisible(m_form, *m_gaugeFactor, kind == SignalKind::bridge);
-    setRowVisible(m_form, *m_activeGauges, kind == SignalKind::bridge);
+    setRowVisible(m_form, *m_density, typed && kind == SignalKind::velocity);
+    setRowVisible(m_form, *m_gaugeFactor, hasBridge);
+    setRowVisible(m_form, *m_bridgeFactor, hasBridge);
+    setRowVisible(m_form, *m_forcePerVolt, isVoltage);
+    setRowVisible(m_form, *m_gain, isVoltage && !isCalibrated);
+    setRowVisible(m_form, *m_excitation, isVoltage && !isCalibrated);
 }
 
-GaugedBar GaugeRows::bar(double stiffness) const {
+QString GaugeRows::problem(SignalKind kind) const {
+    if (kind != SignalKind::voltage || m_forcePerVolt->value() || m_excitation->value()) return {};
+    return tr(
+        "Volts are no forces: type the force per volt of a calibration, or the excitation of the bridge.");
+}
+
+GaugedBar GaugeRows::bar(const GaugedBar& ofScenario) const {
     const double diameter = *m_diameter->value();
-    const double typed = *m_modulus->value() * std::numbers::pi / 4 * diameter * diameter;
-    return {isOnScenario() ? stiffness : typed, *m_gaugeFactor->value(),
-            static_cast<double>(chosenValue(*m_activeGauges))};
+    GaugedBar bar = ofScenario;
+    if (!isOnScenario()) {
+        bar.area = std::numbers::pi / 4 * diameter * diameter;
+        bar.axialStiffness = *m_modulus->value() * bar.area;
+        bar.impedance = bar.area * std::sqrt(*m_modulus->value() * *m_density->value());
+    }
+    bar.gaugeFactor = *m_gaugeFactor->value();
+    bar.activeGauges = *m_bridgeFactor->value();
+    bar.gain = *m_gain->value();
+    bar.excitation = m_excitation->value().value_or(1);
+    bar.forcePerVolt = m_forcePerVolt->value().value_or(0);
+    return bar;
 }
 
 }  // namespace drillwave

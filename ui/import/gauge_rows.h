@@ -27,8 +27,10 @@ class GaugeRows {
     void offerScenario(bool offered);
     /// Shows what such numbers need, and no more.
     void show(SignalKind kind);
-    /// `stiffness`: E A of the rod or string where the gauge is [N], where it is offered.
-    GaugedBar bar(double stiffness) const;
+    /// `ofScenario`: the rod or string where the gauge is, where it is offered.
+    GaugedBar bar(const GaugedBar& ofScenario) const;
+    /// Returns the question that is open about a bridge or an amplifier; empty when all is known.
+    QString problem(SignalKind kind) const;
     const QList<QuantityField*>& fields() const { return m_fields; }
 
   private:
@@ -40,7 +42,11 @@ class GaugeRows {
     QuantityField* m_modulus;
     QuantityField* m_diameter;
     QuantityField* m_gaugeFactor;
-    ChoiceBox* m_activeGauges;
+    QuantityField* m_density;
+    QuantityField* m_bridgeFactor;
+    QuantityField* m_gain;
+    QuantityField* m_excitation;
+    QuantityField* m_forcePerVolt;
     QList<QuantityField*> m_fields;
 };
 

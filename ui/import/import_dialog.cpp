@@ -17,6 +17,7 @@
 
 #include "core/disk/file_bytes.h"
 #include "core/model/blow_traits.h"
+#include "core/model/form_conversion.h"
 #include "core/signal/text_lines.h"
 #include "ui/form/pulse_preview.h"
 #include "ui/form/section_box.h"
@@ -34,6 +35,11 @@ namespace {
 constexpr std::size_t startBytes = std::size_t{1} << 18;
 constexpr std::size_t mostLines = 2000;
 constexpr int summaryLines = 4;
+
+// A blow takes the place of a hammer of sections.
+Scenario forced(const Scenario& scenario) {
+    return hasSections(scenario) && !isForced(scenario) ? forcedStringOf(scenario).scenario : scenario;
+}
 
 SectionBox* section(const QString& title, QWidget* content, QWidget* parent) {
     auto* box = new SectionBox(title, parent);
@@ -68,11 +74,15 @@ ImportDialog::ImportDialog(const QString& path, ImportUse use, const Document& d
     m_ask.setSingleShot(true);
     connect(&m_ask, &QTimer::timeout, this, &ImportDialog::ask);
     connect(&m_study.job(), &StudyActivity::changed, this, &ImportDialog::showAnswer);
-    connect(m_table, &TableFields::changed, this, &ImportDialog::askSoon);
+    // As long as the user has not edited them, zero, sign and times follow from what the table now is.
+    connect(m_table, &TableFields::changed, this, [this] {
+        m_proposal = Proposal::zero;
+        askSoon();
+    });
     connect(m_table, &TableFields::changed, this,
             [this] { m_lines->present(m_table->lines(), m_table->source().firstLine); });
     connect(m_table, &TableFields::valueColumnChanged, this, [this] {
-        m_signal->setUnit(m_table->valueUnit());
+        m_signal->setUnit(m_table->valueUnit(), m_table->valueKind());
         m_proposal = Proposal::zero;
     });
     connect(m_signal, &SignalFields::changed, this, &ImportDialog::askSoon);
@@ -194,17 +204,16 @@ void ImportDialog::askSoon() {
 
 void ImportDialog::ask() {
     ImportQuestion question{m_path, m_table->source(), m_signal->recipe()};
-    if (use() == ImportUse::blow) question.scenario = m_document.scenario();
+    if (use() == ImportUse::blow) {
+        question.scenario = forced(m_document.scenario());
+        question.isThinned = m_signal->leavesPoints();
+    }
     if (obstacle().isEmpty()) m_study.ask(question);
     showState();
 }
 
-// Why there is nothing to be computed. The window is there meanwhile, to make room.
+// Why there is nothing to be computed.
 QString ImportDialog::obstacle() const {
-    if (use() == ImportUse::blow && !isForced(m_document.scenario()))
-        return tr(
-            "This string is struck by the sections of its hammer; Edit ▸ Put a force in place of the hammer "
-            "makes room for a measured one.");
     if (!m_unreadable.isEmpty())
         return QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(m_path), m_unreadable);
     const QString problem = m_table->problem();
@@ -223,6 +232,7 @@ void ImportDialog::showAnswer() {
             m_plot->replot(QCustomPlot::rpQueuedReplot);
         }
         if (m_study.job().state() == StudyState::finished) proposeFrom(*preview);
+        if (preview->estimatedRate) m_table->proposeRate(*preview->estimatedRate);
     }
     showState();
 }
@@ -293,6 +303,8 @@ void ImportDialog::showState() {
     QString summary = known ? importSummary(*preview, m_document.units()) : QString();
     if (known && use() == ImportUse::blow && !hasUnits(m_document.scenario()))
         summary += QLatin1Char(' ') + tr("Only the shape is taken: this scenario has no physical units.");
+    if (known && use() == ImportUse::blow && !isForced(m_document.scenario()))
+        summary += QLatin1Char(' ') + tr("The blow takes the place of the hammer; undo brings it back.");
     m_summary->setText(summary);
     m_take->setEnabled(known);
 }

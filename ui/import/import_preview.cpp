@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "core/blow/thinned_blow.h"
 #include "core/disk/file_bytes.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
@@ -62,8 +63,12 @@ ImportPreview ImportStudy::operator()(const ImportQuestion& question, const Stud
     const Samples& samples = kept.samples;
     ImportPreview preview;
     preview.problem = problemOf(samples);
+    preview.estimatedRate = samples.estimatedRate;
     if (!preview.problem.isEmpty()) return preview;
     preview.samples = samples.time.size();
+    preview.remarks = qualityRemarks(signalQuality(samples), samples);
+    preview.skippedTime = samples.skippedTime;
+    preview.hasNulTail = samples.hasNulTail;
     preview.skipped = samples.skipped;
     preview.firstSkipped = samples.firstSkipped;
     preview.time = {samples.time.front(), samples.time.back()};
@@ -73,7 +78,9 @@ ImportPreview ImportStudy::operator()(const ImportQuestion& question, const Stud
     preview.hasBothSigns = std::ranges::any_of(
         samples.value, [&](double value) { return preview.signOfPeak * (value - zero) < 0; });
     preview.record = visibleRecord(samples, question.recipe, zero);
-    preview.signal = shapedSignal(samples, question.recipe, feed.stop);
+    preview.signal = question.isThinned
+                         ? thinnedBlow(question.scenario, samples, question.recipe, feed.stop).signal
+                         : shapedSignal(samples, question.recipe, feed.stop);
     if (question.recipe.use == SignalUse::blow)
         preview.effect =
             thinningEffect(question.scenario, samples, question.recipe, preview.signal, feed.stop);

@@ -9,6 +9,7 @@
 
 #include "core/blow/thinning_effect.h"
 #include "core/signal/samples.h"
+#include "core/signal/signal_quality.h"
 #include "core/signal/signal_recipe.h"
 #include "ui/job/study_job.h"
 
@@ -20,6 +21,7 @@ struct ImportQuestion {
     SampleSource source;
     SignalRecipe recipe;
     Scenario scenario = {};  ///< that a blow is for: of which e is told
+    bool isThinned = false;  ///< to thinningError, where the user has chosen no number of points
     bool operator==(const ImportQuestion&) const = default;
 };
 
@@ -32,9 +34,13 @@ struct ImportPreview {
     std::size_t samples = 0;  ///< of the record
     std::size_t skipped = 0;  ///< rows
     std::size_t firstSkipped = 0;          ///< line
+    double skippedTime = 0;                ///< longest pause that skipped rows leave [s]
+    bool hasNulTail = false;               ///< NUL bytes ended the table
     RecordSpan time;                       ///< from the first to the last sample [s]
     std::optional<RecordSpan> aroundPeak;  ///< spanAroundPeak()
     double signOfPeak = 1;                 ///< of the record, as in the table
+    std::vector<SignalRemark> remarks;     ///< on the quality of the record
+    std::optional<double> estimatedRate;   ///< of times that are too coarse [Hz]
     bool hasBothSigns = false;             ///< some of it lies beyond the zero line, seen from the peak
 };
 

@@ -6,6 +6,7 @@
 
 #include "core/text/number_text.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
 #include "ui/text/unit_choice.h"
 
@@ -18,6 +19,12 @@ constexpr int percentDigits = 2;
 
 QString countText(std::size_t count) {
     return QLocale().toString(static_cast<qulonglong>(count));
+}
+
+QString sentence(QString text) {
+    if (text.isEmpty()) return text;
+    text[0] = text[0].toUpper();
+    return text.endsWith(u'?') || text.endsWith(u'.') ? text : text + u'.';
 }
 
 // Of the rod and the rock on show.
@@ -62,21 +69,30 @@ QString importSummary(const ImportPreview& preview, const UnitChoice& units) {
     if (preview.skipped > 0)
         parts << tr("%1 rows without a number are skipped, the first is line %2.")
                      .arg(countText(preview.skipped), countText(preview.firstSkipped));
+    if (preview.skipped > 0 && preview.skippedTime > 0)
+        parts << tr("They leave a gap of %1, which a straight line crosses.")
+                     .arg(units.text(preview.skippedTime, UnitKind::time));
+    if (preview.hasNulTail) parts << tr("NUL bytes end the table: the recorder did not fill its file.");
+    for (const SignalRemark& remark : preview.remarks) parts << sentence(translated(remark.text));
     return parts.join(QLatin1Char(' '));
 }
 
 QString importHelp() {
     return tr(
         "Table: separator, decimal sign, the first line with a sample and the columns are found out; change "
-        "what is wrong. Without a column of times give the sampling rate.\n"
-        "Signal: force, strain or the output of a bridge in the unit of the column. A strain becomes a force "
-        "by E and the area of the rod, of the string where the gauge is, or of another bar. Tension is "
-        "positive in the rod; a blow presses.\n"
+        "what is wrong. A unit or a sampling rate that the table does not state has to be "
+        "chosen.\n"
+        "Signal: force, strain, output of a bridge, voltage, stress or velocity in the unit of the column. A "
+        "strain becomes a force by E and the area of the rod, of the string where the gauge is, or of "
+        "another "
+        "bar; a voltage by a calibration, or by gain, excitation and bridge factor; a velocity by the "
+        "impedance. Tension is positive in the rod; a blow presses.\n"
         "Zero line: the mean of the first samples, in which nothing happens.\n"
         "Range: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and "
         "Shift+drag zoom there), “All” the whole record.\n"
-        "Points at most: of so many samples only some are kept, and it is said how far the others are from "
-        "the lines between them. A blow keeps its impulse where that moves its forces little.");
+        "Points at most: a blow keeps as few samples as leave impulse and e the same to 1e-4, unless you "
+        "choose a number; a curve keeps so many. The summary says how far the others are from the lines "
+        "between them.");
 }
 
 }  // namespace drillwave

@@ -3,6 +3,8 @@
 
 #include <QFileInfo>
 
+#include "core/model/blow_traits.h"
+#include "core/model/form_conversion.h"
 #include "ui/import/import_words.h"
 
 namespace drillwave {
@@ -46,6 +48,7 @@ void Importer::take() {
 
 QString Importer::takeBlow() {
     Scenario changed = m_document.scenario();
+    if (hasSections(changed) && !isForced(changed)) changed = forcedStringOf(changed).scenario;
     changed.pulse.shape = PulseShape::table;
     changed.pulse.tableFile.clear();
     changed.pulse.tablePoints = m_dialog->result()->points;

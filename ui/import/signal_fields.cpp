@@ -95,7 +95,10 @@ void SignalFields::addUnit() {
     m_kind = addChoice(*m_form, {"kind", tr("signal is"), tr("What the numbers are")},
                        {{tr("force"), value(SignalKind::force)},
                         {tr("strain"), value(SignalKind::strain)},
-                        {tr("output of a bridge"), value(SignalKind::bridge)}});
+                        {tr("output of a bridge"), value(SignalKind::bridge)},
+                        {tr("voltage"), value(SignalKind::voltage)},
+                        {tr("stress"), value(SignalKind::stress)},
+                        {tr("particle velocity"), value(SignalKind::velocity)}});
     m_unit = addChoice(*m_form, {"valueUnit", tr("unit"), tr("In what the numbers are")}, {});
     m_positive = addChoice(*m_form,
                            {"positive", tr("positive is"),
@@ -157,12 +160,17 @@ void SignalFields::addEnd() {
                         FieldRange::notZero, 1);
     m_impulse = quantity("impulse", tr("impulse"), tr("The impulse that the signal is to have"),
                          Quantity::impulse, "N s", FieldRange::positive, 51);
-    m_points = addCount(*m_form,
-                        {"points", tr("points at most"),
-                         tr("That are kept of the samples; how far the rest is from the lines between them "
-                            "is said below")},
-                        2, mostBlowPoints, usualPoints);
-    connect(m_points, &QSpinBox::valueChanged, this, &SignalFields::changed);
+    m_points =
+        addCount(*m_form,
+                 {"points", tr("points at most"),
+                  tr("That are kept of the samples; a blow keeps as few as leave impulse and e the same "
+                     "to 1e-4 until you choose a number. How far the rest is from the lines between "
+                     "them is said below")},
+                 2, mostBlowPoints, usualPoints);
+    connect(m_points, &QSpinBox::valueChanged, this, [this] {
+        m_touched.insert(m_points);
+        emit changed();
+    });
 }
 
 void SignalFields::setUse(ImportUse use) {
@@ -181,9 +189,9 @@ void SignalFields::setScenario(const Scenario& scenario) {
     emit changed();
 }
 
-void SignalFields::setUnit(const std::optional<NamedSignalUnit>& unit) {
+void SignalFields::setUnit(const std::optional<NamedSignalUnit>& unit, SignalKind likely) {
     m_unitIsKnown = unit.has_value();
-    if (unit) choose(*m_kind, value(unit->kind));
+    choose(*m_kind, value(unit ? unit->kind : likely));
     fillUnits(unit ? std::optional(unit->unit) : std::nullopt);
     showRows();
     emit changed();
@@ -253,14 +261,22 @@ void SignalFields::showRows() {
 double SignalFields::forcePerNumberNow() const {
     const auto unit = static_cast<std::size_t>(std::max(0, chosenValue(*m_unit)));
     const double size = forcePerNumber(static_cast<SignalKind>(chosenValue(*m_kind)), m_unitList[unit].factor,
-                                       m_gauge->bar(axialStiffness()));
+                                       m_gauge->bar(barOfScenario()));
     const bool positiveHere = (chosenValue(*m_positive) == tension) == (m_use == ImportUse::normalForce);
     return positiveHere ? size : -size;
 }
 
 // Where the gauge is: a blow comes in at the struck end, a force on the rock leaves at the bit.
-double SignalFields::axialStiffness() const {
-    if (!hasSections(m_scenario)) return propertiesOf(m_scenario.rod).area * m_scenario.rod.youngsModulus;
+GaugedBar SignalFields::barOfScenario() const {
+    const auto bar = [](double area, double modulus, double density) {
+        GaugedBar made;
+        made.area = area;
+        made.axialStiffness = area * modulus;
+        made.impedance = area * std::sqrt(modulus * density);
+        return made;
+    };
+    if (!hasSections(m_scenario))
+        return bar(propertiesOf(m_scenario.rod).area, m_scenario.rod.youngsModulus, m_scenario.rod.density);
     const DrillString& drillString = m_scenario.drillString;
     const double length = stringProperties(drillString).length;
     const double share = m_use == ImportUse::normalForce ? place() / length
@@ -268,7 +284,8 @@ double SignalFields::axialStiffness() const {
                                                          : 1;
     const StringPlace at = stringPlace(drillString, share);
     const Section& section = *allSections(drillString)[at.section];
-    return areaAt(section, at.share) * section.youngsModulus.value_or(drillString.material.youngsModulus);
+    return bar(areaAt(section, at.share), section.youngsModulus.value_or(drillString.material.youngsModulus),
+               section.density.value_or(drillString.material.density));
 }
 
 SignalRecipe SignalFields::recipe() const {
@@ -289,6 +306,10 @@ SignalRecipe SignalFields::recipe() const {
     return recipe;
 }
 
+bool SignalFields::leavesPoints() const {
+    return !m_touched.contains(m_points);
+}
+
 double SignalFields::place() const {
     return m_place->value().value_or(0);
 }
@@ -298,6 +319,8 @@ QString SignalFields::problem() const {
         return tr(
             "The unit in the header is not known, or there is none: choose what the signal is, and its "
             "unit.");
+    if (const QString open = m_gauge->problem(static_cast<SignalKind>(chosenValue(*m_kind))); !open.isEmpty())
+        return open;
     for (const QuantityField* field : m_fields)
         if (field->isVisibleTo(this) && !field->problem().isEmpty())
             return QStringLiteral("%1: %2").arg(field->accessibleName(), field->problem());

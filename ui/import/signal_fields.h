@@ -45,7 +45,7 @@ class SignalFields : public QWidget {
     /// Its rod or string, whose E A a strain takes; a dimensionless scenario has none.
     void setScenario(const Scenario& scenario);
     /// What the header says of the column; without one the user has to choose.
-    void setUnit(const std::optional<NamedSignalUnit>& unit);
+    void setUnit(const std::optional<NamedSignalUnit>& unit, SignalKind likely);
     /// Of a new record its zero line is proposed, where nothing was chosen.
     void proposeZero(RecordSpan record);
     /// Its sign, of the largest value with the zero line off, where nothing was chosen.
@@ -56,6 +56,8 @@ class SignalFields : public QWidget {
     void proposeTimes(std::optional<RecordSpan> times);
 
     SignalRecipe recipe() const;
+    /// Whether the user has chosen no number of points: a blow keeps as few as an error allows.
+    bool leavesPoints() const;
     /// x of a normal force from the struck end [m], below 0 in a hammer.
     double place() const;
     /// Why the choices make no recipe; empty when they do.
@@ -78,7 +80,7 @@ class SignalFields : public QWidget {
     void showRows();
     void showTimes(std::optional<RecordSpan> times);
     double forcePerNumberNow() const;
-    double axialStiffness() const;
+    GaugedBar barOfScenario() const;
     QString problemOfPlace() const;
 
     const UnitChoice& m_units;

@@ -54,9 +54,12 @@ TableFields::TableFields(QWidget* parent) : QWidget(parent), m_form(new QFormLay
 }
 
 void TableFields::addFormat() {
-    m_separator =
-        addChoice(*m_form, {"separator", tr("separator"), tr("What stands between the cells")},
-                  {{tr("tab"), '\t'}, {tr("semicolon ;"), ';'}, {tr("comma ,"), ','}, {tr("blanks"), ' '}});
+    m_separator = addChoice(*m_form, {"separator", tr("separator"), tr("What stands between the cells")},
+                            {{tr("tab"), '\t'},
+                             {tr("semicolon ;"), ';'},
+                             {tr("comma ,"), ','},
+                             {tr("bar |"), '|'},
+                             {tr("blanks"), ' '}});
     m_decimal =
         addChoice(*m_form, {"decimal", tr("decimal sign"), tr("What stands before the decimals of a number")},
                   {{tr("point 1.5"), static_cast<int>(DecimalSign::point)},
@@ -71,7 +74,11 @@ void TableFields::addColumns() {
     m_timeUnit =
         addChoice(*m_form, {"timeUnit", tr("unit of time"), tr("In what the times are")}, timeUnits());
     m_rate = addQuantity(*m_form, {"rate", tr("sampling rate"), tr("Samples in a second")},
-                         Quantity::frequency, "kHz", FieldRange::positive, 1e6, [this] { emit changed(); });
+                         Quantity::frequency, "kHz", FieldRange::positive, {}, [this] {
+                             m_touched.insert(m_rate);
+                             emit changed();
+                         });
+    m_rate->setOptional(tr("not stated"));
     m_value = addChoice(*m_form, {"valueColumn", tr("signal"), tr("The column of the signal")}, {});
     m_second = addChoice(*m_form,
                          {"secondGauge", tr("mean with"),
@@ -86,8 +93,10 @@ void TableFields::addColumns() {
 
 void TableFields::wire() {
     for (ChoiceBox* box : {m_separator, m_decimal})
-        connect(box, &QComboBox::currentIndexChanged, this,
-                [this] { takeTable(detectTable(m_lines, format())); });
+        connect(box, &QComboBox::currentIndexChanged, this, [this, box] {
+            m_touched.insert(box);
+            takeTable(detectTable(m_lines, format()));
+        });
     connect(m_firstLine, &QSpinBox::valueChanged, this,
             [this](int line) { takeTable(tableFrom(m_lines, format(), static_cast<std::size_t>(line))); });
     for (ChoiceBox* box : {m_time, m_timeUnit, m_value, m_second})
@@ -107,10 +116,13 @@ void TableFields::wire() {
 }
 
 RowFormat TableFields::format() const {
-    return {static_cast<char>(chosenValue(*m_separator)), static_cast<DecimalSign>(chosenValue(*m_decimal))};
+    // Who has chosen the decimal sign knows it: the other sign parts groups.
+    return {static_cast<char>(chosenValue(*m_separator)), static_cast<DecimalSign>(chosenValue(*m_decimal)),
+            m_table.format.otherSignGroups || m_touched.contains(m_decimal)};
 }
 
 void TableFields::setLines(std::vector<std::string> lines) {
+    m_touched.clear();
     m_lines = std::move(lines);
     m_table = {};
     {
@@ -154,7 +166,9 @@ void TableFields::takeTable(DetectedTable table) {
 }
 
 void TableFields::showColumns(bool keepsChoices) {
-    if (!keepsChoices) m_touched.clear();
+    if (!keepsChoices)
+        for (const QWidget* box : QList<const QWidget*>{m_time, m_timeUnit, m_value, m_second})
+            m_touched.remove(box);
     QList<RowChoice> columns;
     for (std::size_t i = 0; i < m_table.columns.size(); ++i)
         columns.append({columnText(m_table.columns[i], i), static_cast<int>(i)});
@@ -168,6 +182,7 @@ void TableFields::showColumns(bool keepsChoices) {
     propose(*m_value, static_cast<int>(guess.source.valueColumn));
     propose(*m_second, none);
     propose(*m_time, guess.source.timeColumn ? static_cast<int>(*guess.source.timeColumn) : none);
+    if (!m_touched.contains(m_rate)) m_rate->setValue(m_table.rate);
     if (!m_touched.contains(m_timeUnit)) showTimeUnit();
     showRows();
 }
@@ -176,7 +191,7 @@ void TableFields::showColumns(bool keepsChoices) {
 void TableFields::showTimeUnit() {
     const std::optional<std::size_t> column = placeOf(*m_time);
     const std::optional<double> unit = column && *column < m_table.columns.size()
-                                           ? guessedTimeUnit(m_table.columns[*column])
+                                           ? statedTimeUnit(m_table.columns[*column])
                                            : std::optional(1.0);
     setEntries(*m_timeUnit, unit ? timeUnits() : QList<RowChoice>{{tr("choose"), none}} + timeUnits());
     choose(*m_timeUnit, unit ? indexOfTimeUnit(*unit) : none);
@@ -184,7 +199,10 @@ void TableFields::showTimeUnit() {
 
 void TableFields::showRows() {
     const bool evenly = chosenValue(*m_time) == none || m_time->count() == 0;
-    setRowVisible(*m_form, *m_timeUnit, !evenly);
+    const std::optional<std::size_t> column = placeOf(*m_time);
+    const bool isStamp =
+        !evenly && column && *column < m_table.columns.size() && m_table.columns[*column].isStamp;
+    setRowVisible(*m_form, *m_timeUnit, !evenly && !isStamp);
     setRowVisible(*m_form, *m_rate, evenly);
     const bool hasSecond = m_value->count() - (evenly ? 0 : 1) > 1;
     if (!hasSecond) choose(*m_second, none);
@@ -198,7 +216,7 @@ SampleSource TableFields::source() const {
     source.timeColumn = placeOf(*m_time);
     const std::optional<std::size_t> unit = placeOf(*m_timeUnit);
     source.timeUnit = unit ? unitsOf(Quantity::time)[*unit].factor() : 1;
-    source.interval = 1 / *m_rate->value();
+    source.interval = 1 / m_rate->value().value_or(1);
     source.valueColumn = placeOf(*m_value).value_or(0);
     source.secondGauge = placeOf(*m_second);
     source.wrongRows = static_cast<WrongRows>(chosenValue(*m_wrongRows));
@@ -206,7 +224,15 @@ SampleSource TableFields::source() const {
 }
 
 std::optional<NamedSignalUnit> TableFields::valueUnit() const {
-    return guessedUnit(valueColumn().value_or(TableColumn{}));
+    return statedUnit(valueColumn().value_or(TableColumn{}));
+}
+
+SignalKind TableFields::valueKind() const {
+    return likelyKind(valueColumn().value_or(TableColumn{}));
+}
+
+void TableFields::proposeRate(double rate) {
+    if (!m_touched.contains(m_rate) && !m_table.rate) m_rate->setValue(rate);
 }
 
 QString TableFields::problem() const {
@@ -216,6 +242,13 @@ QString TableFields::problem() const {
                   "choose "
                   "others, or the line where the samples begin; a longer header is to be cut off the file.")
             .arg(m_lines.size());
+    if (m_table.hasRows)
+        return tr(
+            "Each channel of this table is a row: turn rows into columns in a spreadsheet, or read it by "
+            "drillwave signal -o.");
+    if (m_table.isDecimalOpen && !m_touched.contains(m_decimal))
+        return tr(
+            "decimal sign: 1,234 and 1.234 can be a number with decimals or a thousand: choose the sign.");
     const SampleSource now = source();
     if (now.timeColumn == now.valueColumn)
         return tr("Time and signal are the same column: choose another one, or a sampling rate.");
@@ -228,6 +261,10 @@ QString TableFields::problem() const {
     }
     if (!now.timeColumn && !m_rate->problem().isEmpty())
         return tr("sampling rate: %1").arg(m_rate->problem());
+    if (!now.timeColumn && !m_rate->value())
+        return m_table.bareRate ? tr("sampling rate: the table says “%1”, without a unit: type the rate.")
+                                      .arg(QString::fromStdString(m_table.rateText))
+                                : tr("sampling rate: the table does not state it: type it.");
     return {};
 }
 

@@ -33,6 +33,10 @@ class TableFields : public QWidget {
     SampleSource source() const;
     /// What the header says of the chosen column of values; nothing where its unit is not known.
     std::optional<NamedSignalUnit> valueUnit() const;
+    /// Returns the likely kind of that column where its unit is not stated.
+    SignalKind valueKind() const;
+    /// A rate that follows from the record, where the table states none and the user has typed none.
+    void proposeRate(double rate);
     /// Why the choices make no source; empty when they do.
     QString problem() const;
 

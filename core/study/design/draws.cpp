@@ -2,6 +2,7 @@
 #include "core/study/design/draws.h"
 
 #include "core/model/parameter.h"
+#include "core/signal/case_records.h"
 #include "core/study/rows/table_header.h"
 #include "core/study/rows/table_row.h"
 #include "core/text/csv.h"
@@ -64,7 +65,7 @@ void readCell(const CaseColumn& column, const std::string& cell, const std::stri
 
 ReadDraws readDraws(std::istream& table, const std::string& source) {
     ReadDraws read;
-    CsvReader reader(table);
+    CaseRecords reader(table);
     CsvRecord record;
     if (!reader.next(record)) {
         read.unreadable.push_back(about(

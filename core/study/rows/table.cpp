@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <span>
 
+#include "core/signal/case_records.h"
 #include "core/study/rows/case_solver.h"
 #include "core/study/rows/row_run.h"
 #include "core/study/rows/table_header.h"
@@ -57,7 +58,7 @@ class RowReader {
     }
 
   private:
-    CsvReader m_reader;
+    CaseRecords m_reader;
     RowRange m_range;
     std::uint64_t m_next = 0;
 };
@@ -151,7 +152,7 @@ constexpr RowRange allRows{0, UINT64_MAX};
 
 /// Rows below the header, counted without reading their cells.
 std::uint64_t countRows(std::istream& cases) {
-    CsvReader reader(cases);
+    CaseRecords reader(cases);
     return std::max(reader.skip(UINT64_MAX), std::uint64_t{1}) - 1;
 }
 

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QTest>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <sstream>
 
 #include "core/signal/samples.h"
@@ -62,6 +65,10 @@ class TestSamples : public QObject {
     void commentsAndBlankLinesAreNoRows();
     void tenMillionSamplesAreReadOnceAndMoreAreRefused();
     void readingEndsSoonWhenItIsStopped();
+    void nulBytesAtTheEndEndTheTable();
+    void overloadsAreNoValues();
+    void rateFollowsFromCoarseTimes();
+    void stampsAreSecondsSinceTheFirst();
 };
 
 void TestSamples::timesAndValuesAreReadInTheirUnits() {
@@ -99,14 +106,14 @@ void TestSamples::whatCannotBeReadIsRefusedWithItsLine_data() {
     QTest::addRow("empty cell") << QByteArray("0,1\n,2\n") << 2 << QByteArray("column 1 holds no value");
     QTest::addRow("missing cell") << QByteArray("0,1\n1\n") << 2 << QByteArray("column 2 is missing");
     QTest::addRow("time goes back") << QByteArray("0,1\n2,2\n\n1,3\n") << 4 << QByteArray("not later");
-    QTest::addRow("time stands still") << QByteArray("0,1\n0,2\n0,3\n") << 3 << QByteArray("not later");
+    QTest::addRow("time stands still") << QByteArray("0,1\n0,2\n0,3\n") << 1 << QByteArray("too coarse");
     QByteArray coarse;
     for (int i = 0; i < 50; ++i) coarse += QByteArray::number(i / 2) + ",1\n";
-    QTest::addRow("coarse times") << coarse << 2 << QByteArray("too coarse");
+    QTest::addRow("coarse times") << coarse << 1 << QByteArray("too coarse");
     QTest::addRow("overflow") << QByteArray("0,1\n1,1e999\n") << 2 << QByteArray("not a number");
     QTest::addRow("one sample") << QByteArray("0,1\n") << 0 << QByteArray("fewer than two samples");
     QTest::addRow("none") << QByteArray("") << 0 << QByteArray("fewer than two samples");
-    QTest::addRow("NUL") << QByteArray("0,1\n1,2\n\0\0\n", 11) << 3 << QByteArray("NUL");
+    QTest::addRow("NUL") << QByteArray("0,1\n1,2\n\0\0\n3,4\n", 15) << 3 << QByteArray("NUL");
 }
 
 void TestSamples::whatCannotBeReadIsRefusedWithItsLine() {
@@ -191,6 +198,58 @@ void TestSamples::readingEndsSoonWhenItIsStopped() {
         readSamples(in, source, stop.get_token(), [&stop](std::uint64_t) { stop.request_stop(); });
     QCOMPARE(samples.problem, std::string("stopped"));
     QVERIFY(rows.rowsMade() < 100'000);
+}
+
+void TestSamples::nulBytesAtTheEndEndTheTable() {
+    const Samples samples = readText(std::string("0,1\n1,2\n2,3\0\0\n\0\r\n\0", 18), timesAndValues());
+    QCOMPARE(samples.problem, std::string());
+    QCOMPARE(samples.value, (std::vector<double>{1, 2, 3}));
+    QVERIFY(samples.hasNulTail);
+}
+
+void TestSamples::overloadsAreNoValues() {
+    for (const char* word : {"9.9E37", "-9.91e+37", "OVL", "Inf", "1e38"}) {
+        SampleSource source = timesAndValues();
+        const std::string text = "0,1\n1," + std::string(word) + "\n2,3\n";
+        const Samples refused = readText(text, source);
+        QCOMPARE(refused.problemLine, std::size_t{2});
+        QVERIFY2(refused.problem.find("overload") != std::string::npos, refused.problem.c_str());
+        source.wrongRows = WrongRows::skipped;
+        const Samples skipped = readText(text, source);
+        QCOMPARE(skipped.overloads, std::size_t{1});
+        QCOMPARE(skipped.skippedTime, 2.0);
+    }
+}
+
+// 5 MHz with times of three digits: each occurs five or more times from 100 us on.
+void TestSamples::rateFollowsFromCoarseTimes() {
+    std::string text;
+    for (int i = 0; i < 5000; ++i) {
+        std::array<char, 32> time{};
+        std::snprintf(time.data(), time.size(), "%.2E,1\n", -50e-6 + i * 0.2e-6);
+        text += time.data();
+    }
+    const Samples samples = readText(text, timesAndValues());
+    QVERIFY(samples.estimatedRate.has_value());
+    QCOMPARE(*samples.estimatedRate, 5e6);
+    QCOMPARE(samples.firstTime, -50e-6);
+    QVERIFY(samples.problem.find("5 MHz (an estimate)") != std::string::npos);
+}
+
+void TestSamples::stampsAreSecondsSinceTheFirst() {
+    const char* const texts[] = {"23:59:59.999999,1\n00:00:00.000001,2\n00:00:00.000003,3\n",
+                                 "2024-02-28T23:59:59.999999Z,1\n2024-02-29T00:00:00.000001Z,2\n"
+                                 "2024-02-29T00:00:00.000003Z,3\n",
+                                 "31.12.2023 23:59:59.999999,1\n01.01.2024 00:00:00.000001,2\n"
+                                 "01.01.2024 00:00:00.000003,3\n",
+                                 "12/31/2023 11:59:59.999999 PM,1\n1/1/2024 12:00:00.000001 AM,2\n"
+                                 "1/1/2024 12:00:00.000003 AM,3\n"};
+    for (const char* text : texts) {
+        const Samples samples = readText(text, timesAndValues());
+        QCOMPARE(samples.problem, std::string());
+        // Fractions of a second are kept to 1e-16.
+        QVERIFY(std::abs(samples.time[1] - 2e-6) < 1e-15 && std::abs(samples.time[2] - 4e-6) < 1e-15);
+    }
 }
 
 QTEST_APPLESS_MAIN(TestSamples)

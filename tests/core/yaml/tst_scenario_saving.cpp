@@ -30,6 +30,7 @@ class TestScenarioSaving : public QObject {
     void aNewSectionIsAppended();
     void aSectionThatWentIsTakenOut();
     void anotherShapeExchangesItsKeys();
+    void listsArePutInAndEveryOtherCommentStays();
     void anotherFormIsWrittenAnewBelowTheExplanation();
     void windowsLineEndsAndByteOrderMarkSurviveAChange();
     void aNewScenarioIsWrittenInItsCustomaryForm();
@@ -219,6 +220,35 @@ void TestScenarioSaving::anotherShapeExchangesItsKeys() {
                  std::string::npos,
              text.c_str());
     QVERIFY(text.find("or  area: 1134 mm^2") != std::string::npos);
+}
+
+// A file lost the comments behind all values when a blow or corners came in.
+void TestScenarioSaving::listsArePutInAndEveryOtherCommentStays() {
+    const std::string text =
+        "# why\ndrillwave: 1\nrod:\n  length: 3.66 m  # 12 ft\n  diameter: 38 mm  # nominal\n"
+        "  youngs_modulus: 210 GPa\n  density: 7850 kg/m^3  # steel\npulse:\n  shape: rectangular\n"
+        "  duration: 200 us  # guess\n  impulse: 51 N s\nbit_rock:\n  stiffness: 105 MN/m  # from hole 7\n"
+        "  gamma: 0.1\n  gap: 0 mm  # seated\n";
+    ScenarioDocument document = parsed(text);
+    Pulse& pulse = document.scenario.pulse;
+    pulse = {};
+    pulse.shape = PulseShape::table;
+    pulse.tablePoints = {{0, 0}, {100e-6, 250e3}, {200e-6, 0}};
+    std::string expected =
+        replaced(text, "  shape: rectangular\n  duration: 200 us  # guess\n  impulse: 51 N s\n",
+                 "  shape: table\n  points:\n    - [0 us, 0 kN]\n    - [100 us, 250 kN]\n"
+                 "    - [200 us, 0 kN]\n");
+    compareText(writeScenario(document), expected);
+    // Other points take the place of these.
+    ScenarioDocument again = parsed(expected);
+    again.scenario.pulse.tablePoints = {{0, 0}, {50e-6, 300e3}, {200e-6, 0}};
+    expected = replaced(expected, "[100 us, 250 kN]", "[50 us, 300 kN]");
+    compareText(writeScenario(again), expected);
+    // And corners, into a section in one line, too.
+    again.scenario.bitRock.law = RockLaw::corners;
+    again.scenario.bitRock.corners = {{90e3, 0.35}};
+    expected += "  law: corners\n  corners:\n    - {force: 90 kN, slope: 0.35}\n";
+    compareText(writeScenario(again), expected);
 }
 
 void TestScenarioSaving::anotherFormIsWrittenAnewBelowTheExplanation() {

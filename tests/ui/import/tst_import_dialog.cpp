@@ -44,6 +44,10 @@ class TestImportDialog : public QObject, private ImportFixture {
     void theSecondGaugeCanBeChosenWithoutTimes();
     void anotherFirstLineKeepsWhatWasChosen();
     void aLongHeaderIsPassedOverAndALongerOneIsTold();
+    void rangeIsProposedAgainAtTheRightRate();
+    void rangeStaysOnceTheUserHasEditedIt();
+    void voltsNeedACalibrationOrABridge();
+    void qualityIsStatedBelowThePlot();
     void wrongInputsAreToldInPlace_data();
     void wrongInputsAreToldInPlace();
     void everythingCanBeReadAndReached_data();
@@ -170,12 +174,15 @@ void TestImportDialog::everyChoiceCanBeChanged() {
     const QByteArray bytes("0.5\n1.5\nNaN\n3.5\n-1.5\n");
     ImportDialog& dialog = open(write("plain.txt", bytes), ImportUse::impactForce);
     QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).contains(QStringLiteral("sampling rate: the table does not state it")),
+             qPrintable(message(dialog)));
+    type(dialog, "rate", QStringLiteral("2 Hz"));
+    QVERIFY(settle(dialog));
     QVERIFY2(message(dialog).contains(QStringLiteral("or there is none")), qPrintable(message(dialog)));
     choose(dialog, "valueUnit", QStringLiteral("kN"));
     QVERIFY(settle(dialog));
     QVERIFY2(message(dialog).contains(QStringLiteral("line 3")), qPrintable(message(dialog)));
     choose(dialog, "wrongRows", QStringLiteral("skip"));
-    type(dialog, "rate", QStringLiteral("2 Hz"));
     choose(dialog, "zero", QStringLiteral("a value"));
     type(dialog, "zeroValue", QStringLiteral("0.5"));
     choose(dialog, "positive", QStringLiteral("compression"));
@@ -192,7 +199,7 @@ void TestImportDialog::everyChoiceCanBeChanged() {
     choose(dialog, "bar", QStringLiteral("another bar"));
     type(dialog, "diameter", QStringLiteral("38 mm"));
     type(dialog, "gaugeFactor", QStringLiteral("2.1"));
-    choose(dialog, "activeGauges", QStringLiteral("4"));
+    type(dialog, "bridgeFactor", QStringLiteral("4"));
     choose(dialog, "scaling", QStringLiteral("as it is"));
     QVERIFY(settle(dialog));
     QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
@@ -208,7 +215,7 @@ void TestImportDialog::everyChoiceCanBeChanged() {
 }
 
 void TestImportDialog::unitsThatAreNotKnownAreToBeChosen() {
-    const QByteArray bytes("Time [ticks];Load [tf]\n0;1\n1;2\n2;0\n");
+    const QByteArray bytes("Time [ticks];Load [counts]\n0;1\n1;2\n2;0\n");
     ImportDialog& dialog = open(write("units.csv", bytes), ImportUse::impactForce);
     QVERIFY(settle(dialog));
     QVERIFY2(message(dialog).contains(QStringLiteral("ticks is not known")), qPrintable(message(dialog)));
@@ -255,8 +262,8 @@ void TestImportDialog::aSamplingRateOutOfSightDoesNotMatter() {
 void TestImportDialog::theSecondGaugeCanBeChosenWithoutTimes() {
     ImportDialog& dialog = open(write("two.csv", "a [kN];b [kN]\n1;3\n2;4\n3;5\n"), ImportUse::impactForce);
     const auto& second = control<ChoiceBox>(dialog, "secondGauge");
-    QVERIFY(!second.isVisible());
-    choose(dialog, "timeColumn", QStringLiteral("evenly"));
+    // Two columns of forces have no times.
+    type(dialog, "rate", QStringLiteral("1 kHz"));
     QVERIFY(second.isVisible());
     choose(dialog, "valueColumn", QStringLiteral("column 1"));
     choose(dialog, "secondGauge", QStringLiteral("column 2"));
@@ -275,8 +282,9 @@ void TestImportDialog::theSecondGaugeCanBeChosenWithoutTimes() {
 }
 
 void TestImportDialog::anotherFirstLineKeepsWhatWasChosen() {
-    const QByteArray bytes("a;b;c\n0;1;5\n1;2;6\n2;3;7\n3;4;8\n");
+    const QByteArray bytes("a;b;c\n0;0.5;5\n1;2;6\n2;3;7\n3;4;8\n");
     ImportDialog& dialog = open(write("chosen.csv", bytes), ImportUse::impactForce);
+    choose(dialog, "timeColumn", QStringLiteral("column 1"));
     choose(dialog, "valueColumn", QStringLiteral("column 3"));
     choose(dialog, "secondGauge", QStringLiteral("column 2"));
     choose(dialog, "timeUnit", QStringLiteral("ms"));
@@ -305,6 +313,74 @@ void TestImportDialog::aLongHeaderIsPassedOverAndALongerOneIsTold() {
     QVERIFY2(message(longer).contains(QStringLiteral("in the first 2000 lines")),
              qPrintable(message(longer)));
     QCOMPARE(control<QSpinBox>(longer, "firstLine").maximum(), 2000);
+}
+
+namespace {
+
+/// A half sine of 250 kN and 200 us from 150 us on, 5 MHz, with ripple.
+QByteArray evenRecord(const QByteArray& header) {
+    QByteArray bytes = header;
+    for (int i = 0; i < 5000; ++i) {
+        const double t = i * 0.2;
+        const double force = t > 150 && t < 350 ? 250 * std::sin(M_PI * (t - 150) / 200) : 0;
+        bytes += QByteArray::number(force + 0.3 * std::sin(1.0 * i), 'f', 3) + '\n';
+    }
+    return bytes;
+}
+
+}  // namespace
+
+// Noise became the blow after the rate was put right: the range of the wrong rate stayed.
+void TestImportDialog::rangeIsProposedAgainAtTheRightRate() {
+    ImportDialog& dialog = open(write("even.csv", evenRecord("F [kN]\n")), ImportUse::blow);
+    QVERIFY(settle(dialog));
+    QVERIFY(!control<QPushButton>(dialog, "take").isEnabled());
+    for (const auto& [rate, start] : {std::pair{"1 MHz", 750e-6}, std::pair{"5 MHz", 150e-6}}) {
+        type(dialog, "rate",
+             QString::fromLatin1(rate).replace(QStringLiteral(" MHz"), QStringLiteral("000 kHz")));
+        QVERIFY(settle(dialog));
+        QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+        QVERIFY2(std::abs(dialog.result()->start / start - 1) < 0.03,
+                 qPrintable(QString::number(dialog.result()->start)));
+    }
+    QVERIFY(std::abs(dialog.result()->impulse / (250e3 * 200e-6 * 2 / M_PI) - 1) < 2e-3);
+}
+
+void TestImportDialog::rangeStaysOnceTheUserHasEditedIt() {
+    ImportDialog& dialog =
+        open(write("even.csv", evenRecord("# sampling rate: 5 MHz\nF [kN]\n")), ImportUse::blow);
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    type(dialog, "from", QStringLiteral("200 us"));
+    choose(dialog, "wrongRows", QStringLiteral("skip"));
+    QVERIFY(settle(dialog));
+    // To one sample.
+    QVERIFY(std::abs(dialog.result()->start - 200e-6) < 0.3e-6);
+}
+
+void TestImportDialog::voltsNeedACalibrationOrABridge() {
+    ImportDialog& dialog =
+        open(write("volts.csv", "Time/s,bar/voltage\n0,0\n0.0001,2\n0.0002,0\n"), ImportUse::blow);
+    QVERIFY(settle(dialog));
+    QVERIFY2(message(dialog).contains(QStringLiteral("Volts are no forces")), qPrintable(message(dialog)));
+    type(dialog, "forcePerVolt", QStringLiteral("100 kN"));
+    QVERIFY(settle(dialog));
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QCOMPARE(dialog.result()->peak, 200e3);
+}
+
+void TestImportDialog::qualityIsStatedBelowThePlot() {
+    QByteArray bytes("t [us];F [kN]\n");
+    for (int t = 0; t <= 1000; ++t) {
+        const double force = t > 300 && t < 500 ? 250 * std::sin(M_PI * (t - 300) / 200.0) : 0;
+        const double noise = 0.5 * std::sin(7.3 * t * t);
+        bytes += QByteArray::number(t) + ';' + QByteArray::number(std::min(180.0, force + noise)) + '\n';
+    }
+    ImportDialog& dialog = open(write("flat.csv", bytes), ImportUse::blow);
+    QVERIFY(settle(dialog));
+    const QString summary = control<QLabel>(dialog, "summary").text();
+    QVERIFY2(summary.contains(QStringLiteral("equal samples at the largest value, 180: clipped?")),
+             qPrintable(summary));
 }
 
 void TestImportDialog::wrongInputsAreToldInPlace_data() {

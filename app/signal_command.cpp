@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// drillwave signal FILE…
+#include "app/command.h"
+#include "app/input_text.h"
+#include "app/output_file.h"
+#include "app/scenario_argument.h"
+#include "app/signal_options.h"
+#include "core/report/signal_report.h"
+
+namespace drillwave {
+
+namespace {
+
+NamedReading readRecord(const std::string& path, const SignalOptions& options, const ReadingStyle& style) {
+    RereadableInput input(path, RereadableInput::mostKept, style);
+    return {inputName(path), readSignal(input.stream(), options)};
+}
+
+/// The code of one record: a question is open, or it could not be read.
+ExitCode readingCode(const SignalReading& reading) {
+    if (!reading.problem.isEmpty())
+        return reading.isWrongOption ? ExitCode::invalidScenario : ExitCode::unreadableInput;
+    return reading.isOpen() ? ExitCode::invalidScenario : ExitCode::done;
+}
+
+ExitCode worseOf(ExitCode a, ExitCode b) {
+    if (a == ExitCode::unreadableInput || b == ExitCode::unreadableInput) return ExitCode::unreadableInput;
+    return a == ExitCode::done ? b : a;
+}
+
+void writeSignal(const Arguments& arguments, const NamedReading& record, Overwrite overwrite) {
+    const std::string path = *arguments.value("o");
+    checkOutputIsNone(path, arguments.operands());
+    OutputFile file(path, overwrite);
+    file.write(signalCsv(record.reading, arguments.has("decimal-comma") ? CsvSigns::commaAndSemicolon
+                                                                        : CsvSigns::pointAndComma));
+    file.commit();
+}
+
+void checkSignalOptions(const Arguments& arguments) {
+    if (!arguments.has("o"))
+        for (const char* option : {"force", "decimal-comma"})
+            if (arguments.has(option))
+                throw CommandError(
+                    ExitCode::usage,
+                    Message(translatable("drillwave::Message", "%1 is about the file of -o; add -o FILE.csv"),
+                            {std::string("--") + option}));
+    if (arguments.has("o") && arguments.operands().size() > 1)
+        throw CommandError(ExitCode::usage,
+                           translatable("drillwave::Message", "-o takes one record; give one FILE"));
+    arguments.checkOnePrinted();
+}
+
+ExitCode runSignal(const Arguments& arguments, const Drawing*) {
+    checkSignalOptions(arguments);
+    const SignalOptions options = signalOptionsOf(arguments);
+    const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    if (const auto path = arguments.value("o")) {
+        checkOutputIsNone(*path, arguments.operands());
+        checkOutput(*path, overwrite);
+    }
+    std::vector<NamedReading> records;
+    ExitCode code = ExitCode::done;
+    for (const std::string& path : arguments.operands()) {
+        try {
+            records.push_back(readRecord(path, options, arguments.style()));
+        } catch (const CommandError& error) {
+            if (arguments.operands().size() == 1) throw;
+            for (const Message& line : error.messages()) printRemark(line, arguments.style());
+            records.push_back({inputName(path), {}});
+            records.back().reading.problem = translatable("drillwave::Message", "cannot be read");
+            code = worseOf(code, error.code());
+            continue;
+        }
+        const SignalReading& reading = records.back().reading;
+        code = worseOf(code, readingCode(reading));
+        if (!reading.problem.isEmpty())
+            printRemark(about(records.back().file, reading.problem), arguments.style());
+    }
+    saveRecorder(arguments);
+    const NamedReading& first = records.front();
+    const bool isSeries = records.size() > 1;
+    const bool isPrinted = arguments.value("o") != "-";
+    if (arguments.has("json")) {
+        JsonArray array;
+        for (const NamedReading& record : records) {
+            if (record.reading.problem.isEmpty())
+                array.emplace_back(signalJson(record));
+            else
+                array.emplace_back(
+                    JsonObject{{"file", record.file}, {"problem", record.reading.problem.text()}});
+        }
+        if (isSeries || first.reading.problem.isEmpty())
+            printText(isSeries ? Json(std::move(array)).text() : array.front().text());
+    } else if (isSeries) {
+        printText(signalSeriesText(records, arguments.style()));
+    } else if (first.reading.problem.isEmpty() && isPrinted) {
+        printText(signalText(first, arguments.style()));
+    }
+    if (arguments.has("o") && code == ExitCode::done) writeSignal(arguments, first, overwrite);
+    return code;
+}
+
+}  // namespace
+
+const Command& signalCommand() {
+    static constexpr std::string_view details =
+        "Finds encoding, separator, decimal sign, columns and units, and asks for what the table does not\n"
+        "state: exit code 5, the questions last. Several FILEs are one series: a row for each.\n"
+        "Commands that take a scenario take a blow from a record by --signal FILE with the same options.";
+    static const Command command{
+        .name = "signal",
+        .operands = "FILE…",
+        .summary = "read records of force, strain or voltage; their units, blow and quality",
+        .details = details,
+        .options =
+            [] {
+                std::vector<OptionSpec> specs = signalOptionSpecs();
+                specs.push_back({"save-recorder", "NAME", "keep these options under a name for --recorder"});
+                specs.push_back({"json", "", "Print JSON, of several FILEs an array"});
+                specs.push_back({"o", "FILE.csv", "Write the signal as read: time [us],force [kN]"});
+                specs.push_back({"decimal-comma", "", "Write semicolons and decimal commas"});
+                specs.push_back({"force", "", "Overwrite FILE.csv"});
+                return specs;
+            }(),
+        .leastOperands = 1,
+        .mostOperands = SIZE_MAX,
+        .draws = [](const Arguments&) { return false; },
+        .run = runSignal,
+    };
+    return command;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,215 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/signal_options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+
+#include "app/command_error.h"
+#include "app/input_text.h"
+#include "app/output_file.h"
+#include "app/scenario_argument.h"
+#include "core/blow/string_curves.h"
+#include "core/blow/thinned_blow.h"
+#include "core/disk/file_bytes.h"
+#include "core/disk/whole_file.h"
+#include "core/model/blow_traits.h"
+#include "core/model/form_conversion.h"
+#include "core/model/scales.h"
+#include "core/model/section_pieces.h"
+#include "core/signal/signal_option.h"
+#include "core/text/decimal_text.h"
+#include "core/text/nearest_name.h"
+#include "core/yaml/recorder_file.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr OptionSpec recorderOption{"recorder", "NAME", "read with the settings kept under this name"};
+
+/// Most points of a tabulated blow.
+constexpr std::size_t mostPoints = 10'000;
+
+[[noreturn]] void refuseUsage(const Message& message) {
+    throw CommandError(ExitCode::usage, message);
+}
+
+std::vector<Recorder> recordersThere(const ReadingStyle&) {
+    const std::string path = recordersPath();
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) return {};
+    const FileBytes file = readFile(path, maximumRecorderBytes);
+    if (!file.problem.isEmpty())
+        throw CommandError(
+            ExitCode::unreadableInput,
+            std::vector{about(
+                path, {translatable("drillwave::Message", "the file of recorders %1"), {file.problem}})});
+    RecorderFile read = parseRecorders(file.bytes, path);
+    if (!read.problems.empty()) throw CommandError(ExitCode::invalidScenario, read.problems);
+    return read.recorders;
+}
+
+const Recorder& recorderNamed(const std::vector<Recorder>& recorders, const std::string& wanted) {
+    if (const Recorder* found = findRecorder(recorders, wanted)) return *found;
+    std::vector<std::string_view> names;
+    for (const Recorder& recorder : recorders) names.push_back(recorder.name);
+    const std::string near(nearestName(wanted, names));
+    if (!near.empty())
+        refuseUsage({translatable("drillwave::Message", "--recorder %1: is not known; did you mean `%2`?"),
+                     {shortened(wanted), near}});
+    refuseUsage({translatable("drillwave::Message",
+                              "--recorder %1: is not known; --save-recorder %1 keeps options in %2"),
+                 {shortened(wanted), recordersPath()}});
+}
+
+/// The bar at the struck end, where the force of a blow comes in.
+SignalBar barOf(const Scenario& scenario) {
+    SignalBar bar;
+    if (!hasUnits(scenario)) return bar;
+    double density = scenario.rod.density;
+    if (hasSections(scenario)) {
+        const DrillString& drillString = scenario.drillString;
+        const StringPlace at = stringPlace(drillString, 0);
+        const Section& section = *allSections(drillString)[at.section];
+        bar.area = areaAt(section, at.share);
+        bar.modulus = section.youngsModulus.value_or(drillString.material.youngsModulus);
+        density = section.density.value_or(drillString.material.density);
+    } else {
+        bar.area = propertiesOf(scenario.rod).area;
+        bar.modulus = scenario.rod.youngsModulus;
+    }
+    bar.impedance = *bar.area * std::sqrt(*bar.modulus * density);
+    return bar;
+}
+
+}  // namespace
+
+std::vector<OptionSpec> signalOptionSpecs() {
+    std::vector<OptionSpec> specs;
+    for (const SignalOption& option : signalOptions())
+        specs.push_back({option.name, option.value, option.help});
+    specs.push_back(recorderOption);
+    return specs;
+}
+
+std::vector<OptionSpec> recordOptionSpecs() {
+    std::vector<OptionSpec> specs{
+        {"signal", "FILE", "take the blow from a record; the options below say how it is read"},
+        {"all-samples", "", "keep all samples of --signal instead of thinning them to an error of 1e-4"}};
+    for (const OptionSpec& option : signalOptionSpecs()) specs.push_back(option);
+    return specs;
+}
+
+std::string recordersPath() {
+    const char* config = std::getenv("XDG_CONFIG_HOME");
+    const char* home = std::getenv("HOME");
+    const std::filesystem::path folder = config && *config == '/'
+                                             ? std::filesystem::path(config)
+                                             : std::filesystem::path(home ? home : "") / ".config";
+    return (folder / "drillwave" / "recorders.yaml").string();
+}
+
+SignalOptions signalOptionsOf(const Arguments& arguments) {
+    SignalOptions options;
+    if (const std::optional<std::string> wanted = arguments.value("recorder")) {
+        const std::vector<Recorder> recorders = recordersThere(arguments.style());
+        const Recorder& recorder = recorderNamed(recorders, *wanted);
+        if (const Message problem = applyRecorder(recorder, options); !problem.isEmpty())
+            throw CommandError(ExitCode::invalidScenario, std::vector{about(recordersPath(), problem)});
+    }
+    for (const SignalOption& option : signalOptions()) {
+        if (!arguments.has(option.name)) continue;
+        const std::string text = arguments.value(option.name).value_or("");
+        if (const Message problem = option.set(options, text); !problem.isEmpty())
+            refuseUsage(about("--" + std::string(option.name) + " " + shortened(text), problem));
+    }
+    if (options.from && options.to && !(*options.from < *options.to))
+        refuseUsage(translatable("drillwave::Message", "--from must be before --to"));
+    return options;
+}
+
+void saveRecorder(const Arguments& arguments) {
+    const std::optional<std::string> name = arguments.value("save-recorder");
+    if (!name) return;
+    if (trimmed(*name).empty())
+        refuseUsage(translatable("drillwave::Message", "--save-recorder needs a name, this one is empty"));
+    Recorder recorder{std::string(trimmed(*name)), {}};
+    std::vector<Recorder> recorders = recordersThere(arguments.style());
+    if (const std::optional<std::string> base = arguments.value("recorder"))
+        recorder.settings = recorderNamed(recorders, *base).settings;
+    for (const SignalOption& option : signalOptions()) {
+        if (!arguments.has(option.name)) continue;
+        std::erase_if(recorder.settings, [&](const auto& setting) { return setting.first == option.name; });
+        recorder.settings.emplace_back(
+            option.name, option.value.empty() ? "true" : arguments.value(option.name).value_or(""));
+    }
+    const std::string path = recordersPath();
+    std::error_code ignored;
+    std::filesystem::create_directories(std::filesystem::path(path).parent_path(), ignored);
+    WholeFile file(path);
+    WriteFailure failure = file.open();
+    if (!failure) failure = file.write(recorderText(withRecorder(std::move(recorders), std::move(recorder))));
+    if (!failure) failure = file.commit();
+    if (failure)
+        throw CommandError(
+            ExitCode::unwritableOutput,
+            Message(translatable("drillwave::Message", "%1: cannot be written: %2"), {path, failure.reason}));
+}
+
+void applySignal(Scenario& scenario, const Arguments& arguments, const std::string& path) {
+    const std::optional<std::string> record = arguments.value("signal");
+    if (!record) {
+        for (const OptionSpec& option : recordOptionSpecs())
+            if (arguments.has(option.name))
+                refuseUsage({translatable("drillwave::Message", "%1 is about a record; add --signal FILE"),
+                             {option.text()}});
+        return;
+    }
+    if (!hasUnits(scenario))
+        throw CommandError(
+            ExitCode::invalidScenario,
+            about(path, translatable("drillwave::Message",
+                                     "is given by its dimensionless groups; --signal needs physical units")));
+    const SignalOptions options = signalOptionsOf(arguments);
+    RereadableInput input(*record, RereadableInput::mostKept, arguments.style());
+    SignalReading reading = readSignal(input.stream(), options, barOf(scenario));
+    const std::string name = inputName(*record);
+    if (!reading.problem.isEmpty())
+        throw CommandError(reading.isWrongOption ? ExitCode::invalidScenario : ExitCode::unreadableInput,
+                           std::vector{about(name, reading.problem)});
+    if (reading.isOpen()) {
+        std::vector<Message> questions;
+        for (const std::string& question : reading.questions)
+            questions.push_back(
+                about(name, {translatable("drillwave::Message",
+                                          "the table leaves open: %1; answer by %2, see drillwave signal"),
+                             {question, std::string(answerTo(question))}}));
+        throw CommandError(ExitCode::invalidScenario, questions);
+    }
+    for (const SignalRemark& remark : reading.remarks)
+        printRemark({translatable("drillwave::Message", "%1: warning: %2"), {name, remark.text}},
+                    arguments.style());
+    if (hasSections(scenario) && !isForced(scenario)) scenario = forcedStringOf(scenario).scenario;
+    SignalRecipe recipe = reading.recipe;
+    recipe.points = mostPoints;
+    ThinnedBlow blow;
+    if (arguments.has("all-samples"))
+        blow.signal = shapedSignal(reading.samples, recipe);
+    else
+        blow = thinnedBlow(scenario, reading.samples, recipe);
+    Pulse pulse;
+    pulse.shape = PulseShape::table;
+    pulse.tablePoints = blow.signal.points;
+    scenario.pulse = pulse;
+    if (blow.isThinned)
+        printRemark(
+            {translatable(
+                 "drillwave::Message",
+                 "%1: note: %2 of %3 samples are kept, impulse and e to 1e-4; --all-samples keeps all"),
+             {name, std::to_string(blow.signal.points.size()), std::to_string(blow.signal.samples)}},
+            arguments.style());
+}
+
+}  // namespace drillwave

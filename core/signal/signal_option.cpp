@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/signal/signal_option.h"
+
+#include <algorithm>
+
+#include "core/text/decimal_text.h"
+#include "core/text/lower_case.h"
+#include "core/text/units.h"
+
+namespace drillwave {
+namespace {
+
+Message setSeparator(SignalOptions& options, std::string_view text) {
+    constexpr std::pair<std::string_view, char> words[] = {
+        {"tab", '\t'},      {"\\t", '\t'}, {"\t", '\t'},   {"comma", ','}, {",", ','},
+        {"semicolon", ';'}, {";", ';'},    {"bar", '|'},   {"|", '|'},     {"blank", ' '},
+        {"space", ' '},     {" ", ' '},    {"blanks", ' '}};
+    for (const auto& [word, separator] : words)
+        if (word == text) {
+            options.separator = separator;
+            return {};
+        }
+    return translatable("drillwave::Message", "must be one of tab, semicolon, comma, bar, blank");
+}
+
+Message setDecimal(SignalOptions& options, std::string_view text) {
+    if (text != "point" && text != "comma" && text != "." && text != ",")
+        return translatable("drillwave::Message", "must be point or comma");
+    options.decimal = text == "point" || text == "." ? DecimalSign::point : DecimalSign::comma;
+    return {};
+}
+
+Message setFirstLine(SignalOptions& options, std::string_view text) {
+    options.firstLine = wholeNumberIn<std::size_t>(text);
+    constexpr std::size_t most = 1'000'000'000;
+    if (!options.firstLine || *options.firstLine == 0 || *options.firstLine > most)
+        return wholeNumberProblem<std::size_t>(1, most);
+    return {};
+}
+
+Message setEncoding(SignalOptions& options, std::string_view text) {
+    const std::optional<TextEncoding> found = findEncoding(text);
+    if (!found)
+        return translatable("drillwave::Message",
+                            "must be one of utf-8, windows-1252, latin-1, utf-16le, utf-16be");
+    options.encoding = *found;
+    return {};
+}
+
+Message setColumn(std::string& column, std::string_view text) {
+    if (trimmed(text).empty())
+        return translatable("drillwave::Message", "must be the name of a column, or its number from 1");
+    column = trimmed(text);
+    return {};
+}
+
+Message setTimeUnit(SignalOptions& options, std::string_view text) {
+    options.timeUnit = findTimeUnit(text);
+    if (options.timeUnit) return {};
+    return {translatable("drillwave::Message", "must be a unit of time, one of %1"),
+            {unitList(Quantity::time)}};
+}
+
+Message setUnit(SignalOptions& options, std::string_view text) {
+    options.unit = findSignalUnit(text);
+    if (options.unit) return {};
+    std::string list;
+    for (const SignalKind kind : {SignalKind::force, SignalKind::strain, SignalKind::bridge,
+                                  SignalKind::voltage, SignalKind::stress, SignalKind::velocity})
+        for (const SignalUnit& unit : signalUnits(kind))
+            list += (list.empty() ? "" : ", ") + std::string(unit.name);
+    return {translatable("drillwave::Message", "must be a unit of a signal, one of %1"), {list}};
+}
+
+/// A quantity above 0, a bare number where there is a unit for it.
+Message setPositive(std::optional<double>& value, std::string_view text, Quantity quantity, const char* unit,
+                    BareNumber bare = BareNumber::refused) {
+    const TypedQuantity typed = parseQuantity(text, quantity, bare, findUnit(quantity, unit));
+    if (!typed.valid()) return typed.problem;
+    if (!(typed.si > 0)) return translatable("drillwave::Message", "must be above 0");
+    value = typed.si;
+    return {};
+}
+
+Message setNumber(std::optional<double>& value, std::string_view text) {
+    return setPositive(value, text, Quantity::ratio, "");
+}
+
+Message setExcitation(SignalOptions& options, std::string_view text) {
+    std::string_view number = trimmed(text);
+    double factor = 1;
+    if (number.ends_with("mV"))
+        factor = 1e-3, number.remove_suffix(2);
+    else if (number.ends_with('V'))
+        number.remove_suffix(1);
+    const Message problem = setNumber(options.excitation, number);
+    if (problem.isEmpty()) *options.excitation *= factor;
+    return problem;
+}
+
+Message setRate(SignalOptions& options, std::string_view text) {
+    const std::string plain = withPlainSigns(text);
+    const std::string_view typed = trimmed(plain);
+    const std::size_t length = numberLength(typed);
+    if (const auto unit = findRateUnit(typed.substr(length)); unit && length > 0) {
+        const std::optional<double> value = parseNumber(typed.substr(0, length));
+        if (value && *value > 0) {
+            options.rate = *value * *unit;
+            return {};
+        }
+    }
+    return setPositive(options.rate, text, Quantity::frequency, "kHz");
+}
+
+Message setTime(std::optional<double>& time, std::string_view text) {
+    const TypedQuantity typed =
+        parseQuantity(text, Quantity::time, BareNumber::refused, findUnit(Quantity::time, "us"));
+    if (typed.valid()) time = typed.si;
+    return typed.problem;
+}
+
+Message setZero(SignalOptions& options, std::string_view text) {
+    const std::size_t colon = text.find(':');
+    std::optional<double> from, to;
+    if (colon == std::string_view::npos)
+        return translatable("drillwave::Message", "must be two times A:B, as in -50us:-10us");
+    if (const Message problem = setTime(from, text.substr(0, colon)); !problem.isEmpty()) return problem;
+    if (const Message problem = setTime(to, text.substr(colon + 1)); !problem.isEmpty()) return problem;
+    if (!(*from < *to))
+        return translatable("drillwave::Message", "the first time must be before the second one");
+    options.zero = {*from, *to};
+    return {};
+}
+
+Message setScale(SignalOptions& options, std::string_view text) {
+    options.scale = parseScale(text);
+    if (options.scale) return {};
+    return translatable("drillwave::Message",
+                        "must be a factor that is not 0, or a force per unit: 2.5, 50kN/V, 18kN s/m");
+}
+
+Message setRows(SignalOptions& options, std::string_view text) {
+    if (text != "refuse" && text != "skip")
+        return translatable("drillwave::Message", "must be refuse or skip");
+    options.wrongRows = text == "skip" ? WrongRows::skipped : WrongRows::refused;
+    return {};
+}
+
+constexpr SignalOption readingOptions[] = {
+    {"separator", "SIGN", "sign between cells: tab, semicolon, comma, bar or blank (default: found)",
+     setSeparator},
+    {"decimal", "SIGN", "decimal sign: point or comma (default: found)", setDecimal},
+    {"first-line", "N", "first line with a sample (default: found)", setFirstLine},
+    {"encoding", "NAME", "utf-8, windows-1252, latin-1, utf-16le or utf-16be (default: found)", setEncoding},
+    {"time", "COLUMN", "column of times, by name or number from 1",
+     [](SignalOptions& options, std::string_view text) { return setColumn(options.timeColumn, text); }},
+    {"signal-column", "COLUMN", "column of the signal, by name or number; A+B averages two opposite gauges",
+     [](SignalOptions& options, std::string_view text) { return setColumn(options.signalColumn, text); }},
+    {"time-unit", "UNIT", "unit of the times where the table does not state it: s, ms, us", setTimeUnit},
+    {"unit", "UNIT", "unit of the signal where the table does not state it: kN, microstrain, V, MPa, m/s",
+     setUnit},
+    {"rate", "RATE", "sampling rate, 5MHz; a column of times is not read then", setRate},
+    {"scale", "S", "factor of the signal, or force per unit: 50kN/V, 18kN s/m", setScale},
+    {"gain", "G", "gain of the amplifier, of a signal in volts (default: 1)",
+     [](SignalOptions& options, std::string_view text) { return setNumber(options.gain, text); }},
+    {"excitation", "V", "supply of the bridge in volts, of a signal in volts", setExcitation},
+    {"bridge", "B", "bridge factor: 1 quarter, 2 half, 4 full bridge, 2.6 full with Poisson gauges",
+     [](SignalOptions& options, std::string_view text) { return setNumber(options.bridge, text); }},
+    {"gauge-factor", "K", "gauge factor, of a signal in volts or mV/V",
+     [](SignalOptions& options, std::string_view text) { return setNumber(options.gaugeFactor, text); }},
+    {"area", "A", "area of the bar at the gauge, 1134mm^2",
+     [](SignalOptions& options, std::string_view text) {
+         return setPositive(options.area, text, Quantity::area, "mm^2");
+     }},
+    {"modulus", "E", "Young's modulus of the bar, 210GPa",
+     [](SignalOptions& options, std::string_view text) {
+         return setPositive(options.modulus, text, Quantity::stress, "GPa");
+     }},
+    {"zero", "A:B", "times whose mean is the zero line, -50us:-10us", setZero},
+    {"from", "T", "leave out samples before this time of the table, 0us",
+     [](SignalOptions& options, std::string_view text) { return setTime(options.from, text); }},
+    {"to", "T", "leave out samples after this time of the table, 400us",
+     [](SignalOptions& options, std::string_view text) { return setTime(options.to, text); }},
+    {"invert", "", "turn the sign: the largest value pulls",
+     [](SignalOptions& options, std::string_view) {
+         options.invert = true;
+         return Message();
+     }},
+    {"rows", "WHAT", "rows without a number: refuse or skip (default: refuse)", setRows},
+};
+
+}  // namespace
+
+std::span<const SignalOption> signalOptions() {
+    return readingOptions;
+}
+
+const SignalOption* findSignalOption(std::string_view name) {
+    const auto found = std::ranges::find(readingOptions, name, &SignalOption::name);
+    return found == std::end(readingOptions) ? nullptr : &*found;
+}
+
+std::string_view answerTo(std::string_view question) {
+    constexpr std::pair<std::string_view, std::string_view> answers[] = {{"unit", "--unit"},
+                                                                         {"rate", "--rate"},
+                                                                         {"time_unit", "--time-unit"},
+                                                                         {"column", "--signal-column"},
+                                                                         {"decimal", "--decimal"},
+                                                                         {"area", "--area"},
+                                                                         {"modulus", "--modulus"},
+                                                                         {"bridge", "--bridge"},
+                                                                         {"gauge_factor", "--gauge-factor"},
+                                                                         {"impedance", "--scale"}};
+    for (const auto& [asked, answer] : answers)
+        if (asked == question) return answer;
+    return {};
+}
+
+}  // namespace drillwave
