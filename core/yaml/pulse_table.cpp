@@ -33,7 +33,7 @@ class TableReader {
         const DetectedTable table = detectTable(lines);
         m_headerLine = static_cast<int>(std::max<std::size_t>(2, table.firstLine)) - 1;
         if (!table.hasSamples() || !chooseColumns(table)) {
-            if (m_table.problems.empty()) refuseHeader();
+            if (m_table.problems.empty()) refuse(bytes, lines.front());
             return std::move(m_table);
         }
         in.clear();
@@ -50,9 +50,15 @@ class TableReader {
         m_table.problems.push_back({"pulse.file", reason, line, 1, m_source});
     }
 
-    void refuseHeader() {
-        report(m_headerLine,
-               {translatable("drillwave::Message", "the header must be %1"), {"`" + expectedHeader() + "`"}});
+    /// Says why no columns of samples are found.
+    void refuse(const std::string& bytes, const std::string& firstLine) {
+        if (bytes.find('\0') != std::string::npos)
+            report(1, translatable("drillwave::Message", "is not text"));
+        else if (firstLine == expectedHeader())
+            report(2, translatable("drillwave::Message", "two rows of numbers are needed below the header"));
+        else
+            report(m_headerLine, {translatable("drillwave::Message", "the header must be %1"),
+                                  {"`" + expectedHeader() + "`"}});
     }
 
     /// Returns whether both units are known; reports what is missing.

