@@ -76,8 +76,6 @@ void assignBeta(S& s, double value) {
         s.groups.beta = value;
         return;
     }
-    // A string without sections, which is not valid, has no scale.
-    if (hasSections(s) && allSections(s.drillString).empty()) return;
     const double scale = scalesOf(s).stiffness;
     assignGroup(
         s.bitRock.stiffness, scale, [&](double stiffness) { return stiffness / scale; }, value);

@@ -136,10 +136,23 @@ Message whyNotApplicable(const Parameter& parameter, const Scenario& scenario) {
     return {translatable("drillwave::Message", "only a piston has it, the shape is %1"), {shape}};
 }
 
+namespace {
+
+bool lacksSections(const Scenario& scenario) {
+    if (!hasSections(scenario)) return false;
+    const std::size_t hammer = scenario.drillString.hammer.sections.size();
+    return allSections(scenario.drillString).size() == hammer || (!isForced(scenario) && hammer == 0);
+}
+
+}  // namespace
+
 Message assignNumber(Scenario& scenario, const Parameter& parameter, double si) {
     if (const Message reason = whyNotApplicable(parameter, scenario); !reason.isEmpty())
         return {translatable("drillwave::Message", "has no meaning here: %1"), {reason}};
     if (const Message problem = rangeProblem(parameter, si); !problem.isEmpty()) return problem;
+    // A group is a multiple of a scale, which a hammer or a string without sections does not have.
+    if (!parameter.rules.rival.empty() && lacksSections(scenario))
+        return about("string", translatable("drillwave::Message", "must have at least one section"));
     parameter.assign(scenario, si);
     return {};
 }
