@@ -23,8 +23,7 @@ bool hasLosses(const Scenario& scenario) {
     });
 }
 
-}  // namespace
-
+/// Names the numbers that are others now, in the middle of a sentence.
 Message changedNumbers(std::string_view version, const Scenario& scenario) {
     if (!isNewerVersion(versionOfOutputs2, version)) return {};
     std::vector<Message> changed;
@@ -43,6 +42,8 @@ Message changedNumbers(std::string_view version, const Scenario& scenario) {
     for (Message& each : changed) list = joined(std::move(list), "%1; %2", std::move(each));
     return list;
 }
+
+}  // namespace
 
 Message changesSentence(std::string_view version, const Scenario& scenario) {
     Message changed = changedNumbers(version, scenario);

@@ -9,11 +9,9 @@
 
 namespace drillwave {
 
-/// Which numbers of a result that `version` ("0.2.0") wrote of this scenario are others now, in the middle
-/// of a sentence; empty where none is, or the version is not known.
-Message changedNumbers(std::string_view version, const Scenario& scenario);
-
-/// The same as a sentence: "Written by Drillwave 0.2.0. Since then … changed; see Upgrading in the manual."
+/// Says which numbers of a result that `version` ("0.2.0") wrote of this scenario have changed: "Written by
+/// Drillwave 0.2.0. These results have changed since: … (manual, Upgrading)." Empty where none has, or the
+/// version is not known.
 Message changesSentence(std::string_view version, const Scenario& scenario);
 
 }  // namespace drillwave

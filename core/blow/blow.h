@@ -33,7 +33,7 @@ struct Blow {
     Problem problem;
     Impact impact;          ///< its `reason` says why there is no result
     ImpactSummary summary;  ///< not to be used where there is no result, nor is `feed`
-    /// What it requires of the feed; nothing where thrustProblem() says why. The cases of all gaps are known
+    /// The feed that it requires; nothing where thrustProblem() says why. The cases of all gaps are known
     /// where a study of them was made: core/study/thrust.
     std::optional<FeedEstimate> feed;
     std::vector<Alert> alerts;  ///< of the scenario and, behind them, of the result

@@ -84,7 +84,7 @@ struct FeedEstimate {
     std::optional<double> margin() const;
     /// Nothing where no thrust is installed and the estimates apply.
     std::optional<FeedState> state() const;
-    /// Whether it is to be warned of: pushed back, or below what this blow requires.
+    /// Whether a warning is due: the machine is pushed back, or the feed is below what this blow requires.
     bool isTooLittle() const;
     /// The thrust to install for such a need: what the weight along the hole does not bring [N], ≥ 0.
     double thrustFor(double needed) const;

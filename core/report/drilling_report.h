@@ -56,7 +56,7 @@ DrillingMeasure measureOf(const BlowQuantity& quantity);
 /// A spread or an error, in units of Problem, as it is told: what is rounding alone is nothing.
 double withoutRounding(double spread);
 
-/// What single blows require of the feed, then what the sequence gives.
+/// Sentences on the required feed, then on the results of the sequence.
 std::vector<Message> drillingSentences(const DrillingReport& report,
                                        const ReadingStyle& style = plainStyle());
 

@@ -107,7 +107,7 @@ class EstimateMessage {
         return force(needed, std::max(usualDigits, digitsFor(needed)));
     }
 
-    /// What is to be installed beside the weight.
+    /// The thrust to install in addition to the weight.
     std::string least(double needed) const {
         const double thrust = m_estimate.thrustFor(needed);
         const int digits = m_estimate.force ? digitsApart(m_estimate.force->thrust, thrust) : fewestDigits;

@@ -23,7 +23,7 @@ std::string headingOf(const Scenario& scenario, const ReadingStyle& style = plai
 /// Broken into lines of at most 100 characters, two blanks before each.
 std::string paragraph(std::string_view words);
 
-/// One sentence behind the other, in the language of the reader.
+/// Joins sentences with blanks, in the language of the reader.
 std::string inOneParagraph(const std::vector<Message>& sentences, const ReadingStyle& style = plainStyle());
 
 /// Of all cells of a line but the first, which is aligned to the left.

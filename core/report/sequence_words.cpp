@@ -142,10 +142,6 @@ Message feedModelWords(const Scenario& scenario, const ReadingStyle& style) {
     return {translatable("drillwave::Message", "a dashpot of %1 and a spring of %2"), {damping, stiffness}};
 }
 
-Message unresolvedWords(UnresolvedReason reason) {
-    return reasonWords(reason);
-}
-
 std::vector<Message> sequenceSentences(const DrillingResult& result, const ReadingStyle& style) {
     switch (result.outcome) {
         case DrillingOutcome::notSolved:

@@ -27,12 +27,8 @@ std::vector<Message> sequenceSentences(const DrillingResult& result,
 /// In one paragraph, in the language of the reader.
 std::string sequenceText(const DrillingResult& result, const ReadingStyle& style = plainStyle());
 
-/// Names the cause that keeps a mean from being compared: "no wave loss is defined".
-Message unresolvedWords(UnresolvedReason reason);
-
 /// The value that gives the most, where the errors tell it, and by how much it is above `present`; empty
-/// without values, and of a parameter
-/// that is a word.
+/// without values, and of a parameter that is a word.
 std::vector<Message> scanSentences(const DrillingScan& scan, const std::optional<Sequence>& present,
                                    const ReadingStyle& style = plainStyle());
 

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <mutex>
 #include <utility>
 
 #include "core/contact/contact_law.h"
@@ -33,12 +32,7 @@ class MarchStudy {
   public:
     MarchStudy(const Scenario& scenario, const DrillingSettings& settings, const DrillingWants& wants,
                const std::stop_token& stop, const DrillingProgress& progress)
-        : m_wants(wants), m_stop(stop) {
-        if (progress)
-            m_progress = [&](long more) {
-                const std::scoped_lock lock(m_told);
-                progress(more);
-            };
+        : m_wants(wants), m_stop(stop), m_progress(progress) {
         m_result.scenario = scenario;
         m_result.settings = settings;
         m_result.units = drillingUnitsOf(scenario);
@@ -176,8 +170,7 @@ class MarchStudy {
 
     DrillingWants m_wants;
     const std::stop_token& m_stop;
-    std::mutex m_told;
-    DrillingProgress m_progress;
+    const DrillingProgress& m_progress;
     DrillingMesh m_mesh;
     DrillingResult m_result;
 };

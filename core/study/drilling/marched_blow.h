@@ -14,7 +14,7 @@ namespace drillwave {
 /// it comes, to when the next one does. Its waves begin with those that are there then, its rock with what it
 /// remembers, its gap with where the bit is: below 0 where it presses. Its scenario is a chain of sections,
 /// also of a uniform rod. Waves fade where they come to the rear end of a section: what is in it has not
-/// faded yet. Not solved where there are drillingRefusals() the number is not from 1 to settings.blows, or
+/// faded yet. Not solved where there are drillingRefusals(), the number is not from 1 to settings.blows, or
 /// its blows take more than `mostWork` [cells times nodes] or more memory than a march may.
 Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, long number,
                  const std::stop_token& stop = {}, double mostWork = mostDrillingWork);
