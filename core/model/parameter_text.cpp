@@ -139,7 +139,7 @@ Message whyNotApplicable(const Parameter& parameter, const Scenario& scenario) {
 namespace {
 
 bool lacksSections(const Scenario& scenario) {
-    if (!hasSections(scenario)) return false;
+    if (!isString(scenario) && !hasSections(scenario)) return false;
     const std::size_t hammer = scenario.drillString.hammer.sections.size();
     return allSections(scenario.drillString).size() == hammer || (!isForced(scenario) && hammer == 0);
 }

@@ -34,6 +34,7 @@ class TestParameter : public QObject {
     Q_OBJECT
 
   private slots:
+    void groupsOfAStringWithoutSectionsAreRefused();
     void whatDoesNotReadBackIsRefused();
     void everyKeyIsThereOnce();
     void everyParameterIsDescribed();
@@ -376,6 +377,16 @@ void TestParameter::whatDoesNotReadBackIsRefused() {
     QCOMPARE(assignText(scenario, "pulse.force", "255 kN"), Message());
     scenario.form = ScenarioForm::dimensionless;
     QCOMPARE(assignText(scenario, "beta", "1e301"), Message());
+}
+
+// A group is a multiple of a scale, which no section gives here.
+void TestParameter::groupsOfAStringWithoutSectionsAreRefused() {
+    Scenario scenario;
+    scenario.form = ScenarioForm::string;
+    for (const char* key : {"beta", "delta"}) {
+        const std::string problem = assignNumber(scenario, *findParameter(key), 0.5).text();
+        QVERIFY2(problem.find("must have at least one section") != std::string::npos, problem.c_str());
+    }
 }
 
 QTEST_APPLESS_MAIN(TestParameter)
