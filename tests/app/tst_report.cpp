@@ -152,7 +152,7 @@ void TestReport::theHeadSaysWhoseItIs() {
     QVERIFY(head.contains("A. Bohrer") && head.contains("2 May"));
     QVERIFY(!head.contains("Customer"));  // not given
     const QByteArray german = output({"report", "t38_medium_rock", "--language", "de", "-o", "-"});
-    QVERIFY(german.contains("<html lang=\"de\">") && german.contains("<h2>Urteil über den Vorschub</h2>"));
+    QVERIFY(german.contains("<html lang=\"de\">") && german.contains("<h2>Erforderlicher Andruck</h2>"));
     QVERIFY(german.contains("data-value=\"0.4297") && german.contains("0,429738"));
     QVERIFY(!output({"report", "t38_medium_rock", "-o", "-"}).contains("head-table"));
 }
@@ -162,7 +162,7 @@ void TestReport::whatIsToBeDoneStandsFirstAndTheSolverLast() {
         const QByteArray page = output({"report", name, "-o", "-"});
         const char* order[] = {"class=\"decision\"",
                                "<img ",
-                               "<h2>Verdict on the feed",
+                               "<h2>Required feed",
                                "<h2>Results",
                                "<h2>Inputs",
                                "<h2>Plots",

@@ -38,6 +38,7 @@
 #include "tests/support/scenario_reading.h"
 
 using namespace drillwave;
+using namespace std::string_literals;
 using namespace drillwave::test;
 
 namespace {
@@ -167,7 +168,7 @@ std::vector<std::string> sampleTexts() {
             "Interval\",1e-6,s,1e-6,2.5\r\r\n,,,2e-6,9.9e37\r\r\n",
             "Tid [\u00b5s];Kraft [kN]\n\u22121;\u22120,5\n0;1\u00a0234,5\n1;#SAKNAS!\n2;1.234,5\n",
             "time [us],-2,-1,0,1,2,3,4,5,6,7\nforce [kN],0,1,2,3,2,1,0,0,0,0\n",
-            std::string("t [us],F [kN]\n0,1\n1,2\n2,1\n\0\0\0", 31)};
+            "t [us],F [kN]\n0,1\n1,2\n2,1\n\0\0\0"s};
 }
 
 std::vector<std::string> wordTexts() {

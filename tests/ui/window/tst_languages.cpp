@@ -328,7 +328,8 @@ void TestLanguages::menusAndFieldsSpeak_data() {
     QTest::addColumn<QStringList>("menus");
     QTest::addColumn<QStringList>("labels");
     QTest::newRow("de") << "de" << QStringList{"&Datei", "&Bearbeiten", "&Ansicht", "&Studie", "&Hilfe"}
-                        << QStringList{"Stoßzahl e", "Bedarf", "Andruck", "Schlagfrequenz", "Steifigkeit k"};
+                        << QStringList{"Stoßzahl e", "erforderlich, jeder Spalt", "Andruck", "Schlagfrequenz",
+                                       "Steifigkeit k"};
     QTest::newRow("sv") << "sv" << QStringList{"&Arkiv", "&Redigera", "&Visa", "&Studie", "&Hjälp"}
                         << QStringList{"studstal e", "matningskraft", "slagfrekvens", "styvhet k"};
 }

@@ -2,6 +2,8 @@
 // Blows on drill strings against reference solutions, the uniform rod and their own balances.
 #include <QTest>
 #include <array>
+#include <limits>
+#include <tuple>
 #include <utility>
 
 #include "core/blow/impact_summary.h"
@@ -120,35 +122,44 @@ class TestNetworkSolver : public QObject {
 
     /// The reference takes all of the time until the end, and the ends of its pieces: what is greatest inside
     /// one it misses by up to 2e-4. It counts waves as they entered a section, which is more than what is
-    /// left of them where they decay.
+    /// left of them where they decay. Later than a round trip after the blow the waves still have its peaks,
+    /// at the places that are looked up.
     void largestStressesOfReferenceCases() {
-        int compared = 0;
+        int compared = 0, later = 0;
         for (const NetworkCase& scene : networkCases()) {
-            NetworkSettings settings;
-            settings.wants.forces = true;
             const QJsonArray tension = scene.reference["peak_tension_stress"].toObject()["value"].toArray();
             const QJsonArray compression =
                 scene.reference["peak_compression_stress"].toObject()["value"].toArray();
             if (tension.isEmpty()) continue;
-            const Impact impact = solveNetwork(scene.problem, settings);
+            const Impact impact = solvedWithWaves(scene.problem);
+            Impact whole = impact;
+            whole.forcesEnd = std::numeric_limits<double>::infinity();
+            whole.sections.clear();
+            const std::vector<SectionEnvelope> envelope = stringEnvelope(whole);
             for (std::size_t j = 0; j < impact.sections.size(); ++j) {
-                const double decay = scene.problem.sections[j].decay;
+                const double kept = std::exp(-scene.problem.sections[j].decay);
                 const double toStress = scene.units.force() / scene.areas[j];
                 const SectionForces& forces = impact.sections[j];
-                const auto agree = [&](const SectionPeak& during, const SectionPeak& after,
-                                       double reference) {
-                    const double value = std::max(during.force, after.force) * toStress;
+                for (const auto& [during, after, reference] :
+                     {std::tuple(&SectionForces::tension, &SectionForces::tensionAfter,
+                                 tension[int(j)].toDouble()),
+                      {&SectionForces::compression, &SectionForces::compressionAfter,
+                       compression[int(j)].toDouble()}}) {
+                    const double value = std::max((forces.*during).force, (forces.*after).force) * toStress;
                     ++compared;
-                    return value >= reference * std::exp(-decay) * (1 - 2e-5) - 1 &&
-                           value <= reference * (1 + 3e-4) + 1;
-                };
-                QVERIFY2(agree(forces.tension, forces.tensionAfter, tension[int(j)].toDouble()),
-                         scene.id.c_str());
-                QVERIFY2(agree(forces.compression, forces.compressionAfter, compression[int(j)].toDouble()),
-                         scene.id.c_str());
+                    QVERIFY2(value <= reference * (1 + 3e-4) + 1, scene.id.c_str());
+                    if (value >= reference * kept * (1 - 2e-5) - 1) continue;
+                    ++later;
+                    const auto most = std::ranges::max(
+                        envelope[j], {}, [&](const SectionForces& place) { return (place.*after).force; });
+                    QVERIFY2((most.*after).time > impact.forcesEnd, scene.id.c_str());
+                    QVERIFY2((most.*after).force * toStress >= reference * kept * (1 - 5e-3) - 1,
+                             scene.id.c_str());
+                }
             }
         }
         QVERIFY(compared > 250);
+        QVERIFY2(later > 0 && later < compared / 10, QByteArray::number(later));
     }
 
     /// The waves themselves, looked up at many places: none has more in either span of time, and where the

@@ -101,7 +101,8 @@ class TestStringEnvelope : public QObject {
                 const SectionPeak peak = impact.sections[j].*sign;
                 if (!(peak.force > 0)) continue;
                 const double there =
-                    (largestForcesAt(*impact.waves, j, peak.place, impact.endOfBlow).*sign).force;
+                    (largestForcesAt(*impact.waves, j, peak.place, impact.endOfBlow, impact.forcesEnd).*sign)
+                        .force;
                 QVERIFY2(std::abs(there - known) < 1e-3 * known + 1e-9,
                          QString("section %1 at %2: %3, not %4")
                              .arg(j)

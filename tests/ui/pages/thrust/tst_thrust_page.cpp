@@ -190,7 +190,7 @@ void TestThrustPage::theTableAndTheSentenceAreThoseOfTheStudy() {
     auto* table = m_page->findChild<QTableWidget*>(QStringLiteral("needs"));
     for (const ThrustCase which : thrustCases) {
         const QString need = table->item(0, int(which))->text();
-        const double shown = QLocale().toDouble(need.section(QLatin1Char(' '), 0, 0));
+        const double shown = QLocale().toDouble(need.section(QChar(QChar::Nbsp), 0, 0));
         QVERIFY2(std::abs(shown * 1000 / study.need(which).thrust - 1) < 1e-3, qPrintable(need));
         const QString margin = table->item(2, int(which))->text();
         QVERIFY2(margin.startsWith(QLatin1Char('+')) && margin.endsWith(QLatin1Char('%')),
@@ -311,7 +311,7 @@ void TestThrustPage::whatLacksIsSaidAndCanBeEntered() {
     m_document->clear(*findParameter("drill.thrust"), m_document->newGesture());
     m_page->show();
     QTRY_COMPARE(words(),
-                 QStringLiteral("The feed is not judged: neither blow frequency nor thrust is given."));
+                 QStringLiteral("The feed is not judged: neither blow frequency nor feed force is given."));
     QVERIFY(m_page->command().isEmpty());
     QVERIFY(!m_page->exports().first().obstacle().isEmpty());
     auto* field = m_page->findChild<QuantityField*>(QStringLiteral("missing.drill.blow_frequency"));
@@ -417,7 +417,7 @@ void TestThrustPage::aStringIsToldOfItsBlowAndRigidRock() {
         const QCPGraphDataContainer& line = *m_page->thrustPlot().need(which)->data();
         QCOMPARE(line.size(), need.known ? 101 : 0);
         if (!need.known) continue;
-        const QString shown = table->item(0, int(which))->text().section(QLatin1Char(' '), 0, 0);
+        const QString shown = table->item(0, int(which))->text().section(QChar(QChar::Nbsp), 0, 0);
         QVERIFY2(std::abs(QLocale().toDouble(shown) * 1000 / need.thrust - 1) < 1e-3, qPrintable(shown));
     }
     QCOMPARE(legendNames(), (QStringList{QStringLiteral("this blow"), QStringLiteral("rigid rock"),
