@@ -23,20 +23,6 @@ namespace {
 
 using enum DrillingMeasure;
 
-constexpr DrillingColumn columnTable[] = {{"time", time, &DrillingBlow::time},
-                                          {"gap", length, &DrillingBlow::gap},
-                                          {"velocity", velocity, &DrillingBlow::velocity},
-                                          {"rock_impulse", impulse, &DrillingBlow::rockImpulse},
-                                          {"penetration", length, &DrillingBlow::penetration},
-                                          {"hole_depth", length, &DrillingBlow::holeDepth},
-                                          {"peak_force", force, &DrillingBlow::peakForce},
-                                          {"contacts", count, &DrillingBlow::contacts},
-                                          {"contact_time", time, &DrillingBlow::contactTime},
-                                          {"damper_peak_force", force, &DrillingBlow::damperPeak},
-                                          {"face_impulse", impulse, &DrillingBlow::faceImpulse},
-                                          {"hammer_rebound_velocity", velocity, &DrillingBlow::hammerRebound},
-                                          {"shank_offset", length, &DrillingBlow::shankOffset}};
-
 /// Deviations below that, in units of Problem, are rounding.
 constexpr double noSpread = 1e-9;
 
@@ -47,7 +33,7 @@ Json valueOf(double ofProblem, DrillingMeasure measure, const DrillingResult& re
 
 JsonObject spreadJson(const DrillingResult& result, std::size_t quantity, OutputUnits units) {
     const BlowSpread& spread = result.spread(quantity);
-    const DrillingMeasure measure = measureOf(blowQuantities[quantity]);
+    const DrillingMeasure measure = blowQuantities[quantity].measure;
     const auto value = [&](double number) { return valueOf(number, measure, result, units); };
     const std::optional<double> error = result.meanError(quantity);
     return {{"mean", value(spread.mean)},
@@ -60,25 +46,41 @@ JsonObject spreadJson(const DrillingResult& result, std::size_t quantity, Output
             {"largest", value(spread.largest)}};
 }
 
+/// What multiples without units are of.
+const char* multipleOf(DrillingMeasure measure) {
+    switch (measure) {
+        case count:
+            return "1";
+        case time:
+            return "t0";
+        case length:
+            return "d0";
+        case velocity:
+            return "v0";
+        case impulse:
+            return "I0";
+        case force:
+            return "F0";
+        case energy:
+            return "W0";
+    }
+    return "";
+}
+
 JsonObject unitsJson(const DrillingResult& result, OutputUnits units) {
     const auto unit = [&](DrillingMeasure measure, const char* multiple) {
         if (units == OutputUnits::dimensionless) return Json(multiple);
         return unitJson(scaleOf(measure, result).quantity);
     };
-    return {{"gap", unit(length, "d0")},
-            {"penetration", unit(length, "d0")},
-            {"velocity", unit(velocity, "v0")},
-            {"rock_impulse", unit(impulse, "I0")},
-            {"face_impulse", unit(impulse, "I0")},
-            {"peak_force", unit(force, "F0")},
-            {"damper_peak_force", unit(force, "F0")},
-            {"contact_time", unit(time, "t0")},
-            {"contacts", "1"},
-            {"contact_limit", unit(length, "d0")},
-            {"ledger", unit(energy, "W0")},
-            {"penetration_rate", "m/s"},
-            {"feed", "N"},
-            {"blow_frequency_used", "Hz"}};
+    JsonObject object;
+    for (const BlowQuantity& quantity : blowQuantities)
+        object[quantity.name] = unit(quantity.measure, multipleOf(quantity.measure));
+    object["contact_limit"] = unit(length, multipleOf(length));
+    object["ledger"] = unit(energy, multipleOf(energy));
+    object["penetration_rate"] = "m/s";
+    object["feed"] = "N";
+    object["blow_frequency_used"] = "Hz";
+    return object;
 }
 
 JsonArray alertList(const std::vector<Alert>& alerts) {
@@ -100,14 +102,6 @@ Json statisticsJson(const DrillingResult& result, OutputUnits units) {
 }
 
 }  // namespace
-
-std::span<const DrillingColumn> drillingColumns() {
-    return columnTable;
-}
-
-DrillingMeasure measureOf(const BlowQuantity& quantity) {
-    return std::ranges::find(columnTable, std::string_view(quantity.name), &DrillingColumn::name)->measure;
-}
 
 DrillingScale scaleOf(DrillingMeasure measure, const DrillingResult& result) {
     const DrillingUnits& units = result.units;
@@ -223,7 +217,7 @@ std::string drillingJson(const DrillingReport& report, OutputUnits units) {
 
 std::vector<std::string> drillingHeaders(const DrillingResult& result, OutputUnits units) {
     std::vector<std::string> headers;
-    for (const DrillingColumn& column : columnTable) {
+    for (const BlowQuantity& column : blowColumns) {
         const Quantity quantity = scaleOf(column.measure, result).quantity;
         headers.push_back(withUnit(column.name, units == OutputUnits::si && column.measure != count
                                                     ? &unitsOf(quantity).front()
@@ -240,7 +234,7 @@ std::string drillingCsv(const DrillingReport& report, OutputUnits units) {
     long number = 0;
     for (const DrillingBlow& blow : result.blows) {
         csv += std::to_string(++number);
-        for (const DrillingColumn& column : columnTable) {
+        for (const BlowQuantity& column : blowColumns) {
             csv += ',';
             const double value = scaleOf(column.measure, result).value(blow.*column.value, units);
             if (std::isfinite(value)) appendNumber(csv, value);

@@ -3,9 +3,7 @@
 #pragma once
 
 #include <optional>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "core/blow/feed_estimate.h"
@@ -28,9 +26,6 @@ struct DrillingReport {
     std::string scenarioText;
 };
 
-/// What a number of a blow is, and of what it is a multiple: times, gaps, impulses, forces, velocities.
-enum class DrillingMeasure { count, time, length, velocity, impulse, force, energy };
-
 /// SI value of the unit of Problem, of the multiple that is told without units, and the quantity.
 struct DrillingScale {
     Quantity quantity = Quantity::ratio;
@@ -42,16 +37,6 @@ struct DrillingScale {
     }
 };
 DrillingScale scaleOf(DrillingMeasure measure, const DrillingResult& result);
-
-/// A column of blows.
-struct DrillingColumn {
-    std::string_view name;
-    DrillingMeasure measure;
-    double DrillingBlow::*value;
-};
-std::span<const DrillingColumn> drillingColumns();
-/// Of one of blowQuantities.
-DrillingMeasure measureOf(const BlowQuantity& quantity);
 
 /// A spread or an error, in units of Problem, as it is told: what is rounding alone is nothing.
 double withoutRounding(double spread);

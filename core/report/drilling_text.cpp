@@ -48,24 +48,22 @@ std::string statisticsTable(const DrillingResult& result, OutputUnits units, con
     };
     TextGrid grid;
     grid.add(titles());
-    const auto add = [&](double DrillingBlow::*value, const char* label) {
-        const std::size_t q = quantityPlace(value);
-        const DrillingScale scale = scaleOf(measureOf(blowQuantities[q]), result);
+    for (std::size_t q = 0; q < blowQuantities.size(); ++q) {
+        const BlowQuantity& quantity = blowQuantities[q];
+        if (!quantity.title) continue;
+        const DrillingScale scale = scaleOf(quantity.measure, result);
         const auto told = [&](double number, int digits) {
             const double shown = scale.value(number, units);
-            return units == OutputUnits::si ? style.quantity(shown, scale.quantity, digits)
-                                            : style.number(shown, digits);
+            return units == OutputUnits::si && quantity.measure != DrillingMeasure::count
+                       ? style.quantity(shown, scale.quantity, digits)
+                       : style.number(shown, digits);
         };
         const BlowSpread& spread = result.spread(q);
         const std::optional<double> error = result.meanError(q);
-        grid.add({style.said(label), told(spread.mean, statisticDigits),
+        grid.add({style.said(quantity.title), told(spread.mean, statisticDigits),
                   error ? told(withoutRounding(*error), 2) : "", told(withoutRounding(spread.deviation), 3),
                   told(spread.q05, 4), told(spread.q50, 4), told(spread.q95, 4)});
-    };
-    add(&DrillingBlow::gap, translatable("drillwave::Message", "gap at the blow"));
-    add(&DrillingBlow::penetration, translatable("drillwave::Message", "penetration"));
-    add(&DrillingBlow::rockImpulse, translatable("drillwave::Message", "rock impulse"));
-    add(&DrillingBlow::peakForce, translatable("drillwave::Message", "peak force"));
+    }
     return grid.text();
 }
 

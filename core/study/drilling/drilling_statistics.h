@@ -2,12 +2,14 @@
 // What many blows have in common: means with errors, contact share, period, how gaps scatter (drilling §5).
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "core/text/message.h"
 #include "core/wave/drilling/drilling_problem.h"
 
 namespace drillwave {
@@ -24,22 +26,54 @@ struct BlowSpread {
 /// Requires values.
 BlowSpread spreadOf(std::span<const double> values);
 
-/// What is told of every blow; in the order of their columns.
+/// What a number of a blow is, and of what it is a multiple: times, gaps, impulses, forces, velocities.
+enum class DrillingMeasure { count, time, length, velocity, impulse, force, energy };
+
+/// A number of every blow.
 struct BlowQuantity {
-    const char* name;
-    double DrillingBlow::*value;
+    const char* name = nullptr;  ///< of its column, and its key in JSON
+    DrillingMeasure measure = DrillingMeasure::count;
+    double DrillingBlow::*value = nullptr;
+    bool hasSpread = false;         ///< its mean, deviation and quantiles are results
+    const char* title = nullptr;    ///< where tables that people read show its spread
+    const char* meaning = nullptr;  ///< of such a row, in a sentence
 };
-inline constexpr std::array<BlowQuantity, 9> blowQuantities{{
-    {"gap", &DrillingBlow::gap},
-    {"velocity", &DrillingBlow::velocity},
-    {"rock_impulse", &DrillingBlow::rockImpulse},
-    {"penetration", &DrillingBlow::penetration},
-    {"peak_force", &DrillingBlow::peakForce},
-    {"contact_time", &DrillingBlow::contactTime},
-    {"contacts", &DrillingBlow::contacts},
-    {"damper_peak_force", &DrillingBlow::damperPeak},
-    {"face_impulse", &DrillingBlow::faceImpulse},
+
+/// All of them, in the order of the columns of blows.csv.
+inline constexpr std::array<BlowQuantity, 13> blowColumns{{
+    {"time", DrillingMeasure::time, &DrillingBlow::time},
+    {"gap", DrillingMeasure::length, &DrillingBlow::gap, true,
+     translatable("drillwave::Message", "gap at the blow"),
+     translatable("drillwave::Message", "Between bit and rock when the hammer strikes")},
+    {"velocity", DrillingMeasure::velocity, &DrillingBlow::velocity, true},
+    {"rock_impulse", DrillingMeasure::impulse, &DrillingBlow::rockImpulse, true,
+     translatable("drillwave::Message", "rock impulse"),
+     translatable("drillwave::Message",
+                  "Of a blow and the cycle behind it; on the mean the feed times the interval")},
+    {"penetration", DrillingMeasure::length, &DrillingBlow::penetration, true,
+     translatable("drillwave::Message", "penetration"),
+     translatable("drillwave::Message", "Per blow; an upper limit: all rock under the bit gives way")},
+    {"hole_depth", DrillingMeasure::length, &DrillingBlow::holeDepth},
+    {"peak_force", DrillingMeasure::force, &DrillingBlow::peakForce, true,
+     translatable("drillwave::Message", "peak force"),
+     translatable("drillwave::Message", "Largest force of the rock in a cycle")},
+    {"contacts", DrillingMeasure::count, &DrillingBlow::contacts, true,
+     translatable("drillwave::Message", "contacts"),
+     translatable("drillwave::Message", "How many contacts begin in a cycle")},
+    {"contact_time", DrillingMeasure::time, &DrillingBlow::contactTime, true},
+    {"damper_peak_force", DrillingMeasure::force, &DrillingBlow::damperPeak, true},
+    {"face_impulse", DrillingMeasure::impulse, &DrillingBlow::faceImpulse, true},
+    {"hammer_rebound_velocity", DrillingMeasure::velocity, &DrillingBlow::hammerRebound},
+    {"shank_offset", DrillingMeasure::length, &DrillingBlow::shankOffset},
 }};
+
+/// Those of `blowColumns` that have a spread.
+inline constexpr auto blowQuantities = [] {
+    constexpr auto count = std::ranges::count_if(blowColumns, &BlowQuantity::hasSpread);
+    std::array<BlowQuantity, static_cast<std::size_t>(count)> quantities;
+    std::ranges::copy_if(blowColumns, quantities.begin(), &BlowQuantity::hasSpread);
+    return quantities;
+}();
 
 /// Where it is in blowQuantities. Requires that it is there.
 constexpr std::size_t quantityPlace(double DrillingBlow::*value) {

@@ -14,9 +14,8 @@ namespace drillwave {
 namespace {
 
 constexpr qsizetype joinedReturns = 20;
-constexpr std::size_t gapPlace = 0, penetrationPlace = 3;  // of blowQuantities
-static_assert(std::string_view(blowQuantities[gapPlace].name) == "gap");
-static_assert(std::string_view(blowQuantities[penetrationPlace].name) == "penetration");
+constexpr std::size_t gapPlace = quantityPlace(&DrillingBlow::gap),
+                      penetrationPlace = quantityPlace(&DrillingBlow::penetration);
 
 /// Shown value of 1 in units of Problem.
 double lengthFactor(const DrillingUnits& units, const DrillingShown& shown) {

@@ -5,6 +5,7 @@
 #include <QScrollBar>
 
 #include "core/report/drilling_report.h"
+#include "ui/text/core_text.h"
 #include "ui/text/local_style.h"
 #include "ui/text/unit_choice.h"
 
@@ -13,39 +14,29 @@ namespace {
 
 enum Column { mean, error, deviation, low, median, high, columns };
 
-struct TableRow {
-    std::size_t quantity;  ///< of blowQuantities
-    const char* name;
-    const char* meaning;
-};
-constexpr TableRow tableRows[] = {
-    {0, QT_TRANSLATE_NOOP("drillwave::DrillingTable", "gap at the blow"),
-     QT_TRANSLATE_NOOP("drillwave::DrillingTable", "Between bit and rock when the hammer strikes")},
-    {3, QT_TRANSLATE_NOOP("drillwave::DrillingTable", "penetration"),
-     QT_TRANSLATE_NOOP("drillwave::DrillingTable",
-                       "Per blow; an upper limit: all rock under the bit gives way")},
-    {2, QT_TRANSLATE_NOOP("drillwave::DrillingTable", "rock impulse"),
-     QT_TRANSLATE_NOOP("drillwave::DrillingTable",
-                       "Of a blow and the cycle behind it; on the mean the feed times the "
-                       "interval")},
-    {4, QT_TRANSLATE_NOOP("drillwave::DrillingTable", "peak force"),
-     QT_TRANSLATE_NOOP("drillwave::DrillingTable", "Largest force of the rock in a cycle")},
-    {6, QT_TRANSLATE_NOOP("drillwave::DrillingTable", "contacts"),
-     QT_TRANSLATE_NOOP("drillwave::DrillingTable", "How many contacts begin in a cycle")}};
-constexpr int rowCountOfTable = int(std::size(tableRows));
+/// Places in blowQuantities of those that have a row.
+std::vector<std::size_t> rowsOfTable() {
+    std::vector<std::size_t> rows;
+    for (std::size_t q = 0; q < blowQuantities.size(); ++q)
+        if (blowQuantities[q].title) rows.push_back(q);
+    return rows;
+}
 
 }  // namespace
 
-DrillingTable::DrillingTable(QWidget* parent) : QTableWidget(rowCountOfTable, columns, parent) {
+DrillingTable::DrillingTable(QWidget* parent) : QTableWidget(parent), m_rows(rowsOfTable()) {
+    setRowCount(int(m_rows.size()));
+    setColumnCount(columns);
     setObjectName(QStringLiteral("statistics"));
     setAccessibleName(tr("Statistics of the blows"));
     setHorizontalHeaderLabels({tr("mean"), QStringLiteral("±"), tr("deviation"), QStringLiteral("5 %"),
                                tr("median"), QStringLiteral("95 %")});
     horizontalHeaderItem(error)->setToolTip(
         tr("Error of the mean, 95 %: by batches of blows, and what larger or smaller cells change"));
-    for (int row = 0; row < rowCountOfTable; ++row) {
-        auto* header = new QTableWidgetItem(tr(tableRows[row].name));
-        header->setToolTip(tr(tableRows[row].meaning));
+    for (int row = 0; row < rowCount(); ++row) {
+        const BlowQuantity& quantity = blowQuantities[m_rows[std::size_t(row)]];
+        auto* header = new QTableWidgetItem(coreText(quantity.title));
+        header->setToolTip(coreText(quantity.meaning));
         setVerticalHeaderItem(row, header);
         for (int column = 0; column < columns; ++column) {
             auto* cell = new QTableWidgetItem;
@@ -69,9 +60,9 @@ void DrillingTable::setText(int row, int column, const QString& text) {
 
 void DrillingTable::present(const DrillingResult& result, const UnitChoice& units) {
     const LocalStyle style = LocalStyle::of(units);
-    for (int row = 0; row < rowCountOfTable; ++row) {
-        const std::size_t quantity = tableRows[row].quantity;
-        const DrillingMeasure measure = measureOf(blowQuantities[quantity]);
+    for (int row = 0; row < rowCount(); ++row) {
+        const std::size_t quantity = m_rows[std::size_t(row)];
+        const DrillingMeasure measure = blowQuantities[quantity].measure;
         const DrillingScale scale = scaleOf(measure, result);
         const auto text = [&](double value, int digits) {
             const double si = scale.value(value, OutputUnits::si);
@@ -91,7 +82,7 @@ void DrillingTable::present(const DrillingResult& result, const UnitChoice& unit
 }
 
 void DrillingTable::clearNumbers() {
-    for (int row = 0; row < rowCountOfTable; ++row)
+    for (int row = 0; row < rowCount(); ++row)
         for (int column = 0; column < columns; ++column) setText(row, column, {});
 }
 

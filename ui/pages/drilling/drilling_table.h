@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QTableWidget>
+#include <vector>
 
 #include "core/study/drilling/drilling_study.h"
 
@@ -25,6 +26,8 @@ class DrillingTable : public QTableWidget {
 
   private:
     void setText(int row, int column, const QString& text);
+
+    const std::vector<std::size_t> m_rows;  ///< places in blowQuantities
 };
 
 }  // namespace drillwave

@@ -36,12 +36,6 @@ constexpr Compared comparedTable[] = {{"gap", &DrillingBlow::gap, 2e-3},
                                       {"peak_force", &DrillingBlow::peakForce, 2e-3},
                                       {"face_impulse", &DrillingBlow::faceImpulse, 5e-4}};
 
-std::size_t placeOf(double DrillingBlow::*value) {
-    std::size_t place = 0;
-    while (blowQuantities[place].value != value) ++place;
-    return place;
-}
-
 double siOf(const char* name, const DrillingUnits& units) {
     const QLatin1String quantity(name);
     if (quantity == QLatin1String("gap") || quantity == QLatin1String("penetration")) return units.length();
@@ -112,10 +106,10 @@ void TestDrillingCases::casesHold() {
                                     .arg(value * si)
                                     .arg(wanted)));
         };
-        const BlowSpread& spread = result.spread(placeOf(compared.value));
+        const BlowSpread& spread = result.spread(quantityPlace(compared.value));
         if (kind == "statistics") {
-            const double errors =
-                expected["error"].toDouble() + result.meanError(placeOf(compared.value)).value_or(0) * si;
+            const double errors = expected["error"].toDouble() +
+                                  result.meanError(quantityPlace(compared.value)).value_or(0) * si;
             check(spread.mean, expected["value"].toDouble(), std::max(3 * errors, 0.01 * scale), 0);
         } else if (kind == "periodic" && !isShakenDown) {
             check(spread.mean, expected["value"].toDouble(),

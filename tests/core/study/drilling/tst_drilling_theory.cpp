@@ -52,9 +52,7 @@ DrillingStatistics statistics(const Case& groups, int cells, long blows, std::si
 }
 
 double meanOf(const DrillingStatistics& statistics, double DrillingBlow::*value) {
-    std::size_t place = 0;
-    while (blowQuantities[place].value != value) ++place;
-    return statistics.spreads[place].mean;
+    return statistics.spreads[quantityPlace(value)].mean;
 }
 
 /// ln of how much a small distance grows in a blow, by a second march beside it.
