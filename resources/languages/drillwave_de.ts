@@ -1882,14 +1882,6 @@ Trotzdem löschen?</translation>
         <translation>840 mm, 15,8 kg, Bohrung 6,2 mm (Mitsubishi Materials, Top Hammer Tools 2024, aus zweiter Hand); als wäre es gleichförmig, der Durchmesser aus der Masse</translation>
     </message>
     <message>
-        <source>A T38 string of three rods with its hammer. Look at the efficiency, which the couplings decide: each is of larger impedance than the rods and throws back part of every wave that passes, so that 0.50 of the energy of the hammer stays in the rock, where couplings as thin as the rod would leave 0.75. Then look at the largest tension.</source>
-        <translation>Ein T38-Strang aus drei Stangen mit seinem Hammer. Auf den Wirkungsgrad achten, über den die Kupplungsmuffen entscheiden: jede hat eine größere Impedanz als die Stangen und wirft einen Teil jeder durchlaufenden Welle zurück, so dass 0,50 der Energie des Hammers im Gestein bleibt, wo Muffen so dünn wie die Stange 0,75 ließen. Dann auf den größten Zug achten.</translation>
-    </message>
-    <message>
-        <source>A bench drilling string of five T51 rods. Look at the efficiency, 0.46 where three T38 rods have 0.50, and set string.repeat to fewer and to more rods: the first joints of a string cost more than the last.</source>
-        <translation>Ein Strang aus fünf T51-Stangen zum Strossenbohren. Auf den Wirkungsgrad achten, 0,46, wo drei T38-Stangen 0,50 haben, und string.repeat auf weniger und auf mehr Stangen setzen: die ersten Verbindungen eines Strangs kosten mehr als die letzten.</translation>
-    </message>
-    <message>
         <source>A bench-drilling string in medium rock: the case to start from. Look at the energy and the thrust: three quarters of the blow stay in the rock, most of the rest runs to and fro in the rod as waves, and the rebound sets the feed force that the blows need. Drag the stiffness or the gap to see both change.</source>
         <translation>Ein Strang zum Strossenbohren in mittelhartem Gestein: der Fall für den Anfang. Auf die Energie und den Andruck achten: drei Viertel des Schlags bleiben im Gestein, der größte Teil des Rests läuft als Wellen in der Stange hin und her, und der Rückprall bestimmt den Andruck, den die Schläge brauchen. Die Steifigkeit oder den Spalt ziehen, um zu sehen, wie sich beide ändern.</translation>
     </message>
@@ -1900,10 +1892,6 @@ Trotzdem löschen?</translation>
     <message>
         <source>A light drifter on hard rock. Look at the peak force and at the thrust needed: stiff rock answers a short blow with a high, brief force and throws the string back harder than softer rock, so that more feed force is needed for each joule that stays in the rock. Compare with the T38 rod in medium rock.</source>
         <translation>Ein leichter Bohrhammer auf hartem Gestein. Auf die Spitzenkraft und den nötigen Andruck achten: steifes Gestein beantwortet einen kurzen Schlag mit einer hohen, kurzen Kraft und wirft den Strang heftiger zurück als weicheres Gestein, so dass für jedes Joule, das im Gestein bleibt, mehr Andruck nötig ist. Mit der T38-Stange in mittelhartem Gestein vergleichen.</translation>
-    </message>
-    <message>
-        <source>A light drifter with one R32 rod on hard rock. Look at the velocity with which the hammer comes back: stiff rock and a short string return 11 % of its energy to it, where three T38 rods in softer rock return 2 %. Compare the efficiency of 0.67 with that of the T38 string.</source>
-        <translation>Ein leichter Bohrhammer mit einer R32-Stange auf hartem Gestein. Auf die Geschwindigkeit achten, mit der der Hammer zurückkommt: steifes Gestein und ein kurzer Strang geben ihm 11&#xa0;% seiner Energie zurück, wo drei T38-Stangen in weicherem Gestein 2&#xa0;% zurückgeben. Den Wirkungsgrad von 0,67 mit dem des T38-Strangs vergleichen.</translation>
     </message>
     <message>
         <source>A rod without waves before the impact: it flies as a rigid body against the same spring as in Fig. 4 (a). Look at the single long contact and compare e = 0.990 with 1.401 there: the super rebound is the work of the pre-impact waves. The scales are those of Fig. 4, the unit of time being the t0 that gives tau = 10.</source>
@@ -2732,6 +2720,18 @@ Trotzdem löschen?</translation>
     <message>
         <source>this blow</source>
         <translation>dieser Schlag</translation>
+    </message>
+    <message>
+        <source>A T38 string of three rods with its hammer. Look at the efficiency, which the joints decide: 0.32 of the energy of the hammer stays in the rock. Each joint is assumed to lose 5 % of the energy that passes; without these losses 0.50 would stay. The couplings are of larger impedance than the rods and throw back part of every wave; as thin as the rod they would leave 0.41. Then look at the largest tension.</source>
+        <translation>Ein T38-Strang aus drei Stangen mit seinem Hammer. Man beachte den Wirkungsgrad, über den die Verbindungen entscheiden: 0,32 der Energie des Hammers bleiben im Gestein. Jede Verbindung verliert nach Annahme 5&#xa0;% der Energie, die hindurchgeht; ohne diese Verluste blieben 0,50. Die Kupplungsmuffen haben eine größere Impedanz als die Stangen und werfen einen Teil jeder Welle zurück; so dünn wie die Stange ließen sie 0,41. Dann beachte man den größten Zug.</translation>
+    </message>
+    <message>
+        <source>A bench drilling string of five T51 rods. Look at the efficiency, 0.24 where three T38 rods have 0.32, and set string.repeat to fewer and to more rods: the first joints of a string cost more than the last. Each is assumed to lose 5 % of the energy that passes; without these losses 0.46 would stay in the rock.</source>
+        <translation>Ein Strang aus fünf T51-Stangen zum Strossenbohren. Man beachte den Wirkungsgrad, 0,24, wo drei T38-Stangen 0,32 haben, und setze string.repeat auf weniger und auf mehr Stangen: die ersten Verbindungen eines Strangs kosten mehr als die letzten. Jede verliert nach Annahme 5&#xa0;% der Energie, die hindurchgeht; ohne diese Verluste blieben 0,46 im Gestein.</translation>
+    </message>
+    <message>
+        <source>A light drifter with one R32 rod on hard rock. Look at the efficiency: 0.56, where three T38 rods in softer rock have 0.32. Each joint is assumed to lose 5 % of the energy that passes, and a string of one rod has few of them; without these losses 0.67 would stay in the rock, and 8 % would move back with the hammer, not 0.7 %.</source>
+        <translation>Ein leichter Bohrhammer mit einer R32-Stange auf hartem Gestein. Man beachte den Wirkungsgrad: 0,56, wo drei T38-Stangen in weicherem Gestein 0,32 haben. Jede Verbindung verliert nach Annahme 5&#xa0;% der Energie, die hindurchgeht, und ein Strang aus einer Stange hat wenige davon; ohne diese Verluste blieben 0,67 im Gestein, und 8&#xa0;% gingen mit dem Hammer zurück, nicht 0,7&#xa0;%.</translation>
     </message>
 </context>
 <context>
@@ -4671,46 +4671,6 @@ Gezeigt wird der Wert davor.</translation>
 </context>
 <context>
     <name>drillwave::DrillingTable</name>
-    <message>
-        <source>gap at the blow</source>
-        <translation>Spalt beim Schlag</translation>
-    </message>
-    <message>
-        <source>Between bit and rock when the hammer strikes</source>
-        <translation>Zwischen Bohrkrone und Gestein, wenn der Hammer schlägt</translation>
-    </message>
-    <message>
-        <source>penetration</source>
-        <translation>Eindringung</translation>
-    </message>
-    <message>
-        <source>Per blow; an upper limit: all rock under the bit gives way</source>
-        <translation>Je Schlag; eine obere Grenze: alles Gestein unter der Bohrkrone gibt nach</translation>
-    </message>
-    <message>
-        <source>rock impulse</source>
-        <translation>Kraftstoß auf das Gestein</translation>
-    </message>
-    <message>
-        <source>Of a blow and the cycle behind it; on the mean the feed times the interval</source>
-        <translation>Je Schlag und den Zyklus danach; im Mittel der Andruck mal dem Abstand der Schläge</translation>
-    </message>
-    <message>
-        <source>peak force</source>
-        <translation>Spitzenkraft</translation>
-    </message>
-    <message>
-        <source>Largest force of the rock in a cycle</source>
-        <translation>Größte Kraft des Gesteins in einem Zyklus</translation>
-    </message>
-    <message>
-        <source>contacts</source>
-        <translation>Kontakte</translation>
-    </message>
-    <message>
-        <source>How many contacts begin in a cycle</source>
-        <translation>Wie viele Kontakte in einem Zyklus beginnen</translation>
-    </message>
     <message>
         <source>Statistics of the blows</source>
         <translation>Statistik der Schläge</translation>
@@ -11403,6 +11363,30 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>two rows of numbers are needed below the header</source>
         <translation>unter der Kopfzeile werden zwei Zeilen mit Zahlen gebraucht</translation>
+    </message>
+    <message>
+        <source>Between bit and rock when the hammer strikes</source>
+        <translation>Zwischen Bohrkrone und Gestein, wenn der Hammer schlägt</translation>
+    </message>
+    <message>
+        <source>Of a blow and the cycle behind it; on the mean the feed times the interval</source>
+        <translation>Je Schlag und den Zyklus danach; im Mittel der Andruck mal dem Abstand der Schläge</translation>
+    </message>
+    <message>
+        <source>Per blow; an upper limit: all rock under the bit gives way</source>
+        <translation>Je Schlag; eine obere Grenze: alles Gestein unter der Bohrkrone gibt nach</translation>
+    </message>
+    <message>
+        <source>Largest force of the rock in a cycle</source>
+        <translation>Größte Kraft des Gesteins in einem Zyklus</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>Kontakte</translation>
+    </message>
+    <message>
+        <source>How many contacts begin in a cycle</source>
+        <translation>Wie viele Kontakte in einem Zyklus beginnen</translation>
     </message>
 </context>
 <context>

@@ -1882,14 +1882,6 @@ Ta bort ändå?</translation>
         <translation>840 mm, 15,8 kg, spolhål 6,2 mm (Mitsubishi Materials, Top Hammer Tools 2024, i andra hand); som om likformig, diametern ur massan</translation>
     </message>
     <message>
-        <source>A T38 string of three rods with its hammer. Look at the efficiency, which the couplings decide: each is of larger impedance than the rods and throws back part of every wave that passes, so that 0.50 of the energy of the hammer stays in the rock, where couplings as thin as the rod would leave 0.75. Then look at the largest tension.</source>
-        <translation>En T38-sträng med tre stänger och sin hammare. Se på verkningsgraden, som skarvhylsorna avgör: var och en har större impedans än stängerna och reflekterar en del av varje våg som passerar, så att 0,50 av hammarens energi stannar i berget, där skarvhylsor lika tunna som stången skulle lämna 0,75. Se sedan på det största draget.</translation>
-    </message>
-    <message>
-        <source>A bench drilling string of five T51 rods. Look at the efficiency, 0.46 where three T38 rods have 0.50, and set string.repeat to fewer and to more rods: the first joints of a string cost more than the last.</source>
-        <translation>En sträng för pallborrning med fem T51-stänger. Se på verkningsgraden, 0,46 där tre T38-stänger har 0,50, och sätt string.repeat till färre och till fler stänger: de första skarvarna i en sträng kostar mer än de sista.</translation>
-    </message>
-    <message>
         <source>A bench-drilling string in medium rock: the case to start from. Look at the energy and the thrust: three quarters of the blow stay in the rock, most of the rest runs to and fro in the rod as waves, and the rebound sets the feed force that the blows need. Drag the stiffness or the gap to see both change.</source>
         <translation>En sträng för pallborrning i medelhårt berg: fallet att börja med. Se på energin och matningskraften: tre fjärdedelar av slaget stannar i berget, det mesta av resten löper fram och åter i stången som vågor, och studsen bestämmer den matningskraft som slagen kräver. Dra i styvheten eller spalten för att se båda ändras.</translation>
     </message>
@@ -1900,10 +1892,6 @@ Ta bort ändå?</translation>
     <message>
         <source>A light drifter on hard rock. Look at the peak force and at the thrust needed: stiff rock answers a short blow with a high, brief force and throws the string back harder than softer rock, so that more feed force is needed for each joule that stays in the rock. Compare with the T38 rod in medium rock.</source>
         <translation>En lätt borrmaskin på hårt berg. Se på toppkraften och på matningskraften som krävs: styvt berg svarar på ett kort slag med en hög, kortvarig kraft och kastar tillbaka strängen hårdare än mjukare berg, så att det krävs mer matningskraft för varje joule som stannar i berget. Jämför med T38-stången i medelhårt berg.</translation>
-    </message>
-    <message>
-        <source>A light drifter with one R32 rod on hard rock. Look at the velocity with which the hammer comes back: stiff rock and a short string return 11 % of its energy to it, where three T38 rods in softer rock return 2 %. Compare the efficiency of 0.67 with that of the T38 string.</source>
-        <translation>En lätt borrmaskin med en R32-stång på hårt berg. Se på hastigheten med vilken hammaren kommer tillbaka: styvt berg och en kort sträng ger den tillbaka 11&#xa0;% av dess energi, där tre T38-stänger i mjukare berg ger tillbaka 2&#xa0;%. Jämför verkningsgraden 0,67 med T38-strängens.</translation>
     </message>
     <message>
         <source>A rod without waves before the impact: it flies as a rigid body against the same spring as in Fig. 4 (a). Look at the single long contact and compare e = 0.990 with 1.401 there: the super rebound is the work of the pre-impact waves. The scales are those of Fig. 4, the unit of time being the t0 that gives tau = 10.</source>
@@ -2732,6 +2720,18 @@ Ta bort ändå?</translation>
     <message>
         <source>this blow</source>
         <translation>detta slag</translation>
+    </message>
+    <message>
+        <source>A T38 string of three rods with its hammer. Look at the efficiency, which the joints decide: 0.32 of the energy of the hammer stays in the rock. Each joint is assumed to lose 5 % of the energy that passes; without these losses 0.50 would stay. The couplings are of larger impedance than the rods and throw back part of every wave; as thin as the rod they would leave 0.41. Then look at the largest tension.</source>
+        <translation>En T38-sträng av tre stänger med sin hammare. Se på verkningsgraden, som skarvarna avgör: 0,32 av hammarens energi stannar i berget. Varje skarv antas förlora 5&#xa0;% av energin som passerar; utan dessa förluster skulle 0,50 stanna. Skarvhylsorna har större impedans än stängerna och kastar tillbaka en del av varje våg; lika tunna som stången skulle de lämna 0,41. Se sedan på det största draget.</translation>
+    </message>
+    <message>
+        <source>A bench drilling string of five T51 rods. Look at the efficiency, 0.24 where three T38 rods have 0.32, and set string.repeat to fewer and to more rods: the first joints of a string cost more than the last. Each is assumed to lose 5 % of the energy that passes; without these losses 0.46 would stay in the rock.</source>
+        <translation>En sträng av fem T51-stänger för pallborrning. Se på verkningsgraden, 0,24 där tre T38-stänger har 0,32, och sätt string.repeat till färre och fler stänger: en strängs första skarvar kostar mer än de sista. Var och en antas förlora 5&#xa0;% av energin som passerar; utan dessa förluster skulle 0,46 stanna i berget.</translation>
+    </message>
+    <message>
+        <source>A light drifter with one R32 rod on hard rock. Look at the efficiency: 0.56, where three T38 rods in softer rock have 0.32. Each joint is assumed to lose 5 % of the energy that passes, and a string of one rod has few of them; without these losses 0.67 would stay in the rock, and 8 % would move back with the hammer, not 0.7 %.</source>
+        <translation>En lätt borrmaskin med en R32-stång på hårt berg. Se på verkningsgraden: 0,56, där tre T38-stänger i mjukare berg har 0,32. Varje skarv antas förlora 5&#xa0;% av energin som passerar, och en sträng av en stång har få av dem; utan dessa förluster skulle 0,67 stanna i berget, och 8&#xa0;% gå tillbaka med hammaren, inte 0,7&#xa0;%.</translation>
     </message>
 </context>
 <context>
@@ -4671,46 +4671,6 @@ Det som visas gäller värdet dessförinnan.</translation>
 </context>
 <context>
     <name>drillwave::DrillingTable</name>
-    <message>
-        <source>gap at the blow</source>
-        <translation>spalt vid slaget</translation>
-    </message>
-    <message>
-        <source>Between bit and rock when the hammer strikes</source>
-        <translation>Mellan borrkrona och berg när hammaren slår</translation>
-    </message>
-    <message>
-        <source>penetration</source>
-        <translation>inträngning</translation>
-    </message>
-    <message>
-        <source>Per blow; an upper limit: all rock under the bit gives way</source>
-        <translation>För ett slag, en övre gräns: allt berg under borrkronan ger efter</translation>
-    </message>
-    <message>
-        <source>rock impulse</source>
-        <translation>impuls på berget</translation>
-    </message>
-    <message>
-        <source>Of a blow and the cycle behind it; on the mean the feed times the interval</source>
-        <translation>För ett slag och cykeln efter det; i medeltal matningen gånger tiden mellan slagen</translation>
-    </message>
-    <message>
-        <source>peak force</source>
-        <translation>toppkraft</translation>
-    </message>
-    <message>
-        <source>Largest force of the rock in a cycle</source>
-        <translation>Bergets största kraft i en cykel</translation>
-    </message>
-    <message>
-        <source>contacts</source>
-        <translation>kontakter</translation>
-    </message>
-    <message>
-        <source>How many contacts begin in a cycle</source>
-        <translation>Hur många kontakter som börjar i en cykel</translation>
-    </message>
     <message>
         <source>Statistics of the blows</source>
         <translation>Statistik över slagen</translation>
@@ -11403,6 +11363,30 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>two rows of numbers are needed below the header</source>
         <translation>två rader med tal behövs under rubriken</translation>
+    </message>
+    <message>
+        <source>Between bit and rock when the hammer strikes</source>
+        <translation>Mellan borrkrona och berg när hammaren slår</translation>
+    </message>
+    <message>
+        <source>Of a blow and the cycle behind it; on the mean the feed times the interval</source>
+        <translation>För ett slag och cykeln efter det; i medeltal matningen gånger tiden mellan slagen</translation>
+    </message>
+    <message>
+        <source>Per blow; an upper limit: all rock under the bit gives way</source>
+        <translation>För ett slag, en övre gräns: allt berg under borrkronan ger efter</translation>
+    </message>
+    <message>
+        <source>Largest force of the rock in a cycle</source>
+        <translation>Bergets största kraft i en cykel</translation>
+    </message>
+    <message>
+        <source>contacts</source>
+        <translation>kontakter</translation>
+    </message>
+    <message>
+        <source>How many contacts begin in a cycle</source>
+        <translation>Hur många kontakter som börjar i en cykel</translation>
     </message>
 </context>
 <context>
