@@ -13,6 +13,9 @@ namespace drillwave {
 
 namespace {
 
+/// Forces that differ by less are the same: a weight that is added and taken off again leaves so much.
+constexpr double rounding = 1e-12;
+
 ThrustNeed needOf(const Scenario& scenario, const Estimate& cor, double transferred) {
     ThrustNeed need{.cor = cor,
                     .thrust = *thrustNeeded(scenario, cor.value, transferred),
@@ -81,10 +84,11 @@ std::optional<FeedState> FeedEstimate::state() const {
     if (roundTrips < 1) return FeedState::notApplicable;
     const std::optional<double> installed = effective();
     if (!installed) return std::nullopt;
-    if (*installed < balance) return FeedState::pushedBack;
-    if (*installed < need(ThrustCase::scenario).thrust) return FeedState::belowRequired;
-    if (*installed < largest().thrust) return FeedState::requiredAtThisGap;
-    return *installed < largest().thrustUndamped ? FeedState::requiredMet : FeedState::returnMet;
+    const auto isBelow = [&](double needed) { return *installed < (1 - rounding) * needed; };
+    if (isBelow(balance)) return FeedState::pushedBack;
+    if (isBelow(need(ThrustCase::scenario).thrust)) return FeedState::belowRequired;
+    if (isBelow(largest().thrust)) return FeedState::requiredAtThisGap;
+    return isBelow(largest().thrustUndamped) ? FeedState::requiredMet : FeedState::returnMet;
 }
 
 bool FeedEstimate::isTooLittle() const {

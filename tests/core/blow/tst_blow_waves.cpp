@@ -140,7 +140,7 @@ class TestBlowWaves : public QObject {
 
     // What was not followed to the separation has no time of it, or that of an earlier contact.
     void aContactThatIsCutOffLastsToTheEnd() {
-        Scenario scenario = solvedExample("t38_string").scenario;
+        Scenario scenario = test::losslessString();
         for (const auto& [milliseconds, contacts] : {std::pair(2.5, 1), std::pair(3.2, 2)}) {
             scenario.drillString.endTime = milliseconds * 1e-3;
             const Blow blow = solveBlow(scenario, {}, Detail::histories);
@@ -168,4 +168,5 @@ class TestBlowWaves : public QObject {
 };
 
 QTEST_GUILESS_MAIN(TestBlowWaves)
+#include "tests/support/lossless_string.h"
 #include "tst_blow_waves.moc"

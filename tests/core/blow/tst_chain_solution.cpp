@@ -17,6 +17,7 @@
 #include "core/model/section_pieces.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
+#include "tests/support/lossless_string.h"
 #include "tests/support/scene.h"
 #include "tests/support/tries.h"
 
@@ -102,7 +103,7 @@ double largestDifference(int pieces) {
 
 /// The T38 string, two of its sections as cones.
 Scenario randomCones(Chance& chance) {
-    Scenario scenario = example(chance.oneIn(2) ? "t38_string" : "r32_string");
+    Scenario scenario = test::losslessString(chance.oneIn(2) ? "t38_string" : "r32_string");
     const double end = 0.02 + 0.06 * chance.fraction(), other = 0.03 + 0.05 * chance.fraction();
     findParameter("string.1.end_diameter")->assign(scenario, end);
     findParameter(chance.oneIn(2) ? "hammer.1.end_diameter" : "string.2.end_diameter")
@@ -125,7 +126,7 @@ class TestChainSolution : public QObject {
     }
 
     void aConeThatDoesNotTaperIsTheSection() {
-        Scenario scenario = example("t38_string");
+        Scenario scenario = test::losslessString();
         const Blow plain = solveBlow(scenario, {}, Detail::ledger, {}, Stresses::wanted);
         findParameter("string.1.end_diameter")->assign(scenario, 0.045);
         const Blow blow = solveBlow(scenario, {}, Detail::ledger, {}, Stresses::wanted);
@@ -135,7 +136,7 @@ class TestChainSolution : public QObject {
 
     // A step of the T38 string, spread out over its adapter, throws back less.
     void aConeThrowsBackLessThanAStep() {
-        Scenario scenario = example("t38_string");
+        Scenario scenario = test::losslessString();
         const double step = solveBlow(scenario, {}, Detail::ledger).summary.energy.rockWork;
         findParameter("string.1.diameter")->assign(scenario, 0.038);
         findParameter("string.1.end_diameter")->assign(scenario, 0.056);
@@ -229,7 +230,7 @@ class TestChainSolution : public QObject {
     }
 
     void piecesStayOnCellsThatLengthsShare() {
-        Scenario scenario = example("t38_string");
+        Scenario scenario = test::losslessString();
         findParameter("string.1.end_diameter")->assign(scenario, 0.06);
         NetworkSolver solver;
         const ChainSolution solution = solveChain(scenario, {}, solver);
@@ -240,7 +241,7 @@ class TestChainSolution : public QObject {
     }
 
     void resultsAreOfSectionsAndNotOfPieces() {
-        Scenario scenario = example("t38_string");
+        Scenario scenario = test::losslessString();
         findParameter("string.1.end_diameter")->assign(scenario, 0.03);
         findParameter("hammer.1.end_diameter")->assign(scenario, 0.04);
         const Blow blow = solveBlow(scenario, {}, Detail::histories, {}, Stresses::wanted);

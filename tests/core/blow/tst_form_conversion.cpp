@@ -90,7 +90,7 @@ class TestFormConversion : public QObject {
     }
 
     void aForceTakesThePlaceOfTheHammer() {
-        const Scenario string = example("t38_string");
+        const Scenario string = test::losslessString();
         const Conversion conversion = forcedStringOf(string);
         QVERIFY(validate(conversion.scenario).empty());
         QVERIFY(isForced(conversion.scenario) && isString(conversion.scenario));
@@ -122,7 +122,7 @@ class TestFormConversion : public QObject {
     }
 
     void aStringKeepsItsRodItsTimeAndItsHammersMomentum() {
-        const Scenario string = example("t38_string");
+        const Scenario string = test::losslessString();
         const Conversion conversion = uniformRodOf(string);
         const Scenario& rod = conversion.scenario;
         QVERIFY(validate(rod).empty());
@@ -152,4 +152,5 @@ class TestFormConversion : public QObject {
 };
 
 QTEST_GUILESS_MAIN(TestFormConversion)
+#include "tests/support/lossless_string.h"
 #include "tst_form_conversion.moc"

@@ -16,12 +16,6 @@ using namespace drillwave;
 
 namespace {
 
-Scenario t38() {
-    for (const Example& example : builtInExamples())
-        if (example.name == "t38_string") return parseScenario(example.text, "t38_string").scenario;
-    return {};
-}
-
 Blow solved(const Scenario& scenario) {
     return solveBlow(scenario, {}, Detail::ledger, {}, Stresses::wanted);
 }
@@ -31,7 +25,7 @@ double output(const Blow& blow, std::string_view name) {
 }
 
 double efficiencyWith(std::string_view key, double value) {
-    Scenario scenario = t38();
+    Scenario scenario = test::losslessString();
     findParameter(key)->assign(scenario, value);
     return solved(scenario).summary.energy.rockWork;
 }
@@ -43,7 +37,7 @@ class TestStringBlow : public QObject {
 
   private slots:
     void t38StringHasThePublishedEfficiency() {
-        const Blow blow = solved(t38());
+        const Blow blow = solved(test::losslessString());
         QVERIFY(blow.isSolved());
         QVERIFY(std::abs(blow.summary.energy.rockWork - 0.501587377477) < 1e-11);
         QVERIFY(blow.summary.efficiencyError < 1e-9);
@@ -65,7 +59,7 @@ class TestStringBlow : public QObject {
         for (const double loss : {0.0, 0.05}) {
             std::optional<double> cor;
             for (const double frequency : {100.0, 60.0, 30.0, 10.0}) {
-                Scenario scenario = t38();
+                Scenario scenario = test::losslessString();
                 for (const char* key : {"string.coupling.loss", "string.rod.loss"})
                     findParameter(key)->assign(scenario, loss);
                 scenario.drill.blowFrequency = frequency;
@@ -80,7 +74,7 @@ class TestStringBlow : public QObject {
 
     /// A bit that may come back after the next blow: quick and sure runs end at the same time.
     void whatIsNotOverIsToldAtTheNextBlow() {
-        Scenario scenario = t38();
+        Scenario scenario = test::losslessString();
         findParameter("string.rod.length")->assign(scenario, 10);
         MethodSolver solver;
         const Blow sure = solved(scenario);
@@ -97,7 +91,7 @@ class TestStringBlow : public QObject {
     }
 
     void historiesAtTheBitAreThoseOfTheBlow() {
-        const Blow blow = solveBlow(t38(), {}, Detail::histories);
+        const Blow blow = solveBlow(test::losslessString(), {}, Detail::histories);
         QVERIFY(blow.impact.hasHistories() && blow.impact.waves);
         const double end = blow.summary.endTime;
         double peak = 0;
@@ -111,11 +105,11 @@ class TestStringBlow : public QObject {
         // the impulse is told in that of the hammer: p0 of F0 t0
         const double hammer = blow.scales.impulse / (blow.scales.force * blow.scales.time);
         QVERIFY(std::abs(impactImpulse(blow.impact, end) / hammer - blow.summary.impulse) < 1e-7);
-        QVERIFY(!solved(t38()).impact.hasHistories());
+        QVERIFY(!solved(test::losslessString()).impact.hasHistories());
     }
 
     void placesAreCountedAlongTheString() {
-        const DrillString drill = t38().drillString;
+        const DrillString drill = test::losslessString().drillString;
         QCOMPARE(stringPlace(drill, 0), (StringPlace{2, 0}));
         const std::size_t last = allSections(drill).size() - 1;
         QCOMPARE(stringPlace(drill, 1).section, last);
@@ -135,7 +129,7 @@ class TestStringBlow : public QObject {
     }
 
     void itsHistoryIsThatOfTheBlow() {
-        const Blow blow = solveBlow(t38(), {}, Detail::histories);
+        const Blow blow = solveBlow(test::losslessString(), {}, Detail::histories);
         const StringHistory history(blow.impact, blow.problem, middleOfLongest(blow.scenario.drillString));
         const std::vector<RodState> rows = history.sampled();
         QVERIFY(rows.size() > 1000);
@@ -160,7 +154,7 @@ class TestStringBlow : public QObject {
     }
 
     void everyShareOfTheEnergyIsThere() {
-        const Blow blow = solved(t38());
+        const Blow blow = solved(test::losslessString());
         const double sum = output(blow, "efficiency") + output(blow, "rebound_energy") +
                            output(blow, "residual_wave_energy") + output(blow, "hammer_rebound_energy") +
                            output(blow, "hammer_wave_energy") + output(blow, "joint_loss") +
@@ -187,7 +181,7 @@ class TestStringBlow : public QObject {
     }
 
     void whatIsNotFollowedAfterTheBlowHasNoStresses() {
-        Scenario scenario = t38();
+        Scenario scenario = test::losslessString();
         scenario.drillString.endTime = 8e-3;  // the last separation is at 7.49 ms, a transit takes 2.35 ms
         const Blow blow = solved(scenario);
         QVERIFY(output(blow, "peak_tension") > 0);
@@ -195,7 +189,7 @@ class TestStringBlow : public QObject {
     }
 
     void velocityIsOnlyAScale() {
-        Scenario scenario = t38();
+        Scenario scenario = test::losslessString();
         const Blow slow = solved(scenario);
         scenario.drillString.hammer.velocity *= 2;
         const Blow fast = solved(scenario);
@@ -206,7 +200,7 @@ class TestStringBlow : public QObject {
     }
 
     void sectionsBeyondTheirStrengthAreToldOnce() {
-        Scenario scenario = t38();
+        Scenario scenario = test::losslessString();
         for (StringPart& part : scenario.drillString.parts)
             for (Section& section : part.sections)
                 if (section.name == "rod") section.yieldStrength = 300e6, section.fatigueStrength = 400e6;
@@ -223,7 +217,7 @@ class TestStringBlow : public QObject {
     }
 
     void stressesThatWereLeftOutAreRemarkedOn() {
-        Blow blow = solved(t38());
+        Blow blow = solved(test::losslessString());
         const auto remarks = [&blow] {
             return std::ranges::count(stringAlerts(blow.scenario, blow.impact), AlertCode::stressesLeftOut,
                                       &Alert::code);
@@ -235,7 +229,7 @@ class TestStringBlow : public QObject {
     }
 
     void lengthsThatShareNoCellAreRemarkedOn() {
-        Scenario scenario = t38();
+        Scenario scenario = test::losslessString();
         scenario.drillString.hammer.sections[0].length = 0.3 * M_SQRT2 / 1.4;
         const auto remark = [](const Blow& blow) {
             const auto found = std::ranges::find(blow.alerts, AlertCode::lengthsRounded, &Alert::code);
@@ -253,7 +247,7 @@ class TestStringBlow : public QObject {
     }
 
     void aCellThatIsTooMuchWorkIsNotCalledMissing() {
-        const Scenario scenario = t38();
+        const Scenario scenario = test::losslessString();
         NetworkSolver solver;
         const Problem problem = problemOf(scenario);
         const Impact whole = solver.solve(problem, {});
@@ -270,4 +264,5 @@ class TestStringBlow : public QObject {
 };
 
 QTEST_GUILESS_MAIN(TestStringBlow)
+#include "tests/support/lossless_string.h"
 #include "tst_string_blow.moc"

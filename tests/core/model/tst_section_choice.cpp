@@ -72,7 +72,8 @@ void TestSectionChoice::sectionsThatDifferGoByPlace() {
     QVERIFY(!has(keys, "string.adapter.length"));
     QVERIFY(has(keys, "string.1.length"));
     QVERIFY(has(keys, "string.9.length"));
-    QVERIFY(has(keys, "string.adapter.loss"));                         // none in both
+    QVERIFY(!has(keys, "string.adapter.loss"));
+    QVERIFY(has(keys, "string.adapter.attenuation"));                  // none in both
     scenario.drillString.parts.front().sections.front().name = "a=b";  // no word of a command
     QVERIFY(has(keysOf(scenario), "string.1.loss"));
 }

@@ -20,6 +20,7 @@
 #include "core/text/units.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
+#include "tests/support/lossless_string.h"
 #include "tests/support/tries.h"
 
 using namespace drillwave;
@@ -86,14 +87,6 @@ DrillingBlow firstBlow(const Scenario& scenario, int cells) {
     mesh.problem.feedForce = march.hammerMomentum() / mesh.grid.interval();
     if (!march.takeBlow({})) qFatal("%s", std::string(march.trouble()).c_str());
     return march.blow();
-}
-
-/// The T38 string with joints that lose nothing.
-Scenario stringWithoutLosses() {
-    Scenario scenario = scenarioOf(findExample("t38_string")->text);
-    for (const char* loss : {"string.adapter.loss=0", "string.coupling.loss=0", "string.rod.loss=0"})
-        assign(scenario, loss);
-    return scenario;
 }
 
 }  // namespace
@@ -188,7 +181,7 @@ void TestDrillingLengths::theFirstBlowHasTheLossesOfTheSingleBlow() {
     for (const auto& [setting, tolerance] :
          {std::pair("string.coupling.loss=5%", 3e-3), std::pair("string.coupling.loss=10%", 1e-2),
           std::pair("string.rod.attenuation=0.02 1/m", 1e-2)}) {
-        Scenario scenario = stringWithoutLosses();
+        Scenario scenario = test::losslessString();
         assign(scenario, setting);
         assign(scenario, "drill.blow_frequency=10Hz");
         const Blow alone = solveBlow(scenario, {}, Detail::ledger, std::stop_token());
@@ -234,7 +227,7 @@ void TestDrillingLengths::blowsAgreeWithThePlainLattice() {
 
 void TestDrillingLengths::meansOverALengthAreSmooth() {
     const QJsonObject given = lengthCases()["scan"].toObject();
-    Scenario base = stringWithoutLosses();
+    Scenario base = test::losslessString();
     for (const QJsonValue& setting : given["set"].toArray()) assign(base, setting.toString().toStdString());
     const QJsonArray points = given["points"].toArray();
     for (int i = 0; i < points.size(); ++i) {

@@ -18,7 +18,9 @@ using namespace drillwave;
 namespace {
 
 Scenario exampleOf(const char* name) {
-    Scenario scenario = parseScenario(findExample(name)->text, name).scenario;
+    const bool isString = std::string_view(name).ends_with("_string");
+    Scenario scenario =
+        isString ? test::losslessString(name) : parseScenario(findExample(name)->text, name).scenario;
     scenario.drill.blowFrequency = 60;
     scenario.drill.thrust = 3800;
     scenario.drill.waveLoss = 0.1;
@@ -200,4 +202,5 @@ void TestMarchedBlow::itStops() {
 }
 
 QTEST_GUILESS_MAIN(TestMarchedBlow)
+#include "tests/support/lossless_string.h"
 #include "tst_marched_blow.moc"

@@ -34,7 +34,7 @@ Scenario drill(double gamma = 0.1) {
 
 /// Without an installed thrust, 60 blows a second.
 Scenario t38String() {
-    Scenario scenario = parseScenario(findExample("t38_string")->text, "t38_string").scenario;
+    Scenario scenario = test::losslessString();
     scenario.drill.thrust.reset();
     return scenario;
 }
@@ -419,4 +419,5 @@ void TestThrust::aConeNeedsWhatItsBlowNeeds() {
 }
 
 QTEST_GUILESS_MAIN(TestThrust)
+#include "tests/support/lossless_string.h"
 #include "tst_thrust.moc"

@@ -10,6 +10,7 @@
 
 #include "core/yaml/examples.h"
 #include "tests/support/curve_page_fixture.h"
+#include "tests/support/lossless_string.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/curve/curve_plot.h"
@@ -219,7 +220,7 @@ void TestGoalPage::theCommandKeepsTheGoal() {
 }
 
 void TestGoalPage::placesBetweenPointsOfAStringAreSolvedFor() {
-    QCOMPARE(m_document->startFrom(findExample("t38_string")->text, QStringLiteral("test")), QString());
+    QCOMPARE(m_document->startFrom(test::losslessText("t38_string"), QStringLiteral("test")), QString());
     auto* points = m_page->findChild<QComboBox*>("points");
     points->setCurrentIndex(points->findData(51));
     showPage();

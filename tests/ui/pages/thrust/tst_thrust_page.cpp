@@ -324,7 +324,7 @@ void TestThrustPage::whatLacksIsSaidAndCanBeEntered() {
     QCOMPARE(*m_document->scenario().drill.blowFrequency, 55.0);
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
     QVERIFY(!field->isVisible());
-    QVERIFY2(words().startsWith(QStringLiteral("No thrust is given: this blow needs at least ")),
+    QVERIFY2(words().startsWith(QStringLiteral("No feed force is given: this blow requires at least ")),
              qPrintable(words()));
     QVERIFY(m_page->exports().first().obstacle().isEmpty());
     QVERIFY(m_page->thrustPlot().feed()->data()->isEmpty());
