@@ -208,7 +208,7 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
     std::vector<std::string> choices = arguments.values("choose");
     std::ranges::copy(input.document.design.choose, std::back_inserter(choices));
     applyPresets(scenario, arguments, inputName(path), std::ranges::any_of(choices, choosesPresets));
-    applySignal(scenario, arguments, inputName(path));
+    applySignal(input.document, arguments, inputName(path));
     std::vector<Message> problems;
     bool isUsage = false;
     const std::vector<Setting> all = settings(arguments);

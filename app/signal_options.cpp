@@ -3,8 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
-#include <filesystem>
 
 #include "app/command_error.h"
 #include "app/input_text.h"
@@ -12,8 +10,6 @@
 #include "app/scenario_argument.h"
 #include "core/blow/string_curves.h"
 #include "core/blow/thinned_blow.h"
-#include "core/disk/file_bytes.h"
-#include "core/disk/whole_file.h"
 #include "core/model/blow_traits.h"
 #include "core/model/form_conversion.h"
 #include "core/model/scales.h"
@@ -36,19 +32,12 @@ constexpr std::size_t mostPoints = 10'000;
     throw CommandError(ExitCode::usage, message);
 }
 
-std::vector<Recorder> recordersThere(const ReadingStyle&) {
-    const std::string path = recordersPath();
-    std::error_code error;
-    if (!std::filesystem::exists(path, error)) return {};
-    const FileBytes file = readFile(path, maximumRecorderBytes);
-    if (!file.problem.isEmpty())
-        throw CommandError(
-            ExitCode::unreadableInput,
-            std::vector{about(
-                path, {translatable("drillwave::Message", "the file of recorders %1"), {file.problem}})});
-    RecorderFile read = parseRecorders(file.bytes, path);
-    if (!read.problems.empty()) throw CommandError(ExitCode::invalidScenario, read.problems);
-    return read.recorders;
+std::vector<Recorder> recordersThere() {
+    RecorderFile file = loadRecorders(recordersPath());
+    if (!file.problems.empty())
+        throw CommandError(file.isUnreadable ? ExitCode::unreadableInput : ExitCode::invalidScenario,
+                           file.problems);
+    return std::move(file.recorders);
 }
 
 const Recorder& recorderNamed(const std::vector<Recorder>& recorders, const std::string& wanted) {
@@ -102,19 +91,10 @@ std::vector<OptionSpec> recordOptionSpecs() {
     return specs;
 }
 
-std::string recordersPath() {
-    const char* config = std::getenv("XDG_CONFIG_HOME");
-    const char* home = std::getenv("HOME");
-    const std::filesystem::path folder = config && *config == '/'
-                                             ? std::filesystem::path(config)
-                                             : std::filesystem::path(home ? home : "") / ".config";
-    return (folder / "drillwave" / "recorders.yaml").string();
-}
-
 SignalOptions signalOptionsOf(const Arguments& arguments) {
     SignalOptions options;
     if (const std::optional<std::string> wanted = arguments.value("recorder")) {
-        const std::vector<Recorder> recorders = recordersThere(arguments.style());
+        const std::vector<Recorder> recorders = recordersThere();
         const Recorder& recorder = recorderNamed(recorders, *wanted);
         if (const Message problem = applyRecorder(recorder, options); !problem.isEmpty())
             throw CommandError(ExitCode::invalidScenario, std::vector{about(recordersPath(), problem)});
@@ -136,7 +116,7 @@ void saveRecorder(const Arguments& arguments) {
     if (trimmed(*name).empty())
         refuseUsage(translatable("drillwave::Message", "--save-recorder needs a name, this one is empty"));
     Recorder recorder{std::string(trimmed(*name)), {}};
-    std::vector<Recorder> recorders = recordersThere(arguments.style());
+    std::vector<Recorder> recorders = recordersThere();
     if (const std::optional<std::string> base = arguments.value("recorder"))
         recorder.settings = recorderNamed(recorders, *base).settings;
     for (const SignalOption& option : signalOptions()) {
@@ -145,20 +125,14 @@ void saveRecorder(const Arguments& arguments) {
         recorder.settings.emplace_back(
             option.name, option.value.empty() ? "true" : arguments.value(option.name).value_or(""));
     }
-    const std::string path = recordersPath();
-    std::error_code ignored;
-    std::filesystem::create_directories(std::filesystem::path(path).parent_path(), ignored);
-    WholeFile file(path);
-    WriteFailure failure = file.open();
-    if (!failure) failure = file.write(recorderText(withRecorder(std::move(recorders), std::move(recorder))));
-    if (!failure) failure = file.commit();
-    if (failure)
-        throw CommandError(
-            ExitCode::unwritableOutput,
-            Message(translatable("drillwave::Message", "%1: cannot be written: %2"), {path, failure.reason}));
+    if (const Message problem =
+            saveRecorders(recordersPath(), withRecorder(std::move(recorders), std::move(recorder)));
+        !problem.isEmpty())
+        throw CommandError(ExitCode::unwritableOutput, problem);
 }
 
-void applySignal(Scenario& scenario, const Arguments& arguments, const std::string& path) {
+void applySignal(ScenarioDocument& document, const Arguments& arguments, const std::string& path) {
+    Scenario& scenario = document.scenario;
     const std::optional<std::string> record = arguments.value("signal");
     if (!record) {
         for (const OptionSpec& option : recordOptionSpecs())
@@ -188,9 +162,11 @@ void applySignal(Scenario& scenario, const Arguments& arguments, const std::stri
                              {question, std::string(answerTo(question))}}));
         throw CommandError(ExitCode::invalidScenario, questions);
     }
-    for (const SignalRemark& remark : reading.remarks)
+    for (const SignalRemark& remark : reading.remarks) {
         printRemark({translatable("drillwave::Message", "%1: warning: %2"), {name, remark.text}},
                     arguments.style());
+        document.recordRemarks.push_back(about(name, remark.text));
+    }
     if (hasSections(scenario) && !isForced(scenario)) scenario = forcedStringOf(scenario).scenario;
     SignalRecipe recipe = reading.recipe;
     recipe.points = mostPoints;

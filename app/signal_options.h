@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "app/arguments.h"
-#include "core/model/scenario.h"
 #include "core/signal/signal_reading.h"
+#include "core/yaml/scenario_file.h"
 
 namespace drillwave {
 
@@ -24,13 +24,10 @@ SignalOptions signalOptionsOf(const Arguments& arguments);
 /// CommandError.
 void saveRecorder(const Arguments& arguments);
 
-/// recorders.yaml beside the user's presets.yaml.
-std::string recordersPath();
-
-/// Replaces the blow of the scenario by that of --signal, thinned to
-/// thinningError, unless --all-samples asks for all of them. A hammer of sections makes room for it. Says on
+/// Replaces the blow of the scenario by that of --signal, thinned to thinningError, unless --all-samples asks
+/// for all of them, and keeps the remarks on its quality. A hammer of sections makes room for it. Says on
 /// stderr what was done. Throws CommandError: usage where a reading option comes without --signal, unreadable
 /// input, an open question.
-void applySignal(Scenario& scenario, const Arguments& arguments, const std::string& path);
+void applySignal(ScenarioDocument& document, const Arguments& arguments, const std::string& path);
 
 }  // namespace drillwave

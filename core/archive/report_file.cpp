@@ -9,6 +9,7 @@
 #include "core/model/blow_traits.h"
 #include "core/model/law_parameter.h"
 #include "core/report/parameter_words.h"
+#include "core/signal/signal_quality.h"
 #include "core/text/printed_text.h"
 #include "core/yaml/law_reader.h"
 #include "core/yaml/preset_file.h"
@@ -229,6 +230,25 @@ ReportSection sectionOf(const std::vector<SavedValue>& saved, const Section& sec
     return found;
 }
 
+/// Fewer points were set by hand, and are no record.
+constexpr std::size_t fewestOfRecord = 50;
+
+/// Returns remarks on the record of a blow: those of its reading, or on the points of a table in a file.
+std::vector<Message> recordRemarksOf(const ScenarioDocument& document) {
+    const Pulse& pulse = document.scenario.pulse;
+    if (pulse.shape != PulseShape::table || pulse.tableFile.empty()) return document.recordRemarks;
+    if (pulse.tablePoints.size() < fewestOfRecord) return {};
+    Samples samples;
+    for (const auto& [time, force] : pulse.tablePoints) {
+        samples.time.push_back(time);
+        samples.value.push_back(force);
+    }
+    std::vector<Message> remarks;
+    for (const SignalRemark& remark : qualityRemarks(signalQuality(samples), samples))
+        remarks.push_back(about(pulse.tableFile, remark.text));
+    return remarks;
+}
+
 }  // namespace
 
 std::vector<ReportSection> sectionsOf(const Scenario& scenario, std::string_view text) {
@@ -283,6 +303,7 @@ BlowReport reportOn(const ScenarioDocument& document, const std::stop_token& sto
                     const GapProgress& progress, const WorkLimits& limits) {
     BlowReport report = studyReport(document.scenario, stop, progress, limits);
     report.scenarioText = completeScenarioText(document);
+    report.recordRemarks = recordRemarksOf(document);
     report.inputs = inputsOf(document.scenario, report.scenarioText);
     report.sections = sectionsOf(document.scenario, report.scenarioText);
     if (report.thrust) report.thrust->scenarioText = report.scenarioText;

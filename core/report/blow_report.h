@@ -62,6 +62,7 @@ struct BlowReport {
     std::vector<MeasuredSignal> measured = {};  ///< likewise; laid over its curves, of a scenario with units
     ReportComparison misfits = {};              ///< how far each of them is from what is computed
     std::string scenarioText;                   ///< gives its scenario again
+    std::vector<Message> recordRemarks = {};    ///< on the quality of a measured blow
     std::vector<ReportInput> inputs;            ///< in the order of a file
     std::vector<ReportSection> sections;        ///< of hammer and string, likewise; none of a uniform rod
     std::optional<GapReport> gap;               ///< where e depends on the gap and is known at all gaps

@@ -169,7 +169,11 @@ class Page {
                                                : translatable("drillwave::Message", "Note:"))) +
                     "</b> " + escapedHtml(alertText(alert, m_style)) + "</p>\n";
         }
-        return blow().alerts.empty()
+        for (const Message& remark : m_report.recordRemarks)
+            html += "<p class=\"warning\"><b>" +
+                    escapedHtml(said(translatable("drillwave::Message", "Record:"))) + "</b> " +
+                    escapedHtml(said(remark)) + "</p>\n";
+        return blow().alerts.empty() && m_report.recordRemarks.empty()
                    ? html + paragraph(translatable("drillwave::Message", "Nothing unusual."))
                    : html;
     }

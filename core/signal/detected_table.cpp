@@ -9,6 +9,7 @@
 #include "core/signal/stated_rate.h"
 #include "core/signal/time_stamp.h"
 #include "core/text/decimal_text.h"
+#include "core/text/lower_case.h"
 
 namespace drillwave {
 namespace {
@@ -407,6 +408,20 @@ DetectedTable detectTable(std::span<const std::string> lines) {
     const DetectedTable table = bestTable(lines, usualWeight);
     // Mostly words, such as a date and a time of day before each sample.
     return table.hasSamples() ? table : bestTable(lines, 0);
+}
+
+std::optional<std::size_t> columnNamed(std::span<const TableColumn> columns, const std::string& wanted) {
+    if (const auto number = wholeNumberIn<std::size_t>(wanted); number && *number >= 1)
+        if (*number <= columns.size()) return *number - 1;
+    const std::string lower = lowerCase(wanted);
+    std::vector<std::size_t> beginning;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        const std::string whole =
+            columns[i].unit.empty() ? columns[i].name : columns[i].name + " [" + columns[i].unit + "]";
+        if (lowerCase(columns[i].name) == lower || lowerCase(whole) == lower) return i;
+        if (!wanted.empty() && lowerCase(columns[i].name).starts_with(lower)) beginning.push_back(i);
+    }
+    return beginning.size() == 1 ? std::optional(beginning.front()) : std::nullopt;
 }
 
 }  // namespace drillwave

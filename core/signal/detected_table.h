@@ -39,4 +39,8 @@ DetectedTable detectTable(std::span<const std::string> lines, RowFormat format);
 /// the header.
 DetectedTable tableFrom(std::span<const std::string> lines, RowFormat format, std::size_t firstLine);
 
+/// Returns the place of a column by its number from 1, its name with or without the unit, or the beginning of
+/// a name that no other has; case does not count.
+std::optional<std::size_t> columnNamed(std::span<const TableColumn> columns, const std::string& wanted);
+
 }  // namespace drillwave

@@ -10,12 +10,12 @@
 namespace drillwave {
 namespace {
 
+constexpr std::pair<std::string_view, char> separatorWords[] = {
+    {"tab", '\t'}, {"\\t", '\t'}, {"\t", '\t'},   {"comma", ','}, {",", ','}, {"semicolon", ';'}, {";", ';'},
+    {"bar", '|'},  {"|", '|'},    {"blank", ' '}, {"space", ' '}, {" ", ' '}, {"blanks", ' '}};
+
 Message setSeparator(SignalOptions& options, std::string_view text) {
-    constexpr std::pair<std::string_view, char> words[] = {
-        {"tab", '\t'},      {"\\t", '\t'}, {"\t", '\t'},   {"comma", ','}, {",", ','},
-        {"semicolon", ';'}, {";", ';'},    {"bar", '|'},   {"|", '|'},     {"blank", ' '},
-        {"space", ' '},     {" ", ' '},    {"blanks", ' '}};
-    for (const auto& [word, separator] : words)
+    for (const auto& [word, separator] : separatorWords)
         if (word == text) {
             options.separator = separator;
             return {};
@@ -198,6 +198,49 @@ std::span<const SignalOption> signalOptions() {
 const SignalOption* findSignalOption(std::string_view name) {
     const auto found = std::ranges::find(readingOptions, name, &SignalOption::name);
     return found == std::end(readingOptions) ? nullptr : &*found;
+}
+
+std::vector<std::pair<std::string, std::string>> recorderSettings(const SignalOptions& options) {
+    std::vector<std::pair<std::string, std::string>> settings;
+    const auto add = [&](const char* name, std::string value) {
+        settings.emplace_back(name, std::move(value));
+    };
+    const auto addNumber = [&](const char* name, const std::optional<double>& value, const char* unit = "") {
+        if (value) add(name, formatNumber(*value) + unit);
+    };
+    if (options.separator)
+        for (const auto& [word, separator] : separatorWords)
+            if (separator == *options.separator) {
+                add("separator", std::string(word));
+                break;
+            }
+    if (options.decimal) add("decimal", *options.decimal == DecimalSign::comma ? "comma" : "point");
+    if (options.firstLine) add("first-line", std::to_string(*options.firstLine));
+    if (options.encoding != TextEncoding::found) add("encoding", std::string(name(options.encoding)));
+    if (!options.timeColumn.empty()) add("time", options.timeColumn);
+    if (!options.signalColumn.empty()) add("signal-column", options.signalColumn);
+    if (options.timeUnit)
+        for (const Unit& unit : unitsOf(Quantity::time))
+            if (unit.factor() == *options.timeUnit) {
+                add("time-unit", std::string(unit.name));
+                break;
+            }
+    if (options.unit) add("unit", std::string(options.unit->unit.name));
+    addNumber("rate", options.rate, "Hz");
+    if (options.scale) {
+        const bool isImpedance = options.unit && options.unit->kind == SignalKind::velocity;
+        add("scale", formatNumber(options.scale->factor) + (!options.scale->isPerUnit ? ""
+                                                            : isImpedance             ? "N s/m"
+                                                                                      : "N/V"));
+    }
+    addNumber("gain", options.gain);
+    addNumber("excitation", options.excitation, "V");
+    addNumber("bridge", options.bridge);
+    addNumber("gauge-factor", options.gaugeFactor);
+    addNumber("area", options.area, "m^2");
+    addNumber("modulus", options.modulus, "Pa");
+    if (options.wrongRows == WrongRows::skipped) add("rows", "skip");
+    return settings;
 }
 
 std::string_view answerTo(std::string_view question) {

@@ -3,7 +3,10 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "core/signal/signal_reading.h"
 #include "core/text/message.h"
@@ -23,6 +26,10 @@ std::span<const SignalOption> signalOptions();
 
 /// The one of that name, or nullptr.
 const SignalOption* findSignalOption(std::string_view name);
+
+/// Returns names and values of the options that are given and belong to a recorder, not to one record: all
+/// but zero, range and sign. Setting them again gives the same options.
+std::vector<std::pair<std::string, std::string>> recorderSettings(const SignalOptions& options);
 
 /// The option that answers a question of a reading: "unit" is answered by "--unit".
 std::string_view answerTo(std::string_view question);

@@ -140,20 +140,9 @@ class SignalReader {
         return table;
     }
 
-    /// A column by name, its beginning where that is enough, or by number.
     std::optional<std::size_t> columnNamed(const std::string& wanted, Message& problem) const {
         const std::vector<TableColumn>& columns = m_reading.table.columns;
-        if (const auto number = wholeNumberIn<std::size_t>(wanted); number && *number >= 1)
-            if (*number <= columns.size()) return *number - 1;
-        const std::string lower = lowerCase(wanted);
-        std::vector<std::size_t> beginning;
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            const std::string whole =
-                columns[i].unit.empty() ? columns[i].name : columns[i].name + " [" + columns[i].unit + "]";
-            if (lowerCase(columns[i].name) == lower || lowerCase(whole) == lower) return i;
-            if (!wanted.empty() && lowerCase(columns[i].name).starts_with(lower)) beginning.push_back(i);
-        }
-        if (beginning.size() == 1) return beginning.front();
+        if (const auto found = drillwave::columnNamed(columns, wanted)) return found;
         std::string list;
         for (std::size_t i = 0; i < std::min<std::size_t>(columns.size(), 12); ++i)
             list += (i ? ", " : "") + std::to_string(i + 1) +

@@ -2,7 +2,11 @@
 #include "core/yaml/recorder_file.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 
+#include "core/disk/file_bytes.h"
+#include "core/disk/whole_file.h"
 #include "core/signal/signal_option.h"
 #include "core/text/decimal_text.h"
 #include "core/text/text_input.h"
@@ -139,6 +143,36 @@ std::string recorderText(const std::vector<Recorder>& recorders) {
             text += "    " + name + ": " + quotedSetting(value) + "\n";
     }
     return text;
+}
+
+std::string recordersPath() {
+    const char* config = std::getenv("XDG_CONFIG_HOME");
+    const char* home = std::getenv("HOME");
+    const std::filesystem::path folder = config && *config == '/'
+                                             ? std::filesystem::path(config)
+                                             : std::filesystem::path(home ? home : "") / ".config";
+    return (folder / "drillwave" / "recorders.yaml").string();
+}
+
+RecorderFile loadRecorders(const std::string& path) {
+    std::error_code error;
+    if (!std::filesystem::exists(path, error)) return {};
+    const FileBytes file = readFile(path, maximumRecorderBytes);
+    if (file.problem.isEmpty()) return parseRecorders(file.bytes, path);
+    return {{},
+            {about(path, {translatable("drillwave::Message", "the file of recorders %1"), {file.problem}})},
+            true};
+}
+
+Message saveRecorders(const std::string& path, const std::vector<Recorder>& recorders) {
+    std::error_code ignored;
+    std::filesystem::create_directories(std::filesystem::path(path).parent_path(), ignored);
+    WholeFile file(path);
+    WriteFailure failure = file.open();
+    if (!failure) failure = file.write(recorderText(recorders));
+    if (!failure) failure = file.commit();
+    if (!failure) return {};
+    return {translatable("drillwave::Message", "%1: cannot be written: %2"), {path, failure.reason}};
 }
 
 Message applyRecorder(const Recorder& recorder, SignalOptions& options) {

@@ -29,6 +29,7 @@ struct Recorder {
 struct RecorderFile {
     std::vector<Recorder> recorders;
     std::vector<Message> problems;
+    bool isUnreadable = false;  ///< the problem is one of the disk
 };
 
 /// `source` names the text in messages.
@@ -42,6 +43,15 @@ std::vector<Recorder> withRecorder(std::vector<Recorder> recorders, Recorder rec
 
 /// The text of such a file; parseRecorders() reads the same recorders from it.
 std::string recorderText(const std::vector<Recorder>& recorders);
+
+/// recorders.yaml beside the user's presets.yaml.
+std::string recordersPath();
+
+/// Reads such a file; where there is none it has no recorders.
+RecorderFile loadRecorders(const std::string& path);
+
+/// Writes such a file, with its folder. Returns why it could not; empty when it was written.
+Message saveRecorders(const std::string& path, const std::vector<Recorder>& recorders);
 
 /// Sets the options that the settings name, and no others. Returns what is wrong with one.
 Message applyRecorder(const Recorder& recorder, SignalOptions& options);

@@ -10,6 +10,7 @@
 #include "core/model/design_setup.h"
 #include "core/model/scenario.h"
 #include "core/model/validation.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 
@@ -41,6 +42,8 @@ struct ScenarioDocument {
     std::string text;    ///< the bytes read, empty for a new scenario
     std::string source;  ///< file name for messages and for resolving a relative table file, may be empty
     DesignSetup design = {};  ///< of its design study; studies other than that ignore it
+    std::vector<Message> recordRemarks =
+        {};  ///< on the quality of the record that took the place of its blow
 };
 
 /// Reads at most 1 MiB. Throws ScenarioError with every problem. A `table` pulse with a file is read relative

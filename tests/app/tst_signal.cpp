@@ -8,6 +8,7 @@
 #include <QJsonObject>
 #include <QTemporaryDir>
 
+#include "tests/support/files.h"
 #include "tests/support/program.h"
 
 using namespace drillwave::test;
@@ -35,6 +36,7 @@ class TestSignal : public QObject {
     void writtenSignalsReadBack();
     void recordersKeepTheirOptions();
     void everyStudyTakesABlowFromARecord();
+    void reportsStateTheQualityOfARecord();
     void openQuestionsStopAScenario();
     void tablesOfSpreadsheetsAreSolvedAlike();
 };
@@ -146,6 +148,34 @@ void TestSignal::everyStudyTakesABlowFromARecord() {
     // The hammer of a string makes room.
     const Finished ofString = run(QStringList{"run", string, "--json"} + record);
     QVERIFY2(ofString.exitCode == 0, ofString.error.constData());
+}
+
+void TestSignal::reportsStateTheQualityOfARecord() {
+    const QStringList report{"report", example("t38_medium_rock"), "--no-plots", "-o", "-"};
+    const QByteArray clipped = output(report + QStringList{"--signal", field("11_clipped.csv")});
+    QVERIFY(clipped.contains("<b>Record:</b> "));
+    QVERIFY(clipped.contains("11_clipped.csv: 98 equal samples at the largest value, 180: clipped?"));
+    QVERIFY(!output(report + QStringList{"--signal", field("24_blow.csv")}).contains("<b>Record:</b>"));
+    QVERIFY(!output(report).contains("<b>Record:</b>"));
+
+    // A blow in a file of its own, and a trapezoid that was set by hand.
+    const QTemporaryDir folder;
+    const auto reportOf = [&](const QByteArray& name, const QByteArray& table) {
+        write(folder.filePath(name + ".csv"), table);
+        const QString scenario = folder.filePath(name + ".yaml");
+        write(scenario,
+              "drillwave: 1\nrod: {length: 3 m, diameter: 38 mm, youngs_modulus: 210 GPa, density: "
+              "7850 kg/m^3}\npulse: {shape: table, file: " +
+                  name + ".csv}\nbit_rock: {stiffness: 105 MN/m, gamma: 0.1}\n");
+        return output({"report", scenario, "--no-plots", "-o", "-"});
+    };
+    QByteArray flat = "time [us],force [kN]\n";
+    for (int i = 0; i <= 200; ++i)
+        flat +=
+            QByteArray::number(i) + "," + QByteArray::number(std::min({2 * i, 180, 2 * (200 - i)})) + "\n";
+    QVERIFY(reportOf("flat", flat).contains("<b>Record:</b> flat.csv: 21 equal samples"));
+    QVERIFY(!reportOf("trapezoid", "time [us],force [kN]\n0,0\n20,180\n120,180\n140,0\n")
+                 .contains("<b>Record:</b>"));
 }
 
 void TestSignal::openQuestionsStopAScenario() {

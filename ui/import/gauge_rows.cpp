@@ -78,6 +78,41 @@ QString GaugeRows::problem(SignalKind kind) const {
         "Volts are no forces: type the force per volt of a calibration, or the excitation of the bridge.");
 }
 
+void GaugeRows::use(const SignalOptions& settings, SignalKind kind) {
+    if (settings.area || settings.modulus) {
+        choose(*m_bar, otherBar);
+        if (settings.area) m_diameter->setValue(std::sqrt(4 / std::numbers::pi * *settings.area));
+        if (settings.modulus) m_modulus->setValue(settings.modulus);
+    }
+    if (settings.gaugeFactor) m_gaugeFactor->setValue(settings.gaugeFactor);
+    if (settings.bridge) m_bridgeFactor->setValue(settings.bridge);
+    if (settings.gain) m_gain->setValue(settings.gain);
+    if (settings.excitation) m_excitation->setValue(settings.excitation);
+    if (kind == SignalKind::voltage && settings.scale && settings.scale->isPerUnit)
+        m_forcePerVolt->setValue(settings.scale->factor);
+}
+
+void GaugeRows::addTo(SignalOptions& settings, SignalKind kind) const {
+    const bool isVoltage = kind == SignalKind::voltage;
+    if (isVoltage && m_forcePerVolt->value()) {
+        settings.scale = SignalScale{*m_forcePerVolt->value(), true};
+        return;
+    }
+    if (kind != SignalKind::force && !isOnScenario()) {
+        const double diameter = *m_diameter->value();
+        settings.area = std::numbers::pi / 4 * diameter * diameter;
+        settings.modulus = m_modulus->value();
+    }
+    if (kind == SignalKind::bridge || isVoltage) {
+        settings.gaugeFactor = m_gaugeFactor->value();
+        settings.bridge = m_bridgeFactor->value();
+    }
+    if (isVoltage) {
+        settings.gain = m_gain->value();
+        settings.excitation = m_excitation->value();
+    }
+}
+
 GaugedBar GaugeRows::bar(const GaugedBar& ofScenario) const {
     const double diameter = *m_diameter->value();
     GaugedBar bar = ofScenario;

@@ -6,7 +6,7 @@
 #include <QList>
 #include <functional>
 
-#include "core/signal/signal_unit.h"
+#include "core/signal/signal_reading.h"
 
 class QFormLayout;
 
@@ -31,6 +31,10 @@ class GaugeRows {
     GaugedBar bar(const GaugedBar& ofScenario) const;
     /// Returns the question that is open about a bridge or an amplifier; empty when all is known.
     QString problem(SignalKind kind) const;
+    /// Takes what settings give; `kind`: what the numbers are.
+    void use(const SignalOptions& settings, SignalKind kind);
+    /// Sets what numbers of that kind need.
+    void addTo(SignalOptions& settings, SignalKind kind) const;
     const QList<QuantityField*>& fields() const { return m_fields; }
 
   private:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/import/import_dialog.h"
 
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QDir>
 #include <QFile>
@@ -125,6 +126,7 @@ QWidget* ImportDialog::makeChoices() {
     m_name->setMaxLength(60);
     form->addRow(tr("name"), m_name);
     connect(m_use, &QComboBox::currentIndexChanged, this, [this] { setUse(use()); });
+    addRecorders(*form);
 
     auto* layout = new QVBoxLayout(choices);
     layout->setContentsMargins(0, 0, 4, 0);
@@ -140,6 +142,70 @@ QWidget* ImportDialog::makeChoices() {
     area->setMinimumWidth(choices->sizeHint().width() + area->verticalScrollBar()->sizeHint().width());
     area->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Expanding);
     return area;
+}
+
+void ImportDialog::addRecorders(QFormLayout& form) {
+    auto* row = new QWidget(form.parentWidget());
+    auto* layout = new QHBoxLayout(row);
+    layout->setContentsMargins(0, 0, 0, 0);
+    m_recorder = new QComboBox(row);
+    m_recorder->setObjectName(QStringLiteral("recorder"));
+    m_recorder->setAccessibleName(tr("recorder"));
+    m_recorder->setToolTip(
+        tr("Settings that are kept by name: columns, units, gauge and amplifier. Choose some, or "
+           "type a name and keep the present ones."));
+    m_recorder->setEditable(true);
+    m_recorder->setInsertPolicy(QComboBox::NoInsert);
+    m_recorder->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_recorder->lineEdit()->setMaxLength(60);
+    m_recorder->lineEdit()->setPlaceholderText(tr("none"));
+    m_keep = new QPushButton(tr("Keep"), row);
+    m_keep->setObjectName(QStringLiteral("keepRecorder"));
+    m_keep->setToolTip(tr("Keeps the present settings under this name, for the next record"));
+    m_keep->setAutoDefault(false);
+    m_keep->setEnabled(false);
+    layout->addWidget(m_recorder, 1);
+    layout->addWidget(m_keep);
+    form.addRow(tr("recorder"), row);
+    connect(m_recorder, &QComboBox::activated, this,
+            [this](int index) { useRecorder(m_recorders[static_cast<std::size_t>(index)]); });
+    connect(m_recorder, &QComboBox::editTextChanged, this,
+            [this] { m_keep->setEnabled(!recorder().isEmpty()); });
+    connect(m_keep, &QPushButton::clicked, this, &ImportDialog::keepWanted);
+}
+
+void ImportDialog::offer(std::vector<Recorder> recorders, Recorder last) {
+    m_recorders = std::move(recorders);
+    const QSignalBlocker quiet(m_recorder);
+    const QString typed = m_recorder->currentText();
+    m_recorder->clear();
+    for (const Recorder& each : m_recorders) m_recorder->addItem(QString::fromStdString(each.name));
+    if (!last.settings.empty()) {
+        m_recorder->addItem(tr("as in the last import"));
+        m_recorders.push_back(std::move(last));
+    }
+    m_recorder->setCurrentIndex(-1);
+    m_recorder->setEditText(typed);
+    m_keep->setEnabled(!recorder().isEmpty());
+}
+
+void ImportDialog::useRecorder(const Recorder& recorder) {
+    SignalOptions settings;
+    if (const Message problem = applyRecorder(recorder, settings); !problem.isEmpty())
+        return refuse(translated(problem));
+    m_table->use(settings);
+    m_signal->use(settings);
+}
+
+SignalOptions ImportDialog::settings() const {
+    SignalOptions settings;
+    m_table->addTo(settings);
+    m_signal->addTo(settings);
+    return settings;
+}
+
+QString ImportDialog::recorder() const {
+    return m_recorder->currentText().trimmed();
 }
 
 QVBoxLayout* ImportDialog::makePreview() {

@@ -6,11 +6,14 @@
 #include <QTimer>
 
 #include "core/signal/measured_signal.h"
+#include "core/yaml/recorder_file.h"
 #include "ui/document/document.h"
 #include "ui/import/import_preview.h"
 #include "ui/import/signal_fields.h"
 #include "ui/job/asked_study.h"
 
+class QComboBox;
+class QFormLayout;
 class QLabel;
 class QLineEdit;
 class QPushButton;
@@ -45,14 +48,24 @@ class ImportDialog : public QDialog {
     void refuse(const QString& reason);
     /// Whether an answer is on its way.
     bool isBusy() const;
+    /// The settings of the recorder as they now are: columns, units, gauge, amplifier.
+    SignalOptions settings() const;
+    /// The name under which the user wants them kept.
+    QString recorder() const;
+    /// Offers recorders by name, and the settings of the last import, empty where there was none.
+    void offer(std::vector<Recorder> recorders, Recorder last);
 
   signals:
+    /// The user wants the settings kept under recorder().
+    void keepWanted();
     /// The user wants the result, which there is.
     void wanted();
     void helpRequested();
 
   private:
     QWidget* makeChoices();
+    void addRecorders(QFormLayout& form);
+    void useRecorder(const Recorder& recorder);
     QVBoxLayout* makePreview();
     QWidget* makeButtons();
     void readStart();
@@ -71,6 +84,9 @@ class ImportDialog : public QDialog {
     const Document& m_document;
     ChoiceBox* m_use = nullptr;
     QLineEdit* m_name;
+    QComboBox* m_recorder = nullptr;
+    QPushButton* m_keep = nullptr;
+    std::vector<Recorder> m_recorders;  // in the order of the box
     TableFields* m_table;
     SignalFields* m_signal;
     FileLines* m_lines;

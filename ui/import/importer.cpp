@@ -2,12 +2,21 @@
 #include "ui/import/importer.h"
 
 #include <QFileInfo>
+#include <QSettings>
 
 #include "core/model/blow_traits.h"
 #include "core/model/form_conversion.h"
+#include "core/signal/signal_option.h"
+#include "core/yaml/recorder_file.h"
 #include "ui/import/import_words.h"
+#include "ui/text/translation.h"
 
 namespace drillwave {
+namespace {
+
+constexpr QLatin1String lastKey("import/lastSettings");
+
+}  // namespace
 
 Importer::Importer(Document& document, MeasuredList& measured, Questions& questions, QWidget* window)
     : m_document(document), m_measured(measured), m_questions(questions), m_window(window) {}
@@ -33,7 +42,31 @@ void Importer::open(const QString& path, ImportUse use) {
         m_questions.tell(m_dialog, Questions::Tone::information, tr("Import of a measured signal"),
                          importHelp());
     });
+    connect(m_dialog, &ImportDialog::keepWanted, this, &Importer::keepRecorder);
+    offerRecorders();
     m_dialog->show();
+}
+
+// What is wrong with the file is said where a recorder is kept.
+void Importer::offerRecorders() {
+    Recorder last;
+    const QStringList lines = Settings().value(lastKey).toStringList();
+    for (const QString& line : lines)
+        last.settings.emplace_back(line.section(u'=', 0, 0).toStdString(),
+                                   line.section(u'=', 1).toStdString());
+    m_dialog->offer(loadRecorders(recordersPath()).recorders, std::move(last));
+}
+
+void Importer::keepRecorder() {
+    RecorderFile file = loadRecorders(recordersPath());
+    Message problem = file.problems.empty() ? Message() : file.problems.front();
+    if (problem.isEmpty())
+        problem = saveRecorders(recordersPath(), withRecorder(std::move(file.recorders),
+                                                              {m_dialog->recorder().toStdString(),
+                                                               recorderSettings(m_dialog->settings())}));
+    if (!problem.isEmpty()) return m_dialog->refuse(translated(problem));
+    offerRecorders();
+    emit imported(tr("The settings are kept for recorder %1.").arg(m_dialog->recorder()));
 }
 
 void Importer::take() {
@@ -41,6 +74,10 @@ void Importer::take() {
     const bool isBlow = m_dialog->use() == ImportUse::blow;
     const QString problem = isBlow ? takeBlow() : takeMeasured();
     if (!problem.isEmpty()) return m_dialog->refuse(problem);
+    QStringList lines;
+    for (const auto& [name, value] : recorderSettings(m_dialog->settings()))
+        lines << QString::fromStdString(name + "=" + value);
+    Settings().setValue(lastKey, lines);
     m_dialog->close();
     emit imported(isBlow ? tr("The hammer blow is taken from %1.").arg(file)
                          : tr("%1 is laid over the page Blow.").arg(file));

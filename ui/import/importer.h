@@ -34,6 +34,8 @@ class Importer : public QObject {
     void take();
     QString takeBlow();
     QString takeMeasured();
+    void offerRecorders();
+    void keepRecorder();
 
     Document& m_document;
     MeasuredList& m_measured;

@@ -288,6 +288,25 @@ GaugedBar SignalFields::barOfScenario() const {
                section.density.value_or(drillString.material.density));
 }
 
+void SignalFields::use(const SignalOptions& settings) {
+    if (settings.unit) {
+        setUnit(settings.unit, settings.unit->kind);
+        m_touched.insert(m_unit);
+    }
+    m_gauge->use(settings, static_cast<SignalKind>(chosenValue(*m_kind)));
+    showRows();
+    emit changed();
+}
+
+void SignalFields::addTo(SignalOptions& settings) const {
+    const int unit = chosenValue(*m_unit);
+    const auto kind = static_cast<SignalKind>(chosenValue(*m_kind));
+    if (unit == noUnit) return;
+    if (m_touched.contains(m_unit) || !m_unitIsKnown)
+        settings.unit = NamedSignalUnit{kind, m_unitList[static_cast<std::size_t>(unit)]};
+    m_gauge->addTo(settings, kind);
+}
+
 SignalRecipe SignalFields::recipe() const {
     SignalRecipe recipe;
     recipe.use = m_use == ImportUse::blow ? SignalUse::blow : SignalUse::curve;

@@ -9,6 +9,7 @@
 #include <optional>
 
 #include "core/model/scenario.h"
+#include "core/signal/signal_reading.h"
 #include "core/signal/signal_recipe.h"
 #include "core/signal/signal_unit.h"
 #include "core/text/units.h"
@@ -54,6 +55,11 @@ class SignalFields : public QWidget {
     void setTimes(std::optional<RecordSpan> times);
     /// The same, unless the user has chosen times.
     void proposeTimes(std::optional<RecordSpan> times);
+
+    /// Takes unit, gauge and amplifier from settings, as if the user had chosen them.
+    void use(const SignalOptions& settings);
+    /// Sets the unit that the user has chosen, with gauge and amplifier where it needs them.
+    void addTo(SignalOptions& settings) const;
 
     SignalRecipe recipe() const;
     /// Whether the user has chosen no number of points: a blow keeps as few as an error allows.

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "core/signal/sample_guess.h"
+#include "core/text/decimal_text.h"
 #include "ui/import/import_rows.h"
 #include "ui/text/typed_text.h"
 
@@ -97,8 +98,10 @@ void TableFields::wire() {
             m_touched.insert(box);
             takeTable(detectTable(m_lines, format()));
         });
-    connect(m_firstLine, &QSpinBox::valueChanged, this,
-            [this](int line) { takeTable(tableFrom(m_lines, format(), static_cast<std::size_t>(line))); });
+    connect(m_firstLine, &QSpinBox::valueChanged, this, [this](int line) {
+        m_touched.insert(m_firstLine);
+        takeTable(tableFrom(m_lines, format(), static_cast<std::size_t>(line)));
+    });
     for (ChoiceBox* box : {m_time, m_timeUnit, m_value, m_second})
         connect(box, &QComboBox::currentIndexChanged, this, [this, box] { m_touched.insert(box); });
     connect(m_time, &QComboBox::currentIndexChanged, this, [this] {
@@ -207,6 +210,57 @@ void TableFields::showRows() {
     const bool hasSecond = m_value->count() - (evenly ? 0 : 1) > 1;
     if (!hasSecond) choose(*m_second, none);
     setRowVisible(*m_form, *m_second, hasSecond);
+}
+
+void TableFields::use(const SignalOptions& settings) {
+    const auto pick = [](ChoiceBox& box, int value) {
+        if (const int index = box.findData(value); index >= 0) box.setCurrentIndex(index);
+    };
+    if (settings.separator) pick(*m_separator, *settings.separator);
+    if (settings.decimal) pick(*m_decimal, static_cast<int>(*settings.decimal));
+    if (settings.firstLine) m_firstLine->setValue(static_cast<int>(*settings.firstLine));
+    const auto pickColumn = [&](ChoiceBox& box, const std::string& wanted) {
+        const std::optional<std::size_t> column = columnNamed(m_table.columns, wanted);
+        if (!column) return false;
+        pick(box, static_cast<int>(*column));
+        m_touched.insert(&box);
+        return true;
+    };
+    if (settings.rate) {
+        pick(*m_time, none);
+        m_rate->setValue(settings.rate);
+        m_touched.insert(m_rate);
+    }
+    if (!settings.timeColumn.empty()) pickColumn(*m_time, settings.timeColumn);
+    const std::string& signal = settings.signalColumn;
+    const std::size_t plus = signal.find('+');
+    if (!signal.empty() && !pickColumn(*m_value, signal) && plus != std::string::npos) {
+        pickColumn(*m_value, std::string(trimmed(signal.substr(0, plus))));
+        pickColumn(*m_second, std::string(trimmed(signal.substr(plus + 1))));
+    }
+    if (settings.timeUnit) pick(*m_timeUnit, indexOfTimeUnit(*settings.timeUnit));
+    pick(*m_wrongRows, static_cast<int>(settings.wrongRows));
+    showRows();
+    emit changed();
+}
+
+void TableFields::addTo(SignalOptions& settings) const {
+    const SampleSource now = source();
+    const auto nameOf = [this](std::size_t column) {
+        const std::string& name = m_table.columns[column].name;
+        return name.empty() ? std::to_string(column + 1) : name;
+    };
+    if (m_touched.contains(m_separator)) settings.separator = now.format.separator;
+    if (m_touched.contains(m_decimal)) settings.decimal = now.format.decimal;
+    if (m_touched.contains(m_firstLine)) settings.firstLine = now.firstLine;
+    if (m_touched.contains(m_time) && now.timeColumn) settings.timeColumn = nameOf(*now.timeColumn);
+    if (m_touched.contains(m_value) || now.secondGauge) {
+        settings.signalColumn = nameOf(now.valueColumn);
+        if (now.secondGauge) settings.signalColumn += "+" + nameOf(*now.secondGauge);
+    }
+    if (m_touched.contains(m_timeUnit) && now.timeColumn) settings.timeUnit = now.timeUnit;
+    if (m_touched.contains(m_rate) && !now.timeColumn) settings.rate = m_rate->value();
+    settings.wrongRows = now.wrongRows;
 }
 
 SampleSource TableFields::source() const {

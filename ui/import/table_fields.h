@@ -10,6 +10,7 @@
 
 #include "core/signal/detected_table.h"
 #include "core/signal/samples.h"
+#include "core/signal/signal_reading.h"
 #include "core/signal/signal_unit.h"
 
 class QFormLayout;
@@ -29,6 +30,11 @@ class TableFields : public QWidget {
     /// The first lines of a file: everything is found out anew.
     void setLines(std::vector<std::string> lines);
     const std::vector<std::string>& lines() const { return m_lines; }
+
+    /// Takes what settings give, as if the user had chosen it; a column that is not there is left as it is.
+    void use(const SignalOptions& settings);
+    /// Sets what the user has chosen, and nothing else.
+    void addTo(SignalOptions& settings) const;
 
     SampleSource source() const;
     /// What the header says of the chosen column of values; nothing where its unit is not known.

@@ -91,6 +91,20 @@ class TestSignalReading : public QObject {
     Q_OBJECT
 
   private slots:
+    void settingsOfARecorderSetTheSameOptions() {
+        for (const char* words :
+             {"separator tab decimal comma first-line 3 encoding latin-1 time t signal-column A+B time-unit "
+              "us",
+              "unit V scale 50kN/V rows skip", "unit mV gain 100 excitation 5V bridge 2.6 gauge-factor 2.1",
+              "unit microstrain area 1134mm^2 modulus 206GPa rate 5MHz", "unit m/s scale 18000", ""}) {
+            const SignalOptions options = optionsOf(words);
+            SignalOptions again;
+            for (const auto& [name, value] : recorderSettings(options))
+                QVERIFY2(findSignalOption(name)->set(again, value).isEmpty(), name.c_str());
+            QVERIFY2(again == options, words);
+        }
+        QVERIFY(recorderSettings(optionsOf("zero 1us:2us from 3us to 4us")).empty());  // of one record
+    }
     void fieldFilesAreReadOrAskedAbout_data();
     void fieldFilesAreReadOrAskedAbout();
     void fieldFilesAreRefusedWithTheirLine_data();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Measured signals over the page Blow: in their place, shifted, removed.
+#include <QComboBox>
 #include <QPushButton>
 #include <QRegularExpression>
 #include <QSpinBox>
@@ -11,6 +12,7 @@
 #include "core/model/scales.h"
 #include "core/wave/field/wave_field.h"
 #include "core/yaml/examples.h"
+#include "core/yaml/recorder_file.h"
 #include "tests/support/import_fixture.h"
 #include "tests/support/window_parts.h"
 #include "ui/form/choice_box.h"
@@ -40,6 +42,7 @@ class TestImportOfCurve : public QObject, private ImportFixture {
     void aGaugeLiesOverADrillString_data();
     void aGaugeLiesOverADrillString();
     void aStrainOfAStringTakesTheSectionOfTheGauge();
+    void settingsOfARecorderAreKeptByNameAndOffered();
 };
 
 void TestImportOfCurve::aMeasuredForceLiesOnTheComputedOneOfTheSameBlow_data() {
@@ -280,6 +283,53 @@ void TestImportOfCurve::aStrainOfAStringTakesTheSectionOfTheGauge() {
     QVERIFY(inRod != 0);
     QVERIFY2(std::abs(inCoupling / inRod / areas - 1) < 1e-6,
              qPrintable(QString::number(inCoupling / inRod)));
+}
+
+void TestImportOfCurve::settingsOfARecorderAreKeptByNameAndOffered() {
+    qputenv("XDG_CONFIG_HOME", m_folder.path().toUtf8());
+    QByteArray bytes("n;t;A;B\n");  // neither column has a unit
+    for (int i = 0; i <= 400; ++i)
+        bytes += QByteArray::number(i) + ';' + QByteArray::number(0.5 * i) + ';' +
+                 QByteArray::number(-2 * std::sin(M_PI * std::clamp((i - 100) / 100.0, 0.0, 1.0)), 'f', 4) +
+                 ";0.5\n";
+    const auto next = [&](const QString& name) -> ImportDialog& {
+        return open(write(name, bytes), ImportUse::impactForce);
+    };
+    ImportDialog& first = next("first.csv");
+    QVERIFY(settle(first));
+    QVERIFY(first.result() == nullptr);
+    choose(first, "timeColumn", "column 2");
+    choose(first, "timeUnit", "us");
+    choose(first, "valueColumn", "column 3");
+    choose(first, "kind", "voltage");
+    choose(first, "valueUnit", "V");
+    type(first, "forcePerVolt", "50\n");
+    QVERIFY(settle(first));
+    QVERIFY2(first.result(), qPrintable(message(first)));
+    const double peak = first.result()->peak;
+    QVERIFY(std::abs(std::abs(peak) / 100e3 - 1) < 1e-3);
+    QVERIFY(!control<QPushButton>(first, "keepRecorder").isEnabled());
+    control<QComboBox>(first, "recorder").setEditText("rig A");
+    control<QPushButton>(first, "keepRecorder").click();
+    control<QPushButton>(first, "take").click();
+    const RecorderFile kept = loadRecorders(m_folder.filePath("drillwave/recorders.yaml").toStdString());
+    QVERIFY(kept.problems.empty());
+    QVERIFY(findRecorder(kept.recorders, "rig A"));
+
+    for (const QString& name : {QStringLiteral("rig A"), QStringLiteral("as in the last import")}) {
+        ImportDialog& again = next("again.csv");
+        QVERIFY(settle(again));
+        QVERIFY(again.result() == nullptr);  // nothing is taken over unasked
+        auto& box = control<QComboBox>(again, "recorder");
+        const int index = box.findText(name);
+        QVERIFY2(index >= 0, qPrintable(name));
+        box.setCurrentIndex(index);
+        emit box.activated(index);
+        QVERIFY(settle(again));
+        QVERIFY2(again.result(), qPrintable(message(again)));
+        QCOMPARE(again.result()->peak, peak);
+        again.reject();
+    }
 }
 
 QTEST_MAIN(TestImportOfCurve)
