@@ -5566,6 +5566,30 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <source>The blow takes the place of the hammer; undo brings it back.</source>
         <translation>Der Schlag ersetzt den Kolben; Rückgängig bringt ihn zurück.</translation>
     </message>
+    <message>
+        <source>recorder</source>
+        <translation>Messgerät</translation>
+    </message>
+    <message>
+        <source>Settings that are kept by name: columns, units, gauge and amplifier. Choose some, or type a name and keep the present ones.</source>
+        <translation>Einstellungen, die unter einem Namen behalten wurden: Spalten, Einheiten, Messstreifen und Verstärker. Eine auswählen oder einen Namen eintippen und die jetzigen behalten.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keines</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Keeps the present settings under this name, for the next record</source>
+        <translation>Behält die jetzigen Einstellungen unter diesem Namen, für die nächste Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>as in the last import</source>
+        <translation>wie beim letzten Import</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::ImportPlot</name>
@@ -5611,6 +5635,10 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
     <message>
         <source>%1 measured curves are there already: remove one on the page Blow.</source>
         <translation>%1 gemessene Kurven sind schon da: eine auf der Seite Schlag entfernen.</translation>
+    </message>
+    <message>
+        <source>The settings are kept for recorder %1.</source>
+        <translation>Die Einstellungen sind für das Messgerät %1 behalten.</translation>
     </message>
 </context>
 <context>
@@ -11387,6 +11415,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>How many contacts begin in a cycle</source>
         <translation>Wie viele Kontakte in einem Zyklus beginnen</translation>
+    </message>
+    <message>
+        <source>Record:</source>
+        <translation>Aufzeichnung:</translation>
     </message>
 </context>
 <context>

@@ -5566,6 +5566,30 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <source>The blow takes the place of the hammer; undo brings it back.</source>
         <translation>Slaget ersätter hammaren; ångra tar tillbaka den.</translation>
     </message>
+    <message>
+        <source>recorder</source>
+        <translation>mätinstrument</translation>
+    </message>
+    <message>
+        <source>Settings that are kept by name: columns, units, gauge and amplifier. Choose some, or type a name and keep the present ones.</source>
+        <translation>Inställningar som har sparats under ett namn: kolumner, enheter, givare och förstärkare. Välj några, eller skriv ett namn och spara de nuvarande.</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>inget</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behåll</translation>
+    </message>
+    <message>
+        <source>Keeps the present settings under this name, for the next record</source>
+        <translation>Sparar de nuvarande inställningarna under detta namn, för nästa mätning</translation>
+    </message>
+    <message>
+        <source>as in the last import</source>
+        <translation>som vid den senaste importen</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::ImportPlot</name>
@@ -5611,6 +5635,10 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
     <message>
         <source>%1 measured curves are there already: remove one on the page Blow.</source>
         <translation>%1 uppmätta kurvor finns redan: ta bort en på sidan Slag.</translation>
+    </message>
+    <message>
+        <source>The settings are kept for recorder %1.</source>
+        <translation>Inställningarna är sparade för mätinstrumentet %1.</translation>
     </message>
 </context>
 <context>
@@ -11387,6 +11415,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>How many contacts begin in a cycle</source>
         <translation>Hur många kontakter som börjar i en cykel</translation>
+    </message>
+    <message>
+        <source>Record:</source>
+        <translation>Mätning:</translation>
     </message>
 </context>
 <context>
