@@ -68,10 +68,6 @@ Scenario scenarioOf(std::string_view text) {
     return parseScenario(std::string(text), "test").scenario;
 }
 
-Scenario example(std::string_view name) {
-    return parseScenario(findExample(name)->text, std::string(name)).scenario;
-}
-
 Impact solvedWaves(const Scenario& scenario, int pieces) {
     NetworkSettings settings;
     settings.wants.histories = true;
