@@ -2722,7 +2722,7 @@ Trotzdem löschen?</translation>
         <translation>dieser Schlag</translation>
     </message>
     <message>
-        <source>A T38 string of three rods with its hammer. Look at the efficiency, which the joints decide: 0.32 of the energy of the hammer stays in the rock. Each joint is assumed to lose 5 % of the energy that passes; without these losses 0.50 would stay. The couplings are of larger impedance than the rods and throw back part of every wave; as thin as the rod they would leave 0.41. Then look at the largest tension.</source>
+        <source>A T38 string of three rods with its hammer. Look at the efficiency, which the joints decide: 0.32 of the energy of the hammer stays in the rock. Each joint is assumed to lose 5 % of the energy that passes; without these losses 0.50 would stay. The couplings are of larger impedance than the rods and reflect part of every wave; as thin as the rod they would leave 0.41. Then look at the largest tension.</source>
         <translation>Ein T38-Strang aus drei Stangen mit seinem Hammer. Man beachte den Wirkungsgrad, über den die Verbindungen entscheiden: 0,32 der Energie des Hammers bleiben im Gestein. Jede Verbindung verliert nach Annahme 5&#xa0;% der Energie, die hindurchgeht; ohne diese Verluste blieben 0,50. Die Kupplungsmuffen haben eine größere Impedanz als die Stangen und werfen einen Teil jeder Welle zurück; so dünn wie die Stange ließen sie 0,41. Dann beachte man den größten Zug.</translation>
     </message>
     <message>
@@ -11397,7 +11397,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Zwischen Bohrkrone und Gestein, wenn der Hammer schlägt</translation>
     </message>
     <message>
-        <source>Of a blow and the cycle behind it; on the mean the feed times the interval</source>
+        <source>Impulse of a blow and the cycle behind it; its mean is the feed times the interval</source>
         <translation>Je Schlag und den Zyklus danach; im Mittel der Andruck mal dem Abstand der Schläge</translation>
     </message>
     <message>

@@ -2722,7 +2722,7 @@ Ta bort ändå?</translation>
         <translation>detta slag</translation>
     </message>
     <message>
-        <source>A T38 string of three rods with its hammer. Look at the efficiency, which the joints decide: 0.32 of the energy of the hammer stays in the rock. Each joint is assumed to lose 5 % of the energy that passes; without these losses 0.50 would stay. The couplings are of larger impedance than the rods and throw back part of every wave; as thin as the rod they would leave 0.41. Then look at the largest tension.</source>
+        <source>A T38 string of three rods with its hammer. Look at the efficiency, which the joints decide: 0.32 of the energy of the hammer stays in the rock. Each joint is assumed to lose 5 % of the energy that passes; without these losses 0.50 would stay. The couplings are of larger impedance than the rods and reflect part of every wave; as thin as the rod they would leave 0.41. Then look at the largest tension.</source>
         <translation>En T38-sträng av tre stänger med sin hammare. Se på verkningsgraden, som skarvarna avgör: 0,32 av hammarens energi stannar i berget. Varje skarv antas förlora 5&#xa0;% av energin som passerar; utan dessa förluster skulle 0,50 stanna. Skarvhylsorna har större impedans än stängerna och kastar tillbaka en del av varje våg; lika tunna som stången skulle de lämna 0,41. Se sedan på det största draget.</translation>
     </message>
     <message>
@@ -11397,7 +11397,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Mellan borrkrona och berg när hammaren slår</translation>
     </message>
     <message>
-        <source>Of a blow and the cycle behind it; on the mean the feed times the interval</source>
+        <source>Impulse of a blow and the cycle behind it; its mean is the feed times the interval</source>
         <translation>För ett slag och cykeln efter det; i medeltal matningen gånger tiden mellan slagen</translation>
     </message>
     <message>

@@ -7,6 +7,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QTemporaryDir>
+#include <algorithm>
 
 #include "tests/support/files.h"
 #include "tests/support/program.h"
@@ -170,9 +171,12 @@ void TestSignal::reportsStateTheQualityOfARecord() {
         return output({"report", scenario, "--no-plots", "-o", "-"});
     };
     QByteArray flat = "time [us],force [kN]\n";
-    for (int i = 0; i <= 200; ++i)
-        flat +=
-            QByteArray::number(i) + "," + QByteArray::number(std::min({2 * i, 180, 2 * (200 - i)})) + "\n";
+    for (int i = 0; i <= 260; ++i) {
+        const double blow = std::min({2.0 * (i - 60), 180.0, 2.0 * (260 - i)});
+        const double noise = 0.1 * (i * 7 % 5);
+        flat += QByteArray::number(i) + "," +
+                QByteArray::number(blow < 180 ? std::max(blow, 0.0) + noise : 180) + "\n";
+    }
     QVERIFY(reportOf("flat", flat).contains("<b>Record:</b> flat.csv: 21 equal samples"));
     QVERIFY(!reportOf("trapezoid", "time [us],force [kN]\n0,0\n20,180\n120,180\n140,0\n")
                  .contains("<b>Record:</b>"));

@@ -47,7 +47,7 @@ void Importer::open(const QString& path, ImportUse use) {
     m_dialog->show();
 }
 
-// What is wrong with the file is said where a recorder is kept.
+// Problems of the file are reported where a recorder is kept.
 void Importer::offerRecorders() {
     Recorder last;
     const QStringList lines = Settings().value(lastKey).toStringList();

@@ -49,7 +49,7 @@ inline constexpr std::array<BlowQuantity, 13> blowColumns{{
     {"rock_impulse", DrillingMeasure::impulse, &DrillingBlow::rockImpulse, true,
      translatable("drillwave::Message", "rock impulse"),
      translatable("drillwave::Message",
-                  "Of a blow and the cycle behind it; on the mean the feed times the interval")},
+                  "Impulse of a blow and the cycle behind it; its mean is the feed times the interval")},
     {"penetration", DrillingMeasure::length, &DrillingBlow::penetration, true,
      translatable("drillwave::Message", "penetration"),
      translatable("drillwave::Message", "Per blow; an upper limit: all rock under the bit gives way")},
@@ -67,7 +67,7 @@ inline constexpr std::array<BlowQuantity, 13> blowColumns{{
     {"shank_offset", DrillingMeasure::length, &DrillingBlow::shankOffset},
 }};
 
-/// Those of `blowColumns` that have a spread.
+/// Quantities whose spread is a result, in the order of `blowColumns`.
 inline constexpr auto blowQuantities = [] {
     constexpr auto count = std::ranges::count_if(blowColumns, &BlowQuantity::hasSpread);
     std::array<BlowQuantity, static_cast<std::size_t>(count)> quantities;

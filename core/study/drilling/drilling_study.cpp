@@ -98,7 +98,7 @@ class MarchStudy {
             const BlowSpread spread = spreadOf(std::span(growths).subspan(settle));
             m_result.lyapunov = Lyapunov{spread.mean, spread.meanError};
         }
-        if (m_wants.cellError) compareCells(marchWithOtherCells(), settle);
+        if (m_wants.cellError) compareCells(comparedMarch(), settle);
     }
 
     /// Returns whether the feed of more than one blow by an elastic hammer is below f J, beyond the
@@ -124,9 +124,21 @@ class MarchStudy {
         return behind > farAway / lawUnitOfPenetration && behind > growingOffset * before;
     }
 
-    DrillingRecord marchWithOtherCells() const {
+    /// Marches with other cells. Where the motion repeats, the march also starts differently: the motion may
+    /// be one of several, or one that a disturbance leaves for good, which no change of cells would show.
+    DrillingRecord comparedMarch() const {
+        const DrillingStart own = m_result.settings.start;
+        if (m_result.statistics->period > 0) {
+            DrillingRecord other = marchWithOtherCells(own == DrillingStart::rest ? DrillingStart::bouncing
+                                                                                  : DrillingStart::rest);
+            if (other.outcome == DrillingOutcome::done) return other;
+        }
+        return marchWithOtherCells(own);
+    }
+
+    DrillingRecord marchWithOtherCells(DrillingStart start) const {
         DrillingMesh other = comparedDrillingMeshOf(m_result.scenario, m_result.settings.cells);
-        other.problem.start = m_result.settings.start;
+        other.problem.start = start;
         return recordOf(other.problem, other.grid, {m_result.settings.blows, m_wants.mostWork}, m_stop,
                         m_progress);
     }
@@ -135,9 +147,13 @@ class MarchStudy {
         if (other.outcome != DrillingOutcome::done) return fail(other);
         const DrillingStatistics statistics =
             statisticsOf(other.blows, settle, m_mesh.problem.blow.velocity());
+        // One that does not come to the same motion may be on its way to another: its scatter counts.
+        const int period = m_result.statistics->period;
+        const bool isLeft = period > 0 && statistics.period != period;
         for (std::size_t q = 0; q < blowQuantities.size(); ++q)
             m_result.cellErrors[q] =
-                coveringCells * std::abs(statistics.spreads[q].mean - m_result.spread(q).mean);
+                coveringCells * std::abs(statistics.spreads[q].mean - m_result.spread(q).mean) +
+                (isLeft ? statistics.spreads[q].deviation : 0);
         const std::size_t penetration = quantityPlace(&DrillingBlow::penetration);
         const BlowSpread &own = m_result.spread(penetration), &others = statistics.spreads[penetration];
         const double errors = own.meanError.value_or(0) + others.meanError.value_or(0);

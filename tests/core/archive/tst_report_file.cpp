@@ -102,7 +102,7 @@ void TestReportFile::aCommentIsTheSourceOfTheValueBeforeIt() {
     QCOMPARE(bore.source.text(), std::string("flushing hole, assumed typical"));
     QCOMPARE(inputOf(inputs, "bit_rock.gap").source.text(), std::string("not stated"));
     QCOMPARE(inputs.front().key, std::string("rod.length"));
-    QCOMPARE(inputs.back().key, std::string("drill.thrust"));
+    QCOMPARE(inputs.back().key, std::string("drill.wave_loss"));
 }
 
 void TestReportFile::aCommentBehindBracesIsAboutAllValuesInThem() {

@@ -327,13 +327,13 @@ class TestResultPanel : public QObject {
         // Without a frequency there is none.
         other.drill.blowFrequency.reset();
         panel.present(solved(other, UnitSystem::si));
-        QVERIFY(!panel.text().contains("Thrust: at every gap\t("));
+        QVERIFY(!panel.text().contains("Feed: required, every gap\t("));
     }
 
     void theThrustSaysHowFarItIsOffTheReference() {
         ResultPanel panel;
         const auto changeOf = [&](const char* name) {
-            return valueOf(panel, QStringLiteral("Thrust: ") + QLatin1String(name)).section('\t', 1);
+            return valueOf(panel, QStringLiteral("Feed: ") + QLatin1String(name)).section('\t', 1);
         };
         const SolvedBlowPtr before = solved(drillOf(8e3), UnitSystem::si);
         const SolvedBlowPtr now = solved(drillOf(10e3), UnitSystem::si);
@@ -342,26 +342,26 @@ class TestResultPanel : public QObject {
         QCOMPARE(changeOf("installed"), QString("+25 %"));
         // As a force: the margin may be zero.
         QCOMPARE(changeOf("margin, this blow"), QString("+2 kN"));
-        QCOMPARE(changeOf("needed"), QString("±0 %"));
+        QCOMPARE(changeOf("required, this blow"), QString("±0 %"));
         // Both needs take a study.
-        QCOMPARE(changeOf("at every gap"), QString());
-        QTRY_COMPARE_WITH_TIMEOUT(changeOf("at every gap"), QString("±0 %"), 30000);
+        QCOMPARE(changeOf("required, every gap"), QString());
+        QTRY_COMPARE_WITH_TIMEOUT(changeOf("required, every gap"), QString("±0 %"), 30000);
         Scenario slower = drillOf(8e3);
         slower.drill.blowFrequency = 30;
         panel.setReference(solved(slower, UnitSystem::si), "B  slower");
-        QCOMPARE(changeOf("at every gap"), QString());
-        QTRY_COMPARE_WITH_TIMEOUT(changeOf("at every gap"), QString("+100 %"), 30000);
+        QCOMPARE(changeOf("required, every gap"), QString());
+        QTRY_COMPARE_WITH_TIMEOUT(changeOf("required, every gap"), QString("+100 %"), 30000);
         // Of a blow without a need, or no reference, there is nothing to say.
         slower.drill.blowFrequency.reset();
         panel.setReference(solved(slower, UnitSystem::si), "C  silent");
-        QCOMPARE(changeOf("at every gap"), QString());
+        QCOMPARE(changeOf("required, every gap"), QString());
         QCOMPARE(changeOf("margin, this blow"), QString());
         panel.setReference(before, "A  first");
-        QTRY_COMPARE_WITH_TIMEOUT(changeOf("at every gap"), QString("±0 %"), 30000);
+        QTRY_COMPARE_WITH_TIMEOUT(changeOf("required, every gap"), QString("±0 %"), 30000);
         panel.present(before);
         QCOMPARE(changeOf("margin, this blow"), QString("±0 kN"));
         panel.setReference(nullptr, {});
-        for (const char* name : {"margin, this blow", "at every gap", "installed"})
+        for (const char* name : {"margin, this blow", "required, every gap", "installed"})
             QCOMPARE(changeOf(name), QString());
     }
 

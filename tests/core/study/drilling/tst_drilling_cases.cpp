@@ -183,6 +183,7 @@ void TestDrillingCases::whatCannotBeDrilledIsToldAtOnce() {
         scenarioOf("t38_medium_rock", {{"drill.damper_damping", 6300}, {"drill.damper_stiffness", 1e6}});
     scenario.drill.blowFrequency.reset();
     scenario.drill.thrust.reset();
+    scenario.drill.machineMass.reset();
     DrillingSettings settings = drillingSettingsOf(scenario);
     settings.settle = settings.blows;
     const std::vector<Message> problems = drillingRefusals(scenario, settings);

@@ -13,6 +13,7 @@
 #include "core/blow/string_curves.h"
 #include "core/model/section_parameter.h"
 #include "core/yaml/examples.h"
+#include "tests/support/lossless_string.h"
 #include "tests/support/window_fixture.h"
 #include "ui/export/export_menu.h"
 #include "ui/export/report_writer.h"
@@ -446,7 +447,7 @@ void TestStringPage::numbersFollowTheLocale() {
 }
 
 void TestStringPage::aNewcomerBuildsTheStringFromOneSection() {
-    const DrillString wanted = parseScenario(findExample("t38_string")->text, "t38").scenario.drillString;
+    const DrillString wanted = test::losslessString().drillString;
     const char* bare =
         "drillwave: 2\n"
         "hammer: {velocity: 10 m/s, sections: [{length: 300 mm, diameter: 50 mm}]}\n"
