@@ -46,7 +46,7 @@ JsonObject spreadJson(const DrillingResult& result, std::size_t quantity, Output
             {"largest", value(spread.largest)}};
 }
 
-/// What multiples without units are of.
+/// Unit of values without physical units: "d0".
 const char* multipleOf(DrillingMeasure measure) {
     switch (measure) {
         case count:
