@@ -220,13 +220,16 @@ int openWindow(int argc, char** argv) {
     QLocale::setDefault(withoutGroups(QLocale()));
     const WindowArguments arguments = wordsFor(QCoreApplication::arguments());
     if (arguments.resetsUi) resetSettings();
-    speak(arguments.language ? *arguments.language : languageToSpeak());
-    MainWindow window;
-    window.show();
-    if (!arguments.file.empty()) window.openFile(QString::fromStdString(arguments.file));
-    if (arguments.example) window.openExample(*arguments.example);
-    window.startRecovery(recoveryFolder());
-    return QApplication::exec();
+    for (bool isFirst = true;; isFirst = false) {
+        speak(isFirst && arguments.language ? *arguments.language : languageToSpeak());
+        MainWindow window;
+        window.show();
+        if (isFirst && !arguments.file.empty()) window.openFile(QString::fromStdString(arguments.file));
+        if (isFirst && arguments.example) window.openExample(*arguments.example);
+        window.startRecovery(recoveryFolder());
+        const int code = QApplication::exec();
+        if (!window.wantsRestart()) return code;
+    }
 }
 
 std::unique_ptr<const Drawing> startDrawing(int argc, char** argv, const Language& language) {

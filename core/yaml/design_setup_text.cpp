@@ -86,17 +86,38 @@ DesignSetup readDesignSetup(SectionReader& reader, const YamlEntries& file) {
     return setup;
 }
 
+std::vector<SavedValue> savedDesignValues(const DesignSetup& setup) {
+    if (setup.isEmpty()) return {};
+    const auto saved = [](std::string_view key, std::string text, bool isDefault) {
+        SavedValue value;
+        value.section = designKey;
+        value.key = key;
+        value.text = std::move(text);
+        value.isDefault = isDefault;
+        return value;
+    };
+    std::vector<SavedValue> values{saved(energyKey, setup.keepEnergy ? "true" : "false", !setup.keepEnergy)};
+    if (setup.samples) values.push_back(saved(samplesKey, std::to_string(*setup.samples), false));
+    if (setup.seed) values.push_back(saved(seedKey, std::to_string(*setup.seed), false));
+    return values;
+}
+
+std::vector<std::pair<std::string_view, std::vector<std::string>>> designLists(const DesignSetup& setup) {
+    std::vector<std::pair<std::string_view, std::vector<std::string>>> lists;
+    for (const ListKey& list : listKeys) {
+        std::vector<std::string>& items = lists.emplace_back(list.key, std::vector<std::string>()).second;
+        for (const std::string& item : setup.*list.texts) items.push_back(yamlScalar(item));
+    }
+    return lists;
+}
+
 std::string designSetupText(const DesignSetup& setup) {
     if (setup.isEmpty()) return {};
     std::string text = std::string(designKey) + ":\n";
-    for (const ListKey& list : listKeys) {
-        if ((setup.*list.texts).empty()) continue;
-        text += "  " + std::string(list.key) + ":\n";
-        for (const std::string& item : setup.*list.texts) text += "    - " + yamlScalar(item) + "\n";
-    }
-    if (setup.keepEnergy) text += "  " + std::string(energyKey) + ": true\n";
-    if (setup.samples) text += "  " + std::string(samplesKey) + ": " + std::to_string(*setup.samples) + "\n";
-    if (setup.seed) text += "  " + std::string(seedKey) + ": " + std::to_string(*setup.seed) + "\n";
+    for (const auto& [key, items] : designLists(setup))
+        if (!items.empty()) text += "  " + std::string(key) + ":\n" + listText(items, 4);
+    for (const SavedValue& value : savedDesignValues(setup))
+        if (!value.isDefault) text += "  " + std::string(value.key) + ": " + value.text + "\n";
     return text;
 }
 

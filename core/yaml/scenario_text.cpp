@@ -13,9 +13,6 @@
 namespace drillwave {
 namespace {
 
-/// Of the list of corners.
-const std::string cornersPath = "bit_rock.corners";
-
 /// A mean force is kept as such if it leads back to the same impulse, as every force that was given does.
 bool keepsForce(const Pulse& pulse) {
     return pulse.impulseFromForce && meanForce(pulse) * pulse.duration == pulse.impulse;
@@ -122,9 +119,10 @@ void addLaw(std::vector<SavedValue>& values, const Scenario& scenario) {
     values.push_back(law);
     for (const KeptParameter& parameter : loadingNumbers(scenario)) {
         const std::size_t corner = cornerOf(*parameter);
-        values.push_back(
-            corner == 0 ? savedParameter(*parameter, scenario)
-                        : savedCorner(cornersPath + "." + std::to_string(corner - 1), *parameter, scenario));
+        values.push_back(corner == 0
+                             ? savedParameter(*parameter, scenario)
+                             : savedCorner(std::string(cornersPath) + "." + std::to_string(corner - 1),
+                                           *parameter, scenario));
     }
 }
 
@@ -157,13 +155,6 @@ std::string pointText(const TablePoint& point, bool dimensional) {
            "]";
 }
 
-std::string pointsText(const Scenario& scenario) {
-    std::string text = "  points:\n";
-    for (const TablePoint& point : scenario.pulse.tablePoints)
-        text += "    - " + pointText(point, hasUnits(scenario)) + "\n";
-    return text;
-}
-
 bool hasInlinePoints(const Scenario& scenario) {
     return scenario.pulse.shape == PulseShape::table && scenario.pulse.tableFile.empty();
 }
@@ -190,34 +181,32 @@ std::string blockEntries(const std::vector<SavedValue>& values, std::string_view
     return text;
 }
 
-std::string sectionItems(const std::vector<SavedValue>& values, const std::string& path, std::size_t count,
-                         const std::string& indentation) {
-    std::string text;
+/// The sections or corners of a list, one item each.
+std::vector<std::string> mapItems(const std::vector<SavedValue>& values, const std::string& path,
+                                  std::size_t count) {
+    std::vector<std::string> items;
     for (std::size_t i = 0; i < count; ++i)
-        text += indentation + "- {" + flowEntries(values, path + "." + std::to_string(i)) + "}\n";
-    return text;
+        items.push_back(sectionItem(values, path + "." + std::to_string(i)));
+    return items;
+}
+
+std::vector<std::string> partItems(const Scenario& scenario) {
+    const std::vector<SavedValue> values = savedValues(scenario);
+    std::vector<std::string> items;
+    for (std::size_t i = 0; i < scenario.drillString.parts.size(); ++i) {
+        const StringPart& part = scenario.drillString.parts[i];
+        const std::string path = "string." + std::to_string(i);
+        items.push_back(part.group ? "repeat: " + std::to_string(part.repeat) + "\nof:\n" +
+                                         listText(mapItems(values, path + ".of", part.sections.size()), 2)
+                                   : sectionItem(values, path));
+        if (part.group) items.back().pop_back();
+    }
+    return items;
 }
 
 std::string drillStringText(const Scenario& scenario) {
-    const DrillString& drillString = scenario.drillString;
-    const std::vector<SavedValue> values = savedValues(scenario);
-    std::string text = "material: {" + flowEntries(values, "material") + "}\n";
-    if (isForced(scenario))
-        text += sectionText(scenario, "pulse");
-    else
-        text += "hammer:\n" + blockEntries(values, "hammer") + "  sections:\n" +
-                sectionItems(values, "hammer.sections", drillString.hammer.sections.size(), "    ");
-    text += "string:\n";
-    for (std::size_t i = 0; i < drillString.parts.size(); ++i) {
-        const StringPart& part = drillString.parts[i];
-        const std::string path = "string." + std::to_string(i);
-        if (part.group)
-            text += "  - repeat: " + std::to_string(part.repeat) + "\n    of:\n" +
-                    sectionItems(values, path + ".of", part.sections.size(), "      ");
-        else
-            text += "  - {" + flowEntries(values, path) + "}\n";
-    }
-    return text;
+    return sectionText(scenario, "material") +
+           sectionText(scenario, isForced(scenario) ? "pulse" : "hammer") + sectionText(scenario, "string");
 }
 
 Section withoutUnusedValues(Section section) {
@@ -318,11 +307,49 @@ std::string yamlScalar(std::string_view text) {
     return isPlainScalar(text) ? std::string(text) : quotedScalar(text);
 }
 
+std::string sectionItem(const std::vector<SavedValue>& values, std::string_view path) {
+    return "{" + flowEntries(values, path) + "}";
+}
+
+std::string listText(const std::vector<std::string>& items, std::size_t indentation) {
+    const std::string blanks(indentation, ' ');
+    std::string text;
+    for (const std::string& item : items) {
+        text += blanks + "- ";
+        for (const char c : item) {
+            text += c;
+            if (c == '\n') text += blanks + "  ";
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+std::vector<std::string> listItems(const Scenario& scenario, std::string_view list) {
+    const DrillString& drillString = scenario.drillString;
+    if (list == "string") return partItems(scenario);
+    std::vector<std::string> points;
+    if (list == pointsPath && hasInlinePoints(scenario))
+        for (const TablePoint& point : scenario.pulse.tablePoints)
+            points.push_back(pointText(point, hasUnits(scenario)));
+    if (list == pointsPath) return points;
+    const std::size_t count = list == hammerSectionsPath                 ? drillString.hammer.sections.size()
+                              : scenario.bitRock.law == RockLaw::corners ? scenario.bitRock.corners.size()
+                                                                         : 0;
+    return mapItems(savedValues(scenario), std::string(list), count);
+}
+
 std::string sectionText(const Scenario& scenario, std::string_view section) {
     if (section == "material") return "material: {" + flowEntries(savedValues(scenario), section) + "}\n";
-    const bool points = section == "pulse" && hasInlinePoints(scenario);
-    const bool corners = section == "bit_rock" && scenario.bitRock.law == RockLaw::corners;
-    const bool flow = scenario.form == ScenarioForm::dimensionless && !points && !corners;
+    if (section == "string") return "string:\n" + listText(listItems(scenario, section), 2);
+    if (section == "hammer")
+        return "hammer:\n" + blockEntries(savedValues(scenario), section) + "  sections:\n" +
+               listText(listItems(scenario, hammerSectionsPath), 4);
+    const std::vector<std::string> points =
+        section == "pulse" ? listItems(scenario, pointsPath) : std::vector<std::string>();
+    const std::vector<std::string> corners =
+        section == "bit_rock" ? listItems(scenario, cornersPath) : std::vector<std::string>();
+    const bool flow = scenario.form == ScenarioForm::dimensionless && points.empty() && corners.empty();
     const std::vector<SavedValue> values = savedValues(scenario);
     std::string lines;
     for (const SavedValue& value : values) {
@@ -330,9 +357,8 @@ std::string sectionText(const Scenario& scenario, std::string_view section) {
         const std::string line = std::string(value.key) + ": " + valueText(value);
         lines += flow ? (lines.empty() ? "" : ", ") + line : "  " + line + "\n";
     }
-    if (points) lines += pointsText(scenario);
-    if (corners)
-        lines += "  corners:\n" + sectionItems(values, cornersPath, scenario.bitRock.corners.size(), "    ");
+    if (!points.empty()) lines += "  points:\n" + listText(points, 4);
+    if (!corners.empty()) lines += "  corners:\n" + listText(corners, 4);
     if (lines.empty()) return {};
     return std::string(section) + (flow ? ": {" + lines + "}\n" : ":\n" + lines);
 }

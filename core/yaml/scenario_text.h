@@ -46,6 +46,20 @@ std::string yamlScalar(std::string_view text);
 /// The whole file in its customary form.
 std::string scenarioText(const Scenario& scenario);
 
+/// Paths of the lists of a file, beside "string" and the groups in it.
+inline constexpr std::string_view pointsPath = "pulse.points", cornersPath = "bit_rock.corners",
+                                  hammerSectionsPath = "hammer.sections";
+
+/// Returns the items of one of these lists as a new file has them, without dashes; an item of several lines
+/// has no indentation of its own. Empty where the scenario has no such list.
+std::vector<std::string> listItems(const Scenario& scenario, std::string_view list);
+
+/// Returns the values of one path in braces, an item of a list.
+std::string sectionItem(const std::vector<SavedValue>& values, std::string_view path);
+
+/// Returns items as a list, one line or more each, behind that many blanks.
+std::string listText(const std::vector<std::string>& items, std::size_t indentation);
+
 /// One section of it: "drill:\n  thrust: 8 kN\n".
 std::string sectionText(const Scenario& scenario, std::string_view section);
 

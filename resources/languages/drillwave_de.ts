@@ -3425,10 +3425,6 @@ Trotzdem löschen?</translation>
         <translation>Das Programm endete unerwartet; die letzte Änderung ist von %1.</translation>
     </message>
     <message>
-        <source>They were made to %1, which is not touched.</source>
-        <translation>Sie wurden an %1 vorgenommen, das unverändert ist.</translation>
-    </message>
-    <message>
         <source>Unsaved changes of an earlier run cannot be restored.</source>
         <translation>Nicht gespeicherte Änderungen eines früheren Laufs können nicht wiederhergestellt werden.</translation>
     </message>
@@ -3641,6 +3637,18 @@ Signal: Kraft, Dehnung, Ausgang einer Brücke, Spannung in Volt, mechanische Spa
 Nulllinie: der Mittelwert der ersten Abtastwerte, in denen nichts geschieht.
 Bereich: „Spitze“ nimmt das Stück um den größten Wert, „Ansicht“ das, was das Bild zeigt (Mausrad und Umschalt+Ziehen zoomen dort), „Alles“ die ganze Aufzeichnung.
 Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und e auf 1e-4 gleich lassen, solange Sie keine Anzahl wählen; eine Kurve behält so viele. Die Zusammenfassung sagt, wie weit die übrigen von den Geraden dazwischen entfernt sind.</translation>
+    </message>
+    <message>
+        <source>Restart &amp;now</source>
+        <translation>Jetzt &amp;neu starten</translation>
+    </message>
+    <message>
+        <source>They were made to %1, which does not change until you save.</source>
+        <translation>Sie wurden an %1 vorgenommen, das bis zum Speichern unverändert bleibt.</translation>
+    </message>
+    <message>
+        <source>Some pinned runs cannot be restored.</source>
+        <translation>Einige angeheftete Läufe lassen sich nicht wiederherstellen.</translation>
     </message>
 </context>
 <context>
@@ -4586,6 +4594,10 @@ Gezeigt wird der Wert davor.</translation>
         <source>change the design study</source>
         <translation>Auslegungsstudie ändern</translation>
     </message>
+    <message>
+        <source>restore the unsaved changes</source>
+        <translation>nicht gespeicherte Änderungen wiederherstellen</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::DrillingPage</name>
@@ -5307,12 +5319,12 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>d₀ = %1</translation>
     </message>
     <message>
-        <source>Results repeat with every %1 of gap. A click in the plot takes over the gap there, with Shift it pins it.</source>
-        <translation>Ergebnisse wiederholen sich mit jedem %1 Spalt. Ein Klick ins Diagramm übernimmt den Spalt dort, mit Umschalt heftet er ihn an.</translation>
-    </message>
-    <message>
         <source>COR–gap</source>
         <translation>e–Spalt</translation>
+    </message>
+    <message>
+        <source>Results repeat with every %1 of gap. A click on the curve takes over the gap there, with Shift it pins it.</source>
+        <translation>Ergebnisse wiederholen sich mit jedem %1 Spalt. Ein Klick auf die Kurve übernimmt den Spalt dort, mit Umschalt heftet er ihn an.</translation>
     </message>
 </context>
 <context>
@@ -5686,12 +5698,12 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>&amp;System</translation>
     </message>
     <message>
-        <source>Language from the next start on: %1.</source>
-        <translation>Sprache ab dem nächsten Start: %1.</translation>
+        <source>Restart Drillwave in this language now: %1?</source>
+        <translation>Drillwave jetzt in dieser Sprache neu starten: %1?</translation>
     </message>
     <message>
-        <source>Close the window and start Drillwave again. Numbers stay as the system writes them; files and some chapters of the manual are in English.</source>
-        <translation>Das Fenster schließen und Drillwave neu starten. Zahlen bleiben, wie das System sie schreibt; Dateien und einige Kapitel des Handbuchs sind auf Englisch.</translation>
+        <source>Unsaved changes, the file name, pinned runs and measured signals come back. Numbers stay as the system writes them; files and some chapters of the manual are in English.</source>
+        <translation>Nicht gespeicherte Änderungen, der Name der Datei, angeheftete Läufe und gemessene Signale kommen zurück. Zahlen bleiben, wie das System sie schreibt; Dateien und einige Kapitel des Handbuchs sind auf Englisch.</translation>
     </message>
 </context>
 <context>
@@ -5839,10 +5851,6 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Bericht</translation>
     </message>
     <message>
-        <source>the run</source>
-        <translation>den Lauf</translation>
-    </message>
-    <message>
         <source>the input was changed meanwhile.</source>
         <translation>die Eingabe wurde inzwischen geändert.</translation>
     </message>
@@ -5921,16 +5929,16 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>Beide Achsen sind %1: für eine davon einen anderen Parameter wählen.</translation>
     </message>
     <message>
-        <source>A click takes over a point, with Shift it pins it; the crosshair can be dragged.</source>
-        <translation>Ein Klick übernimmt einen Punkt, mit Umschalt heftet er ihn an; das Fadenkreuz lässt sich ziehen.</translation>
-    </message>
-    <message>
         <source>here %1. %2</source>
         <translation>hier %1. %2</translation>
     </message>
     <message>
         <source>Map</source>
         <translation>Kennfeld</translation>
+    </message>
+    <message>
+        <source>A click on a line or a preset takes over the point there, with Shift it pins it; the crosshair can be dragged.</source>
+        <translation>Ein Klick auf eine Linie oder eine Voreinstellung übernimmt den Punkt dort, mit Umschalt heftet er ihn an; das Fadenkreuz lässt sich ziehen.</translation>
     </message>
 </context>
 <context>
@@ -13731,6 +13739,10 @@ flexion</translation>
         <source>The study is not finished yet.</source>
         <translation>Die Studie ist noch nicht fertig.</translation>
     </message>
+    <message>
+        <source>%1 set to %2</source>
+        <translation>%1 auf %2 gesetzt</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::StudyStatus</name>
@@ -13982,6 +13994,21 @@ flexion</translation>
     <message>
         <source>The hammer blow cannot be read again.</source>
         <translation>Der Hammerschlag kann nicht neu gelesen werden.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::TakenNotice</name>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take the value back</source>
+        <translation>Den Wert zurücknehmen</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
     </message>
 </context>
 <context>

@@ -3425,10 +3425,6 @@ Ta bort ändå?</translation>
         <translation>Programmet avslutades oväntat; den senaste ändringen är från %1.</translation>
     </message>
     <message>
-        <source>They were made to %1, which is not touched.</source>
-        <translation>De gjordes i %1, som är orörd.</translation>
-    </message>
-    <message>
         <source>Unsaved changes of an earlier run cannot be restored.</source>
         <translation>Osparade ändringar från en tidigare körning kan inte återställas.</translation>
     </message>
@@ -3641,6 +3637,18 @@ Signal: kraft, töjning, utsignal från en brygga, elektrisk spänning, mekanisk
 Nollinje: medelvärdet av de första mätvärdena, då ingenting händer.
 Område: ”Topp” tar stycket kring det största värdet, ”Vy” det som bilden visar (hjul och Skift+dra zoomar där), ”Allt” hela mätningen.
 Högst antal punkter: ett slag behåller så få mätvärden att impuls och e är lika till 1e-4, så länge du inte väljer ett antal; en kurva behåller så många. Sammanfattningen säger hur långt de övriga är från linjerna emellan.</translation>
+    </message>
+    <message>
+        <source>Restart &amp;now</source>
+        <translation>Starta om &amp;nu</translation>
+    </message>
+    <message>
+        <source>They were made to %1, which does not change until you save.</source>
+        <translation>De gjordes i %1, som inte ändras förrän du sparar.</translation>
+    </message>
+    <message>
+        <source>Some pinned runs cannot be restored.</source>
+        <translation>Några fästa körningar kan inte återställas.</translation>
     </message>
 </context>
 <context>
@@ -4586,6 +4594,10 @@ Det som visas gäller värdet dessförinnan.</translation>
         <source>change the design study</source>
         <translation>ändra konstruktionsstudien</translation>
     </message>
+    <message>
+        <source>restore the unsaved changes</source>
+        <translation>återställ de osparade ändringarna</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::DrillingPage</name>
@@ -5307,12 +5319,12 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>d₀ = %1</translation>
     </message>
     <message>
-        <source>Results repeat with every %1 of gap. A click in the plot takes over the gap there, with Shift it pins it.</source>
-        <translation>Resultaten upprepas med varje %1 spalt. Ett klick i diagrammet tar över spalten där, med Skift fäster det den.</translation>
-    </message>
-    <message>
         <source>COR–gap</source>
         <translation>e–spalt</translation>
+    </message>
+    <message>
+        <source>Results repeat with every %1 of gap. A click on the curve takes over the gap there, with Shift it pins it.</source>
+        <translation>Resultaten upprepas med varje %1 spalt. Ett klick på kurvan tar över spalten där, med Skift fäster det den.</translation>
     </message>
 </context>
 <context>
@@ -5686,12 +5698,12 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>&amp;Systemets</translation>
     </message>
     <message>
-        <source>Language from the next start on: %1.</source>
-        <translation>Språk från nästa start: %1.</translation>
+        <source>Restart Drillwave in this language now: %1?</source>
+        <translation>Starta om Drillwave på detta språk nu: %1?</translation>
     </message>
     <message>
-        <source>Close the window and start Drillwave again. Numbers stay as the system writes them; files and some chapters of the manual are in English.</source>
-        <translation>Stäng fönstret och starta Drillwave igen. Tal skrivs som systemet skriver dem; filer och några kapitel i handboken är på engelska.</translation>
+        <source>Unsaved changes, the file name, pinned runs and measured signals come back. Numbers stay as the system writes them; files and some chapters of the manual are in English.</source>
+        <translation>Osparade ändringar, filens namn, fästa körningar och uppmätta signaler kommer tillbaka. Tal skrivs som systemet skriver dem; filer och några kapitel i handboken är på engelska.</translation>
     </message>
 </context>
 <context>
@@ -5839,10 +5851,6 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Rapport</translation>
     </message>
     <message>
-        <source>the run</source>
-        <translation>körningen</translation>
-    </message>
-    <message>
         <source>the input was changed meanwhile.</source>
         <translation>indata ändrades under tiden.</translation>
     </message>
@@ -5921,16 +5929,16 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>Båda axlarna är %1: välj en annan parameter för en av dem.</translation>
     </message>
     <message>
-        <source>A click takes over a point, with Shift it pins it; the crosshair can be dragged.</source>
-        <translation>Ett klick tar över en punkt, med Skift fäster det den; hårkorset kan dras.</translation>
-    </message>
-    <message>
         <source>here %1. %2</source>
         <translation>här %1. %2</translation>
     </message>
     <message>
         <source>Map</source>
         <translation>Karta</translation>
+    </message>
+    <message>
+        <source>A click on a line or a preset takes over the point there, with Shift it pins it; the crosshair can be dragged.</source>
+        <translation>Ett klick på en linje eller ett förval tar över punkten där, med Skift fäster det den; hårkorset kan dras.</translation>
     </message>
 </context>
 <context>
@@ -13731,6 +13739,10 @@ i skarv</translation>
         <source>The study is not finished yet.</source>
         <translation>Studien är inte färdig än.</translation>
     </message>
+    <message>
+        <source>%1 set to %2</source>
+        <translation>%1 satt till %2</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::StudyStatus</name>
@@ -13982,6 +13994,21 @@ i skarv</translation>
     <message>
         <source>The hammer blow cannot be read again.</source>
         <translation>Hammarslaget kan inte läsas igen.</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::TakenNotice</name>
+    <message>
+        <source>Undo</source>
+        <translation>Ångra</translation>
+    </message>
+    <message>
+        <source>Take the value back</source>
+        <translation>Ta tillbaka värdet</translation>
+    </message>
+    <message>
+        <source>%1: %2.</source>
+        <translation>%1: %2.</translation>
     </message>
 </context>
 <context>

@@ -61,6 +61,7 @@ class TestRun : public QObject {
     void plotsOfAnEarlierRunDoNotStay();
     void everyRunWritesTheSameBytes();
     void aRunIsRepeatedFromItsHistories();
+    void theScenarioOfARunKeepsCommentsAndSources();
     void aTableOfPointsIsCompleteInTheHistories();
     void aDrillStringHasHistoriesAndPlots();
     void energiesInSiAreInJoules();
@@ -311,6 +312,31 @@ void TestRun::aRunIsRepeatedFromItsHistories() {
     QCOMPARE(refused.exitCode, 2);
     QVERIFY2(refused.error.contains("is read as input"), refused.error);
     QCOMPARE(read(out + "/histories.csv"), before);
+}
+
+// With --set values put in; a comment behind a value that was set was about another one.
+void TestRun::theScenarioOfARunKeepsCommentsAndSources() {
+    const QTemporaryDir folder;
+    const QString file = folder.filePath("mine.yaml"), out = folder.filePath("out");
+    QByteArray scenario = read(example("t38_string"));
+    write(file, scenario);
+    QCOMPARE(
+        run({"run", file, "-o", out, "--set", "bit_rock.gamma=0.2", "--set", "drill.thrust=9 kN"}).exitCode,
+        0);
+    scenario.replace("gamma: 0.1                  # as the paper takes it for drilling", "gamma: 0.2");
+    scenario.replace("thrust: 10 kN               # assumed", "thrust: 9 kN");
+    const QByteArray written = read(out + "/scenario.yaml");
+    QVERIFY2(written.endsWith(scenario), written);
+    QCOMPARE(written.count('#'),
+             scenario.count('#') + written.first(written.size() - scenario.size()).count('#'));
+    // Histories and a report hold it to be run again.
+    QVERIFY(json({"run", out + "/summary.json"})["scenario"].toString().contains(
+        "# usual size of a T38 coupling"));
+    const QString page = folder.filePath("report.html");
+    QCOMPARE(run({"report", file, "--no-plots", "-o", page, "--set", "bit_rock.gamma=0.2"}).exitCode, 0);
+    const QString again = json({"run", page})["scenario"].toString();
+    QVERIFY2(again.contains("# usual size of a T38 coupling") && again.contains("gamma: 0.2\n"),
+             qPrintable(again));
 }
 
 void TestRun::aTableOfPointsIsCompleteInTheHistories() {

@@ -20,6 +20,8 @@ struct ScriptedAnswers {
     QString folder;
     std::optional<PictureChoice> picture;
     bool confirm = false;
+    bool restart = false;
+    QStringList restartAsked;
     Questions::Recovery recovery = Questions::Recovery::later;
     int unsavedAsked = 0;
     int importAsked = 0;
@@ -74,6 +76,10 @@ class ScriptedQuestions : public Questions {
     Recovery recover(QWidget* /*parent*/, const QString& name, const QString& details) override {
         m_answers.found.append(name + QLatin1Char('\n') + details);
         return m_answers.recovery;
+    }
+    bool restartNow(QWidget* /*parent*/, const QString& question, const QString& details) override {
+        m_answers.restartAsked.append(question + QLatin1Char('\n') + details);
+        return m_answers.restart;
     }
     void tell(QWidget* /*parent*/, Tone /*tone*/, const QString& what, const QString& details) override {
         m_answers.told.append(what + QLatin1Char('\n') + details);

@@ -33,12 +33,6 @@ QString keyOf(const Parameter& parameter) {
     return fromView(parameter.key);
 }
 
-QString shownValue(const Parameter& parameter, double si) {
-    const Unit& unit = parameter.displayUnit();
-    const QString number = QLocale().toString(unit.fromSi(si), 'g', 4);
-    return unit.name.empty() ? number : number + QLatin1Char(' ') + shownUnitName(unit.name);
-}
-
 const std::string changedWord = ", changed";
 
 // The comment at the head of an example is about its values.
@@ -89,6 +83,12 @@ Document::Document(QObject* parent, Check check) : QObject(parent), m_check(std:
     connect(&m_undoStack, &QUndoStack::indexChanged, this, [this] {
         if (m_undoStack.count() > 0) emit stateChanged();
     });
+}
+
+QString shownValue(const Parameter& parameter, double si) {
+    const Unit& unit = parameter.displayUnit();
+    const QString number = QLocale().toString(unit.fromSi(si), 'g', 4);
+    return unit.name.empty() ? number : number + QLatin1Char(' ') + shownUnitName(unit.name);
 }
 
 bool Document::isModified() const {
@@ -337,14 +337,27 @@ QString Document::reload() {
     return {};
 }
 
-QString Document::restore(const std::string& text, const QString& origin) {
+QString Document::restore(const std::string& text, const QString& origin, bool isUnsaved) {
     const std::string source = origin.isEmpty() ? std::string() : nativePath(origin);
     try {
         take(parseScenario(text, source), {}, origin);
     } catch (const ScenarioError& error) {
         return translated(error);
     }
-    markUnsaved();
+    if (isUnsaved) markUnsaved();
+    return {};
+}
+
+QString Document::restore(const std::string& text, const QString& path, const std::string& saved) {
+    const std::string source = nativePath(path);
+    try {
+        ScenarioDocument unsaved = parseScenario(text, source);
+        take(parseScenario(saved, source), path, path);
+        pushContents(std::move(unsaved.scenario), unsaved.text, unsaved.design,
+                     tr("restore the unsaved changes"));
+    } catch (const ScenarioError& error) {
+        return translated(error);
+    }
     return {};
 }
 

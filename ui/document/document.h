@@ -24,6 +24,9 @@ struct ParameterValue {
     double si;
 };
 
+/// A value with its unit, as steps of the history name it: "9.5 kN".
+QString shownValue(const Parameter& parameter, double si);
+
 class ScenarioEdit;
 
 /// Always holds a scenario that the check finds nothing wrong with; edits that would spoil it are refused.
@@ -113,7 +116,9 @@ class Document : public QObject {
     QString reload();
     /// Replaces the scenario by one that was never saved, without a path(); `origin` is the file it was an
     /// edit of, or empty. Returns why not, line by line; then nothing has changed.
-    QString restore(const std::string& text, const QString& origin);
+    QString restore(const std::string& text, const QString& origin, bool isUnsaved = true);
+    /// The same with the file that it is saved to and what that file held, to which undo leads back.
+    QString restore(const std::string& text, const QString& path, const std::string& saved);
     /// Counts as modified from now on, because its file says something else or is gone.
     void markUnsaved();
     /// Writes the file whole or not at all. Returns why not; then nothing has changed.

@@ -6,25 +6,40 @@
 #include <QDateTime>
 #include <QLockFile>
 #include <QString>
+#include <QStringList>
 #include <memory>
 #include <string>
 #include <vector>
 
+#include "core/archive/kept_runs.h"
+#include "core/signal/measured_signal.h"
 #include "core/yaml/scenario_file.h"
 
 namespace drillwave {
+
+/// Pinned runs and measured signals of a window, beside its document.
+struct WorkBeside {
+    std::vector<KeptRun> runs;  ///< pinned
+    std::vector<MeasuredSignal> measured;
+};
 
 /// What a recovery file says.
 struct UnsavedScenario {
     QString name;    ///< as the window showed it
     QString origin;  ///< the file it was an edit of, or empty
+    QString path;    ///< where it was saved to; empty for results, examples and new scenarios
     QDateTime time;  ///< of the last change kept
     std::string text;
+    std::string saved;  ///< what the file at `path` held
+    WorkBeside beside;
+    QStringList problems;    ///< what of it could not be read, a line each
+    bool isUnsaved = true;   ///< false only where a window without changes was to be opened again
+    bool isRestart = false;  ///< the user has asked for a new window: nothing is to be asked
 };
 
-/// The bytes of a recovery file. Throws ScenarioError where the scenario is too large for a file.
-QByteArray recoveryBytes(const ScenarioDocument& contents, const QString& name, const QString& origin,
-                         const QDateTime& time);
+/// The bytes of a recovery file, with the text of `contents`. Throws ScenarioError where the scenario is too
+/// large for a file.
+QByteArray recoveryBytes(const ScenarioDocument& contents, const UnsavedScenario& record);
 
 /// A recovery file that belongs to no living instance. While this exists no other instance takes it.
 class LostChanges {

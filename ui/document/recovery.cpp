@@ -21,10 +21,9 @@ QString ownName(const QString& folder) {
     return QDir(folder).filePath(QUuid::createUuid().toString(QUuid::WithoutBraces));
 }
 
-QString written(const QString& path, const ScenarioDocument& contents, const QString& name,
-                const QString& origin) {
+QString written(const QString& path, const ScenarioDocument& contents, const UnsavedScenario& record) {
     try {
-        return writeWholeFile(path, recoveryBytes(contents, name, origin, QDateTime::currentDateTime()));
+        return writeWholeFile(path, recoveryBytes(contents, record));
     } catch (const ScenarioError& error) {
         return translated(error);
     }
@@ -45,9 +44,22 @@ Recovery::Recovery(const Document& document, const QString& folder, QObject* par
     m_delay.setInterval(delayMilliseconds);
     connect(&m_delay, &QTimer::timeout, this, &Recovery::write);
     // Not restarted by the next change: while a slider is dragged for minutes, the file follows.
-    connect(&document, &Document::stateChanged, this, [this] {
-        if (!m_delay.isActive()) m_delay.start();
-    });
+    connect(&document, &Document::stateChanged, this, &Recovery::writeSoon);
+}
+
+void Recovery::writeSoon() {
+    if (!m_delay.isActive()) m_delay.start();
+}
+
+UnsavedScenario Recovery::record() const {
+    UnsavedScenario record;
+    record.name = m_document.displayName();
+    record.origin = m_document.origin();
+    record.path = m_document.path();
+    record.time = QDateTime::currentDateTime();
+    if (!record.path.isEmpty()) record.saved = m_document.savedText();
+    record.beside = m_beside();
+    return record;
 }
 
 Recovery::~Recovery() {
@@ -63,9 +75,8 @@ void Recovery::write() {
         });
         return;
     }
-    m_pool.start([this, contents = m_document.contents(), name = m_document.displayName(),
-                  origin = m_document.origin()] {
-        const QString problem = written(m_file, contents, name, origin);
+    m_pool.start([this, contents = m_document.contents(), record = record()] {
+        const QString problem = written(m_file, contents, record);
         if (!problem.isEmpty())
             QMetaObject::invokeMethod(
                 this, [this, problem] { report(problem); }, Qt::QueuedConnection);
@@ -82,6 +93,17 @@ void Recovery::writeNow() {
     m_delay.stop();
     write();
     m_pool.waitForDone();
+}
+
+bool Recovery::writeForRestart() {
+    m_delay.stop();
+    m_pool.waitForDone();
+    UnsavedScenario all = record();
+    all.isRestart = true;
+    all.isUnsaved = m_document.isModified();
+    const QString problem = written(m_file, m_document.contents(), all);
+    if (!problem.isEmpty()) report(problem);
+    return problem.isEmpty();
 }
 
 void Recovery::end() {

@@ -7,7 +7,10 @@
 #include <QThreadPool>
 #include <QTimer>
 #include <atomic>
+#include <functional>
 #include <memory>
+
+#include "ui/document/lost_changes.h"
 
 namespace drillwave {
 
@@ -25,8 +28,15 @@ class Recovery : public QObject {
     /// Leaves the file where it is; call end() first where nothing is to be recovered.
     ~Recovery() override;
 
+    /// Keeps with the scenario what `beside` returns.
+    void keepBeside(std::function<WorkBeside()> beside) { m_beside = std::move(beside); }
+    /// Something beside the document has changed.
+    void writeSoon();
     /// Writes what is unsaved and returns when it is on the disk.
     void writeNow();
+    /// Writes everything, unsaved or not, for a window that takes its place and asks nothing. False where
+    /// that has failed.
+    bool writeForRestart();
     /// Nothing is to be recovered any more: removes the file. A further change starts anew.
     void end();
     QString file() const { return m_file; }
@@ -37,9 +47,11 @@ class Recovery : public QObject {
 
   private:
     void write();
+    UnsavedScenario record() const;
     void report(const QString& problem);
 
     const Document& m_document;
+    std::function<WorkBeside()> m_beside = [] { return WorkBeside(); };
     QString m_file;
     QLockFile m_lock;
     QTimer m_delay;

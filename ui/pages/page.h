@@ -57,6 +57,9 @@ class Page : public QWidget {
     void titleChanged();
     /// The user pins what the page shows of another scenario than the present one.
     void pinRequested(const drillwave::ScenarioDocument& contents);
+    /// A value, or another scenario, has been taken from what the page shows, as the last undo step: "Feed
+    /// force set to 9 kN".
+    void valuesTaken(const QString& what);
     /// The user wants to go to where the answer is.
     void elsewhereRequested();
     /// The user wants one of the exports.

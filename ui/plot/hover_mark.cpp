@@ -85,6 +85,24 @@ std::optional<CurvePoint> nearestCurvePoint(const QCustomPlot& plot, QPointF pix
     return search.found;
 }
 
+bool isOnCurve(const QCustomPlot& plot, QPointF pixel, double reach) {
+    const QCPAxisRect* rect = plot.axisRectAt(pixel);
+    if (!rect || !rect->rect().contains(pixel.toPoint())) return false;
+    Search search{pixel, reach, std::nullopt};
+    for (QCPAbstractPlottable* curve : rect->plottables()) {
+        if (!curve->realVisibility()) continue;
+        auto* graph = qobject_cast<QCPGraph*>(curve);
+        if (graph && graph->lineStyle() == QCPGraph::lsNone)
+            for (const QCPGraphData& point : *graph->data())
+                search.look(*graph, {point.key, point.value}, {point.key, point.value});
+        else if (graph)
+            lookAtGraph(search, *graph);
+        else if (auto* path = qobject_cast<QCPCurve*>(curve))
+            lookAtPath(search, *path);
+    }
+    return search.found.has_value();
+}
+
 QString pointText(const CurvePoint& point, const CurveMeaning& meaning, const QLocale& locale) {
     const auto quantity = [&locale](double value, const QString& unit) {
         const QString number = numberText(value, 6, locale);

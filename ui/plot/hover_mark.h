@@ -25,6 +25,8 @@ struct CurvePoint {
 /// The point of a visible named curve nearest to a point of the plot, within `tolerance` pixels. Looks only
 /// at the points of graphs beside the pointer, so long curves cost no more than short ones.
 std::optional<CurvePoint> nearestCurvePoint(const QCustomPlot& plot, QPointF pixel, double tolerance);
+/// Whether a curve or a point that is drawn, with a name or without, is within so many pixels.
+bool isOnCurve(const QCustomPlot& plot, QPointF pixel, double reach);
 
 /// Its curve and its numbers, in words.
 QString pointText(const CurvePoint& point, const CurveMeaning& meaning, const QLocale& locale);

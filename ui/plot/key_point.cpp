@@ -222,8 +222,20 @@ bool KeyPoint::goToMark(bool forward) {
     return true;
 }
 
+bool KeyPoint::isOnMark(QPointF pixel, double reach) const {
+    if (!m_places.rect || !m_places.rect->rect().contains(pixel.toPoint())) return false;
+    const QVector<QPointF> all = m_places.marks() + m_places.targets();
+    return std::ranges::any_of(all, [&](QPointF mark) {
+        const QPointF away = toPixel(mark) - pixel;
+        return std::hypot(away.x(), away.y()) <= reach;
+    });
+}
+
 void KeyPoint::take(Qt::KeyboardModifiers modifiers) {
-    if (m_place) emit m_plot.clicked(m_places.rect, *m_place, modifiers);
+    if (!m_place) return;
+    const QPointF place = *m_place;
+    emit m_plot.clicked(m_places.rect, place, modifiers);
+    emit m_plot.placeTaken(m_places.rect, place, modifiers);
 }
 
 // The one it is on, which may be gone or hidden by now.

@@ -28,6 +28,8 @@ struct KeyPlaces {
     std::function<std::optional<QPointF>()> start = [] { return std::nullopt; };
     /// Places that are worth going to: extremes, kinks, presets.
     std::function<QVector<QPointF>()> marks = [] { return QVector<QPointF>(); };
+    /// Further places that a click takes, each a thing by itself: cells of a coarse map.
+    std::function<QVector<QPointF>()> targets = [] { return QVector<QPointF>(); };
     /// What is at a place, beside the numbers of the curve.
     std::function<QString(QPointF)> words = [](QPointF) { return QString(); };
 };
@@ -58,6 +60,8 @@ class KeyPoint : public QObject {
     void goToEnd(bool last);
     /// To the next mark to the right, from the last to the first, or backwards; false without marks in view.
     bool goToMark(bool forward);
+    /// Whether a mark or a target is within so many pixels.
+    bool isOnMark(QPointF pixel, double reach) const;
     /// Does what a click there does.
     void take(Qt::KeyboardModifiers modifiers);
 

@@ -14,6 +14,7 @@ namespace {
 constexpr double zoomPerNotch = 0.85;
 constexpr double wheelNotch = 120;
 constexpr double hoverDistance = 12;  // [px]
+constexpr double takeDistance = 10;   // [px]: a click farther from curves and marks takes no value
 constexpr double clickDistance = 3;   // [px]: a press that moves less is a click
 
 }  // namespace
@@ -87,10 +88,12 @@ void PlotMouse::click(const QMouseEvent& event) {
         if (auto* graph = qobject_cast<QCPGraph*>(near->curve)) m_plot.reader().setGraph(graph);
     QCPAxisRect* rect = m_plot.axisRectAt(point);
     if (!rect || !rect->rect().contains(point)) return;
-    emit m_plot.clicked(rect,
-                        {rect->axis(QCPAxis::atBottom)->pixelToCoord(point.x()),
-                         rect->axis(QCPAxis::atLeft)->pixelToCoord(point.y())},
-                        event.modifiers());
+    const QPointF place(rect->axis(QCPAxis::atBottom)->pixelToCoord(point.x()),
+                        rect->axis(QCPAxis::atLeft)->pixelToCoord(point.y()));
+    const bool takes =
+        isOnCurve(m_plot, point, takeDistance) || m_plot.keyPoint().isOnMark(point, takeDistance);
+    emit m_plot.clicked(rect, place, event.modifiers());
+    if (takes) emit m_plot.placeTaken(rect, place, event.modifiers());
 }
 
 void PlotMouse::hover(QPointF point) {

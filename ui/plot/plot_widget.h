@@ -109,6 +109,9 @@ class PlotWidget : public QCustomPlot {
     /// A click with the left button, pressed and released at one place of an axis rect: its coordinates on
     /// the bottom and left axes there.
     void clicked(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers);
+    /// Such a click on a curve or a mark, or Enter at the point of the keys: what a page does then may change
+    /// the scenario. Clicks beside them, as one that only gives the plot the focus, change nothing.
+    void placeTaken(QCPAxisRect* rect, QPointF coordinates, Qt::KeyboardModifiers modifiers);
     /// The user moves the time cursor; it is there already. A page that connects this offers the cursor.
     void timeCursorDragged(double x);
     void savePictureRequested();

@@ -147,6 +147,18 @@ Questions::Recovery DialogQuestions::recover(QWidget* parent, const QString& nam
     return box.clickedButton() == restore ? Recovery::restore : Recovery::later;
 }
 
+bool DialogQuestions::restartNow(QWidget* parent, const QString& question, const QString& details) {
+    if (!someoneIsThere()) return false;
+    QMessageBox box(QMessageBox::Question, drillwave::tr("Drillwave"), withoutMarkup(question),
+                    QMessageBox::NoButton, parent);
+    box.setInformativeText(withoutMarkup(details));
+    QPushButton* now = box.addButton(drillwave::tr("Restart &now"), QMessageBox::AcceptRole);
+    box.setEscapeButton(box.addButton(drillwave::tr("&Later"), QMessageBox::RejectRole));
+    box.setDefaultButton(now);
+    box.exec();
+    return box.clickedButton() == now;
+}
+
 void DialogQuestions::tell(QWidget* parent, Tone tone, const QString& what, const QString& details) {
     if (!someoneIsThere()) return printOut(what, details);
     auto* box = new QMessageBox(tone == Tone::failure ? QMessageBox::Warning : QMessageBox::Information,

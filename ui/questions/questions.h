@@ -46,6 +46,8 @@ class Questions {
                          const QString& action) = 0;
     /// What to do with changes that were not saved when the program ended unexpectedly.
     virtual Recovery recover(QWidget* parent, const QString& name, const QString& details) = 0;
+    /// Whether to open the window again now, with everything that is in it.
+    virtual bool restartNow(QWidget* parent, const QString& question, const QString& details) = 0;
     /// Tells of a failure, or gives information, without waiting for the user.
     virtual void tell(QWidget* parent, Tone tone, const QString& what, const QString& details) = 0;
 };
@@ -69,6 +71,7 @@ class DialogQuestions : public Questions {
     bool confirm(QWidget* parent, const QString& question, const QString& details,
                  const QString& action) override;
     Recovery recover(QWidget* parent, const QString& name, const QString& details) override;
+    bool restartNow(QWidget* parent, const QString& question, const QString& details) override;
     void tell(QWidget* parent, Tone tone, const QString& what, const QString& details) override;
 };
 

@@ -32,10 +32,12 @@ void LanguageMenu::choose(const Language* language) {
     if (language == chosenLanguage()) return;
     chooseLanguage(language);
     const QString name = fromView(languageToSpeak().name);
-    m_questions.tell(
-        m_window, Questions::Tone::information, tr("Language from the next start on: %1.").arg(name),
-        tr("Close the window and start Drillwave again. Numbers stay as the system writes them; files "
-           "and some chapters of the manual are in English."));
+    if (m_questions.restartNow(
+            m_window, tr("Restart Drillwave in this language now: %1?").arg(name),
+            tr("Unsaved changes, the file name, pinned runs and measured signals come back. Numbers stay as "
+               "the "
+               "system writes them; files and some chapters of the manual are in English.")))
+        emit restartWanted();
 }
 
 }  // namespace drillwave

@@ -12,13 +12,17 @@ namespace drillwave {
 
 class Questions;
 
-/// What is chosen counts when the program is started the next time, and is told so.
+/// What is chosen counts for the next window; a restart is offered.
 class LanguageMenu : public QMenu {
     Q_OBJECT
 
   public:
     /// The questions must outlive the menu.
     LanguageMenu(Questions& questions, QWidget* window);
+
+  signals:
+    /// The user wants the window in the chosen language now.
+    void restartWanted();
 
   private:
     void add(const QString& text, const Language* language);

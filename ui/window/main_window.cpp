@@ -54,6 +54,7 @@
 #include "ui/window/study_menu.h"
 #include "ui/window/tab_strip.h"
 #include "ui/window/table_notice.h"
+#include "ui/window/taken_notice.h"
 #include "ui/window/units_choice.h"
 #include "ui/window/view_menu.h"
 #include "ui/window/window_layout.h"
@@ -146,6 +147,7 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(new DesignPage(m_document), PageGroup::studies);
     m_pages->add(new AccuracyPage(m_document), PageGroup::studies);
     m_runs->addTo(*m_pages);
+    m_takenNotice->follow(*m_pages);
     addMenus();
     addStatusBar();
     wire();
@@ -208,6 +210,8 @@ void MainWindow::addCenter() {
     m_marchedNotice = new MarchedNotice(*m_pages);
     layout->addWidget(m_marchedNotice);
     layout->addWidget(new ElsewhereNotice(*m_pages));
+    m_takenNotice = new TakenNotice(m_document);
+    layout->addWidget(m_takenNotice);
     layout->addWidget(new PageScroll(m_pages), 1);
     setCentralWidget(center);
 }
@@ -251,8 +255,10 @@ void MainWindow::addMenus() {
     edit->addActions({m_formNotice->toString(), m_formNotice->toUniformRod(), m_formNotice->toForce()});
     edit->setToolTipsVisible(true);
     auto* areas = new AreaKeys({m_scenarioPanel.get(), m_pages, m_resultSide}, this);
-    menuBar()->addMenu(
-        new ViewMenu({*m_units, *m_pages, *areas, *m_layout, *m_exampleNote, *m_questions}, this));
+    auto* view = new ViewMenu({*m_units, *m_pages, *areas, *m_layout, *m_exampleNote, *m_questions}, this);
+    // When the menu has closed.
+    connect(view, &ViewMenu::restartWanted, this, &MainWindow::restart, Qt::QueuedConnection);
+    menuBar()->addMenu(view);
     menuBar()->addMenu(new StudyMenu(*m_pages, this));
     menuBar()->addMenu(new HelpMenu(*new ManualHelp(this, *m_pages), *m_questions, this));
 }
@@ -280,8 +286,7 @@ void MainWindow::wire() {
     connect(m_report, &ReportWriter::ended, this, &MainWindow::followPage);
     connect(&m_runs->runs(), &Runs::changed, m_report, [this] { m_report->setRuns(m_runs->runs().list()); });
     connect(m_pages, &PageTabs::exportRequested, m_exportMenu, &ExportMenu::save);
-    connect(m_runs->pinAction(), &QAction::triggered, this,
-            [this] { m_solveStatus->whenCurrent(tr("the run"), [this] { m_runs->pin(); }); });
+    connect(m_runs->pinAction(), &QAction::triggered, m_runs, [this] { m_runs->pin(); });
     connect(m_resultPanel, &ResultPanel::timeChosen, &m_observation, &Observation::setTime);
     connect(&m_observation, &Observation::timeChanged, m_resultPanel, &ResultPanel::setTime);
     connect(m_resultPanel, &ResultPanel::placeChosen, this, &MainWindow::goToPlace);
@@ -391,7 +396,14 @@ void MainWindow::startRecovery(const QString& folder) {
         m_questions->tell(this, Questions::Tone::failure,
                           tr("Unsaved changes cannot be kept for the case of a crash."), problem);
     });
-    offerLostChanges(folder, m_document, *m_recovery, *m_questions, this);
+    m_recovery->keepBeside([this] { return WorkBeside{m_runs->runs().toKeep(), m_measured.signalList()}; });
+    connect(&m_runs->runs(), &Runs::changed, m_recovery, &Recovery::writeSoon);
+    connect(&m_measured, &MeasuredList::changed, m_recovery, &Recovery::writeSoon);
+    offerLostChanges(folder, m_document, *m_recovery, *m_questions, this, [this](const WorkBeside& beside) {
+        m_runs->runs().add(beside.runs);
+        for (const MeasuredSignal& signal : beside.measured)
+            if (!m_measured.isFull()) m_measured.add(signal);
+    });
 }
 
 // The desktop ends the session: the window may not get another chance to ask.
@@ -463,14 +475,21 @@ void MainWindow::saveChoices() const {
     m_pages->saveChoice();
 }
 
+// Does nothing where the work cannot be carried over: the language then waits for the next start.
+void MainWindow::restart() {
+    if (!m_recovery || !m_runs->mayClose() || !m_recovery->writeForRestart()) return;
+    m_wantsRestart = true;
+    close();
+}
+
 bool MainWindow::mayClose() {
     return m_fileMenu->mayDiscard() && m_runs->mayClose();
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!mayClose()) return event->ignore();
+    if (!m_wantsRestart && !mayClose()) return event->ignore();
     saveChoices();
-    if (m_recovery) m_recovery->end();
+    if (m_recovery && !m_wantsRestart) m_recovery->end();
     event->accept();
 }
 

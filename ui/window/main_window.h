@@ -35,6 +35,7 @@ class ScenarioPanel;
 class SolveStatus;
 class StringPage;
 class StudyStatus;
+class TakenNotice;
 class UnitsChoice;
 class WindowLayout;
 struct Example;
@@ -54,6 +55,9 @@ class MainWindow : public QMainWindow {
     void openExample(const Example& example);
     /// Keeps unsaved changes in a folder from now on, and offers those of instances that died.
     void startRecovery(const QString& folder);
+
+    /// Whether it has closed to be opened again at once, by a new window that restores what was in it.
+    bool wantsRestart() const { return m_wantsRestart; }
 
     Document& document() { return m_document; }
     /// What is on show.
@@ -77,6 +81,7 @@ class MainWindow : public QMainWindow {
     void goToParameter(const QString& key);
     void seekGoal(const QString& key);
     bool mayClose();
+    void restart();
     void saveChoices() const;
     void endSession(QSessionManager& session);
     void inform(const QString& message);
@@ -94,6 +99,7 @@ class MainWindow : public QMainWindow {
     std::unique_ptr<Questions> m_questions;
     std::unique_ptr<SolveJob> m_job;
     SolvedBlowPtr m_shown;
+    bool m_wantsRestart = false;
     std::uint64_t m_asked = 0;  // the number of the last request
 
     FileMenu* m_fileMenu = nullptr;
@@ -102,6 +108,7 @@ class MainWindow : public QMainWindow {
     FileNotice* m_fileNotice = nullptr;
     FormNotice* m_formNotice = nullptr;
     MarchedNotice* m_marchedNotice = nullptr;
+    TakenNotice* m_takenNotice = nullptr;
     Recovery* m_recovery = nullptr;
     PinnedRuns* m_runs = nullptr;
     ResultPanel* m_resultPanel = nullptr;

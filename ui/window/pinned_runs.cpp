@@ -82,14 +82,24 @@ void PinnedRuns::follow(ResultPanel& result) {
 void PinnedRuns::present(const SolvedBlowPtr& blow) {
     m_now = blow;
     m_panel->present(blow);
+    if (blow->request.quick || !blow->fault.isEmpty()) return;
+    // A copy: each blow makes a new list.
+    for (const RunListPtr list = m_runs.list(); const Run& run : *list)
+        if (!run.blow && run.contents.scenario == blow->request.scenario) m_runs.setBlow(run.number, blow);
+}
+
+bool PinnedRuns::isResultCurrent() const {
+    return m_now && !m_now->request.quick && m_now->request.scenario == m_document.scenario();
 }
 
 void PinnedRuns::pin() {
-    if (!m_now->fault.isEmpty()) return fail(tr("There is no result to be pinned."), m_now->fault);
+    const bool isCurrent = isResultCurrent();
+    if (isCurrent && !m_now->fault.isEmpty())
+        return fail(tr("There is no result to be pinned."), m_now->fault);
     try {
         ScenarioDocument contents = m_document.contents();
         contents.text = m_document.text().toStdString();
-        pin(std::move(contents), m_now);
+        pin(std::move(contents), isCurrent ? m_now : nullptr);
     } catch (const ScenarioError& error) {
         fail(tr("This result cannot be pinned."), translated(error));
     }

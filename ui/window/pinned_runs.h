@@ -36,9 +36,10 @@ class PinnedRuns : public QObject {
     /// Adds the page that compares them, and has all pages know them. Once.
     void addTo(PageTabs& pages);
 
-    /// The present result.
+    /// The present result, which may be of an earlier scenario. Pins that wait for it get it.
     void present(const SolvedBlowPtr& blow);
-    /// Pins it, which must be of the document's scenario.
+    /// Pins the scenario as it is now with its result; where that is not there yet, the run waits for it,
+    /// whatever is changed or shown meanwhile.
     void pin();
     /// Brings back the scenario of a run, as one undo step.
     void revertTo(int number);
@@ -48,6 +49,7 @@ class PinnedRuns : public QObject {
 
   private:
     void pin(ScenarioDocument contents, const SolvedBlowPtr& blow);
+    bool isResultCurrent() const;
     void keep(bool wanted);
     void askAboutOthers();
     void fail(const QString& what, const QString& problem);

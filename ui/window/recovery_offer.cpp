@@ -15,7 +15,14 @@ QString detailsOf(const UnsavedScenario& scenario) {
     const QString text = tr("The program ended unexpectedly; the last change is of %1.").arg(when);
     if (scenario.origin.isEmpty()) return text;
     return text + QLatin1Char('\n') +
-           tr("They were made to %1, which is not touched.").arg(QDir::toNativeSeparators(scenario.origin));
+           tr("They were made to %1, which does not change until you save.")
+               .arg(QDir::toNativeSeparators(scenario.origin));
+}
+
+QString restored(const UnsavedScenario& scenario, Document& document) {
+    if (scenario.path.isEmpty() || scenario.saved.empty())
+        return document.restore(scenario.text, scenario.origin, scenario.isUnsaved);
+    return document.restore(scenario.text, scenario.path, scenario.saved);
 }
 
 void setAside(LostChanges& lost, const QString& problem, Questions& questions, QWidget* window) {
@@ -28,24 +35,30 @@ void setAside(LostChanges& lost, const QString& problem, Questions& questions, Q
 }  // namespace
 
 void offerLostChanges(const QString& folder, Document& document, Recovery& recovery, Questions& questions,
-                      QWidget* window) {
+                      QWidget* window, const std::function<void(const WorkBeside&)>& takeBeside) {
     for (LostChanges& lost : findLostChanges(folder)) {
         const UnsavedScenario& scenario = lost.scenario();
         if (!lost.problem().isEmpty()) {
             setAside(lost, lost.problem(), questions, window);
             continue;
         }
-        const auto answer = questions.recover(window, scenario.name, detailsOf(scenario));
+        const auto answer = scenario.isRestart
+                                ? Questions::Recovery::restore
+                                : questions.recover(window, scenario.name, detailsOf(scenario));
         if (answer == Questions::Recovery::discard) lost.discard();
         if (answer != Questions::Recovery::restore) continue;
-        const QString problem = document.restore(scenario.text, scenario.origin);
+        const QString problem = restored(scenario, document);
         if (!problem.isEmpty()) {
             setAside(lost, problem, questions, window);
             continue;
         }
+        takeBeside(scenario.beside);
+        if (!scenario.problems.isEmpty())
+            questions.tell(window, Questions::Tone::failure, tr("Some pinned runs cannot be restored."),
+                           scenario.problems.join(QLatin1Char('\n')));
         // Only when they are safe again.
         recovery.writeNow();
-        if (QFile::exists(recovery.file())) lost.discard();
+        if (QFile::exists(recovery.file()) || !document.isModified()) lost.discard();
         return;
     }
 }

@@ -27,7 +27,9 @@ ViewMenu::ViewMenu(const Parts& parts, QWidget* window) : QMenu(tr("&View"), win
     addSeparator();
     addAction(parts.example.action());
     addSeparator();
-    addMenu(new LanguageMenu(parts.questions, window));
+    auto* language = new LanguageMenu(parts.questions, window);
+    connect(language, &LanguageMenu::restartWanted, this, &ViewMenu::restartWanted);
+    addMenu(language);
 }
 
 }  // namespace drillwave

@@ -27,6 +27,10 @@ class ViewMenu : public QMenu {
         Questions& questions;
     };
     ViewMenu(const Parts& parts, QWidget* window);
+
+  signals:
+    /// The user wants the window in another language now.
+    void restartWanted();
 };
 
 }  // namespace drillwave

@@ -8,7 +8,9 @@
 #include "core/model/parameter.h"
 #include "core/yaml/scenario_file.h"
 #include "core/yaml/scenario_text.h"
+#include "tests/support/commented_scenario.h"
 #include "tests/support/scenario_texts.h"
+#include "tests/support/tries.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -31,6 +33,9 @@ class TestScenarioSaving : public QObject {
     void aSectionThatWentIsTakenOut();
     void anotherShapeExchangesItsKeys();
     void listsArePutInAndEveryOtherCommentStays();
+    void anItemOfAListIsPutInAmongLinesThatStay();
+    void aSectionThatCannotBePatchedIsWrittenAnewByItself();
+    void linesOfRandomEditsThatNobodyTouchedStayByteForByte();
     void anotherFormIsWrittenAnewBelowTheExplanation();
     void windowsLineEndsAndByteOrderMarkSurviveAChange();
     void aNewScenarioIsWrittenInItsCustomaryForm();
@@ -249,6 +254,95 @@ void TestScenarioSaving::listsArePutInAndEveryOtherCommentStays() {
     again.scenario.bitRock.corners = {{90e3, 0.35}};
     expected += "  law: corners\n  corners:\n    - {force: 90 kN, slope: 0.35}\n";
     compareText(writeScenario(again), expected);
+}
+
+// A rod more, and a file lost every comment.
+void TestScenarioSaving::anItemOfAListIsPutInAmongLinesThatStay() {
+    const std::string text =
+        "drillwave: 2\nmaterial: {youngs_modulus: 210 GPa, density: 7850 kg/m^3}  # steel\n"
+        "hammer:\n  velocity: 10 m/s  # measured\n  sections:\n    # weighed\n"
+        "    - {length: 300 mm, diameter: 50 mm}  # piston\nstring:\n"
+        "  - {name: adapter, length: 450 mm, diameter: 45 mm}  # worn\n"
+        "  # three rods\n  - repeat: 3  # as drilled\n    of:\n"
+        "      - {name: rod, length: 3660 mm, diameter: 39 mm}  # new\n"
+        "  - name: bit  # with inserts\n    length: 60 mm\n    diameter: 76 mm  # gauge\n"
+        "bit_rock: {stiffness: 100 MN/m, gamma: 0.1, gap: 0 mm}  # granite\n";
+    ScenarioDocument document = parsed(text);
+    DrillString& drillString = document.scenario.drillString;
+    StringPart coupling;
+    coupling.sections = {piece("coupling", 0.19, 0.056)};
+    drillString.parts.insert(drillString.parts.begin() + 1, coupling);
+    drillString.parts[2].sections.push_back(piece("sleeve", 0.2, 0.055));
+    drillString.hammer.sections.insert(drillString.hammer.sections.begin(), piece("", 0.1, 0.04));
+    std::string expected = replaced(
+        text, "  # three rods\n", "  - {name: coupling, length: 190 mm, diameter: 56 mm}\n  # three rods\n");
+    expected =
+        replaced(expected, "# new\n", "# new\n      - {name: sleeve, length: 200 mm, diameter: 55 mm}\n");
+    expected = replaced(expected, "    - {length: 300",
+                        "    - {length: 100 mm, diameter: 40 mm}\n    - {length: 300");
+    // The comment above the first item stays above it.
+    compareText(writeScenario(document), expected);
+
+    drillString.parts.erase(drillString.parts.begin());
+    drillString.parts.back().sections.front().length = 0.07;
+    expected = replaced(expected, "  - {name: adapter, length: 450 mm, diameter: 45 mm}  # worn\n", "");
+    compareText(writeScenario(document), replaced(expected, "length: 60 mm", "length: 70 mm"));
+}
+
+void TestScenarioSaving::aSectionThatCannotBePatchedIsWrittenAnewByItself() {
+    const std::string text =
+        "# why\ndrillwave: 1\ntitle: |  # on two lines\n  One\n  two\n# the rod\n"
+        "rod: {length: 3.66 m, diameter: 38 mm, youngs_modulus: 210 GPa, density: 7850 kg/m^3}  # steel\n"
+        "pulse: {shape: rectangular, duration: 200 us,  # guess\n  # of the maker\n"
+        "  impulse: 51 N s}\nbit_rock:  # granite\n  stiffness: 105 MN/m  # from hole 7\n  gamma: 0.1\n";
+    ScenarioDocument document = parsed(text);
+    Pulse& pulse = document.scenario.pulse;
+    pulse = {};
+    pulse.shape = PulseShape::table;
+    std::vector<TablePoint> points;
+    for (int i = 0; i < 30; ++i) points.push_back({i * 1e-5, i % 29 == 0 ? 0 : 1e5 + i * 1e3});
+    pulse.tablePoints = points;
+    document.scenario.title = "Three";
+    const std::string saved = writeScenario(document);
+    QVERIFY(parsed(saved).scenario == withoutUnusedValues(document.scenario));
+    const std::size_t begin = text.find("pulse:"), end = text.find("bit_rock:");
+    const std::string before = replaced(text.substr(0, begin), "|  # on two lines\n  One\n  two", "Three");
+    compareText(saved.substr(0, before.size()), before);
+    compareText(saved.substr(saved.find("bit_rock:")), text.substr(end));
+    QVERIFY2(saved.find("  # of the maker\npulse:\n  shape: table\n  points:\n    - [0 us, 0 kN]\n") !=
+                 std::string::npos,
+             saved.c_str());
+}
+
+// Each line has a comment of its own, so that it is known which of them an edit may touch.
+void TestScenarioSaving::linesOfRandomEditsThatNobodyTouchedStayByteForByte() {
+    std::mt19937_64 random(static_cast<std::uint64_t>(11 + seed()));
+    const int edits = tries("DRILLWAVE_EDITS", 200, 1000);
+    int kept = 0;
+    for (int i = 0; i < edits; ++i) {
+        CommentedScenario file(static_cast<CommentedScenario::Layout>(i % CommentedScenario::layouts),
+                               random);
+        for (int save = 0; save < 2; ++save) {
+            for (std::size_t n = 1 + random() % 3; n > 0; --n) file.edit(random);
+            const std::string before = file.document.text;
+            const std::string text = writeScenario(file.document);
+            const ScenarioDocument saved = parsed(text);
+            QVERIFY2(saved.scenario == withoutUnusedValues(file.document.scenario), text.c_str());
+            QVERIFY2(saved.design == file.document.design, text.c_str());
+            std::size_t place = 0;
+            for (const std::string& line : file.untouchedLines()) {
+                const std::size_t at = text.find(line, place);
+                QVERIFY2(at != std::string::npos, ("edit " + std::to_string(i) + " lost the line\n" + line +
+                                                   "of\n" + before + "in\n" + text)
+                                                      .c_str());
+                place = at + line.size();
+                ++kept;
+            }
+            file.reopen(saved);
+        }
+    }
+    // Most lines of a file are touched by no edit, or this would test little.
+    QVERIFY2(kept > edits * 20, qPrintable(QString::number(kept)));
 }
 
 void TestScenarioSaving::anotherFormIsWrittenAnewBelowTheExplanation() {

@@ -152,7 +152,7 @@ class TestStringFile : public QObject {
     void aThousandSectionsAreAllowed();
     void anUnchangedFileIsSavedByteForByte();
     void aChangedValueIsPatchedInItsPlace();
-    void anotherStructureIsWrittenAnewBelowTheExplanation();
+    void aPartThatWentTakesOnlyItsLines();
     void aNewStringIsWrittenInItsCustomaryForm();
     void everyNewStringReadsBackTheSame();
     void randomEditsReadBackTheSame();
@@ -404,23 +404,12 @@ void TestStringFile::aChangedValueIsPatchedInItsPlace() {
     compareText(writeScenario(document), expected);
 }
 
-void TestStringFile::anotherStructureIsWrittenAnewBelowTheExplanation() {
+void TestStringFile::aPartThatWentTakesOnlyItsLines() {
     ScenarioDocument document = parsed(blockFile);
     document.scenario.drillString.parts.pop_back();
-    compareText(writeScenario(document), R"(# Ours.
-drillwave: 2
-material: {youngs_modulus: 210 GPa, density: 7850 kg/m^3}
-hammer:
-  velocity: 9.144 m/s
-  sections:
-    - {length: 304.8 mm, area: 2000 mm^2}
-string:
-  - {name: rod, length: 3048 mm, diameter: 38.1 mm}
-bit_rock:
-  stiffness: 1000 MN/m
-  gamma: 1
-  gap: 0 mm
-)");
+    std::string expected(blockFile);
+    const std::size_t part = expected.rfind("- repeat:");
+    compareText(writeScenario(document), expected.erase(part, expected.find("bit_rock:") - part));
 }
 
 void TestStringFile::aNewStringIsWrittenInItsCustomaryForm() {

@@ -13,6 +13,10 @@
 #include "tests/support/window_parts.h"
 #include "ui/document/lost_changes.h"
 #include "ui/document/recovery.h"
+#include "ui/job/solve_status.h"
+#include "ui/text/language.h"
+#include "ui/window/language_menu.h"
+#include "ui/window/pinned_runs.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -34,8 +38,13 @@ int editForEver(const QString& folder, const QString& path) {
     const auto window = newWindow(answers);
     window->startRecovery(folder);
     if (!window->openFile(path)) return 1;
+    setLength(window->document(), 4);
+    auto& pinned = part<PinnedRuns>(*window);
+    pinned.pinAction()->trigger();
+    pinned.runs().rename(pinned.runs().list()->front().number, QStringLiteral("four metres"));
     setLength(window->document(), 5);
     if (!QTest::qWaitFor([&] { return !recoveryFiles(folder).isEmpty(); })) return 1;
+    QTest::qWait(1500);  // the last of what is kept follows within a second
     sayReady();
     return QCoreApplication::exec();
 }
@@ -52,6 +61,8 @@ class TestRecovery : public QObject {
     void anEndLeavesNothing();
     void aLivingInstanceKeepsItsChanges();
     void changesOfAKilledProgramAreRestored();
+    void runsAndSignalsComeBackWithTheScenario();
+    void aRestartCarriesEverythingOver();
     void laterKeepsThemAndDiscardRemovesThem();
     void aDamagedFileIsToldOfOnceAndKept_data();
     void aDamagedFileIsToldOfOnceAndKept();
@@ -158,12 +169,90 @@ void TestRecovery::changesOfAKilledProgramAreRestored() {
         other->document().start();
         QVERIFY(!other->document().isModified());
     }
-    // It does not know its file, so no save can hit it unasked; and it is safe again already.
-    QCOMPARE(document.path(), QString());
-    QCOMPARE(document.suggestedPath(), m_original);
+    // With its file, whose saved state undo brings back; and it is safe again already.
+    QCOMPARE(document.path(), m_original);
+    const RunList& runs = *part<PinnedRuns>(*window).runs().list();
+    QCOMPARE(runs.size(), 1u);
+    QCOMPARE(runs.front().contents.scenario.rod.length, 4.0);
+    QCOMPARE(runs.front().name, QStringLiteral("four metres"));
     QCOMPARE(read(m_original), original);
     QCOMPARE(recoveryFiles(m_folder).size(), 1);
     QVERIFY(findLostChanges(m_folder).empty());
+    while (window->document().undoStack().canUndo()) window->document().undoStack().undo();
+    QCOMPARE(document.text(), original);
+    QVERIFY(!document.isModified());
+}
+
+// The file of a window contains all that another one needs.
+void TestRecovery::runsAndSignalsComeBackWithTheScenario() {
+    Document document;
+    QCOMPARE(document.open(m_original), QString());
+    setLength(document, 5);
+    MeasuredSignal gauge;
+    gauge.name = "gauge";
+    gauge.place = 1.5;
+    gauge.timeShift = -2e-6;
+    gauge.deviation = 120;
+    gauge.points = std::vector<TablePoint>{{0, 0}, {1.0 / 3e6, -2.5e5}};
+    MeasuredSignal force = gauge;
+    force.quantity = MeasuredQuantity::impactForce;
+    KeptRun run;
+    run.number = 3;
+    run.name = "k";
+    run.contents = parseScenario(read(m_original).toStdString(), m_original.toStdString());
+    run.isReference = true;
+    run.cor = 0.1;
+    Recovery recovery(document, m_folder);
+    recovery.keepBeside([&] { return WorkBeside{{run}, {gauge, force}}; });
+    recovery.writeNow();
+    const LostChanges kept(recovery.file(), nullptr);
+    QCOMPARE(kept.problem(), QString());
+    const UnsavedScenario& found = kept.scenario();
+    QCOMPARE(found.path, m_original);
+    QCOMPARE(QByteArray::fromStdString(found.saved), read(m_original));
+    QCOMPARE(QByteArray::fromStdString(found.text), document.text());
+    QVERIFY(found.beside.measured == (std::vector<MeasuredSignal>{gauge, force}));
+    QCOMPARE(found.beside.runs.size(), 1u);
+    const KeptRun& again = found.beside.runs.front();
+    QVERIFY(again.contents.scenario == run.contents.scenario && again.contents.text == run.contents.text);
+    QVERIFY(again.number == 3 && again.name == "k" && again.isReference && again.cor == 0.1);
+    QVERIFY(!found.isRestart && found.isUnsaved);
+    recovery.end();
+}
+
+// Nothing is asked, and what was not changed is not changed then.
+void TestRecovery::aRestartCarriesEverythingOver() {
+    for (const bool isChanged : {true, false}) {
+        QByteArray text;
+        {
+            const auto first = newWindow(m_answers);
+            first->startRecovery(m_folder);
+            QVERIFY(first->openFile(m_original));
+            if (isChanged) setLength(first->document(), 5);
+            QTRY_VERIFY(part<SolveStatus>(*first).isCurrent());
+            part<PinnedRuns>(*first).pinAction()->trigger();
+            text = first->document().text();
+            m_answers.restart = true;
+            for (QAction* action : part<LanguageMenu>(*first).actions())
+                if (action->text() == (isChanged ? QStringLiteral("Svenska") : QStringLiteral("Deutsch")))
+                    action->trigger();
+            QTRY_VERIFY(first->wantsRestart());
+            QCOMPARE(m_answers.unsavedAsked, 0);
+        }
+        const auto second = newWindow(m_answers);
+        second->startRecovery(m_folder);
+        QCOMPARE(m_answers.found, QStringList());
+        QCOMPARE(second->document().text(), text);
+        QCOMPARE(second->document().path(), m_original);
+        QCOMPARE(second->document().isModified(), isChanged);
+        QCOMPARE(part<PinnedRuns>(*second).runs().list()->size(), 1u);
+        second->document().undoStack().setClean();
+        m_answers.unsaved = Questions::Unsaved::discard;
+        QVERIFY(second->close());
+        QCOMPARE(recoveryFiles(m_folder), QStringList());
+        m_answers.unsavedAsked = 0;
+    }
+    chooseLanguage(nullptr);
 }
 
 void TestRecovery::laterKeepsThemAndDiscardRemovesThem() {

@@ -26,6 +26,7 @@
 #include "ui/pages/wave_picture/rod_profile.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
 #include "ui/pages/wave_picture/wave_picture_plot.h"
+#include "ui/plot/curve_reading.h"
 #include "ui/plot/legend_entries.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/plot/run_marks.h"
@@ -670,7 +671,7 @@ void TestRunOverlays::shiftAndAClickPin() {
     QSignalSpy pins(&page, &Page::pinRequested);
     const QCPGraph* graph = page.gapPlot()->graph();
     const QPoint pixel(int(graph->keyAxis()->coordToPixel(1)),
-                       int(graph->valueAxis()->axisRect()->center().y()));
+                       int(graph->valueAxis()->coordToPixel(chordValue(*graph->data(), 1))));
     QTest::mouseClick(page.plot(), Qt::LeftButton, Qt::ShiftModifier, pixel);
     QCOMPARE(pins.count(), 1);
     const auto contents = pins[0][0].value<ScenarioDocument>();

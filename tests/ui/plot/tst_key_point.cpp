@@ -20,6 +20,7 @@ struct Scene {
     QVector<QPointF> marks{{2, 2}, {7, 7}};
     std::optional<QPointF> start = QPointF(5, 6);
     QVector<QPair<QPointF, Qt::KeyboardModifiers>> clicks;
+    QVector<QPointF> taken;
 
     explicit Scene(KeyPlaces::On on = KeyPlaces::On::curves) {
         plot.legend->setVisible(true);
@@ -36,6 +37,8 @@ struct Scene {
         places.marks = [this] { return marks; };
         plot.keyPoint().offer(places);
         plot.followPalette([this](const PlotStyle& style) { plot.setBackground(style.background); });
+        QObject::connect(&plot, &PlotWidget::placeTaken, &plot,
+                         [this](const QCPAxisRect*, QPointF at) { taken.append(at); });
         QObject::connect(&plot, &PlotWidget::clicked, &plot,
                          [this](const QCPAxisRect*, QPointF at, Qt::KeyboardModifiers keys) {
                              clicks.append({at, keys});
@@ -69,6 +72,7 @@ class TestKeyPoint : public QObject {
     Q_OBJECT
 
   private slots:
+    void aClickTakesOnlyWhatIsWithinTenPixels();
     void init();
     void enterPutsItOnTheCurveNextToWhereThePageBegins();
     void withoutItKeysDoWhatTheyDid();
@@ -281,6 +285,29 @@ void TestKeyPoint::theMenuPutsItThere() {
     m->plot.keyPoint().offer({});
     fillPlotMenu(menu, m->plot, m->plot.axisRect()->center());
     QVERIFY(!entry());
+}
+
+// A click that only gives the plot the focus changes nothing.
+void TestKeyPoint::aClickTakesOnlyWhatIsWithinTenPixels() {
+    Scene scene(KeyPlaces::On::curves);
+    scene.marks = {{2, 15}};
+    const auto pixel = [&](double x, double y) {
+        return QPoint(qRound(scene.plot.xAxis->coordToPixel(x)), qRound(scene.plot.yAxis->coordToPixel(y)));
+    };
+    const auto takes = [&](QPoint at) {
+        scene.taken.clear();
+        const qsizetype clicks = scene.clicks.size();
+        QTest::mouseClick(&scene.plot, Qt::LeftButton, {}, at);
+        return scene.clicks.size() == clicks + 1 && scene.taken.size() == 1;
+    };
+    QVERIFY(!takes(pixel(8, 13)));
+    QVERIFY(scene.plot.hasFocus() || QGuiApplication::focusWindow() == nullptr);
+    QVERIFY(takes(pixel(5, 20) + QPoint(0, 9)));
+    QVERIFY(!takes(pixel(5, 20) + QPoint(0, 12)));
+    QVERIFY(takes(pixel(2, 15) + QPoint(6, 6)));
+    QVERIFY(!takes(pixel(2, 15) + QPoint(9, 9)));
+    scene.level->setVisible(false);
+    QVERIFY(!takes(pixel(5, 20)));
 }
 
 QTEST_MAIN(TestKeyPoint)

@@ -164,10 +164,16 @@ void TestPinnedRuns::pinWaitsForTheAnswer() {
     Document& document = window().document();
     document.assign(*findParameter("bit_rock.stiffness"), 4e8, document.newGesture());
     part<PinnedRuns>(window()).pinAction()->trigger();
-    QVERIFY(runs().list()->empty());
-    QTRY_COMPARE(runs().list()->size(), 1u);
+    // Neither the answer of the scenario before, nor lost by another page or another input.
+    QCOMPARE(runs().list()->size(), 1u);
+    QVERIFY(!runs().list()->front().blow);
+    auto& pages = part<PageTabs>(window());
+    pages.setCurrentIndex(pages.currentIndex() + 1);
+    document.assign(*findParameter("bit_rock.stiffness"), 5e8, document.newGesture());
+    QTRY_VERIFY_WITH_TIMEOUT(runs().list()->front().isSolved(), 60000);
     QCOMPARE(runs().list()->front().blow->scenario.bitRock.stiffness, 4e8);
     QCOMPARE(runs().list()->front().contents.scenario.bitRock.stiffness, 4e8);
+    QCOMPARE(m_answers.told, QStringList());
 }
 
 void TestPinnedRuns::pinnedPointsOfAStudyAreSolved() {

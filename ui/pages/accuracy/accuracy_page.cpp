@@ -42,7 +42,7 @@ AccuracyPage::AccuracyPage(Document& document, QWidget* parent)
     watch(m_study.job());
     connect(m_run, &QPushButton::clicked, this, &AccuracyPage::runOrCancel);
     connect(m_tabs, &QTabWidget::currentChanged, this, &AccuracyPage::present);
-    connect(plot, &PlotWidget::clicked, this, [this, plot](const QCPAxisRect*, QPointF at) {
+    connect(plot, &PlotWidget::placeTaken, this, [this, plot](const QCPAxisRect*, QPointF at) {
         const QPointF pixel(plot->xAxis->coordToPixel(at.x()), plot->yAxis->coordToPixel(at.y()));
         if (proof() != Proof::stability || !m_stability) return;
         if (const std::optional<int> row = m_plot->rowAt(pixel)) loadCase(static_cast<std::size_t>(*row));
@@ -204,8 +204,7 @@ QString AccuracyPage::nameOf(std::size_t row) const {
 void AccuracyPage::loadCase(std::size_t row) {
     if (!m_stability || row >= m_stability->rows.size()) return;
     const StabilityCase& chosen = m_stability->rows[row].stabilityCase;
-    document().useScenario(scenarioOf(chosen),
-                           tr("load the case %1").arg(QString::fromStdString(chosen.name)));
+    load(scenarioOf(chosen), tr("load the case %1").arg(QString::fromStdString(chosen.name)));
 }
 
 bool AccuracyPage::hasAll() const {

@@ -55,7 +55,7 @@ CurvePage::CurvePage(Document& document, QWidget* parent)
     watch(m_study.job());
     watchBeside(m_runLines.activity());
     useFrame(*m_plot, tr("A result over a parameter"));
-    connect(plot, &PlotWidget::clicked, this, &CurvePage::click);
+    connect(plot, &PlotWidget::placeTaken, this, &CurvePage::click);
     connect(&document.units(), &UnitChoice::changed, this, &CurvePage::askSoon);
     connect(&document, &Document::scenarioChanged, this, &CurvePage::followForm);
 }

@@ -54,7 +54,7 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
     m_plot = new DesignPlot(widget);
     useFrame(*m_plot, tr("Designs over what is not known"));
     watch(m_study.job());
-    connect(widget, &PlotWidget::clicked, this, &DesignPage::click);
+    connect(widget, &PlotWidget::placeTaken, this, &DesignPage::click);
     connect(m_card, &DesignCard::designWanted, this,
             [this](std::uint64_t design) { takeDesign(design, {}); });
     connect(m_card, &DesignCard::worstWanted, this, &DesignPage::loadWorst);

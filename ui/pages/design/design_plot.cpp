@@ -364,6 +364,13 @@ KeyPlaces DesignPlot::keyPlaces() const {
         return mapWords(place).replace(QStringLiteral(" · "), QStringLiteral("\n"));
     };
     places.start = [this] { return m_picture.robust; };
+    places.targets = [this] {
+        QVector<QPointF> designs;
+        if (isMap())
+            for (std::uint64_t d = 0; d < m_picture.map->grid().size(); ++d)
+                designs.append(placeOnMap(*m_picture.map, d));
+        return designs;
+    };
     places.marks = [this] {
         QVector<QPointF> marks;
         for (const auto& mark : {m_picture.robust, m_picture.nominal})

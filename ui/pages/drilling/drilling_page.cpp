@@ -58,7 +58,8 @@ DrillingPage::DrillingPage(Document& document, QWidget* parent)
     connect(m_missing, &MissingFields::entered, this, [this](const KeptParameter& parameter, double si) {
         load({{parameter, si}});
     });
-    connect(widget, &PlotWidget::clicked, this, &DrillingPage::click);
+    connect(widget, &PlotWidget::clicked, this, &DrillingPage::openBlowAt);
+    connect(widget, &PlotWidget::placeTaken, this, &DrillingPage::takeScanned);
     connect(&document.units(), &UnitChoice::changed, this, [this] {
         if (isVisible()) present();
     });
@@ -283,11 +284,14 @@ void DrillingPage::openBlow(long number, Qt::KeyboardModifiers modifiers) {
                         .arg(length(opened.gap), length(opened.penetration)));
 }
 
-void DrillingPage::click(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
+// The scenario stays as it is.
+void DrillingPage::openBlowAt(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
     if (modifiers & ~Qt::ShiftModifier) return;
-    if (const std::optional<long> blow = m_plot->march().blowAt(rect, at.x()))
-        return openBlow(*blow, modifiers);
-    if (!m_plot->isScan(rect)) return;
+    if (const std::optional<long> blow = m_plot->march().blowAt(rect, at.x())) openBlow(*blow, modifiers);
+}
+
+void DrillingPage::takeScanned(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
+    if ((modifiers & ~Qt::ShiftModifier) || !m_plot->isScan(rect)) return;
     const double shown = QString::number(at.x(), 'g', clickedDigits).toDouble();
     take({{m_scan.question()->range.parameter, shown / m_plot->picture().units.along.factor}}, modifiers);
 }

@@ -71,7 +71,8 @@ class DrillingPage : public StudyPage {
     std::string scenarioWith(const DrillingSettings& settings) const;
     void showScanState();
     QString wordsOf(const DrillingAnswer& answer) const;
-    void click(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers);
+    void openBlowAt(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers);
+    void takeScanned(QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers);
     void openBlow(long number, Qt::KeyboardModifiers modifiers);
     void showRuns(const DrillingShown& units);
 

@@ -49,7 +49,7 @@ GapPage::GapPage(Document& document, QWidget* parent)
     watchBeside(m_runGaps.activity());
     connect(m_output, &QComboBox::currentIndexChanged, this, &GapPage::present);
     connect(m_scatter, &ScatterFields::changed, this, &GapPage::askSoon);
-    connect(plot, &PlotWidget::clicked, this,
+    connect(plot, &PlotWidget::placeTaken, this,
             [this](const QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
                 if (!m_plot->isDistribution(rect)) takeGap(at.x(), modifiers);
             });
@@ -186,7 +186,8 @@ QString GapPage::sentence() const {
     const QLocale locale;
     const QString period =
         m_picture.gap.dimensionless ? tr("d₀") : tr("d₀ = %1").arg(quantityText(1, m_picture.gap, locale));
-    return tr("Results repeat with every %1 of gap. A click in the plot takes over the gap there, with Shift "
+    return tr("Results repeat with every %1 of gap. A click on the curve takes over the gap there, with "
+              "Shift "
               "it pins it.")
         .arg(period);
 }

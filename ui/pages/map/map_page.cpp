@@ -81,7 +81,7 @@ void MapPage::wire() {
         takeUsualLevels();
         askSoon();
     });
-    connect(plot(), &PlotWidget::clicked, this,
+    connect(plot(), &PlotWidget::placeTaken, this,
             [this](const QCPAxisRect* rect, QPointF at, Qt::KeyboardModifiers modifiers) {
                 if (!m_plot->isMap(rect)) return;
                 if (const auto place = m_plot->pointAt(at)) {
@@ -209,7 +209,8 @@ void MapPage::speak() {
 // The blow of the crosshair, solved on its own.
 QString MapPage::hereText() const {
     const QString help =
-        tr("A click takes over a point, with Shift it pins it; the crosshair can be dragged.");
+        tr("A click on a line or a preset takes over the point there, with Shift it pins it; the crosshair "
+           "can be dragged.");
     if (!blow() || !blow()->fault.isEmpty()) return help;
     const OutputColumn& column = m_shown->study.output;
     const auto value = column.value({blow()->summary, blow()->scenario}, blow()->scales);

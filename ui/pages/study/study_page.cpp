@@ -15,6 +15,7 @@
 #include "ui/plot/plot_widget.h"
 #include "ui/plot/study_frame.h"
 #include "ui/result/stale_veil.h"
+#include "ui/text/core_text.h"
 #include "ui/text/scrolled_label.h"
 #include "ui/text/shown_text.h"
 
@@ -195,8 +196,14 @@ void StudyPage::showWords() {
 }
 
 void StudyPage::load(const std::vector<ParameterValue>& values) {
+    const int before = m_document.undoStack().index();
     m_refusal = m_document.assign(values, m_document.newGesture());
     showWords();
+    if (m_document.undoStack().index() == before) return;
+    QStringList taken;
+    for (const auto& [parameter, si] : values)
+        taken << tr("%1 set to %2").arg(parameterTitle(*parameter), shownValue(*parameter, si));
+    emit valuesTaken(taken.join(QStringLiteral(", ")));
 }
 
 void StudyPage::pin(const std::vector<ParameterValue>& values) {
@@ -211,8 +218,10 @@ void StudyPage::pin(const std::vector<ParameterValue>& values) {
 }
 
 void StudyPage::load(const Scenario& scenario, const QString& step) {
+    const int before = m_document.undoStack().index();
     m_refusal = m_document.useScenario(scenario, step);
     showWords();
+    if (m_document.undoStack().index() != before) emit valuesTaken(step);
 }
 
 void StudyPage::pin(const Scenario& scenario) {

@@ -55,7 +55,7 @@ ThrustPage::ThrustPage(Document& document, QWidget* parent)
     connect(m_missing, &MissingFields::entered, this, [this](const KeptParameter& parameter, double si) {
         load({{parameter, si}});
     });
-    connect(widget, &PlotWidget::clicked, this,
+    connect(widget, &PlotWidget::placeTaken, this,
             [this](const QCPAxisRect*, QPointF at, Qt::KeyboardModifiers modifiers) {
                 takeParameter(at.x(), modifiers);
             });

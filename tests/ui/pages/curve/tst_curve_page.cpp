@@ -180,7 +180,7 @@ void TestCurvePage::aClickOnACurveIsOneUndoStep() {
     // by value: the click draws other curves
     const QCPGraphData point = *elastic->data()->at(elastic->dataCount() / 2);
     QCPAxisRect* axes = elastic->keyAxis()->axisRect();
-    emit m_page->plot()->clicked(axes, {point.key, point.value}, Qt::NoModifier);
+    emit m_page->plot()->placeTaken(axes, {point.key, point.value}, Qt::NoModifier);
     QCOMPARE(undo.count(), before + 1);
     QVERIFY(undo.undoText().contains("stiffness"));
     QCOMPARE(m_document->scenario().bitRock.gamma, 1.0);
@@ -189,7 +189,7 @@ void TestCurvePage::aClickOnACurveIsOneUndoStep() {
     m_document->undoStack().undo();
     QCOMPARE(m_document->scenario().bitRock.gamma, 0.1);
     // away from all curves only the parameter is taken
-    emit m_page->plot()->clicked(axes, {150, 1e6}, Qt::NoModifier);
+    emit m_page->plot()->placeTaken(axes, {150, 1e6}, Qt::NoModifier);
     QCOMPARE(m_document->scenario().bitRock.stiffness, 1.5e8);
     QCOMPARE(m_document->scenario().bitRock.gamma, 0.1);
     finish();
@@ -203,7 +203,8 @@ void TestCurvePage::aClickNearAMarkTakesItsPlace() {
     QVERIFY(largest);
     const CurvePlot::Target target = plot->targetAt({largest->x.value * 1.002, largest->value.value});
     QCOMPARE(target.x, largest->x.value);
-    emit m_page->plot()->clicked(nullptr, {largest->x.value * 1.002, largest->value.value}, Qt::NoModifier);
+    emit m_page->plot()->placeTaken(nullptr, {largest->x.value * 1.002, largest->value.value},
+                                    Qt::NoModifier);
     QCOMPARE(m_document->scenario().groups.beta, largest->x.value);
     finish();
 }
@@ -372,7 +373,7 @@ void TestCurvePage::aRangeThatCannotBeFollowedShowsNoCurve() {
     // neither a blow nor a click brings the last curve back
     m_page->setResult(solved(*m_document));
     const int steps = m_document->undoStack().count();
-    emit m_page->plot()->clicked(nullptr, {150, 1}, Qt::NoModifier);
+    emit m_page->plot()->placeTaken(nullptr, {150, 1}, Qt::NoModifier);
     QVERIFY(m_page->curvePlot()->graphs().isEmpty());
     QCOMPARE(m_document->undoStack().count(), steps);
     QCOMPARE(m_page->study().started(), 1);
@@ -415,7 +416,7 @@ void TestCurvePage::anotherValueOfTheFamilyIsThisScenario() {
     const QCPGraph* other = graphOf(0.1);
     QVERIFY(!other->name().contains("this scenario"));
     const auto point = other->data()->at(other->dataCount() / 2);
-    emit m_page->plot()->clicked(other->keyAxis()->axisRect(), {point->key, point->value}, Qt::NoModifier);
+    emit m_page->plot()->placeTaken(other->keyAxis()->axisRect(), {point->key, point->value}, Qt::NoModifier);
     QCOMPARE(m_document->scenario().bitRock.gamma, 0.1);
 }
 

@@ -107,7 +107,7 @@ void TestGoalPage::aClickTakesTheValueInOneStep() {
     type(QStringLiteral("1.3"));
     const double place = answer().places.front().x.value;
     const int before = m_document->undoStack().count();
-    emit m_page->plot()->clicked(nullptr, {place * 1.001, 1.3}, Qt::NoModifier);
+    emit m_page->plot()->placeTaken(nullptr, {place * 1.001, 1.3}, Qt::NoModifier);
     QCOMPARE(m_document->undoStack().count(), before + 1);
     QCOMPARE(m_document->scenario().groups.beta, place);
     // what a place promises at worst

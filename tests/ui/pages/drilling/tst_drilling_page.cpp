@@ -18,6 +18,7 @@
 #include "ui/pages/drilling/march_rects.h"
 #include "ui/pages/drilling/scan_rects.h"
 #include "ui/pages/study/axis_fields.h"
+#include "ui/plot/curve_reading.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/local_style.h"
 
@@ -189,7 +190,13 @@ void TestDrillingPage::aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust() {
     const int steps = m_document->undoStack().count();
     const QPointF pixel(scan.rates()->axis(QCPAxis::atBottom)->coordToPixel(6),
                         scan.rates()->axis(QCPAxis::atLeft)->coordToPixel(0.1));
+    // Far from the curve, nothing is taken.
     QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, pixel.toPoint());
+    QCOMPARE(m_document->undoStack().count(), steps);
+    const QCPGraph* rate = scan.rates()->graphs().constFirst();
+    const double value = chordValue(*rate->data(), 6);
+    QTest::mouseClick(m_page->plot(), Qt::LeftButton, {},
+                      QPointF(pixel.x(), scan.rates()->axis(QCPAxis::atLeft)->coordToPixel(value)).toPoint());
     QTRY_VERIFY(std::abs(*m_document->scenario().drill.thrust - 6000) < 50);
     QCOMPARE(m_document->undoStack().count(), steps + 1);
     QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patience);
