@@ -243,9 +243,9 @@ void TestStringPicture::theReadoutNamesTheSection() {
 void TestStringPicture::theReadoutTellsOfTheHammer() {
     present(solved("r32_string"));
     hover(pixel(-0.1, 1));
-    QVERIFY2(readout().contains(QStringLiteral("into hammer section 2 · ")), qPrintable(readout()));
+    QVERIFY2(readout().contains(QStringLiteral("into hammer 2 · ")), qPrintable(readout()));
     hover(pixel(-0.4, 1));
-    QVERIFY2(readout().contains(QStringLiteral("into hammer section 1 · ")), qPrintable(readout()));
+    QVERIFY2(readout().contains(QStringLiteral("into hammer 1 · ")), qPrintable(readout()));
     hover({2, 2});
     QVERIFY2(readout().startsWith(QStringLiteral("in view N = ")), qPrintable(readout()));
 }
