@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
+#include "ui/questions/unfocused_wheel.h"
 #include "ui/text/translation.h"
 
 namespace drillwave {
@@ -82,6 +83,7 @@ QSpinBox* addCount(QFormLayout& form, const RowWords& words, int least, int most
     box->setRange(least, most);
     box->setValue(value);
     box->setKeyboardTracking(false);
+    ignoreUnfocusedWheel(*box);
     form.addRow(words.label, box);
     return box;
 }

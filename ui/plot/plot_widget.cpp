@@ -223,7 +223,9 @@ void PlotWidget::contextMenuEvent(QContextMenuEvent* event) {
     if (event->reason() != QContextMenuEvent::Mouse) openMenu();
 }
 
+// Without Ctrl it scrolls what the plot stands in.
 void PlotWidget::wheelEvent(QWheelEvent* event) {
+    if (!(event->modifiers() & Qt::ControlModifier)) return event->ignore();
     emit mouseWheel(event);
     event->accept();
     m_mouse.wheel(*event);

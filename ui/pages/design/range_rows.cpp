@@ -22,6 +22,7 @@
 #include "ui/pages/design/density_mark.h"
 #include "ui/pages/study/flow_layout.h"
 #include "ui/pages/study/parameter_names.h"
+#include "ui/questions/unfocused_wheel.h"
 #include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
@@ -145,6 +146,7 @@ void RangeRow::addCount() {
     m_logarithmic->setObjectName(QStringLiteral("logarithmic"));
     m_logarithmic->setToolTip(tr("Even ratios in place of even steps"));
     m_count = new QSpinBox(this);
+    ignoreUnfocusedWheel(*m_count);
     m_count->setObjectName(QStringLiteral("count"));
     m_count->setAccessibleName(tr("Number of values"));
     m_count->setRange(2, mostCount);
