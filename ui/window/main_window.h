@@ -25,6 +25,7 @@ class FormNotice;
 class FileMenu;
 class Importer;
 class MarchedNotice;
+class WavesNotice;
 class PageTabs;
 class PinnedRuns;
 class Recovery;
@@ -102,6 +103,7 @@ class MainWindow : public QMainWindow {
     FileNotice* m_fileNotice = nullptr;
     FormNotice* m_formNotice = nullptr;
     MarchedNotice* m_marchedNotice = nullptr;
+    WavesNotice* m_wavesNotice = nullptr;
     Recovery* m_recovery = nullptr;
     PinnedRuns* m_runs = nullptr;
     ResultPanel* m_resultPanel = nullptr;
