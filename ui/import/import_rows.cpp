@@ -5,8 +5,8 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
-#include "ui/questions/unfocused_wheel.h"
 #include "ui/text/translation.h"
+#include "ui/text/unfocused_wheel.h"
 
 namespace drillwave {
 namespace {

@@ -33,6 +33,7 @@ PlotWidget::PlotWidget(QWidget* parent)
     // plot.
     setPlottingHint(QCP::phImmediateRefresh, false);
     setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_NoMousePropagation, false);  // the page scrolls by the wheel over it
     connect(this, &QCustomPlot::beforeReplot, this, &PlotWidget::prepareReplot);
     connect(this, &QCustomPlot::afterLayout, this, &PlotWidget::followHeights);
     connect(selectionRect(), &QCPSelectionRect::accepted, this,

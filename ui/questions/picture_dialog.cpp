@@ -9,7 +9,7 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "ui/questions/unfocused_wheel.h"
+#include "ui/text/unfocused_wheel.h"
 
 namespace drillwave {
 

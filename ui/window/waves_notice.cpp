@@ -30,7 +30,7 @@ WavesNotice::WavesNotice(Document& document, PageTabs& pages, QWidget* parent)
 
 void WavesNotice::present(const SolvedBlow& blow) {
     const bool isEmpty = hasSections(blow.scenario) && blow.fault.isEmpty() && !blow.marchedBlow &&
-                         !blow.request.pages.empty() && !blow.impact.waves;
+                         !blow.pages.empty() && !blow.impact.waves;
     if (!isEmpty || blow.request.scenario != m_document.scenario()) return hide();
     const DrillString rounded = withRoundedLengths(m_document.scenario().drillString);
     if (rounded == m_document.scenario().drillString) return hide();

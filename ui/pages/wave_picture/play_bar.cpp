@@ -12,9 +12,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ui/questions/unfocused_wheel.h"
 #include "ui/text/number_text.h"
 #include "ui/text/settings.h"
+#include "ui/text/unfocused_wheel.h"
 
 namespace drillwave {
 namespace {

@@ -18,9 +18,9 @@
 #include "ui/pages/wave_picture/rod_strip.h"
 #include "ui/pages/wave_picture/wave_picture_plot.h"
 #include "ui/plot/plot_widget.h"
-#include "ui/questions/unfocused_wheel.h"
 #include "ui/runs/runs_like.h"
 #include "ui/text/settings.h"
+#include "ui/text/unfocused_wheel.h"
 
 namespace drillwave {
 namespace {

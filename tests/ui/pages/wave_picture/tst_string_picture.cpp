@@ -226,9 +226,9 @@ void TestStringPicture::theReadoutNamesTheSection() {
                                 stringPlace(blow->scenario.drillString, x / 4.3));
     const RodState now = history.at(t);
     QVERIFY(now.normalForce < -0.5);
-    QVERIFY2(readout().startsWith(textOf((x - 0.35) / 4.3, picture().units.position) +
-                                  " into coupling (section 2) · t = "),
-             qPrintable(readout()));
+    QVERIFY2(
+        readout().startsWith(textOf((x - 0.35) / 4.3, picture().units.position) + " into coupling · t = "),
+        qPrintable(readout()));
     const double area = propertiesOf(*allSections(blow->scenario.drillString)[3], Material()).area;
     const double newtons = now.normalForce * blow->scales.force;
     for (const QString& text : {"N = " + textOf(now.normalForce, blow->units.force),

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/questions/unfocused_wheel.h"
+#include "ui/text/unfocused_wheel.h"
 
 #include <QEvent>
 #include <QWidget>
