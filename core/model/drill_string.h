@@ -20,7 +20,9 @@ struct Material {
 /// A piece of a hammer or a string: uniform, or a cone whose diameter grows or shrinks evenly. Its far end is
 /// the one towards the rock.
 struct Section {
-    std::string name;     ///< "rod", may be empty; several sections may have the same
+    std::string name;  ///< "rod", may be empty; several sections may have the same
+    std::string
+        preset;  ///< "T38, 190 mm": the preset that the section is from; may be empty, changes no result
     double length = 0;    ///< L [m]
     double diameter = 0;  ///< outer diameter [m], of a cone at its rear end; unused when `area` is given
     double bore = 0;      ///< flushing hole diameter [m]; likewise

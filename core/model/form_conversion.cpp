@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/model/blow_traits.h"
+#include "core/model/rounded_lengths.h"
 #include "core/model/scales.h"
 #include "core/model/section_pieces.h"
 
@@ -32,15 +33,27 @@ Section sectionOf(const Piston& piston) {
     return section;
 }
 
-/// Sections of whole millimetres share a cell of the solver.
-double wholeMillimetres(double length, std::vector<Message>& lost) {
-    const double rounded = std::round(length * 1000) / 1000;
-    if (length < 0.02 || std::abs(rounded - length) <= 1e-12 * length) return length;
-    lost.emplace_back(
-        translatable("drillwave::Message",
-                     "The hammer is rounded to whole millimetres; it gives the same impulse, in a blow that "
-                     "is so much longer or shorter."));
-    return rounded;
+std::string wholeMillimetres(double length) {
+    return std::to_string(std::lround(1000 * length)) + " mm";
+}
+
+/// Rounds the lengths of hammer and rod, so that they share few cells of the solver. The momentum stays.
+void roundLengths(DrillString& drillString, std::vector<Message>& lost) {
+    Section& hammer = drillString.hammer.sections.front();
+    Section& rod = drillString.parts.front().sections.front();
+    const double ofHammer = roundedLength(hammer.length), ofRod = roundedLength(rod.length);
+    if (ofHammer != hammer.length)
+        lost.push_back({translatable("drillwave::Message",
+                                     "The hammer is rounded to %1, so that waves can be kept; it gives the "
+                                     "same impulse, in a blow that is so much longer or shorter."),
+                        {wholeMillimetres(ofHammer)}});
+    if (ofRod != rod.length)
+        lost.push_back(
+            {translatable("drillwave::Message", "The rod is rounded to %1, so that waves can be kept."),
+             {wholeMillimetres(ofRod)}});
+    drillString.hammer.velocity *= hammer.length / ofHammer;
+    hammer.length = ofHammer;
+    rod.length = ofRod;
 }
 
 /// The hammer of a rectangular blow or a piston.
@@ -62,8 +75,7 @@ Hammer hammerOf(const Scenario& scenario, std::vector<Message>& lost) {
     section.diameter = scenario.rod.diameter;
     section.bore = scenario.rod.bore;
     section.area = scenario.rod.area;
-    const double length = propertiesOf(scenario.rod).waveSpeed * pulseDuration(scenario) / 2;
-    section.length = wholeMillimetres(length, lost);
+    section.length = propertiesOf(scenario.rod).waveSpeed * pulseDuration(scenario) / 2;
     hammer.sections = {section};
     const Material material{scenario.rod.youngsModulus, scenario.rod.density};
     hammer.velocity = pulseImpulse(scenario) / propertiesOf(section, material).mass;
@@ -176,6 +188,7 @@ Conversion stringOf(const Scenario& scenario) {
     if (!isOfHammer(scenario.pulse.shape)) return converted;
     string.pulse = Pulse();
     string.drillString.hammer = hammerOf(scenario, converted.lost);
+    roundLengths(string.drillString, converted.lost);
     return converted;
 }
 

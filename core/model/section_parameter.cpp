@@ -37,12 +37,17 @@ std::optional<double> valueAt(const SectionAddress& address, const Scenario& sce
 
 void assignAt(const SectionAddress& address, Scenario& scenario, double value) {
     visitSections(address, scenario.drillString, [&](Section& section) {
-        if (address.field->applies(section)) address.field->assign(section, value);
+        if (!address.field->applies(section)) return;
+        if (address.field->value(section) != value) section.preset.clear();
+        address.field->assign(section, value);
     });
 }
 
 void clearAt(const SectionAddress& address, Scenario& scenario) {
-    visitSections(address, scenario.drillString, [&](Section& section) { address.field->clear(section); });
+    visitSections(address, scenario.drillString, [&](Section& section) {
+        if (address.field->value(section)) section.preset.clear();
+        address.field->clear(section);
+    });
 }
 
 /// Of the first repeat; 0 for what is no number of times at all.

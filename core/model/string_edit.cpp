@@ -90,6 +90,43 @@ SectionSpot insertAfter(DrillString& drillString, const SectionSpot& spot, Secti
     return {.part = spot.part + 1};
 }
 
+SectionSpot insertBehind(DrillString& drillString, const SectionSpot& spot,
+                         const std::vector<Section>& sections) {
+    assert(!sections.empty());
+    SectionSpot last = spot;
+    auto section = sections.begin();
+    const bool endsRepeat = !spot.inHammer && drillString.parts[spot.part].group &&
+                            spot.index + 1 == drillString.parts[spot.part].sections.size();
+    if (endsRepeat) {
+        last = {.part = spot.part + 1};
+        drillString.parts.insert(drillString.parts.begin() + Offset(last.part), alone(*section++));
+    }
+    for (; section != sections.end(); ++section) last = insertAfter(drillString, last, *section);
+    return last;
+}
+
+bool canReplace(const DrillString& drillString, const std::vector<SectionSpot>& spots) {
+    if (spots.empty()) return false;
+    const SectionSpot& first = spots.front();
+    const bool isOneList = first.inHammer || drillString.parts[first.part].group;
+    if (!isOneList) return canRepeat(drillString, spots);
+    for (std::size_t i = 0; i < spots.size(); ++i)
+        if (spots[i] != SectionSpot{first.inHammer, first.part, first.index + i}) return false;
+    return true;
+}
+
+SectionSpot replaceSections(DrillString& drillString, const std::vector<SectionSpot>& spots,
+                            const std::vector<Section>& sections) {
+    assert(canReplace(drillString, spots) && !sections.empty());
+    SectionSpot last = spots.back();
+    for (const Section& section : sections) last = insertAfter(drillString, last, section);
+    for (auto spot = spots.rbegin(); spot != spots.rend(); ++spot) removeSection(drillString, *spot);
+    const SectionSpot& first = spots.front();
+    const bool isOneList = first.inHammer || drillString.parts[first.part].group;
+    (isOneList ? last.index : last.part) -= spots.size();
+    return last;
+}
+
 SectionSpot insertAt(DrillString& drillString, StringEnd end, const std::vector<Section>& sections) {
     std::vector<StringPart>& parts = drillString.parts;
     std::size_t at = end == StringEnd::shank ? 0 : parts.size();

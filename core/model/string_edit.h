@@ -34,6 +34,18 @@ std::uint64_t placeOf(const DrillString& drillString, const SectionSpot& spot);
 /// Puts a section behind another one, in the same repeat if that is in one. Returns where it stands.
 SectionSpot insertAfter(DrillString& drillString, const SectionSpot& spot, Section section);
 
+/// Puts sections after another one. After the last section of a repeat they come after the repeat, so that
+/// they are not repeated. Returns where the last of them stands. Requires at least one section.
+SectionSpot insertBehind(DrillString& drillString, const SectionSpot& spot,
+                         const std::vector<Section>& sections);
+
+/// Returns whether the sections follow one another in the hammer, in one repeat or outside of repeats.
+bool canReplace(const DrillString& drillString, const std::vector<SectionSpot>& spots);
+/// Replaces the sections by others. Returns where the last of these stands. Requires canReplace() and at
+/// least one section.
+SectionSpot replaceSections(DrillString& drillString, const std::vector<SectionSpot>& spots,
+                            const std::vector<Section>& sections);
+
 /// Puts sections at an end of the string, outside of any repeat: before all others, or behind them. Returns
 /// where the last of them stands.
 enum class StringEnd { shank, bit };

@@ -15,6 +15,7 @@
 #include "core/report/report_numbers.h"
 #include "core/report/report_text.h"
 #include "core/report/section_grid.h"
+#include "core/report/strength_words.h"
 #include "core/text/message_list.h"
 #include "core/text/number_text.h"
 
@@ -197,6 +198,8 @@ std::string resultText(const Blow& blow, const ReadingStyle& style) {
     constexpr std::size_t mostLines = 60;
     if (!blow.impact.sections.empty() && blow.impact.sections.size() <= mostLines)
         text += "\n" + sectionGrid(blow, style).text();
+    const Message first = strengthSentence(blow.scenario, sectionStresses(blow.scenario, blow.impact), style);
+    if (!first.isEmpty()) text += "\n" + paragraph(style.said(first));
     return text;
 }
 

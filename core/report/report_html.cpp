@@ -15,6 +15,7 @@
 #include "core/report/paper_text.h"
 #include "core/report/report_numbers.h"
 #include "core/report/section_grid.h"
+#include "core/report/strength_words.h"
 #include "core/text/json.h"
 #include "core/text/name_text.h"
 #include "core/text/printed_text.h"
@@ -378,6 +379,8 @@ class Page {
         const std::size_t sections = rows.size() - 1;
         if (!isScreen()) rows.resize(std::min(sections, mostSectionsOnPaper) + 1);
         return heading(translatable("drillwave::Message", "Largest stresses of every section")) +
+               paragraph(strengthSentence(blow().scenario, sectionStresses(blow().scenario, blow().impact),
+                                          m_style)) +
                tableOf("stresses", htmlRows(rows)) + rest(sections) +
                paragraph(translatable(
                    "drillwave::Message",

@@ -5,8 +5,8 @@
 
 #include "core/blow/outputs.h"
 #include "core/model/blow_traits.h"
+#include "core/model/section_words.h"
 #include "core/report/blow_json.h"
-#include "core/report/section_grid.h"
 #include "core/text/handy_text.h"
 
 namespace drillwave {
@@ -53,11 +53,11 @@ ReportCell siCell(const Output& output, double value, const Blow& blow, const Re
                                            : ReportCell{text, inSi(output, value, blow)};
 }
 
-/// "in 7 rod, 1.2 m from its rear end, at 3.4 ms".
+/// "in 3rd rod, 1.2 m from its rear end, at 3.4 ms".
 std::string stringPlaceText(const StringPeak& largest, const Blow& blow, const ReadingStyle& style) {
     const StressPeak& peak = largest.peak;
     if (!(peak.stress > 0)) return {};
-    const Message section = sectionMessage(blow.scenario.drillString, largest.section);
+    const Message section = sectionWords(blow.scenario.drillString)[largest.section];
     const std::string time = style.quantity(peak.time, Quantity::time, 4);
     if (peak.place == 0)
         return style.said(

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/blow/outputs.h"
+#include "core/model/section_words.h"
 
 namespace drillwave {
 
@@ -69,15 +70,6 @@ TextGrid energyGrid(const Blow& blow, const ReadingStyle& style) {
     return grid;
 }
 
-Message sectionMessage(const DrillString& drillString, std::size_t section) {
-    const std::size_t ofHammer = drillString.hammer.sections.size();
-    const bool isHammer = section < ofHammer;
-    const std::string number = std::to_string(isHammer ? section + 1 : section + 1 - ofHammer);
-    const std::string& name = allSections(drillString)[section]->name;
-    const std::string words = number + (name.empty() ? "" : " " + name);
-    return isHammer ? Message(translatable("drillwave::Message", "hammer %1"), {words}) : Message(words);
-}
-
 TextGrid sectionGrid(const Blow& blow, const ReadingStyle& style) {
     const DrillString& drill = blow.scenario.drillString;
     const std::vector<const Section*> sections = allSections(drill);
@@ -98,10 +90,15 @@ TextGrid sectionGrid(const Blow& blow, const ReadingStyle& style) {
     titles.push_back(translatable("drillwave::Message", "joint reflects"));
     grid.addTitles(titles, style);
     const std::size_t ofHammer = drill.hammer.sections.size();
+    const std::vector<Message> words = sectionWords(drill);
+    // "7: 3rd rod", the number being that of the keys.
+    const auto sectionCell = [&](std::size_t j) {
+        const bool hasNumber = j < ofHammer || sections[j]->name.empty();
+        return (hasNumber ? std::string() : std::to_string(j - ofHammer + 1) + ": ") + style.said(words[j]);
+    };
     for (std::size_t j = 0; j < sections.size(); ++j) {
         const SectionStress& stress = stresses[j];
-        std::vector<std::string> cells{style.said(sectionMessage(drill, j)),
-                                       stressCell(stress.compression, style),
+        std::vector<std::string> cells{sectionCell(j), stressCell(stress.compression, style),
                                        stressCell(stress.tension, style)};
         if (hasAfter) cells.push_back(stressCell(stress.tensionAfter, style));
         const double largest = std::max(stress.compression.stress, stress.tension.stress);

@@ -16,7 +16,4 @@ TextGrid energyGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 /// sections have them, and what the joint at its far end throws back. Requires the forces.
 TextGrid sectionGrid(const Blow& blow, const ReadingStyle& style = plainStyle());
 
-/// "hammer 2", "3 rod": the section of that number of those of hammer and string.
-Message sectionMessage(const DrillString& drillString, std::size_t section);
-
 }  // namespace drillwave

@@ -44,6 +44,7 @@ SavedValue savedText(std::string_view section, std::string_view key, std::string
 
 void addSection(std::vector<SavedValue>& values, const std::string& path, const Section& section) {
     if (!section.name.empty()) values.push_back(savedText(path, "name", section.name));
+    if (!section.preset.empty()) values.push_back(savedText(path, "preset", section.preset));
     for (const SectionField& field : sectionFields()) {
         const std::optional<double> value = field.value(section);
         if (!value) continue;

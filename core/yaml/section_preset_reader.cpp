@@ -29,13 +29,15 @@ class ListReader {
     std::string key(std::string_view local) const { return joinedKey(m_key, local); }
 
     void readPreset(const YamlNode& item) {
-        std::vector<std::string_view> known{"name", "source", "sections"};
+        std::vector<std::string_view> known{"name", "source", "strength_source", "sections"};
         if (m_kind == SectionPresetKind::piston) known.emplace_back("velocity");
         const YamlEntries entries = m_reader.entriesOf(item, m_key, known);
         SectionPreset preset;
         preset.kind = m_kind;
         preset.name = m_list.nameOf(entries, item);
         preset.source = m_list.textOf(entries, item, "source", "is missing: `assumed` where there is none");
+        if (entries.contains("strength_source"))
+            preset.strengthSource = m_list.textOf(entries, item, "strength_source");
         readVelocity(preset, entries);
         readSectionsOf(preset, entries, item);
         m_presets.push_back(std::move(preset));
@@ -68,6 +70,7 @@ class ListReader {
         }
         const bool wasGood = m_reader.problems().empty();
         preset.sections = readSectionList(m_reader, *found->second.value, key("sections"));
+        for (Section& section : preset.sections) section.preset = preset.name;
         if (wasGood && m_reader.problems().empty()) checkTogether(preset, found->second.place());
     }
 

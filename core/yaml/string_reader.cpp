@@ -7,6 +7,7 @@
 #include "core/model/parameter.h"
 #include "core/model/parameter_text.h"
 #include "core/model/section_address.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 namespace {
@@ -26,10 +27,11 @@ class SectionOfFile {
 
     Section read(const YamlNode& map) {
         m_reader.setPlace(m_path, map.offset);
-        std::vector<std::string_view> known{"name"};
+        std::vector<std::string_view> known{"name", "preset"};
         for (const SectionField& field : sectionFields()) known.push_back(field.key);
         const YamlEntries entries = m_reader.entriesOf(map, m_path, known);
         readName(entries);
+        readPreset(entries);
         for (const SectionField& field : sectionFields())
             if (const auto found = entries.find(field.key); found != entries.end())
                 readNumber(field, found->second);
@@ -55,6 +57,23 @@ class SectionOfFile {
             m_section.name = entry.value->text;
         else
             m_reader.problems().reportValue(entry.place(), key("name"), entry.value->text, reason);
+    }
+
+    void readPreset(const YamlEntries& entries) {
+        const auto found = entries.find("preset");
+        if (found == entries.end()) return;
+        const YamlEntry& entry = found->second;
+        m_reader.setPlace(key("preset"), entry.place());
+        const Message reason =
+            entry.value->kind != YamlKind::scalar ? translatable("drillwave::Message", "must be text")
+            : entry.value->text.empty()
+                ? translatable("drillwave::Message",
+                               "is empty; a section that is from no preset is written without it")
+                : drillwave::nameProblem(entry.value->text);
+        if (reason.isEmpty())
+            m_section.preset = entry.value->text;
+        else
+            m_reader.problems().reportValue(entry.place(), key("preset"), entry.value->text, reason);
     }
 
     void readNumber(const SectionField& field, const YamlEntry& entry) {

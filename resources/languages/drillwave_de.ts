@@ -962,10 +962,6 @@ Trotzdem löschen?</translation>
         <translation>Anteil seiner Energie, mit dem sich der Hammer nach dem Schlag bewegt</translation>
     </message>
     <message>
-        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock</source>
-        <translation>Anteil der Energie einer Welle, der in der Verbindung am gesteinsseitigen Ende verloren geht</translation>
-    </message>
-    <message>
         <source>Share of the energy of the hammer in the stiffness of the faces, where they still touch</source>
         <translation>Anteil der Energie des Hammers in der Steifigkeit der Schlagflächen, wo sie sich noch berühren</translation>
     </message>
@@ -2733,6 +2729,14 @@ Trotzdem löschen?</translation>
         <source>A light drifter with one R32 rod on hard rock. Look at the efficiency: 0.56, where three T38 rods in softer rock have 0.32. Each joint is assumed to lose 5 % of the energy that passes, and a string of one rod has few of them; without these losses 0.67 would stay in the rock, and 8 % would move back with the hammer, not 0.7 %.</source>
         <translation>Ein leichter Bohrhammer mit einer R32-Stange auf hartem Gestein. Man beachte den Wirkungsgrad: 0,56, wo drei T38-Stangen in weicherem Gestein 0,32 haben. Jede Verbindung verliert nach Annahme 5&#xa0;% der Energie, die hindurchgeht, und ein Strang aus einer Stange hat wenige davon; ohne diese Verluste blieben 0,67 im Gestein, und 8&#xa0;% gingen mit dem Hammer zurück, nicht 0,7&#xa0;%.</translation>
     </message>
+    <message>
+        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % tight, 6 to 10 % worn (trade texts, from memory)</source>
+        <translation>Anteil der Energie einer Welle, der in der Verbindung am Ende zum Gestein hin verloren geht: 3 bis 6 % fest, 6 bis 10 % verschlissen (Fachtexte, aus dem Gedächtnis)</translation>
+    </message>
+    <message>
+        <source>assumed: case-hardened Cr-Ni-Mo steel; fatigue: the 400 MPa of a smooth bar over a notch factor of 1.6 for threads and splines</source>
+        <translation>angenommen: einsatzgehärteter Cr-Ni-Mo-Stahl; Ermüdung: die 400 MPa eines glatten Stabs durch eine Kerbwirkungszahl von 1,6 für Gewinde und Verzahnung</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -3627,18 +3631,6 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <translation>NUL-Bytes beenden die Tabelle: Der Rekorder hat seine Datei nicht gefüllt.</translation>
     </message>
     <message>
-        <source>Table: separator, decimal sign, the first line with a sample and the columns are found out; change what is wrong. A unit or a sampling rate that the table does not state has to be chosen.
-Signal: force, strain, output of a bridge, voltage, stress or velocity in the unit of the column. A strain becomes a force by E and the area of the rod, of the string where the gauge is, or of another bar; a voltage by a calibration, or by gain, excitation and bridge factor; a velocity by the impedance. Tension is positive in the rod; a blow presses.
-Zero line: the mean of the first samples, in which nothing happens.
-Range: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and Shift+drag zoom there), “All” the whole record.
-Points at most: a blow keeps as few samples as leave impulse and e the same to 1e-4, unless you choose a number; a curve keeps so many. The summary says how far the others are from the lines between them.</source>
-        <translation>Tabelle: Trennzeichen, Dezimalzeichen, die erste Zeile mit einem Abtastwert und die Spalten werden erkannt; ändern Sie, was nicht stimmt. Was in der Tabelle nicht steht, etwa eine Einheit oder die Abtastrate, ist zu wählen.
-Signal: Kraft, Dehnung, Ausgang einer Brücke, Spannung in Volt, mechanische Spannung oder Geschwindigkeit in der Einheit der Spalte. Aus einer Dehnung wird eine Kraft durch E und die Fläche der Stange, des Strangs am Messstreifen oder eines anderen Stabs; aus Volt durch eine Kalibrierung oder durch Verstärkung, Speisung und Brückenfaktor; aus einer Geschwindigkeit durch die Impedanz. Zug ist in der Stange positiv; ein Schlag drückt.
-Nulllinie: der Mittelwert der ersten Abtastwerte, in denen nichts geschieht.
-Bereich: „Spitze“ nimmt das Stück um den größten Wert, „Ansicht“ das, was das Bild zeigt (Mausrad und Umschalt+Ziehen zoomen dort), „Alles“ die ganze Aufzeichnung.
-Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und e auf 1e-4 gleich lassen, solange Sie keine Anzahl wählen; eine Kurve behält so viele. Die Zusammenfassung sagt, wie weit die übrigen von den Geraden dazwischen entfernt sind.</translation>
-    </message>
-    <message>
         <source>Restart &amp;now</source>
         <translation>Jetzt &amp;neu starten</translation>
     </message>
@@ -3649,6 +3641,18 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     <message>
         <source>Some pinned runs cannot be restored.</source>
         <translation>Einige angeheftete Läufe lassen sich nicht wiederherstellen.</translation>
+    </message>
+    <message>
+        <source>Table: separator, decimal sign, the first line with a sample and the columns are found out; change what is wrong. A unit or a sampling rate that the table does not state has to be chosen.
+Signal: force, strain, output of a bridge, voltage, stress or velocity in the unit of the column. A strain becomes a force by E and the area of the rod, of the string where the gauge is, or of another bar; a voltage by a calibration, or by gain, excitation and bridge factor; a velocity by the impedance. Tension is positive in the rod; a blow presses.
+Zero line: the mean of the first samples, in which nothing happens.
+Range: “Peak” takes the stretch around the largest value, “View” what the plot shows (Ctrl+wheel and Shift+drag zoom there), “All” the whole record.
+Points at most: a blow keeps as few samples as leave impulse and e the same to 1e-4, unless you choose a number; a curve keeps so many. The summary says how far the others are from the lines between them.</source>
+        <translation>Tabelle: Trennzeichen, Dezimalzeichen, die erste Zeile mit einem Abtastwert und die Spalten werden erkannt; ändern Sie, was nicht stimmt. Was in der Tabelle nicht steht, etwa eine Einheit oder die Abtastrate, ist zu wählen.
+Signal: Kraft, Dehnung, Ausgang einer Brücke, Spannung in Volt, mechanische Spannung oder Geschwindigkeit in der Einheit der Spalte. Aus einer Dehnung wird eine Kraft durch E und die Fläche der Stange, des Strangs am Messstreifen oder eines anderen Stabs; aus Volt durch eine Kalibrierung oder durch Verstärkung, Speisung und Brückenfaktor; aus einer Geschwindigkeit durch die Impedanz. Zug ist in der Stange positiv; ein Schlag drückt.
+Nulllinie: der Mittelwert der ersten Abtastwerte, in denen nichts geschieht.
+Bereich: „Spitze“ nimmt das Stück um den größten Wert, „Ansicht“ das, was das Bild zeigt (Strg+Mausrad und Umschalt+Ziehen zoomen dort), „Alles“ die ganze Aufzeichnung.
+Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und e auf 1e-4 gleich lassen, solange Sie keine Anzahl wählen; eine Kurve behält so viele. Die Zusammenfassung sagt, wie weit die übrigen von den Geraden dazwischen entfernt sind.</translation>
     </message>
 </context>
 <context>
@@ -3995,12 +3999,12 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Nichts zu zeigen: %1</translation>
     </message>
     <message>
-        <source>wheel zooms · drag moves · double-click fits</source>
-        <translation>Rad zoomt · Ziehen verschiebt · Doppelklick passt ein</translation>
-    </message>
-    <message>
         <source>Blow</source>
         <translation>Schlag</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel zooms · drag moves · double-click fits</source>
+        <translation>Strg+Rad zoomt · Ziehen verschiebt · Doppelklick passt ein</translation>
     </message>
 </context>
 <context>
@@ -5286,6 +5290,18 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
     <message>
         <source>A force that does not feel what comes back, as a measured blow is</source>
         <translation>Eine Kraft, die nicht spürt, was zurückkommt, wie ein gemessener Schlag</translation>
+    </message>
+    <message>
+        <source>Make a &amp;rig of these groups…</source>
+        <translation>Eine &amp;Anlage aus diesen Kennzahlen machen…</translation>
+    </message>
+    <message>
+        <source>This scenario has physical units already</source>
+        <translation>Dieses Szenario hat schon physikalische Einheiten</translation>
+    </message>
+    <message>
+        <source>Rod, force and duration of a physical scenario with the same groups</source>
+        <translation>Stange, Kraft und Dauer eines physikalischen Szenarios mit denselben Kennzahlen</translation>
     </message>
 </context>
 <context>
@@ -7623,10 +7639,6 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>not YAML: %1</source>
         <translation>kein YAML: %1</translation>
-    </message>
-    <message>
-        <source>The hammer is rounded to whole millimetres; it gives the same impulse, in a blow that is so much longer or shorter.</source>
-        <translation>Der Hammer ist auf ganze Millimeter gerundet; er gibt denselben Kraftstoß, in einem um so viel längeren oder kürzeren Schlag.</translation>
     </message>
     <message>
         <source>The blow is no prescribed force any more: waves that come back to the hammer while it still pushes part it from the rod.</source>
@@ -11428,6 +11440,126 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>Record:</source>
         <translation>Aufzeichnung:</translation>
     </message>
+    <message>
+        <source>The hammer is rounded to %1, so that waves can be kept; it gives the same impulse, in a blow that is so much longer or shorter.</source>
+        <translation>Der Hammer ist auf %1 gerundet, damit Wellen behalten werden können; er gibt denselben Impuls, in einem um so viel längeren oder kürzeren Schlag.</translation>
+    </message>
+    <message>
+        <source>The rod is rounded to %1, so that waves can be kept.</source>
+        <translation>Die Stange ist auf %1 gerundet, damit Wellen behalten werden können.</translation>
+    </message>
+    <message>
+        <source>%1th</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>%1st</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>%1nd</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>%1rd</source>
+        <translation>%1.</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>sections %1 to %2</source>
+        <translation>Abschnitte %1 bis %2</translation>
+    </message>
+    <message>
+        <source>sections %1 and %2</source>
+        <translation>Abschnitte %1 und %2</translation>
+    </message>
+    <message>
+        <source>sections %1, %2 … %3</source>
+        <translation>Abschnitte %1, %2 … %3</translation>
+    </message>
+    <message>
+        <source>%1 and %2 %3</source>
+        <translation>%1 und %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>%1 bis %2 %3</translation>
+    </message>
+    <message>
+        <source>%1, %2 … %3 %4</source>
+        <translation>%1, %2 … %3 %4</translation>
+    </message>
+    <message>
+        <source>%1 section</source>
+        <translation>%1 Abschnitt</translation>
+    </message>
+    <message>
+        <source>%1 sections</source>
+        <translation>%1 Abschnitte</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 rod</source>
+        <translation>%1 Stange</translation>
+    </message>
+    <message>
+        <source>%1 rods</source>
+        <translation>%1 Stangen</translation>
+    </message>
+    <message>
+        <source>%1 coupling</source>
+        <translation>%1 Kupplungsmuffe</translation>
+    </message>
+    <message>
+        <source>%1 couplings</source>
+        <translation>%1 Kupplungsmuffen</translation>
+    </message>
+    <message>
+        <source>%1 other section</source>
+        <translation>%1 weiterer Abschnitt</translation>
+    </message>
+    <message>
+        <source>%1 other sections</source>
+        <translation>%1 weitere Abschnitte</translation>
+    </message>
+    <message>
+        <source>First to break: %1, by a tension of %2, %3 of its fatigue strength of %4.</source>
+        <translation>Zuerst bricht: %1, durch einen Zug von %2, %3 der Dauerfestigkeit von %4.</translation>
+    </message>
+    <message>
+        <source>First to yield: %1, by a tension of %2, %3 of its yield strength of %4.</source>
+        <translation>Zuerst fließt: %1, durch einen Zug von %2, %3 der Streckgrenze von %4.</translation>
+    </message>
+    <message>
+        <source>First to yield: %1, by a compression of %2, %3 of its yield strength of %4.</source>
+        <translation>Zuerst fließt: %1, durch einen Druck von %2, %3 der Streckgrenze von %4.</translation>
+    </message>
+    <message>
+        <source>No section has a strength: give `fatigue_strength` to see which breaks first.</source>
+        <translation>Kein Abschnitt hat eine Festigkeit: `fatigue_strength` angeben, um zu sehen, welcher zuerst bricht.</translation>
+    </message>
+    <message>
+        <source>the rod</source>
+        <translation>die Stange</translation>
+    </message>
+    <message>
+        <source>%1 section of the string has no strength.</source>
+        <translation>%1 Abschnitt des Strangs hat keine Festigkeit.</translation>
+    </message>
+    <message>
+        <source>%1 sections of the string have no strength.</source>
+        <translation>%1 Abschnitte des Strangs haben keine Festigkeit.</translation>
+    </message>
+    <message>
+        <source>is empty; a section that is from no preset is written without it</source>
+        <translation>ist leer; ein Abschnitt, der aus keiner Voreinstellung ist, wird ohne es geschrieben</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -12443,6 +12575,33 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     </message>
 </context>
 <context>
+    <name>drillwave::RigDialog</name>
+    <message>
+        <source>Rig of these groups</source>
+        <translation>Anlage dieser Kennzahlen</translation>
+    </message>
+    <message>
+        <source>custom</source>
+        <translation>eigene</translation>
+    </message>
+    <message>
+        <source>&amp;Rod</source>
+        <translation>&amp;Stange</translation>
+    </message>
+    <message>
+        <source>Make the rig</source>
+        <translation>Anlage erstellen</translation>
+    </message>
+    <message>
+        <source>From the groups follow a rod of %1, an impulse of %2, a stiffness of %3 and a gap of %4.</source>
+        <translation>Aus den Kennzahlen folgen eine Stange von %1, ein Impuls von %2, eine Steifigkeit von %3 und ein Spalt von %4.</translation>
+    </message>
+    <message>
+        <source>make a rig of the groups</source>
+        <translation>eine Anlage aus den Kennzahlen machen</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::RockPage</name>
     <message>
         <source>State of the rock at the time cursor, the larger point on the path</source>
@@ -12578,12 +12737,6 @@ Ein Klick ins Diagramm verschiebt sie, und den Zeitcursor dorthin, wo die Spannu
     </message>
     <message>
         <source>At %1 in the blow: %2 and %3
-in section %4%5 of the string</source>
-        <translation>Bei %1 im Schlag: %2 und %3
-in Abschnitt %4%5 des Strangs</translation>
-    </message>
-    <message>
-        <source>At %1 in the blow: %2 and %3
 of the waves left: %4 and %5</source>
         <translation>Bei %1 im Schlag: %2 und %3
 der verbleibenden Wellen: %4 und %5</translation>
@@ -12591,6 +12744,16 @@ der verbleibenden Wellen: %4 und %5</translation>
     <message>
         <source>Rod</source>
         <translation>Stange</translation>
+    </message>
+    <message>
+        <source>At %1 in the blow: %2 and %3
+in %4</source>
+        <translation>Bei %1 im Schlag: %2 und %3
+in %4</translation>
+    </message>
+    <message>
+        <source>, which uses %1 % of its strength</source>
+        <translation>, das %1 % der Festigkeit nutzt</translation>
     </message>
 </context>
 <context>
@@ -13333,10 +13496,6 @@ der verbleibenden Wellen: %4 und %5</translation>
         <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>Put a section behind the selected one: like it, a preset, or one of the example strings; adapters go to the shank, bits to the rock</source>
-        <translation>Einen Abschnitt hinter den gewählten setzen: wie ihn, eine Voreinstellung, oder einen der Beispielstränge; Einsteckenden kommen an den Anfang, Bohrkronen ans Gestein</translation>
-    </message>
-    <message>
         <source>Duplicate</source>
         <translation>Duplizieren</translation>
     </message>
@@ -13464,6 +13623,22 @@ der verbleibenden Wellen: %4 und %5</translation>
         <source>repeat %1</source>
         <translation>%1 wiederholen</translation>
     </message>
+    <message>
+        <source>Put a section behind the selected one: like it, a preset, or one of the example strings; after the last section of a repeat it comes after the repeat; adapters go to the shank, bits to the rock</source>
+        <translation>Einen Abschnitt hinter den gewählten setzen: einen gleichen, eine Voreinstellung oder einen der Beispielstränge; hinter dem letzten einer Wiederholung kommt er nach der Wiederholung; Einsteckenden kommen an den Anfang, Bohrkronen ans Gestein</translation>
+    </message>
+    <message>
+        <source>Replace by preset</source>
+        <translation>Durch Voreinstellung ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace the selected sections by a preset</source>
+        <translation>Eine Voreinstellung an die Stelle der gewählten Abschnitte setzen</translation>
+    </message>
+    <message>
+        <source>replace %1 by %2</source>
+        <translation>%1 durch %2 ersetzen</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::StringModel</name>
@@ -13569,6 +13744,44 @@ flexion</translation>
         <source>repeat %1 %2 times</source>
         <translation>%1 %2-mal wiederholen</translation>
     </message>
+    <message>
+        <source>%1: %2, of the fatigue strength of %3</source>
+        <translation>%1: %2, von der Dauerfestigkeit von %3</translation>
+    </message>
+    <message>
+        <source>%1: %2, of the yield strength of %3</source>
+        <translation>%1: %2, von der Streckgrenze von %3</translation>
+    </message>
+    <message>
+        <source>The preset that the section is from; the name goes when a number is changed</source>
+        <translation>Die Voreinstellung, aus der der Abschnitt ist; der Name geht, wenn eine Zahl geändert wird</translation>
+    </message>
+    <message>
+        <source>No strength is given</source>
+        <translation>Keine Festigkeit ist angegeben</translation>
+    </message>
+    <message>
+        <source>Place in keys: %1</source>
+        <translation>Platz in Schlüsseln: %1</translation>
+    </message>
+    <message>
+        <source>Largest stress while the blow lasts as a share of the strength: tension of the fatigue strength, or either of the yield strength, whichever is more</source>
+        <translation>Größte Spannung während des Schlags als Anteil der Festigkeit: Zug von der Dauerfestigkeit oder beides von der Streckgrenze, was mehr ist</translation>
+    </message>
+    <message>
+        <source>The preset that the section is from</source>
+        <translation>Die Voreinstellung, aus der der Abschnitt ist</translation>
+    </message>
+    <message>
+        <source>of
+strength</source>
+        <translation>von der
+Festigkeit</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>Voreinstellung</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::StringPage</name>
@@ -13622,17 +13835,6 @@ flexion</translation>
     </message>
 </context>
 <context>
-    <name>drillwave::StringRod</name>
-    <message>
-        <source>hammer section %1</source>
-        <translation>Hammerabschnitt %1</translation>
-    </message>
-    <message>
-        <source>section %1</source>
-        <translation>Abschnitt %1</translation>
-    </message>
-</context>
-<context>
     <name>drillwave::StringSection</name>
     <message>
         <source>Closed forms and groups are for uniform rods only</source>
@@ -13665,18 +13867,6 @@ flexion</translation>
     <message>
         <source>withdraw the hammer</source>
         <translation>den Hammer zurückziehen</translation>
-    </message>
-    <message>
-        <source>%1 of %2, %3</source>
-        <translation>%1 von %2, %3</translation>
-    </message>
-    <message>
-        <source>1 section</source>
-        <translation>1 Abschnitt</translation>
-    </message>
-    <message>
-        <source>%1 sections</source>
-        <translation>%1 Abschnitte</translation>
     </message>
     <message>
         <source>; hammer %1, %2</source>
@@ -14298,6 +14488,25 @@ flexion</translation>
     <message>
         <source> and so on</source>
         <translation> und so weiter</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::WavesNotice</name>
+    <message>
+        <source>Round the lengths</source>
+        <translation>Längen runden</translation>
+    </message>
+    <message>
+        <source>Round the lengths of all sections to 10 mm</source>
+        <translation>Die Längen aller Abschnitte auf 10 mm runden</translation>
+    </message>
+    <message>
+        <source>round the lengths</source>
+        <translation>die Längen runden</translation>
+    </message>
+    <message>
+        <source>The waves of this blow are too many to be kept, because the lengths share only a small step. Rounding lengths to 10 mm can show this page: %1.</source>
+        <translation>Die Wellen dieses Schlags sind zu viele, um behalten zu werden, weil die Längen nur einen kleinen gemeinsamen Schritt haben. Auf 10 mm gerundete Längen können diese Seite zeigen: %1.</translation>
     </message>
 </context>
 <context>

@@ -962,10 +962,6 @@ Ta bort ändå?</translation>
         <translation>Andel av hammarens energi som den rör sig med efter slaget</translation>
     </message>
     <message>
-        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock</source>
-        <translation>Andel av en vågs energi som går förlorad i skarven vid änden mot berget</translation>
-    </message>
-    <message>
         <source>Share of the energy of the hammer in the stiffness of the faces, where they still touch</source>
         <translation>Andel av hammarens energi i slagytornas styvhet, där de ännu rör vid varandra</translation>
     </message>
@@ -2733,6 +2729,14 @@ Ta bort ändå?</translation>
         <source>A light drifter with one R32 rod on hard rock. Look at the efficiency: 0.56, where three T38 rods in softer rock have 0.32. Each joint is assumed to lose 5 % of the energy that passes, and a string of one rod has few of them; without these losses 0.67 would stay in the rock, and 8 % would move back with the hammer, not 0.7 %.</source>
         <translation>En lätt borrmaskin med en R32-stång på hårt berg. Se på verkningsgraden: 0,56, där tre T38-stänger i mjukare berg har 0,32. Varje skarv antas förlora 5&#xa0;% av energin som passerar, och en sträng av en stång har få av dem; utan dessa förluster skulle 0,67 stanna i berget, och 8&#xa0;% gå tillbaka med hammaren, inte 0,7&#xa0;%.</translation>
     </message>
+    <message>
+        <source>Share of the energy of a wave that is lost in the joint at the end towards the rock: 3 to 6 % tight, 6 to 10 % worn (trade texts, from memory)</source>
+        <translation>Andel av en vågs energi som går förlorad i skarven vid änden mot berget: 3 till 6 % åtdragen, 6 till 10 % sliten (facktexter, ur minnet)</translation>
+    </message>
+    <message>
+        <source>assumed: case-hardened Cr-Ni-Mo steel; fatigue: the 400 MPa of a smooth bar over a notch factor of 1.6 for threads and splines</source>
+        <translation>antaget: sätthärdat Cr-Ni-Mo-stål; utmattning: de 400 MPa hos en slät stång delat med en anvisningsfaktor på 1,6 för gängor och splines</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -3627,18 +3631,6 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
         <translation>NUL-byte avslutar tabellen: mätinstrumentet fyllde inte sin fil.</translation>
     </message>
     <message>
-        <source>Table: separator, decimal sign, the first line with a sample and the columns are found out; change what is wrong. A unit or a sampling rate that the table does not state has to be chosen.
-Signal: force, strain, output of a bridge, voltage, stress or velocity in the unit of the column. A strain becomes a force by E and the area of the rod, of the string where the gauge is, or of another bar; a voltage by a calibration, or by gain, excitation and bridge factor; a velocity by the impedance. Tension is positive in the rod; a blow presses.
-Zero line: the mean of the first samples, in which nothing happens.
-Range: “Peak” takes the stretch around the largest value, “View” what the plot shows (wheel and Shift+drag zoom there), “All” the whole record.
-Points at most: a blow keeps as few samples as leave impulse and e the same to 1e-4, unless you choose a number; a curve keeps so many. The summary says how far the others are from the lines between them.</source>
-        <translation>Tabell: avgränsare, decimaltecken, första raden med ett mätvärde och kolumnerna hittas; ändra det som är fel. Det som inte står i tabellen, till exempel en enhet eller samplingsfrekvensen, ska väljas.
-Signal: kraft, töjning, utsignal från en brygga, elektrisk spänning, mekanisk spänning eller hastighet i kolumnens enhet. En töjning blir en kraft genom E och arean hos stången, strängen vid givaren eller en annan stång; volt genom en kalibrering eller genom förstärkning, matning och bryggfaktor; en hastighet genom impedansen. Drag är positivt i stången; ett slag trycker.
-Nollinje: medelvärdet av de första mätvärdena, då ingenting händer.
-Område: ”Topp” tar stycket kring det största värdet, ”Vy” det som bilden visar (hjul och Skift+dra zoomar där), ”Allt” hela mätningen.
-Högst antal punkter: ett slag behåller så få mätvärden att impuls och e är lika till 1e-4, så länge du inte väljer ett antal; en kurva behåller så många. Sammanfattningen säger hur långt de övriga är från linjerna emellan.</translation>
-    </message>
-    <message>
         <source>Restart &amp;now</source>
         <translation>Starta om &amp;nu</translation>
     </message>
@@ -3649,6 +3641,18 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
     <message>
         <source>Some pinned runs cannot be restored.</source>
         <translation>Några fästa körningar kan inte återställas.</translation>
+    </message>
+    <message>
+        <source>Table: separator, decimal sign, the first line with a sample and the columns are found out; change what is wrong. A unit or a sampling rate that the table does not state has to be chosen.
+Signal: force, strain, output of a bridge, voltage, stress or velocity in the unit of the column. A strain becomes a force by E and the area of the rod, of the string where the gauge is, or of another bar; a voltage by a calibration, or by gain, excitation and bridge factor; a velocity by the impedance. Tension is positive in the rod; a blow presses.
+Zero line: the mean of the first samples, in which nothing happens.
+Range: “Peak” takes the stretch around the largest value, “View” what the plot shows (Ctrl+wheel and Shift+drag zoom there), “All” the whole record.
+Points at most: a blow keeps as few samples as leave impulse and e the same to 1e-4, unless you choose a number; a curve keeps so many. The summary says how far the others are from the lines between them.</source>
+        <translation>Tabell: avgränsare, decimaltecken, första raden med ett mätvärde och kolumnerna hittas; ändra det som är fel. Det som inte står i tabellen, till exempel en enhet eller samplingsfrekvensen, ska väljas.
+Signal: kraft, töjning, utsignal från en brygga, elektrisk spänning, mekanisk spänning eller hastighet i kolumnens enhet. En töjning blir en kraft genom E och arean hos stången, strängen vid givaren eller en annan stång; volt genom en kalibrering eller genom förstärkning, matning och bryggfaktor; en hastighet genom impedansen. Drag är positivt i stången; ett slag trycker.
+Nollinje: medelvärdet av de första mätvärdena, då ingenting händer.
+Område: ”Topp” tar stycket kring det största värdet, ”Vy” det som bilden visar (Ctrl+hjul och Skift+dra zoomar där), ”Allt” hela mätningen.
+Högst antal punkter: ett slag behåller så få mätvärden att impuls och e är lika till 1e-4, så länge du inte väljer ett antal; en kurva behåller så många. Sammanfattningen säger hur långt de övriga är från linjerna emellan.</translation>
     </message>
 </context>
 <context>
@@ -3995,12 +3999,12 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>Inget att visa: %1</translation>
     </message>
     <message>
-        <source>wheel zooms · drag moves · double-click fits</source>
-        <translation>hjulet zoomar · dra flyttar · dubbelklick anpassar</translation>
-    </message>
-    <message>
         <source>Blow</source>
         <translation>Slag</translation>
+    </message>
+    <message>
+        <source>Ctrl+wheel zooms · drag moves · double-click fits</source>
+        <translation>Ctrl+hjul zoomar · dra flyttar · dubbelklick anpassar</translation>
     </message>
 </context>
 <context>
@@ -5286,6 +5290,18 @@ Att spara skriver över det som det programmet har skrivit.</translation>
     <message>
         <source>A force that does not feel what comes back, as a measured blow is</source>
         <translation>En kraft som inte känner av det som kommer tillbaka, som ett uppmätt slag</translation>
+    </message>
+    <message>
+        <source>Make a &amp;rig of these groups…</source>
+        <translation>Gör en &amp;rigg av dessa tal…</translation>
+    </message>
+    <message>
+        <source>This scenario has physical units already</source>
+        <translation>Scenariot har redan fysikaliska enheter</translation>
+    </message>
+    <message>
+        <source>Rod, force and duration of a physical scenario with the same groups</source>
+        <translation>Stång, kraft och varaktighet för ett fysikaliskt scenario med samma dimensionslösa tal</translation>
     </message>
 </context>
 <context>
@@ -7623,10 +7639,6 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>not YAML: %1</source>
         <translation>inte YAML: %1</translation>
-    </message>
-    <message>
-        <source>The hammer is rounded to whole millimetres; it gives the same impulse, in a blow that is so much longer or shorter.</source>
-        <translation>Hammaren är avrundad till hela millimeter; den ger samma impuls, i ett motsvarande längre eller kortare slag.</translation>
     </message>
     <message>
         <source>The blow is no prescribed force any more: waves that come back to the hammer while it still pushes part it from the rod.</source>
@@ -11428,6 +11440,126 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>Record:</source>
         <translation>Mätning:</translation>
     </message>
+    <message>
+        <source>The hammer is rounded to %1, so that waves can be kept; it gives the same impulse, in a blow that is so much longer or shorter.</source>
+        <translation>Hammaren är avrundad till %1, så att vågor kan sparas; den ger samma impuls, i ett slag som är så mycket längre eller kortare.</translation>
+    </message>
+    <message>
+        <source>The rod is rounded to %1, so that waves can be kept.</source>
+        <translation>Stången är avrundad till %1, så att vågor kan sparas.</translation>
+    </message>
+    <message>
+        <source>%1th</source>
+        <translation>%1:e</translation>
+    </message>
+    <message>
+        <source>%1st</source>
+        <translation>%1:a</translation>
+    </message>
+    <message>
+        <source>%1nd</source>
+        <translation>%1:a</translation>
+    </message>
+    <message>
+        <source>%1rd</source>
+        <translation>%1:e</translation>
+    </message>
+    <message>
+        <source>%1 %2</source>
+        <translation>%1 %2</translation>
+    </message>
+    <message>
+        <source>sections %1 to %2</source>
+        <translation>sektioner %1 till %2</translation>
+    </message>
+    <message>
+        <source>sections %1 and %2</source>
+        <translation>sektioner %1 och %2</translation>
+    </message>
+    <message>
+        <source>sections %1, %2 … %3</source>
+        <translation>sektioner %1, %2 … %3</translation>
+    </message>
+    <message>
+        <source>%1 and %2 %3</source>
+        <translation>%1 och %2 %3</translation>
+    </message>
+    <message>
+        <source>%1 to %2 %3</source>
+        <translation>%1 till %2 %3</translation>
+    </message>
+    <message>
+        <source>%1, %2 … %3 %4</source>
+        <translation>%1, %2 … %3 %4</translation>
+    </message>
+    <message>
+        <source>%1 section</source>
+        <translation>%1 sektion</translation>
+    </message>
+    <message>
+        <source>%1 sections</source>
+        <translation>%1 sektioner</translation>
+    </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>%1 rod</source>
+        <translation>%1 stång</translation>
+    </message>
+    <message>
+        <source>%1 rods</source>
+        <translation>%1 stänger</translation>
+    </message>
+    <message>
+        <source>%1 coupling</source>
+        <translation>%1 skarvhylsa</translation>
+    </message>
+    <message>
+        <source>%1 couplings</source>
+        <translation>%1 skarvhylsor</translation>
+    </message>
+    <message>
+        <source>%1 other section</source>
+        <translation>%1 annan sektion</translation>
+    </message>
+    <message>
+        <source>%1 other sections</source>
+        <translation>%1 andra sektioner</translation>
+    </message>
+    <message>
+        <source>First to break: %1, by a tension of %2, %3 of its fatigue strength of %4.</source>
+        <translation>Först brister: %1, av en dragspänning på %2, %3 av utmattningsgränsen på %4.</translation>
+    </message>
+    <message>
+        <source>First to yield: %1, by a tension of %2, %3 of its yield strength of %4.</source>
+        <translation>Först flyter: %1, av en dragspänning på %2, %3 av sträckgränsen på %4.</translation>
+    </message>
+    <message>
+        <source>First to yield: %1, by a compression of %2, %3 of its yield strength of %4.</source>
+        <translation>Först flyter: %1, av en tryckspänning på %2, %3 av sträckgränsen på %4.</translation>
+    </message>
+    <message>
+        <source>No section has a strength: give `fatigue_strength` to see which breaks first.</source>
+        <translation>Ingen sektion har en hållfasthet: ange `fatigue_strength` för att se vilken som brister först.</translation>
+    </message>
+    <message>
+        <source>the rod</source>
+        <translation>stången</translation>
+    </message>
+    <message>
+        <source>%1 section of the string has no strength.</source>
+        <translation>%1 sektion av strängen har ingen hållfasthet.</translation>
+    </message>
+    <message>
+        <source>%1 sections of the string have no strength.</source>
+        <translation>%1 sektioner av strängen har ingen hållfasthet.</translation>
+    </message>
+    <message>
+        <source>is empty; a section that is from no preset is written without it</source>
+        <translation>är tomt; en sektion som inte kommer från ett förval skrivs utan det</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -12443,6 +12575,33 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     </message>
 </context>
 <context>
+    <name>drillwave::RigDialog</name>
+    <message>
+        <source>Rig of these groups</source>
+        <translation>Rigg av dessa tal</translation>
+    </message>
+    <message>
+        <source>custom</source>
+        <translation>egna</translation>
+    </message>
+    <message>
+        <source>&amp;Rod</source>
+        <translation>&amp;Stång</translation>
+    </message>
+    <message>
+        <source>Make the rig</source>
+        <translation>Gör riggen</translation>
+    </message>
+    <message>
+        <source>From the groups follow a rod of %1, an impulse of %2, a stiffness of %3 and a gap of %4.</source>
+        <translation>Av talen följer en stång på %1, en impuls på %2, en styvhet på %3 och en spalt på %4.</translation>
+    </message>
+    <message>
+        <source>make a rig of the groups</source>
+        <translation>göra en rigg av talen</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::RockPage</name>
     <message>
         <source>State of the rock at the time cursor, the larger point on the path</source>
@@ -12578,12 +12737,6 @@ Ett klick i diagrammet flyttar den, och tidsmarkören till när spänningen där
     </message>
     <message>
         <source>At %1 in the blow: %2 and %3
-in section %4%5 of the string</source>
-        <translation>Vid %1 i slaget: %2 och %3
-i sektion %4%5 av strängen</translation>
-    </message>
-    <message>
-        <source>At %1 in the blow: %2 and %3
 of the waves left: %4 and %5</source>
         <translation>Vid %1 i slaget: %2 och %3
 av de kvarvarande vågorna: %4 och %5</translation>
@@ -12591,6 +12744,16 @@ av de kvarvarande vågorna: %4 och %5</translation>
     <message>
         <source>Rod</source>
         <translation>Stång</translation>
+    </message>
+    <message>
+        <source>At %1 in the blow: %2 and %3
+in %4</source>
+        <translation>Vid %1 i slaget: %2 och %3
+i %4</translation>
+    </message>
+    <message>
+        <source>, which uses %1 % of its strength</source>
+        <translation>, som utnyttjar %1 % av sin hållfasthet</translation>
     </message>
 </context>
 <context>
@@ -13333,10 +13496,6 @@ av de kvarvarande vågorna: %4 och %5</translation>
         <translation>Lägg till</translation>
     </message>
     <message>
-        <source>Put a section behind the selected one: like it, a preset, or one of the example strings; adapters go to the shank, bits to the rock</source>
-        <translation>Sätt en sektion bakom den valda: lik den, ett förval, eller ur en av exempelsträngarna; nackadaptrar hamnar först, borrkronor vid berget</translation>
-    </message>
-    <message>
         <source>Duplicate</source>
         <translation>Duplicera</translation>
     </message>
@@ -13464,6 +13623,22 @@ av de kvarvarande vågorna: %4 och %5</translation>
         <source>repeat %1</source>
         <translation>upprepa %1</translation>
     </message>
+    <message>
+        <source>Put a section behind the selected one: like it, a preset, or one of the example strings; after the last section of a repeat it comes after the repeat; adapters go to the shank, bits to the rock</source>
+        <translation>Sätt en sektion efter den valda: en likadan, ett förval eller en ur exempelsträngarna; efter den sista i en upprepning kommer den efter upprepningen; nackadaptrar hamnar först, borrkronor vid berget</translation>
+    </message>
+    <message>
+        <source>Replace by preset</source>
+        <translation>Ersätt med förval</translation>
+    </message>
+    <message>
+        <source>Replace the selected sections by a preset</source>
+        <translation>Sätt ett förval i stället för de valda sektionerna</translation>
+    </message>
+    <message>
+        <source>replace %1 by %2</source>
+        <translation>ersätta %1 med %2</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::StringModel</name>
@@ -13569,6 +13744,44 @@ i skarv</translation>
         <source>repeat %1 %2 times</source>
         <translation>upprepa %1 %2 gånger</translation>
     </message>
+    <message>
+        <source>%1: %2, of the fatigue strength of %3</source>
+        <translation>%1: %2, av utmattningsgränsen på %3</translation>
+    </message>
+    <message>
+        <source>%1: %2, of the yield strength of %3</source>
+        <translation>%1: %2, av sträckgränsen på %3</translation>
+    </message>
+    <message>
+        <source>The preset that the section is from; the name goes when a number is changed</source>
+        <translation>Förvalet som sektionen kommer från; namnet försvinner när ett tal ändras</translation>
+    </message>
+    <message>
+        <source>No strength is given</source>
+        <translation>Ingen hållfasthet är angiven</translation>
+    </message>
+    <message>
+        <source>Place in keys: %1</source>
+        <translation>Plats i nycklar: %1</translation>
+    </message>
+    <message>
+        <source>Largest stress while the blow lasts as a share of the strength: tension of the fatigue strength, or either of the yield strength, whichever is more</source>
+        <translation>Största spänningen under slaget som andel av hållfastheten: drag av utmattningsgränsen, eller båda av sträckgränsen, vilket som är mer</translation>
+    </message>
+    <message>
+        <source>The preset that the section is from</source>
+        <translation>Förvalet som sektionen kommer från</translation>
+    </message>
+    <message>
+        <source>of
+strength</source>
+        <translation>av håll-
+fastheten</translation>
+    </message>
+    <message>
+        <source>preset</source>
+        <translation>förval</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::StringPage</name>
@@ -13622,17 +13835,6 @@ i skarv</translation>
     </message>
 </context>
 <context>
-    <name>drillwave::StringRod</name>
-    <message>
-        <source>hammer section %1</source>
-        <translation>hammarsektion %1</translation>
-    </message>
-    <message>
-        <source>section %1</source>
-        <translation>sektion %1</translation>
-    </message>
-</context>
-<context>
     <name>drillwave::StringSection</name>
     <message>
         <source>Closed forms and groups are for uniform rods only</source>
@@ -13665,18 +13867,6 @@ i skarv</translation>
     <message>
         <source>withdraw the hammer</source>
         <translation>dra tillbaka hammaren</translation>
-    </message>
-    <message>
-        <source>%1 of %2, %3</source>
-        <translation>%1 på %2, %3</translation>
-    </message>
-    <message>
-        <source>1 section</source>
-        <translation>1 sektion</translation>
-    </message>
-    <message>
-        <source>%1 sections</source>
-        <translation>%1 sektioner</translation>
     </message>
     <message>
         <source>; hammer %1, %2</source>
@@ -14298,6 +14488,25 @@ i skarv</translation>
     <message>
         <source> and so on</source>
         <translation> och så vidare</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::WavesNotice</name>
+    <message>
+        <source>Round the lengths</source>
+        <translation>Avrunda längderna</translation>
+    </message>
+    <message>
+        <source>Round the lengths of all sections to 10 mm</source>
+        <translation>Avrunda alla sektioners längder till 10 mm</translation>
+    </message>
+    <message>
+        <source>round the lengths</source>
+        <translation>avrunda längderna</translation>
+    </message>
+    <message>
+        <source>The waves of this blow are too many to be kept, because the lengths share only a small step. Rounding lengths to 10 mm can show this page: %1.</source>
+        <translation>Slagets vågor är för många för att sparas, eftersom längderna bara har ett litet gemensamt steg. Längder avrundade till 10 mm kan visa sidan: %1.</translation>
     </message>
 </context>
 <context>

@@ -74,6 +74,7 @@ inline std::set<std::string> coreTexts() {
     for (const SectionPreset& preset : builtInSectionPresets()) {
         add(preset.name);
         add(preset.source);
+        if (!preset.strengthSource.empty()) add(preset.strengthSource);
     }
     texts.erase(std::string());
     return texts;

@@ -91,7 +91,7 @@ struct PlotScene {
     }
     void wheel(QPoint point, int notches) {
         QWheelEvent event(point, plot.mapToGlobal(point), {}, QPoint(0, 120 * notches), Qt::NoButton,
-                          Qt::NoModifier, Qt::NoScrollPhase, false);
+                          Qt::ControlModifier, Qt::NoScrollPhase, false);
         QCoreApplication::sendEvent(&plot, &event);
     }
     void drag(Qt::MouseButton button, Qt::KeyboardModifiers keys, QPoint from, QPoint to) {

@@ -4,7 +4,9 @@
 #include <QLocale>
 
 #include "core/model/scales.h"
+#include "core/model/section_words.h"
 #include "ui/form/parameter_row.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 
@@ -42,13 +44,11 @@ void StringSection::setRestrike(bool restrike) {
 
 void StringSection::present(const Scenario& scenario) {
     const DrillString& drill = scenario.drillString;
-    const auto count = static_cast<qlonglong>(sectionCount(drill));
     const ChainProperties string = stringProperties(drill);
     const auto text = [this](double si, UnitKind kind) { return m_document.units().text(si, kind, 4); };
-    QString summary =
-        tr("%1 of %2, %3")
-            .arg(count == 1 ? tr("1 section") : tr("%1 sections").arg(QLocale().toString(count)),
-                 text(string.length, UnitKind::length), text(string.mass, UnitKind::mass));
+    QString summary = QStringLiteral("%1, %2, %3")
+                          .arg(translated(stringWords(drill)), text(string.length, UnitKind::length),
+                               text(string.mass, UnitKind::mass));
     if (!isForced(scenario)) {
         const ChainProperties hammer = hammerProperties(drill);
         summary += tr("; hammer %1, %2")

@@ -6,6 +6,7 @@
 #include <QSignalBlocker>
 
 #include "ui/text/translation.h"
+#include "ui/text/unfocused_wheel.h"
 
 namespace drillwave {
 namespace {
@@ -82,6 +83,7 @@ QSpinBox* addCount(QFormLayout& form, const RowWords& words, int least, int most
     box->setRange(least, most);
     box->setValue(value);
     box->setKeyboardTracking(false);
+    ignoreUnfocusedWheel(*box);
     form.addRow(words.label, box);
     return box;
 }

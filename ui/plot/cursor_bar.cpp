@@ -16,6 +16,7 @@
 
 #include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
+#include "ui/text/unfocused_wheel.h"
 
 namespace drillwave {
 namespace {
@@ -70,6 +71,7 @@ CursorBar::CursorBar(QWidget* parent)
     setObjectName(QStringLiteral("cursorReadout"));
     setAutoFillBackground(true);
     setCursor(Qt::ArrowCursor);
+    ignoreUnfocusedWheel(*m_choice);
     m_choice->setObjectName(QStringLiteral("readCurve"));
     m_choice->setAccessibleName(tr("Curve that is read"));
     m_choice->setToolTip(tr("The curve that is read; a click on a curve chooses it"));

@@ -33,6 +33,7 @@ PlotWidget::PlotWidget(QWidget* parent)
     // plot.
     setPlottingHint(QCP::phImmediateRefresh, false);
     setFocusPolicy(Qt::StrongFocus);
+    setAttribute(Qt::WA_NoMousePropagation, false);  // the page scrolls by the wheel over it
     connect(this, &QCustomPlot::beforeReplot, this, &PlotWidget::prepareReplot);
     connect(this, &QCustomPlot::afterLayout, this, &PlotWidget::followHeights);
     connect(selectionRect(), &QCPSelectionRect::accepted, this,
@@ -223,7 +224,9 @@ void PlotWidget::contextMenuEvent(QContextMenuEvent* event) {
     if (event->reason() != QContextMenuEvent::Mouse) openMenu();
 }
 
+// Without Ctrl it scrolls what the plot stands in.
 void PlotWidget::wheelEvent(QWheelEvent* event) {
+    if (!(event->modifiers() & Qt::ControlModifier)) return event->ignore();
     emit mouseWheel(event);
     event->accept();
     m_mouse.wheel(*event);

@@ -9,6 +9,8 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
+#include "ui/text/unfocused_wheel.h"
+
 namespace drillwave {
 
 PictureDialog::PictureDialog(const PictureChoice& before, QWidget* parent)
@@ -24,6 +26,7 @@ PictureDialog::PictureDialog(const PictureChoice& before, QWidget* parent)
     m_format->addItem(tr("SVG – lines and text, for editing"), QStringLiteral("svg"));
     m_format->addItem(tr("PDF – lines and text, for printing"), QStringLiteral("pdf"));
     m_format->setCurrentIndex(m_format->findData(before.format));
+    ignoreUnfocusedWheel(*m_format);
     m_format->setToolTip(tr("The kind of file; always on white, whatever the window looks like"));
     m_width->setToolTip(tr("Width on paper"));
     m_height->setToolTip(tr("Height on paper"));
@@ -59,6 +62,7 @@ QDoubleSpinBox* PictureDialog::addNumber(const char* name, const QString& unit, 
     field->setSingleStep(10);
     field->setSuffix(QLatin1Char(' ') + unit);
     field->setValue(value);
+    ignoreUnfocusedWheel(*field);
     return field;
 }
 

@@ -4,6 +4,7 @@
 #include <QPushButton>
 
 #include "core/model/blow_traits.h"
+#include "ui/form/rig_dialog.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -13,7 +14,9 @@ FormNotice::FormNotice(Document& document, QWidget* parent)
       m_document(document),
       m_toString(new QAction(tr("&Make a drill string of this"), this)),
       m_toUniformRod(new QAction(tr("&Simplify to a uniform rod"), this)),
-      m_toForce(new QAction(tr("Put a &force in place of the hammer"), this)) {
+      m_toForce(new QAction(tr("Put a &force in place of the hammer"), this)),
+      m_toRig(new QAction(tr("Make a &rig of these groups…"), this)) {
+    m_toRig->setObjectName(QStringLiteral("toRig"));
     m_toForce->setObjectName(QStringLiteral("toForce"));
     setObjectName(QStringLiteral("formNotice"));
     QPushButton* undo = addButton(tr("Undo"), tr("Take the conversion back"));
@@ -32,6 +35,7 @@ FormNotice::FormNotice(Document& document, QWidget* parent)
         convert(forcedStringOf(m_document.scenario()), tr("put a force in place of the hammer"),
                 tr("A force drives the string now: any shape, or a measured blow by File ▸ Import."));
     });
+    connect(m_toRig, &QAction::triggered, this, [this] { (new RigDialog(m_document, window()))->open(); });
     // Whatever comes after it, an undo for one, is another scenario.
     connect(&document, &Document::scenarioChanged, this, [this] {
         if (!m_isConverting) hide();
@@ -59,6 +63,10 @@ void FormNotice::offer() {
         reason.isEmpty()
             ? tr("A hammer and a rod of the same blow, to add couplings, an adapter and a bit to")
             : tr("Not of this scenario: %1").arg(reason));
+    m_toRig->setEnabled(!hasUnits(scenario));
+    m_toRig->setToolTip(hasUnits(scenario)
+                            ? tr("This scenario has physical units already")
+                            : tr("Rod, force and duration of a physical scenario with the same groups"));
     m_toUniformRod->setEnabled(hasSections(scenario));
     m_toUniformRod->setToolTip(
         hasSections(scenario)

@@ -20,6 +20,7 @@ class FormNotice : public Notice {
     /// For a menu; each is disabled where there is nothing to convert, with the reason as its tooltip.
     QAction* toString() const { return m_toString; }
     QAction* toUniformRod() const { return m_toUniformRod; }
+    QAction* toRig() const { return m_toRig; }      ///< of dimensionless groups, by a RigDialog
     QAction* toForce() const { return m_toForce; }  ///< in place of the hammer of a string
 
   private:
@@ -30,6 +31,7 @@ class FormNotice : public Notice {
     QAction* m_toString;
     QAction* m_toUniformRod;
     QAction* m_toForce;
+    QAction* m_toRig;
     bool m_isConverting = false;
 };
 

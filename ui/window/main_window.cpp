@@ -57,6 +57,7 @@
 #include "ui/window/taken_notice.h"
 #include "ui/window/units_choice.h"
 #include "ui/window/view_menu.h"
+#include "ui/window/waves_notice.h"
 #include "ui/window/window_layout.h"
 
 namespace drillwave {
@@ -209,6 +210,8 @@ void MainWindow::addCenter() {
     layout->addWidget(m_formNotice);
     m_marchedNotice = new MarchedNotice(*m_pages);
     layout->addWidget(m_marchedNotice);
+    m_wavesNotice = new WavesNotice(m_document, *m_pages);
+    layout->addWidget(m_wavesNotice);
     layout->addWidget(new ElsewhereNotice(*m_pages));
     m_takenNotice = new TakenNotice(m_document);
     layout->addWidget(m_takenNotice);
@@ -252,7 +255,8 @@ void MainWindow::addMenus() {
     edit->addSeparator();
     edit->addAction(m_runs->pinAction());
     edit->addSeparator();
-    edit->addActions({m_formNotice->toString(), m_formNotice->toUniformRod(), m_formNotice->toForce()});
+    edit->addActions({m_formNotice->toString(), m_formNotice->toUniformRod(), m_formNotice->toForce(),
+                      m_formNotice->toRig()});
     edit->setToolTipsVisible(true);
     auto* areas = new AreaKeys({m_scenarioPanel.get(), m_pages, m_resultSide}, this);
     auto* view = new ViewMenu({*m_units, *m_pages, *areas, *m_layout, *m_exampleNote, *m_questions}, this);
@@ -445,6 +449,7 @@ void MainWindow::present(const SolvedBlowPtr& blow) {
     Page& page = m_pages->current();
     if (page.shows(blow->request.scenario))
         page.setResult(blow->marchedBlow && page.showsMarched() ? blow->marchedBlow : blow);
+    m_wavesNotice->present(*blow);
     m_units->present(m_document.scenario());
     if (blow->request.number != m_asked)
         m_solveStatus->answeredEarlier();

@@ -25,6 +25,7 @@ class FormNotice;
 class FileMenu;
 class Importer;
 class MarchedNotice;
+class WavesNotice;
 class PageTabs;
 class PinnedRuns;
 class Recovery;
@@ -109,6 +110,7 @@ class MainWindow : public QMainWindow {
     FormNotice* m_formNotice = nullptr;
     MarchedNotice* m_marchedNotice = nullptr;
     TakenNotice* m_takenNotice = nullptr;
+    WavesNotice* m_wavesNotice = nullptr;
     Recovery* m_recovery = nullptr;
     PinnedRuns* m_runs = nullptr;
     ResultPanel* m_resultPanel = nullptr;

@@ -2,13 +2,15 @@
 #include "ui/window/page_scroll.h"
 
 #include <QScrollBar>
+#include <algorithm>
 
 #include "ui/window/page_tabs.h"
 
 namespace drillwave {
 namespace {
 
-constexpr int leastLines = 10;  // of text: what is lower is of no use
+constexpr int leastLines = 10;   // of text: what is lower is of no use
+constexpr int leastWidth = 400;  // [px]
 
 }  // namespace
 
@@ -17,7 +19,6 @@ PageScroll::PageScroll(PageTabs* pages, QWidget* parent) : QScrollArea(parent) {
     setWidget(pages);
     setWidgetResizable(true);
     setFrameShape(QFrame::NoFrame);
-    setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setFocusPolicy(Qt::NoFocus);
 }
 
@@ -26,8 +27,11 @@ QSize PageScroll::sizeHint() const {
 }
 
 QSize PageScroll::minimumSizeHint() const {
-    return {widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width(),
-            leastLines * fontMetrics().height()};
+    return {std::min(neededWidth(), leastWidth), leastLines * fontMetrics().height()};
+}
+
+int PageScroll::neededWidth() const {
+    return widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
 }
 
 }  // namespace drillwave

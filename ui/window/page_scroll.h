@@ -8,8 +8,8 @@ namespace drillwave {
 
 class PageTabs;
 
-/// Scrolls a page that needs more height than the window has, so that all of it can be reached. In width the
-/// window has room for every page.
+/// Scrolls a page that needs more room than the window has, so that all of it can be reached. A narrow window
+/// scrolls it sideways too.
 class PageScroll : public QScrollArea {
     Q_OBJECT
 
@@ -18,6 +18,8 @@ class PageScroll : public QScrollArea {
 
     QSize sizeHint() const override;
     QSize minimumSizeHint() const override;
+    /// The width [px] at which no page scrolls sideways.
+    int neededWidth() const;
 };
 
 }  // namespace drillwave

@@ -11,6 +11,7 @@
 
 #include "ui/questions/on_screen.h"
 #include "ui/text/settings.h"
+#include "ui/window/page_scroll.h"
 
 namespace drillwave {
 namespace {
@@ -73,7 +74,7 @@ void WindowLayout::save() const {
 bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Show && !std::exchange(m_restored, true))
         QTimer::singleShot(0, this, &WindowLayout::restore);
-    else if (event->type() == QEvent::Resize && m_restored)
+    else if ((event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) && m_restored)
         QTimer::singleShot(0, this, &WindowLayout::stack);
     return QObject::eventFilter(watched, event);
 }
@@ -121,14 +122,27 @@ void WindowLayout::shareOneSide() {
 int WindowLayout::widthSideBySide() const {
     // One more than the least: a window that has been made as narrow as it can be has the docks come
     // together.
-    int width = std::max(usefulPageWidth, m_window->centralWidget()->minimumSizeHint().width() + 1);
+    const auto* pages = m_window->centralWidget()->findChild<PageScroll*>();
+    int width = std::max(usefulPageWidth, (pages ? pages->neededWidth() : 0) + 1);
     for (const QDockWidget* dock : std::as_const(m_docks))
         width += dock->widget()->minimumSizeHint().width() +
                  m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
     return width;
 }
 
+// The least with the docks on one side. The window may be made as narrow at once, whatever the docks need
+// side by side: they come together when it is.
+int WindowLayout::widthStacked() const {
+    int dock = 0;
+    for (const QDockWidget* each : std::as_const(m_docks))
+        if (!each->isFloating() && !each->isHidden())
+            dock = std::max(dock, each->widget()->minimumSizeHint().width());
+    return m_window->centralWidget()->minimumSizeHint().width() + dock +
+           m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
+}
+
 void WindowLayout::stack() {
+    m_window->setMinimumWidth(widthStacked());
     if (!m_stacked && m_window->width() < widthSideBySide() && isSideBySide()) {
         shareOneSide();
     } else if (m_stacked && m_window->width() >= widthSideBySide()) {

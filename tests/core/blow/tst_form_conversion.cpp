@@ -106,9 +106,14 @@ class TestFormConversion : public QObject {
     void aHammerOfOddLengthIsRounded() {
         Scenario rod = rectangular();
         rod.pulse.duration = 200e-6;
+        rod.rod.length = 12 * 0.3048;
         const Conversion conversion = stringOf(rod);
-        QVERIFY(mentions(conversion, "whole millimetres"));
-        QCOMPARE(conversion.scenario.drillString.hammer.sections[0].length, 0.517);
+        QVERIFY(mentions(conversion, "The hammer is rounded to 520 mm"));
+        QVERIFY(mentions(conversion, "The rod is rounded to 3660 mm"));
+        const DrillString& drill = conversion.scenario.drillString;
+        QCOMPARE(drill.hammer.sections[0].length, 0.52);
+        QCOMPARE(drill.parts[0].sections[0].length, 3.66);
+        QVERIFY(solveBlow(conversion.scenario, {}, Detail::histories).impact.waves);
         QVERIFY(std::abs(pulseImpulse(conversion.scenario) / pulseImpulse(rod) - 1) < 1e-12);
     }
 

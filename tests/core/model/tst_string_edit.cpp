@@ -51,6 +51,8 @@ class TestStringEdit : public QObject {
   private slots:
     void placesCountTheRepeats();
     void aSectionComesBehindAnother();
+    void aSectionAfterARepeatIsNotRepeated();
+    void sectionsAreReplacedInTheirPlace();
     void theLastOfARepeatTakesItAlong();
     void oneSectionAlwaysStays();
     void everyStepTowardsTheBitCanBeTakenBack();
@@ -155,6 +157,36 @@ void TestStringEdit::onceIsNoRepeat() {
     QCOMPARE(text(drill), std::string("p q | a 5(b c) d"));
     setRepeat(drill, 1, 1);
     QCOMPARE(text(drill), std::string("p q | a b c d"));
+}
+
+void TestStringEdit::aSectionAfterARepeatIsNotRepeated() {
+    DrillString drill = sample();
+    const SectionSpot last = insertBehind(drill, spotOf(drill, "c"), {named("x"), named("y")});
+    QCOMPARE(last, spotOf(drill, "y"));
+    QCOMPARE(text(drill), std::string("p q | a 3(b c) x y d"));
+    insertBehind(drill, spotOf(drill, "b"), {named("z")});
+    insertBehind(drill, spotOf(drill, "p"), {named("w")});
+    QCOMPARE(text(drill), std::string("p w q | a 3(b z c) x y d"));
+}
+
+void TestStringEdit::sectionsAreReplacedInTheirPlace() {
+    const auto replaced = [](const std::vector<const char*>& names, const std::vector<Section>& by) {
+        DrillString drill = sample();
+        std::vector<SectionSpot> spots;
+        for (const char* name : names) spots.push_back(spotOf(drill, name));
+        if (!canReplace(drill, spots)) return std::string("no");
+        const SectionSpot last = replaceSections(drill, spots, by);
+        if (!(last == spotOf(drill, by.back().name))) return std::string("elsewhere");
+        return text(drill);
+    };
+    const std::vector<Section> one{named("x")}, two{named("x"), named("y")};
+    QCOMPARE(replaced({"a"}, two), std::string("p q | x y 3(b c) d"));
+    QCOMPARE(replaced({"c"}, one), std::string("p q | a 3(b x) d"));
+    QCOMPARE(replaced({"b", "c"}, two), std::string("p q | a 3(x y) d"));
+    QCOMPARE(replaced({"b", "c"}, one), std::string("p q | a 3(x) d"));
+    QCOMPARE(replaced({"q"}, two), std::string("p x y | a 3(b c) d"));
+    QCOMPARE(replaced({"a", "b"}, one), std::string("no"));
+    QCOMPARE(replaced({"a", "d"}, one), std::string("no"));
 }
 
 QTEST_GUILESS_MAIN(TestStringEdit)

@@ -68,6 +68,7 @@ class TestPresetFile : public QObject {
     void aPresetSetsWhatItNamesAndNothingElse();
     void aPresetMatchesWhereTakingItWouldChangeNothing();
     void everyRodHasStrengthsThatAreAssumedOrHaveASource();
+    void everyPieceOfAStringHasAssumedStrengths();
     void aPresetMatchesUntilOneOfItsValuesChanges();
     void aHammerWithoutAMaterialHasTheRods();
     void presetsNeverMatchGroupsAlone();
@@ -179,6 +180,22 @@ void TestPresetFile::everyRodHasStrengthsThatAreAssumedOrHaveASource() {
         const Scenario scenario = withPreset({}, each);
         QVERIFY(scenario.rod.yieldStrength && scenario.rod.fatigueStrength);
         QVERIFY(*scenario.rod.fatigueStrength < *scenario.rod.yieldStrength);
+    }
+}
+
+void TestPresetFile::everyPieceOfAStringHasAssumedStrengths() {
+    for (const SectionPreset& each : builtInSectionPresets()) {
+        for (const Section& section : each.sections) QCOMPARE(section.preset, each.name);
+        if (each.kind == SectionPresetKind::piston) continue;
+        QVERIFY2(each.strengthSource.starts_with("assumed: ") &&
+                     each.strengthSource.find("steel") != std::string::npos &&
+                     each.strengthSource.find("notch factor") != std::string::npos,
+                 each.name.c_str());
+        for (const Section& section : each.sections)
+            QVERIFY2(section.yieldStrength == 900e6 && section.fatigueStrength == 400e6 / 1.6,
+                     each.name.c_str());
+        QVERIFY(description(each, plainStyle()).find("fatigue strength 250 MPa — assumed") !=
+                std::string::npos);
     }
 }
 

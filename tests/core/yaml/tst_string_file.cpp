@@ -154,6 +154,7 @@ class TestStringFile : public QObject {
     void aChangedValueIsPatchedInItsPlace();
     void aPartThatWentTakesOnlyItsLines();
     void aNewStringIsWrittenInItsCustomaryForm();
+    void theNameOfAPresetIsKept();
     void everyNewStringReadsBackTheSame();
     void randomEditsReadBackTheSame();
 };
@@ -438,6 +439,26 @@ drill:
   blow_frequency: 60 Hz
   thrust: 8 kN
 )");
+}
+
+void TestStringFile::theNameOfAPresetIsKept() {
+    ScenarioDocument document = parsed(manualFile);
+    Section& adapter = document.scenario.drillString.parts[0].sections[0];
+    adapter.preset = "T38 shank, 450 mm";
+    const std::string patched = writeScenario(document);
+    QCOMPARE(patched,
+             replaced(manualFile, "- {name: adapter,", "- {name: adapter, preset: \"T38 shank, 450 mm\","));
+    QVERIFY(parsed(patched).scenario == document.scenario);
+    QVERIFY(parsed(writeScenario({document.scenario, "", ""})).scenario ==
+            withoutUnusedValues(document.scenario));
+    // A changed number is no longer that of the preset.
+    Scenario changed = document.scenario;
+    const KeptParameter length = findParameter("string.adapter.length");
+    length->assign(changed, *length->value(changed));
+    QCOMPARE(changed.drillString.parts[0].sections[0].preset, std::string("T38 shank, 450 mm"));
+    length->assign(changed, 0.4);
+    QVERIFY(changed.drillString.parts[0].sections[0].preset.empty());
+    QCOMPARE(writeScenario({changed, patched, ""}).find("preset"), std::string::npos);
 }
 
 void TestStringFile::everyNewStringReadsBackTheSame() {

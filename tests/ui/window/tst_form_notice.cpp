@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A uniform rod becomes a drill string and a string a uniform rod in the window, undone like any edit.
+#include <QComboBox>
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
 
+#include <cmath>
+
+#include "core/model/scales.h"
 #include "core/yaml/examples.h"
+#include "ui/form/quantity_field.h"
+#include "ui/form/rig_dialog.h"
 #include "ui/window/form_notice.h"
 
 using namespace drillwave;
@@ -24,6 +30,7 @@ class TestFormNotice : public QObject {
     void aRodBecomesAStringAndUndoBringsItsBytesBack();
     void aStringBecomesARodAndSaysWhatIsLost();
     void whatIsNeitherIsLeftAlone();
+    void groupsBecomeARigOfTheSameGroups();
     void theNoteGoesWithTheNextEdit();
 };
 
@@ -64,6 +71,40 @@ void TestFormNotice::whatIsNeitherIsLeftAlone() {
     QVERIFY(!notice.toString()->isEnabled());
     QVERIFY(!notice.toUniformRod()->isEnabled());
     QVERIFY(notice.toString()->toolTip().contains(QStringLiteral("physical units")));
+}
+
+void TestFormNotice::groupsBecomeARigOfTheSameGroups() {
+    Document document;
+    open(document, "t38_medium_rock");
+    FormNotice notice(document);
+    QVERIFY(!notice.toRig()->isEnabled());
+    open(document, "paper_fig4b");
+    QVERIFY(notice.toRig()->isEnabled());
+    const QByteArray before = document.text();
+    const Groups groups = document.scenario().groups;
+    notice.toRig()->trigger();
+    auto* dialog = notice.findChild<RigDialog*>();
+    QVERIFY(dialog);
+    auto* rod = dialog->findChild<QComboBox*>(QStringLiteral("rod"));
+    rod->setCurrentIndex(rod->findText(QStringLiteral("T51, round 52 mm")));
+    emit rod->activated(rod->currentIndex());
+    auto* duration = dialog->findChild<QuantityField*>(QStringLiteral("pulse.duration"));
+    QTest::keyClick(duration, Qt::Key_A, Qt::ControlModifier);
+    QTest::keyClicks(duration, QStringLiteral("250 us"));
+    QCOMPARE(dialog->choice().duration, 250e-6);
+    QVERIFY(
+        dialog->findChild<QLabel*>(QStringLiteral("result"))->text().contains(QStringLiteral("a rod of")));
+    dialog->accept();
+    QVERIFY(hasUnits(document.scenario()));
+    QCOMPARE(document.scenario().pulse.duration, 250e-6);
+    const Groups after = groupsOf(document.scenario());
+    const auto isClose = [](double a, double b) { return std::abs(a - b) <= 1e-12 * std::abs(b); };
+    QVERIFY(isClose(after.beta, groups.beta) && isClose(after.tau, groups.tau));
+    QVERIFY(isClose(after.delta, groups.delta) && after.gamma == groups.gamma);
+    QVERIFY(!notice.toRig()->isEnabled());
+    QCOMPARE(document.undoStack().undoText(), QStringLiteral("make a rig of the groups"));
+    document.undoStack().undo();
+    QCOMPARE(document.text(), before);
 }
 
 void TestFormNotice::theNoteGoesWithTheNextEdit() {

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QDirIterator>
+#include <QDockWidget>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -137,6 +138,8 @@ class TestLanguages : public QObject, WindowFixture {
     void importsAreTranslated_data();
     void importsAreTranslated();
     void helpAndReportsAreTranslated();
+    void theWindowTakesEverySizeAtTheFirstAsking_data();
+    void theWindowTakesEverySizeAtTheFirstAsking();
     void nothingIsCutOff_data();
     void nothingIsCutOff();
     void menusAndFieldsSpeak_data();
@@ -299,6 +302,36 @@ void TestLanguages::nothingIsCutOff_data() {
             if (isChosen(row++, 5))
                 QTest::addRow("%s, %s", code, example)
                     << QString::fromLatin1(code) << QString::fromLatin1(example);
+}
+
+void TestLanguages::theWindowTakesEverySizeAtTheFirstAsking_data() {
+    QTest::addColumn<QString>("code");
+    QTest::addColumn<QSize>("size");
+    for (const char* code : {"en", "de", "sv"})
+        for (const QSize size : {QSize(1000, 650), QSize(800, 500)})
+            QTest::addRow("%s, %d × %d", code, size.width(), size.height())
+                << QString::fromLatin1(code) << size;
+}
+
+void TestLanguages::theWindowTakesEverySizeAtTheFirstAsking() {
+    QFETCH(QString, code);
+    QFETCH(QSize, size);
+    const Speaking speaking(code);
+    openIn(QStringLiteral("t38_string"));
+    window().resize(1440, 900);
+    settle();
+    const QList<QDockWidget*> docks = window().findChildren<QDockWidget*>();
+    QTRY_VERIFY(window().tabifiedDockWidgets(docks[0]).isEmpty());
+    window().resize(size);
+    QCOMPARE(window().size(), size);
+    QTRY_COMPARE(window().tabifiedDockWidgets(docks[0]).size(), 1);
+    settle();
+    QCOMPARE(window().size(), size);
+    visitPages([&](int page) {
+        QVERIFY2(window().size() == size, qPrintable(part<PageTabs>(window()).page(page).title()));
+    });
+    window().resize(1440, 900);
+    QTRY_VERIFY(window().tabifiedDockWidgets(docks[0]).isEmpty());
 }
 
 void TestLanguages::nothingIsCutOff() {

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Plots in the window: their menu, cursors, ghosts and keys.
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QTest>
 #include <QWheelEvent>
 
@@ -14,6 +16,7 @@
 #include "ui/pages/blow/blow_page.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
+#include "ui/window/page_scroll.h"
 #include "ui/window/plot_view_menu.h"
 
 using namespace drillwave;
@@ -30,6 +33,7 @@ class TestWindowPlots : public QObject, private WindowFixture {
     void theSectionOfTheWavesCanBeMoved();
     void aPresetLeavesAGhostUntilTheNextChange();
     void keysAimAtThePlotBelowThePointer();
+    void theWheelScrollsThePageAndChangesNoFieldWithoutFocus();
     void theReasonOfAnUnsolvedCaseStaysInThePlot();
 };
 
@@ -107,8 +111,8 @@ void TestWindowPlots::keysAimAtThePlotBelowThePointer() {
     QTest::keyClicks(title, QStringLiteral("b"));
     QCOMPARE(title->text(), QStringLiteral("b"));
     QVERIFY(!plot.reader().position(PlotCursor::b));
-    // The wheel takes the focus, so that Backspace brings the view back.
-    QWheelEvent wheel(middle, plot.mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, Qt::NoModifier,
+    // The wheel with Ctrl takes the focus, so that Backspace brings the view back.
+    QWheelEvent wheel(middle, plot.mapToGlobal(middle), {}, {0, 120}, Qt::NoButton, Qt::ControlModifier,
                       Qt::NoScrollPhase, false);
     const QCPRange before = plot.xAxis->range();
     QCoreApplication::sendEvent(&plot, &wheel);
@@ -117,6 +121,37 @@ void TestWindowPlots::keysAimAtThePlotBelowThePointer() {
     QCOMPARE(plot.xAxis->range().upper, before.upper);
     QEvent leave(QEvent::Leave);
     QCoreApplication::sendEvent(&plot, &leave);
+}
+
+void TestWindowPlots::theWheelScrollsThePageAndChangesNoFieldWithoutFocus() {
+    PlotWidget& plot = *part<BlowPage>(window()).plot();
+    auto& scroll = part<PageScroll>(window());
+    window().resize(1000, 500);
+    QCoreApplication::processEvents();
+    QVERIFY(scroll.verticalScrollBar()->maximum() > 0);
+    const auto turn = [](QWidget& widget, Qt::KeyboardModifiers keys) {
+        const QPointF middle = QRectF(widget.rect()).center();
+        QWheelEvent wheel(middle, widget.mapToGlobal(middle), {}, {0, -120}, Qt::NoButton, keys,
+                          Qt::NoScrollPhase, false);
+        // As from the hand: only such events go on to the parent.
+        QSpontaneKeyEvent::setSpontaneous(&wheel);
+        qApp->notify(&widget, &wheel);
+    };
+    const QCPRange range = plot.xAxis->range();
+    turn(plot, Qt::NoModifier);
+    QCOMPARE(plot.xAxis->range(), range);
+    const int scrolled = scroll.verticalScrollBar()->value();
+    QVERIFY(scrolled > 0);
+    turn(plot, Qt::ControlModifier);
+    QVERIFY(plot.xAxis->range() != range);
+    QCOMPARE(scroll.verticalScrollBar()->value(), scrolled);
+    for (auto* field : window().findChildren<QComboBox*>()) {
+        if (!field->isVisible() || field->hasFocus()) continue;
+        const int before = field->currentIndex();
+        turn(*field, Qt::NoModifier);
+        QVERIFY2(field->currentIndex() == before, qPrintable(field->objectName()));
+        QVERIFY(!field->hasFocus());
+    }
 }
 
 void TestWindowPlots::theReasonOfAnUnsolvedCaseStaysInThePlot() {

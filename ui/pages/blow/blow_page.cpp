@@ -289,7 +289,7 @@ void BlowPage::resizeEvent(QResizeEvent* event) {
     PlotPage::resizeEvent(event);
     reserveInstant();
     m_hint->setText(width() > hintChars * fontMetrics().averageCharWidth()
-                        ? tr("wheel zooms · drag moves · double-click fits")
+                        ? tr("Ctrl+wheel zooms · drag moves · double-click fits")
                         : QString());
 }
 

@@ -23,6 +23,7 @@
 #include "ui/result/output_unit.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_quantity.h"
+#include "ui/text/unfocused_wheel.h"
 
 namespace drillwave {
 namespace {
@@ -74,6 +75,7 @@ QList<QWidget*> CurvePage::makeControls() {
     m_closedForm->setToolTip(
         tr("The paper's analytical solution, dashed where it holds: rectangular blow, elastic rock (γ = 1)"));
     m_reference = new QComboBox(this);
+    ignoreUnfocusedWheel(*m_reference);
     m_reference->setObjectName(QStringLiteral("reference"));
     m_reference->setAccessibleName(tr("Rod without waves"));
     m_reference->setToolTip(

@@ -24,6 +24,7 @@
 #include "ui/pages/study/parameter_names.h"
 #include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
+#include "ui/text/unfocused_wheel.h"
 
 namespace drillwave {
 namespace {
@@ -145,6 +146,7 @@ void RangeRow::addCount() {
     m_logarithmic->setObjectName(QStringLiteral("logarithmic"));
     m_logarithmic->setToolTip(tr("Even ratios in place of even steps"));
     m_count = new QSpinBox(this);
+    ignoreUnfocusedWheel(*m_count);
     m_count->setObjectName(QStringLiteral("count"));
     m_count->setAccessibleName(tr("Number of values"));
     m_count->setRange(2, mostCount);

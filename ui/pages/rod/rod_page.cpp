@@ -9,11 +9,16 @@
 #include <utility>
 
 #include "core/blow/blow_waves.h"
+#include "core/blow/strength_use.h"
+#include "core/model/blow_traits.h"
+#include "core/report/strength_words.h"
 #include "ui/pages/place_field.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/runs/runs_like.h"
+#include "ui/text/local_style.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 
@@ -134,7 +139,11 @@ std::optional<double> RodPage::stressAt(double section, double time) const {
 // The line is there before it has anything to say: nothing jumps.
 void RodPage::showReadout() {
     const RodCurves* shown = curves();
-    if (!shown || (shown->string && !shown->string->waves)) return m_readout->setText(QStringLiteral(" "));
+    if (!shown) return m_readout->setText(QStringLiteral(" "));
+    // Largest stresses are known without the waves.
+    if (shown->string && !shown->string->waves)
+        return m_readout->setText(
+            strengthText(shown->string->sectionAt(m_observation.section())).section(u'\n', 1));
     const QLocale locale;
     const auto words = [&](Load line) {
         const RodForce force = shown->forceAt(line, m_observation.section());
@@ -146,14 +155,32 @@ void RodPage::showReadout() {
     const QString place = quantityText(m_observation.section(), shown->units.length, locale);
     if (shown->string) {
         const RodStretch& in = shown->string->stretches[shown->string->sectionAt(m_observation.section())];
-        const QString name = in.name.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(in.name);
-        return m_readout->setText(tr("At %1 in the blow: %2 and %3\nin section %4%5 of the string")
-                                      .arg(place, words(Load::compression), words(Load::tension),
-                                           QString::number(in.number), name));
+        return m_readout->setText(tr("At %1 in the blow: %2 and %3\nin %4")
+                                      .arg(place, words(Load::compression), words(Load::tension), in.words) +
+                                  strengthText(shown->string->sectionAt(m_observation.section())));
     }
     m_readout->setText(tr("At %1 in the blow: %2 and %3\nof the waves left: %4 and %5")
                            .arg(place, words(Load::compression), words(Load::tension),
-                                words(Load::compressionAfter), words(Load::tensionAfter)));
+                                words(Load::compressionAfter), words(Load::tensionAfter)) +
+                       strengthText(0));
+}
+
+// The share of strength of the section, and which section breaks first.
+QString RodPage::strengthText(std::size_t section) const {
+    const Scenario& scenario = m_blow->scenario;
+    if (!hasUnits(scenario)) return {};
+    const std::vector<SectionStress> stresses =
+        hasSections(scenario)       ? sectionStresses(scenario, m_blow->impact)
+        : m_blow->summary.rodForces ? sectionStresses(scenario, *m_blow->summary.rodForces)
+                                    : std::vector<SectionStress>();
+    const std::vector<std::optional<StrengthUse>> uses = strengthUses(scenario, stresses);
+    if (section >= uses.size() || (!hasSections(scenario) && !uses[section])) return {};
+    QString text;
+    if (hasSections(scenario) && uses[section])
+        text = tr(", which uses %1 % of its strength")
+                   .arg(numberText(100 * uses[section]->share(), 3, QLocale()));
+    const LocalStyle style(QLocale(), m_blow->units.system, m_blow->units.chosen);
+    return text + u'\n' + translated(strengthSentence(scenario, stresses, style));
 }
 
 void RodPage::goTo(QPointF coordinates) {

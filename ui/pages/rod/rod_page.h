@@ -30,6 +30,7 @@ class RodPage : public PlotPage {
   private:
     void showHere();
     void showReadout();
+    QString strengthText(std::size_t section) const;
     std::optional<double> stressAt(double section, double time) const;
     void goTo(QPointF coordinates);
     const RodCurves* curves() const;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/rod/string_rod.h"
 
-#include <QCoreApplication>
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -10,8 +9,10 @@
 #include "core/model/drill_string.h"
 #include "core/model/scales.h"
 #include "core/model/section_pieces.h"
+#include "core/model/section_words.h"
 #include "core/wave/network/string_envelope.h"
 #include "core/wave/problem.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -26,14 +27,6 @@ void takeLarger(RodForce& largest, const RodForce& force) {
 }
 
 }  // namespace
-
-QString sectionName(const RodStretch& section) {
-    const QString number = section.number < 0
-                               ? QCoreApplication::translate("drillwave::StringRod", "hammer section %1")
-                               : QCoreApplication::translate("drillwave::StringRod", "section %1");
-    const QString text = number.arg(std::abs(section.number));
-    return section.name.isEmpty() ? text : QStringLiteral("%1 (%2)").arg(section.name, text);
-}
 
 double stressOf(const RodStretch& section, double force, double share) {
     return force * section.toStress / areaAt(section.section, share);
@@ -65,6 +58,7 @@ StringRod stringRod(const Blow& blow) {
     const DrillString& drill = blow.scenario.drillString;
     const Scales scales = scalesOf(blow.scenario);
     const std::vector<const Section*> sections = allSections(drill);
+    const std::vector<Message> words = sectionWords(drill);
     const auto ofHammer = static_cast<int>(drill.hammer.sections.size());
     const std::vector<double> joints = sectionJoints(drill);
     StringRod rod;
@@ -80,6 +74,7 @@ StringRod stringRod(const Blow& blow) {
         stretch.section = section;
         stretch.number = j < ofHammer ? -(j + 1) : j - ofHammer + 1;
         stretch.name = QString::fromStdString(section.name);
+        stretch.words = translated(words[static_cast<std::size_t>(j)]);
         stretch.yieldStrength = section.yieldStrength;
         stretch.fatigueStrength = section.fatigueStrength;
         rod.stretches.push_back(stretch);

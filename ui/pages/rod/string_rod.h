@@ -20,6 +20,7 @@ struct RodStretch {
     Section section;
     int number = 0;  ///< in the string from 1, repeats written out; in the hammer likewise, below 0
     QString name;
+    QString words;                                         ///< "3rd rod", "hammer 1"
     std::optional<double> yieldStrength, fatigueStrength;  ///< [Pa]
 
     /// ξ of a place in lengths of the string.
@@ -40,9 +41,6 @@ struct StringRod {
     /// The largest stresses at a place, of both sections where two meet. Requires waves.
     RodForces largestAt(double place) const;
 };
-
-/// In words: "rod (section 4)", "hammer section 1".
-QString sectionName(const RodStretch& section);
 
 /// From a force [F0] at a place ξ of a section to the stress there, as scales have it.
 double stressOf(const RodStretch& section, double force, double share);

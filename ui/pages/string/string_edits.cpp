@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/string/string_edits.h"
 
+#include <QCursor>
 #include <QHeaderView>
 #include <QItemSelectionModel>
 #include <QMenu>
@@ -52,19 +53,29 @@ QString describe(const Section& section, const UnitChoice& units) {
 }  // namespace
 
 StringEdits::StringEdits(Document& document, StringModel& model, QTableView& table)
-    : QObject(&table), m_document(document), m_model(model), m_table(table), m_addMenu(new QMenu(&table)) {
-    m_add = newAction(QStringLiteral("add"), tr("Add"),
-                      tr("Put a section behind the selected one: like it, a preset, or one of the example "
-                         "strings; adapters "
-                         "go to the shank, bits to the rock"),
-                      QKeySequence(Qt::Key_Insert), [this] {
-                          const std::optional<SectionSpot> spot = current();
-                          if (!spot) return;
-                          Section section = sectionAt(m_document.scenario().drillString, *spot);
-                          section.name.clear();
-                          add({section});
-                      });
+    : QObject(&table),
+      m_document(document),
+      m_model(model),
+      m_table(table),
+      m_addMenu(new QMenu(&table)),
+      m_replaceMenu(new QMenu(&table)) {
+    m_add = newAction(
+        QStringLiteral("add"), tr("Add"),
+        tr("Put a section behind the selected one: like it, a preset, or one of the example "
+           "strings; after the last section of a repeat it comes after the repeat; adapters go to the "
+           "shank, bits to the rock"),
+        QKeySequence(Qt::Key_Insert), [this] {
+            const std::optional<SectionSpot> spot = current();
+            if (!spot) return;
+            Section section = sectionAt(m_document.scenario().drillString, *spot);
+            section.name.clear();
+            add({section});
+        });
     m_add->setMenu(m_addMenu);
+    m_replace = newAction(QStringLiteral("replace"), tr("Replace by preset"),
+                          tr("Replace the selected sections by a preset"), QKeySequence(Qt::CTRL | Qt::Key_H),
+                          [this] { m_replaceMenu->popup(QCursor::pos()); });
+    m_replace->setMenu(m_replaceMenu);
     m_duplicate = newAction(QStringLiteral("duplicate"), tr("Duplicate"),
                             tr("Put the selected section there once more, with its name"),
                             QKeySequence(Qt::CTRL | Qt::Key_D), [this] { duplicate(); });
@@ -82,6 +93,7 @@ StringEdits::StringEdits(Document& document, StringModel& model, QTableView& tab
                      "often"),
                   QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_D), [this] { repeat(); });
     connect(m_addMenu, &QMenu::aboutToShow, this, &StringEdits::fillAddMenu);
+    connect(m_replaceMenu, &QMenu::aboutToShow, this, &StringEdits::fillReplaceMenu);
     connect(table.selectionModel(), &QItemSelectionModel::selectionChanged, this, &StringEdits::offer);
     connect(&model, &QAbstractItemModel::modelReset, this, &StringEdits::offer);
     connect(&model, &QAbstractItemModel::dataChanged, this, &StringEdits::offer);
@@ -136,34 +148,67 @@ std::function<void()> StringEdits::adding(std::vector<Section> sections, std::op
     return [this, sections = std::move(sections), end] { end ? addAt(*end, sections) : add(sections); };
 }
 
-void StringEdits::addPresets() {
-    m_presets.reload();
-    const auto newMenu = [this](const QString& title) {
-        QMenu* menu = m_addMenu->addMenu(title);
-        menu->setToolTipsVisible(true);
-        return menu;
-    };
-    m_addMenu->addSection(tr("Presets"));
-    QMenu* rods = newMenu(tr("Rods"));
-    static_assert(sectionPresetKinds.size() == 4, "a menu for each kind");
-    const std::array<QMenu*, sectionPresetKinds.size()> menus{newMenu(tr("Hammer, in place of this one")),
-                                                              newMenu(tr("Adapters")),
-                                                              newMenu(tr("Couplings")), newMenu(tr("Bits"))};
+QMenu* StringEdits::newMenu(QMenu& menu, const QString& title) {
+    QMenu* sub = menu.addMenu(title);
+    sub->setToolTipsVisible(true);
+    return sub;
+}
+
+void StringEdits::addRods(QMenu& menu, const std::function<void(Section)>& then,
+                          std::optional<double> length) {
     const Material& material = m_document.scenario().drillString.material;
     const LocalStyle style = LocalStyle::of(m_document.units());
-    for (const PresetSource& source : m_presets.sources()) {
-        for (const Preset& preset : source.presets)
-            if (preset.kind == PresetKind::rod)
-                addChoice(*rods, coreText(preset.name), QString::fromStdString(description(preset, style)),
-                          adding({sectionOf(withPreset({}, preset).rod, material)}));
-        for (const SectionPreset& preset : source.sectionPresets) {
-            const bool isHammer = preset.kind == SectionPresetKind::piston;
-            addChoice(*menus[static_cast<std::size_t>(preset.kind)], coreText(preset.name),
-                      QString::fromStdString(description(preset, style)),
-                      isHammer ? std::function<void()>([this, preset] { useHammer(preset); })
-                               : adding(preset.sections, endOf(preset.kind)));
+    QMenu* rods = newMenu(menu, tr("Rods"));
+    for (const PresetSource& source : m_presets.sources())
+        for (const Preset& preset : source.presets) {
+            if (preset.kind != PresetKind::rod) continue;
+            Section rod = sectionOf(withPreset({}, preset).rod, material);
+            rod.preset = preset.name;
+            const bool hasLength = std::ranges::any_of(
+                preset.values, [](const PresetValue& value) { return value.parameter->key == "rod.length"; });
+            if (length && !hasLength) rod.length = *length;
+            addChoice(*rods, coreText(preset.name), QString::fromStdString(description(preset, style)),
+                      [then, rod] { then(rod); });
         }
-    }
+}
+
+void StringEdits::addPieces(QMenu& menu, SectionPresetKind kind,
+                            const std::function<void(const SectionPreset&)>& then) {
+    static_assert(sectionPresetKinds.size() == 4, "a title for each kind");
+    const std::array<QString, sectionPresetKinds.size()> titles{tr("Hammer, in place of this one"),
+                                                                tr("Adapters"), tr("Couplings"), tr("Bits")};
+    const LocalStyle style = LocalStyle::of(m_document.units());
+    QMenu* pieces = newMenu(menu, titles[static_cast<std::size_t>(kind)]);
+    for (const PresetSource& source : m_presets.sources())
+        for (const SectionPreset& preset : source.sectionPresets)
+            if (preset.kind == kind)
+                addChoice(*pieces, coreText(preset.name), QString::fromStdString(description(preset, style)),
+                          [then, preset] { then(preset); });
+}
+
+void StringEdits::addPresets() {
+    m_presets.reload();
+    m_addMenu->addSection(tr("Presets"));
+    addRods(*m_addMenu, [this](const Section& rod) { add({rod}); });
+    for (const SectionPresetKind kind : sectionPresetKinds)
+        addPieces(*m_addMenu, kind, [this](const SectionPreset& preset) {
+            if (preset.kind == SectionPresetKind::piston) return useHammer(preset);
+            adding(preset.sections, endOf(preset.kind))();
+        });
+}
+
+void StringEdits::fillReplaceMenu() {
+    m_replaceMenu->clear();
+    const std::vector<SectionSpot> spots = selected();
+    if (!canReplace(m_document.scenario().drillString, spots)) return;
+    m_presets.reload();
+    addRods(
+        *m_replaceMenu, [this](const Section& rod) { replace({rod}); },
+        sectionAt(m_document.scenario().drillString, spots.front()).length);
+    for (const SectionPresetKind kind : sectionPresetKinds)
+        if (kind != SectionPresetKind::piston)
+            addPieces(*m_replaceMenu, kind,
+                      [this](const SectionPreset& preset) { replace(preset.sections); });
 }
 
 void StringEdits::addExamples() {
@@ -212,6 +257,7 @@ void StringEdits::offer() {
     const bool isThere = !m_model.rows().empty();
     m_add->setEnabled(isThere);
     m_duplicate->setEnabled(isThere && isOne);
+    m_replace->setEnabled(isThere && canReplace(drill, spots) && !spots.front().inHammer);
     m_remove->setEnabled(isThere && !spots.empty());
     const auto canMove = [&](MoveTo direction) {
         DrillString tried = drill;
@@ -234,11 +280,10 @@ void StringEdits::add(const std::vector<Section>& sections) {
     const std::optional<SectionSpot> after = current();
     if (!after) return;
     Scenario changed = m_document.scenario();
-    SectionSpot spot = *after;
-    for (Section section : sections) {
-        if (spot.inHammer) section.loss = section.attenuation = 0;
-        spot = insertAfter(changed.drillString, spot, std::move(section));
-    }
+    std::vector<Section> added = sections;
+    if (after->inHammer)
+        for (Section& section : added) section.loss = section.attenuation = 0;
+    const SectionSpot spot = insertBehind(changed.drillString, *after, added);
     takeAdded(changed, sections, spot);
 }
 
@@ -263,6 +308,16 @@ void StringEdits::useHammer(const SectionPreset& piston) {
     changed.drillString.hammer = withPiston(changed.drillString.hammer, piston);
     if (take(changed, tr("take the hammer %1").arg(QString::fromStdString(piston.name))))
         select({.inHammer = true, .part = 0, .index = 0});
+}
+
+void StringEdits::replace(const std::vector<Section>& sections) {
+    const std::vector<SectionSpot> spots = selected();
+    Scenario changed = m_document.scenario();
+    if (!canReplace(changed.drillString, spots)) return;
+    const QString name = spots.size() == 1 ? m_model.rows()[std::size_t(m_model.rowOf(spots.front()))].name()
+                                           : tr("%1 sections").arg(spots.size());
+    const SectionSpot last = replaceSections(changed.drillString, spots, sections);
+    if (take(changed, tr("replace %1 by %2").arg(name, coreText(sections.front().preset)))) select(last);
 }
 
 void StringEdits::duplicate() {

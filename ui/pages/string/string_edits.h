@@ -27,12 +27,17 @@ class StringEdits : public QObject {
     const QList<QAction*>& actions() const { return m_actions; }
     /// What can be added: presets, and the sections of the example strings.
     QMenu* addMenu() const { return m_addMenu; }
-    /// Behind the selected one; at the end where none is. At least one section.
+    /// The presets that can replace the selected sections.
+    QMenu* replaceMenu() const { return m_replaceMenu; }
+    /// Behind the selected one, after the repeat where that is the last of one; at the end where none is. At
+    /// least one section.
     void add(const std::vector<Section>& sections);
     /// Where they belong in a string: adapters at the shank, bits at the rock.
     void addAt(StringEnd end, const std::vector<Section>& sections);
     /// In place of the hammer.
     void useHammer(const SectionPreset& piston);
+    /// Replaces the selected sections. Requires at least one section.
+    void replace(const std::vector<Section>& sections);
     void duplicate();
     void remove();
     void move(MoveTo direction);
@@ -52,7 +57,14 @@ class StringEdits : public QObject {
     QAction* newAction(const QString& name, const QString& text, const QString& toolTip,
                        const QKeySequence& keys, const std::function<void()>& then);
     void fillAddMenu();
+    void fillReplaceMenu();
     void addPresets();
+    /// A submenu of that title.
+    static QMenu* newMenu(QMenu& menu, const QString& title);
+    /// Calls `then` with the sections of a rod that is chosen.
+    void addRods(QMenu& menu, const std::function<void(Section)>& then, std::optional<double> length = {});
+    void addPieces(QMenu& menu, SectionPresetKind kind,
+                   const std::function<void(const SectionPreset&)>& then);
     void addExamples();
     void addChoice(QMenu& menu, const QString& text, const QString& toolTip,
                    const std::function<void()>& then);
@@ -69,8 +81,10 @@ class StringEdits : public QObject {
     PresetLibrary m_presets;
     QTableView& m_table;
     QMenu* m_addMenu;
+    QMenu* m_replaceMenu;
     QList<QAction*> m_actions;
     QAction* m_add;
+    QAction* m_replace;
     QAction* m_duplicate;
     QAction* m_remove;
     QAction* m_up;

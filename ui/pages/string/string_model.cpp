@@ -44,7 +44,7 @@ std::string_view fieldKey(int column) {
 }
 
 bool isResult(int column) {
-    return column >= StringModel::compression && column <= StringModel::reflected;
+    return column >= StringModel::compression && column <= StringModel::strengthShare;
 }
 
 /// The solver takes no losses inside the hammer.
@@ -104,11 +104,13 @@ void StringModel::follow() {
 void StringModel::present(const SolvedBlowPtr& blow) {
     m_blow = blow;
     m_results = stringResults(*blow, m_rows, m_chain);
-    emit headerDataChanged(Qt::Horizontal, compression, reflected);
-    if (!m_rows.empty()) emit dataChanged(index(0, compression), index(rowCount() - 1, reflected));
+    emit headerDataChanged(Qt::Horizontal, compression, strengthShare);
+    if (!m_rows.empty()) emit dataChanged(index(0, compression), index(rowCount() - 1, strengthShare));
 }
 
 bool StringModel::isUsed(int column) const {
+    if (column == presetName)
+        return std::ranges::any_of(m_rows, [](const StringRow& row) { return !row.section.preset.empty(); });
     const SectionField* field = findSectionField(fieldKey(column));
     return field && std::ranges::any_of(m_rows, [field](const StringRow& row) {
                return field->value(row.section).has_value();
@@ -166,7 +168,9 @@ QVariant StringModel::data(const QModelIndex& index, int role) const {
                 return QGuiApplication::palette().brush(QPalette::PlaceholderText);
             return {};
         case Qt::TextAlignmentRole:
-            return int((index.column() == sectionName ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter);
+            return int((index.column() == sectionName || index.column() == presetName ? Qt::AlignLeft
+                                                                                      : Qt::AlignRight) |
+                       Qt::AlignVCenter);
         default:
             return {};
     }
@@ -176,6 +180,7 @@ QVariant StringModel::shown(const QModelIndex& index) const {
     const StringRow& row = m_rows[static_cast<std::size_t>(index.row())];
     if (index.column() == repeat) return repeatCell(row);
     if (index.column() == sectionName) return row.name();
+    if (index.column() == presetName) return coreText(row.section.preset);
     if (isResult(index.column())) return resultCell(index.row(), index.column());
     const KeptParameter parameter = parameterAt(index);
     return parameter ? numberCell(row, *parameter) : noNumber;
@@ -204,6 +209,8 @@ QString StringModel::repeatCell(const StringRow& row) const {
 QString StringModel::resultCell(int row, int column) const {
     if (!m_results) return noNumber;
     const RowResult& result = m_results->rows[static_cast<std::size_t>(row)];
+    if (column == strengthShare)
+        return result.use ? numberText(100 * result.use->share(), 3, QLocale()) : noNumber;
     if (column == reflected)
         return result.reflected ? numberText(100 * result.reflected->size, 3, QLocale()) : noNumber;
     const RowPeak& peak = column == compression ? result.compression : result.tension;
@@ -224,6 +231,21 @@ QString StringModel::peakText(const RowPeak& peak) const {
              quantityText(peak.time / scales.time, units.time, locale));
 }
 
+QString StringModel::useText(const StringRow& row, const RowResult& result) const {
+    const StrengthUse& use = *result.use;
+    const bool isFatigue = use.of == StrengthUse::Strength::fatigue;
+    const RowPeak peak{use.peak.stress, use.peak.place, use.peak.time, result.useSection};
+    return (isFatigue ? tr("%1: %2, of the fatigue strength of %3")
+                      : tr("%1: %2, of the yield strength of %3"))
+        .arg(row.nameAt(result.useSection), peakText(peak),
+             quantityText(use.strength / m_blow->scales.stress, m_blow->units.stress, QLocale()));
+}
+
+QString StringModel::placeText(int row) const {
+    const StringRow& at = m_rows[static_cast<std::size_t>(row)];
+    return at.spot.inHammer ? tr("H%1").arg(at.place) : QString::number(at.place);
+}
+
 QString StringModel::toolTip(const QModelIndex& index) const {
     const StringRow& row = m_rows[static_cast<std::size_t>(index.row())];
     const int column = index.column();
@@ -234,9 +256,12 @@ QString StringModel::toolTip(const QModelIndex& index) const {
                          .arg(row.repeat->times)
                    : QString();
     if (column == sectionName) return tr("Name of the section; parameters go by it, too");
+    if (column == presetName)
+        return tr("The preset that the section is from; the name goes when a number is changed");
     if (isResult(column)) {
         if (!m_results) return {};
         const RowResult& result = m_results->rows[static_cast<std::size_t>(index.row())];
+        if (column == strengthShare) return result.use ? useText(row, result) : tr("No strength is given");
         if (column == reflected)
             return result.reflected
                        ? tr("Share of the energy of the hammer that the joint behind %1 throws back of "
@@ -259,9 +284,10 @@ QString StringModel::toolTip(const QModelIndex& index) const {
 
 QVariant StringModel::headerData(int section, Qt::Orientation orientation, int role) const {
     if (orientation == Qt::Vertical) {
-        if (role != Qt::DisplayRole || section >= rowCount()) return {};
-        const StringRow& row = m_rows[static_cast<std::size_t>(section)];
-        return row.spot.inHammer ? tr("H%1").arg(row.place) : QString::number(row.place);
+        if (section >= rowCount()) return {};
+        if (role == Qt::ToolTipRole) return tr("Place in keys: %1").arg(placeText(section));
+        if (role != Qt::DisplayRole) return {};
+        return m_rows[static_cast<std::size_t>(section)].words;
     }
     if (role == Qt::ToolTipRole) {
         if (section == compression) return tr("Largest compression of the section while the blow lasts");
@@ -270,6 +296,11 @@ QVariant StringModel::headerData(int section, Qt::Orientation orientation, int r
             return tr(
                 "Share of the energy of the hammer that the joint behind the section throws back of what "
                 "comes from the hammer; of a repeat, by the joint that throws back most");
+        if (section == strengthShare)
+            return tr(
+                "Largest stress while the blow lasts as a share of the strength: tension of the fatigue "
+                "strength, or either of the yield strength, whichever is more");
+        if (section == presetName) return tr("The preset that the section is from");
         if (const std::string_view field = fieldKey(section); !field.empty())
             return coreText(findSectionField(field)->meaning);
         return {};
@@ -287,6 +318,10 @@ QVariant StringModel::headerData(int section, Qt::Orientation orientation, int r
             return withUnit(tr("tension"), stressUnit);
         case reflected:
             return withUnit(tr("joint\nreflects"), QStringLiteral("%"));
+        case strengthShare:
+            return withUnit(tr("of\nstrength"), QStringLiteral("%"));
+        case presetName:
+            return tr("preset");
         default:
             break;
     }

@@ -29,6 +29,8 @@ class StringModel : public QAbstractTableModel {
         compression,
         tension,
         reflected,
+        strengthShare,
+        presetName,  // shown where a section is from a preset
         occasional,  // from here on the other numbers of a section, which few have
     };
 
@@ -42,7 +44,7 @@ class StringModel : public QAbstractTableModel {
     explicit StringModel(Document& document, QObject* parent = nullptr);
 
     /// Whether it is a column of numbers that few sections have, and whether one of these has it.
-    static bool isOccasional(int column) { return column >= occasional; }
+    static bool isOccasional(int column) { return column >= presetName; }
     bool isUsed(int column) const;
 
     /// What the last columns show; nullptr before the first.
@@ -56,6 +58,8 @@ class StringModel : public QAbstractTableModel {
     KeptParameter parameterAt(const QModelIndex& index) const;
     /// Stress, place and time of a peak as the results are shown: "362.2 MPa at 0.12 m, 3.28 ms".
     QString peakText(const RowPeak& peak) const;
+    /// The place of a row in keys: "3", "H1" in the hammer.
+    QString placeText(int row) const;
     /// Where a spot is in the table; −1 where there is none.
     int rowOf(const SectionSpot& spot) const;
 
@@ -77,6 +81,7 @@ class StringModel : public QAbstractTableModel {
     QString numberCell(const StringRow& row, const Parameter& parameter) const;
     QString repeatCell(const StringRow& row) const;
     QString resultCell(int row, int column) const;
+    QString useText(const StringRow& row, const RowResult& result) const;
     QString toolTip(const QModelIndex& index) const;
     bool rename(const StringRow& row, const QString& name);
     bool setTimes(const StringRow& row, double times);

@@ -11,12 +11,17 @@
 #include <QVBoxLayout>
 #include <algorithm>
 
+#include "core/model/scales.h"
+#include "core/model/section_words.h"
+#include "core/report/strength_words.h"
 #include "core/text/csv.h"
 #include "ui/pages/string/string_cell_editor.h"
 #include "ui/pages/string/string_drawing.h"
 #include "ui/pages/string/string_edits.h"
 #include "ui/pages/string/string_model.h"
 #include "ui/pages/study/flow_layout.h"
+#include "ui/text/core_text.h"
+#include "ui/text/local_style.h"
 #include "ui/text/number_text.h"
 #include "ui/text/settings.h"
 #include "ui/text/shown_text.h"
@@ -41,8 +46,8 @@ StringPage::StringPage(Document& document, QWidget* parent)
     m_words->setObjectName(QStringLiteral("words"));
     m_words->setWordWrap(true);
     m_words->setMargin(4);
-    // Two lines are reserved: nothing jumps.
-    m_words->setMinimumHeight(2 * m_words->fontMetrics().lineSpacing() + 8);
+    // Three lines are reserved: nothing jumps.
+    m_words->setMinimumHeight(3 * m_words->fontMetrics().lineSpacing() + 8);
     m_words->setToolTip(tr("Of uniform sections: threads and shoulders raise stresses locally"));
     m_words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     auto* layout = new QVBoxLayout(this);
@@ -86,7 +91,8 @@ void StringPage::fillTable() {
     header->setSectionResizeMode(QHeaderView::ResizeToContents);
     header->setMinimumSectionSize(36);
     // What the page is opened for stands behind the sizes.
-    for (const int column : {StringModel::reflected, StringModel::tension, StringModel::compression})
+    for (const int column :
+         {StringModel::reflected, StringModel::strengthShare, StringModel::tension, StringModel::compression})
         header->moveSection(header->visualIndex(column), header->visualIndex(StringModel::bore) + 1);
     m_table->setWordWrap(false);
     header->setHighlightSections(false);
@@ -153,20 +159,32 @@ void StringPage::say(const QString& refusal) {
     m_words->setText(refusal.isEmpty() ? sentence() : QStringLiteral("⚠ ") + refusal);
 }
 
-// Where it is worst, in words.
+// "6 rods, 3 couplings, 23.1 m".
+QString StringPage::contents() const {
+    const DrillString& drill = m_document.scenario().drillString;
+    return QStringLiteral("%1, %2").arg(
+        translated(stringWords(drill)),
+        m_document.units().text(stringProperties(drill).length, UnitKind::length, 3));
+}
+
+// Describes the string, the section that breaks first, and the places of the largest stresses.
 QString StringPage::sentence() const {
     const SolvedBlowPtr& blow = m_model->blow();
     if (blow && !blow->fault.isEmpty()) return tr("Not solved: %1").arg(blow->fault);
     const std::optional<StringResults>& results = m_model->results();
-    if (!results || results->rows.empty()) return {};
+    if (m_model->rows().empty()) return {};
+    if (!results || results->rows.empty()) return contents();
     const auto worst = [&](RowPeak RowResult::*peak) {
         const auto size = [peak](const RowResult& row) { return (row.*peak).size; };
         const auto row = std::ranges::max_element(results->rows, {}, size);
         const StringRow& section = m_model->rows()[std::size_t(row - results->rows.begin())];
         return tr("in %1, %2").arg(section.nameAt(((*row).*peak).section), m_model->peakText((*row).*peak));
     };
-    return tr("Largest tension %1; largest compression %2.")
-        .arg(worst(&RowResult::tension), worst(&RowResult::compression));
+    const LocalStyle style = LocalStyle::of(m_document.units());
+    return QStringLiteral("%1. %2\n%3")
+        .arg(contents(), translated(strengthSentence(blow->scenario, results->sections, style)),
+             tr("Largest tension %1; largest compression %2.")
+                 .arg(worst(&RowResult::tension), worst(&RowResult::compression)));
 }
 
 void StringPage::goTo(const SectionAddress& address) {
@@ -195,7 +213,7 @@ QByteArray StringPage::csv() const {
     const QLocale locale = QLocale();
     QLocale::setDefault(QLocale::c());
     for (int row = 0; row < m_model->rowCount(); ++row) {
-        add(m_model->headerData(row, Qt::Vertical).toString(), true);
+        add(m_model->placeText(row), true);
         for (int column = 0; column < m_model->columnCount(); ++column) {
             const StringRow& at = m_model->rows()[std::size_t(row)];
             const QString cell = column == StringModel::repeat

@@ -52,6 +52,7 @@ class StringPage : public Page {
     void followSelection();
     void showColumns();
     void say(const QString& refusal);
+    QString contents() const;
     QString sentence() const;
     QByteArray csv() const;
 

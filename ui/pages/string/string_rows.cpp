@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/model/section_words.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/translation.h"
 
 namespace drillwave {
@@ -19,19 +21,26 @@ QString StringRow::name() const {
     return (spot.inHammer ? drillwave::tr("hammer %1") : drillwave::tr("section %1")).arg(place);
 }
 
-QString StringRow::nameAt(std::uint64_t itsPlace) const {
-    if (spot.inHammer || section.name.empty())
-        return (spot.inHammer ? drillwave::tr("hammer %1") : drillwave::tr("section %1")).arg(itsPlace);
-    return QStringLiteral("%1 (%2)").arg(name()).arg(itsPlace);
+const QString& StringRow::nameAt(std::uint64_t itsPlace) const {
+    const std::uint64_t size = repeat ? repeat->size : 1;
+    return placeWords[static_cast<std::size_t>((itsPlace - place) / size)];
 }
 
 std::vector<StringRow> stringRows(const DrillString& drillString) {
     std::vector<StringRow> rows;
+    const std::vector<Message> words = rowWords(drillString), ofPlaces = stringSectionWords(drillString);
     for (const SectionSpot& spot : sectionSpots(drillString)) {
         StringRow row{spot, sectionAt(drillString, spot), placeOf(drillString, spot)};
         if (!spot.inHammer)
             if (const StringPart& part = drillString.parts[spot.part]; part.group)
                 row.repeat = StringRow::Repeat{part.repeat, spot.index, part.sections.size()};
+        row.words = translated(words[rows.size()]);
+        const int times = row.repeat ? row.repeat->times : 1;
+        const std::size_t size = row.repeat ? row.repeat->size : 1;
+        for (std::size_t n = 0; n < static_cast<std::size_t>(std::max(times, 0)); ++n)
+            row.placeWords.push_back(
+                spot.inHammer ? row.words
+                              : translated(ofPlaces[static_cast<std::size_t>(row.place) - 1 + n * size]));
         rows.push_back(std::move(row));
     }
     return rows;
@@ -66,6 +75,7 @@ std::optional<StringResults> stringResults(const SolvedBlow& blow, const std::ve
     if (results.sections.empty() || results.sections.size() != chain.size()) return std::nullopt;
     if (!std::ranges::equal(sectionSpots(solved), rows, {}, {}, spot)) return std::nullopt;
     results.rows.resize(rows.size());
+    const std::vector<std::optional<StrengthUse>> uses = strengthUses(blow.scenario, results.sections);
     const std::vector<double>& reflected = blow.impact.jointReflection;
     for (std::size_t i = 0; i < chain.size(); ++i) {
         const SectionStress& stress = results.sections[i];
@@ -78,6 +88,10 @@ std::optional<StringResults> stringResults(const SolvedBlow& blow, const std::ve
         take(row.tension, peakOf(stress.tension));
         take(row.compressionAfter, peakOf(stress.compressionAfter));
         take(row.tensionAfter, peakOf(stress.tensionAfter));
+        if (uses[i] && (!row.use || uses[i]->share() > row.use->share())) {
+            row.use = uses[i];
+            row.useSection = place;
+        }
         results.largest = std::max({results.largest, stress.compression.stress, stress.tension.stress});
         if (rows[chain[i].row].spot.inHammer || place > reflected.size()) continue;
         if (!row.reflected) row.reflected.emplace();

@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/blow/string_blow.h"
+#include "core/blow/strength_use.h"
 #include "core/model/string_edit.h"
 #include "ui/job/solved_blow.h"
 
@@ -24,11 +24,13 @@ struct StringRow {
         bool operator==(const Repeat&) const = default;
     };
     std::optional<Repeat> repeat = {};
+    QString words = {};                    ///< of the row: "2nd to 4th rod"
+    std::vector<QString> placeWords = {};  ///< of each of its places: "2nd rod"
 
     /// "adapter", else "section 3", "hammer 1".
     QString name() const;
-    /// How it is called in a sentence: "hammer 1", "rod (3)".
-    QString nameAt(std::uint64_t itsPlace) const;
+    /// Returns how sentences call the section at one of its places: "hammer 1", "3rd rod".
+    const QString& nameAt(std::uint64_t itsPlace) const;
 };
 std::vector<StringRow> stringRows(const DrillString& drillString);
 
@@ -51,6 +53,8 @@ struct RowPeak {
 struct RowResult {
     RowPeak compression, tension, compressionAfter, tensionAfter;
     std::optional<RowPeak> reflected;  ///< by its far joint, in the string
+    std::optional<StrengthUse> use;    ///< the largest over all places
+    std::uint64_t useSection = 1;      ///< the place of that
 };
 
 /// What a solved blow on that string says: by row, and by section of the chain.

@@ -14,6 +14,7 @@
 
 #include "ui/text/number_text.h"
 #include "ui/text/settings.h"
+#include "ui/text/unfocused_wheel.h"
 
 namespace drillwave {
 namespace {
@@ -52,6 +53,7 @@ PlayBar::PlayBar(QWidget* parent)
       m_speed(new QComboBox(this)),
       m_loop(new QToolButton(this)),
       m_slowness(new QLabel(this)) {
+    ignoreUnfocusedWheel(*m_speed);
     addControls();
     restoreChoices();
     m_timer.setInterval(framePeriod);

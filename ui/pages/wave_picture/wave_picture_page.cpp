@@ -20,6 +20,7 @@
 #include "ui/plot/plot_widget.h"
 #include "ui/runs/runs_like.h"
 #include "ui/text/settings.h"
+#include "ui/text/unfocused_wheel.h"
 
 namespace drillwave {
 namespace {
@@ -54,6 +55,7 @@ WavePicturePage::WavePicturePage(Observation& observation, QWidget* parent)
       m_profile(new RodProfile(this)),
       m_strip(new RodStrip(this)),
       m_playBar(new PlayBar(this)) {
+    ignoreUnfocusedWheel(*m_field);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);

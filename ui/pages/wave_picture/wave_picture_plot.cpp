@@ -187,7 +187,7 @@ QString WavePicturePlot::stringReadout(double x, double t) const {
     const auto text = [&](double value, const ShownUnit& unit) { return quantityText(value, unit, locale); };
     const RodStretch& section = string.rod.stretches[string.rod.sectionAt(x)];
     const QString place = tr("%1 into %2 · t = %3")
-                              .arg(text(x - section.rear, units.position), sectionName(section),
+                              .arg(text(x - section.rear, units.position), section.words,
                                    timeText(t, m_window.time, units.time, locale));
     const BlowWaves waves(*m_blow);
     const double force = waves.value(WaveQuantity::force, x, t);

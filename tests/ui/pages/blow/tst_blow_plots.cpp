@@ -33,7 +33,7 @@ double largestValue(const QCPGraphDataContainer& data) {
 }
 
 void turnWheel(QWidget& widget, QPoint at) {
-    QWheelEvent wheel(at, widget.mapToGlobal(at), QPoint(), QPoint(0, 120), Qt::NoButton, Qt::NoModifier,
+    QWheelEvent wheel(at, widget.mapToGlobal(at), QPoint(), QPoint(0, 120), Qt::NoButton, Qt::ControlModifier,
                       Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(&widget, &wheel);
 }

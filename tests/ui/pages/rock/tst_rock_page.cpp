@@ -150,7 +150,7 @@ void TestRockPage::zoomedItIsFittedAgainByTheButton() {
     m_page->plot()->replot();
     const QPoint at = m_page->plot()->axisRect()->center();
     QWheelEvent wheel(at, m_page->plot()->mapToGlobal(at), QPoint(), QPoint(0, 120), Qt::NoButton,
-                      Qt::NoModifier, Qt::NoScrollPhase, false);
+                      Qt::ControlModifier, Qt::NoScrollPhase, false);
     QCoreApplication::sendEvent(m_page->plot(), &wheel);
     QVERIFY(m_page->plot()->xAxis->range().size() < fitted.size());
     QTest::mouseClick(m_page->findChild<QPushButton*>(), Qt::LeftButton);

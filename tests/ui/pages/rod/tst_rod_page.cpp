@@ -326,7 +326,8 @@ void TestRodPage::aStringHasTheStressesOfItsSections() {
     QCOMPARE(range.lower, curves.rear() * blow->units.length.factor);
     QCOMPARE(range.upper, blow->units.length.factor);
     QVERIFY(m_page->plot()->xAxis->label().contains(QStringLiteral("shank")));
-    QVERIFY2(readout().contains(QStringLiteral("in section ")), qPrintable(readout()));
+    QVERIFY2(readout().contains(QStringLiteral("in 2nd rod\nNo section has a strength")),
+             qPrintable(readout()));
 }
 
 void TestRodPage::aStringHasItsJointsAndStrengthsAsSteps() {
@@ -338,6 +339,8 @@ void TestRodPage::aStringHasItsJointsAndStrengthsAsSteps() {
             }
     });
     m_page->setResult(blow);
+    QVERIFY2(readout().contains(QStringLiteral("in 2nd rod, which uses ")), qPrintable(readout()));
+    QVERIFY2(readout().contains(QStringLiteral("\nFirst to break: ")), qPrintable(readout()));
     const RodCurves& curves = *blow->page<RodCurves>();
     QCOMPARE(straightLines(QStringLiteral("grid")), static_cast<int>(curves.string->stretches.size()) - 1);
     QCOMPARE(visibleStrengths(), 0);

@@ -5,6 +5,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
+#include <QPushButton>
 #include <QRegularExpression>
 #include <QTableView>
 #include <QTest>
@@ -14,6 +15,7 @@
 #include "core/model/section_parameter.h"
 #include "core/yaml/examples.h"
 #include "tests/support/lossless_string.h"
+#include "core/yaml/scenario_file.h"
 #include "tests/support/window_fixture.h"
 #include "ui/export/export_menu.h"
 #include "ui/export/report_writer.h"
@@ -36,6 +38,7 @@
 #include "ui/window/pinned_runs.h"
 #include "ui/window/study_menu.h"
 #include "ui/window/tab_strip.h"
+#include "ui/window/waves_notice.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
@@ -63,6 +66,9 @@ class TestStringPage : public QObject, private WindowFixture {
     void aNewcomerBuildsTheStringFromOneSection();
     void aNewcomerBuildsTheStringFromPresets();
     void adaptersGoToTheShankAndBitsToTheRock();
+    void aSectionIsReplacedByAPreset();
+    void thePageSaysWhatTheStringIsAndWhatBreaksFirst();
+    void aPageWithoutWavesOffersToRoundTheLengths();
     void aRowIsDraggedToItsPlace();
     void aClickInTheDrawingSelectsTheRow();
     void theDrawingIsToScale();
@@ -145,7 +151,7 @@ void TestStringPage::aStringIsOpenedOnThePageOnShow() {
     settle();
     QVERIFY(window().shown()->isOfString());
     QCOMPARE(window().shown()->fault, QString());
-    QVERIFY(words().contains(QStringLiteral("rod (7)")));
+    QVERIFY(words().contains(QStringLiteral("3rd rod")));
     // Its examples are on the menu, and so is a file of one.
     const QString path = m_folder.filePath(QStringLiteral("a.yaml"));
     QCOMPARE(document().save(path), QString());
@@ -295,7 +301,8 @@ void TestStringPage::theTableShowsTheSectionsAsTheyStandInTheFile() {
     QVERIFY(text(5, StringModel::repeat).isEmpty());
     QVERIFY(!(model().flags(model().index(0, StringModel::loss)) & Qt::ItemIsEditable));
     QVERIFY(model().flags(model().index(3, StringModel::loss)) & Qt::ItemIsEditable);
-    QCOMPARE(model().headerData(5, Qt::Vertical).toString(), QStringLiteral("8"));
+    QCOMPARE(model().headerData(5, Qt::Vertical).toString(), QStringLiteral("bit skirt"));
+    QCOMPARE(model().placeText(5), QStringLiteral("8"));
 }
 
 void TestStringPage::theResultsAreThoseOfTheBlow() {
@@ -518,6 +525,82 @@ void TestStringPage::aNewcomerBuildsTheStringFromPresets() {
     QVERIFY(std::abs(window().shown()->summary.energy.rockWork - 0.501587377477) < 1e-9);
 }
 
+void TestStringPage::aSectionIsReplacedByAPreset() {
+    // Rows: two of the hammer, adapter, coupling and rod in a repeat, skirt, head.
+    select(3);
+    QMenu* menu = page().edits()->replaceMenu();
+    emit menu->aboutToShow();
+    QAction* worn = nullptr;
+    for (const QAction* each : menu->actions())
+        for (QAction* choice : each->menu()->actions())
+            if (choice->text() == QStringLiteral("T38, 190 mm, worn")) worn = choice;
+    QVERIFY(worn);
+    worn->trigger();
+    settle();
+    QCOMPARE(model().rowCount(), 7);
+    QCOMPARE(undoText(), QStringLiteral("replace coupling by T38, 190 mm, worn"));
+    QCOMPARE(document().scenario().drillString.parts[1].sections[0].loss, 0.06);
+    QCOMPARE(text(3, StringModel::presetName), QStringLiteral("T38, 190 mm, worn"));
+    QVERIFY(!page().table()->isColumnHidden(StringModel::presetName));
+    QVERIFY(writeScenario(document().contents()).find("preset: \"T38, 190 mm, worn\"") != std::string::npos);
+    document().undoStack().undo();
+    settle();
+    QVERIFY(page().table()->isColumnHidden(StringModel::presetName));
+    // A preset of a rod says nothing of the length.
+    select(4);
+    const double length = document().scenario().drillString.parts[1].sections[1].length;
+    emit menu->aboutToShow();
+    for (const QAction* each : menu->actions())
+        if (each->text() == QStringLiteral("Rods")) each->menu()->actions().last()->trigger();
+    QCOMPARE(document().scenario().drillString.parts[1].sections[1].length, length);
+    QVERIFY(!document().scenario().drillString.parts[1].sections[1].preset.empty());
+    // No preset takes the place of a part of the hammer.
+    select(0);
+    QVERIFY(!page().findChild<QAction*>(QStringLiteral("string.replace"))->isEnabled());
+}
+
+void TestStringPage::thePageSaysWhatTheStringIsAndWhatBreaksFirst() {
+    QVERIFY2(words().startsWith(QStringLiteral("3 rods, 3 couplings, 3 other sections, ")),
+             qPrintable(words()));
+    QVERIFY2(words().contains(QStringLiteral("No section has a strength")), qPrintable(words()));
+    QCOMPARE(text(4, StringModel::strengthShare), noNumber);
+    Scenario scenario = document().scenario();
+    for (StringPart& part : scenario.drillString.parts)
+        for (Section& section : part.sections) section.fatigueStrength = 400e6;
+    QCOMPARE(document().useScenario(scenario, QStringLiteral("strengths")), QString());
+    settle();
+    QVERIFY2(words().contains(QStringLiteral("First to break: ")), qPrintable(words()));
+    QCOMPARE(model().headerData(4, Qt::Vertical).toString(), QStringLiteral("1st to 3rd rod"));
+    QCOMPARE(model().headerData(2, Qt::Vertical).toString(), QStringLiteral("adapter"));
+    const QString share = text(4, StringModel::strengthShare);
+    QVERIFY2(QLocale().toDouble(share) > 1, qPrintable(share));
+    // After the repeat, not within it.
+    select(4);
+    page().edits()->add({sectionAt(document().scenario().drillString, model().rows()[4].spot)});
+    settle();
+    QVERIFY2(words().startsWith(QStringLiteral("4 rods, 3 couplings, ")), qPrintable(words()));
+}
+
+void TestStringPage::aPageWithoutWavesOffersToRoundTheLengths() {
+    part<PageTabs>(window()).setCurrentWidget(&part<BlowPage>(window()));
+    settle();
+    auto& notice = part<WavesNotice>(window());
+    QVERIFY(notice.isHidden());
+    Scenario scenario = document().scenario();
+    scenario.drillString.hammer.sections.front().length = 0.517;
+    scenario.drillString.parts[1].repeat = 5;
+    QCOMPARE(document().useScenario(scenario, QStringLiteral("odd")), QString());
+    settle();
+    QVERIFY(!window().shown()->impact.waves);
+    QVERIFY(!notice.isHidden());
+    QVERIFY2(notice.text().contains(QStringLiteral("hammer 1: 0.517")), qPrintable(notice.text()));
+    notice.findChild<QPushButton*>(QStringLiteral("roundLengths"))->click();
+    settle();
+    QVERIFY(notice.isHidden());
+    QVERIFY(window().shown()->impact.waves);
+    QCOMPARE(undoText(), QStringLiteral("round the lengths"));
+}
+
 void TestStringPage::aRowIsDraggedToItsPlace() {
     // Rows: two of the hammer, adapter, coupling and rod in a repeat, skirt, head.
     const auto drag = [&](int from, int to) {
@@ -559,7 +642,7 @@ void TestStringPage::aClickInTheDrawingSelectsTheRow() {
         ++clicked;
     }
     QVERIFY(clicked >= 8);
-    QVERIFY(drawing.textOf(8).contains(QStringLiteral("rod (7)")));
+    QVERIFY(drawing.textOf(8).contains(QStringLiteral("3rd rod")));
     QVERIFY(drawing.textOf(8).contains(QStringLiteral("ms")));
     QVERIFY(!drawing.sectionAt(QPointF(1, 1)));
 }

@@ -226,9 +226,9 @@ void TestStringPicture::theReadoutNamesTheSection() {
                                 stringPlace(blow->scenario.drillString, x / 4.3));
     const RodState now = history.at(t);
     QVERIFY(now.normalForce < -0.5);
-    QVERIFY2(readout().startsWith(textOf((x - 0.35) / 4.3, picture().units.position) +
-                                  " into coupling (section 2) · t = "),
-             qPrintable(readout()));
+    QVERIFY2(
+        readout().startsWith(textOf((x - 0.35) / 4.3, picture().units.position) + " into coupling · t = "),
+        qPrintable(readout()));
     const double area = propertiesOf(*allSections(blow->scenario.drillString)[3], Material()).area;
     const double newtons = now.normalForce * blow->scales.force;
     for (const QString& text : {"N = " + textOf(now.normalForce, blow->units.force),
@@ -243,9 +243,9 @@ void TestStringPicture::theReadoutNamesTheSection() {
 void TestStringPicture::theReadoutTellsOfTheHammer() {
     present(solved("r32_string"));
     hover(pixel(-0.1, 1));
-    QVERIFY2(readout().contains(QStringLiteral("into hammer section 2 · ")), qPrintable(readout()));
+    QVERIFY2(readout().contains(QStringLiteral("into hammer 2 · ")), qPrintable(readout()));
     hover(pixel(-0.4, 1));
-    QVERIFY2(readout().contains(QStringLiteral("into hammer section 1 · ")), qPrintable(readout()));
+    QVERIFY2(readout().contains(QStringLiteral("into hammer 1 · ")), qPrintable(readout()));
     hover({2, 2});
     QVERIFY2(readout().startsWith(QStringLiteral("in view N = ")), qPrintable(readout()));
 }

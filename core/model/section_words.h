@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Names of sections in tables and sentences, and what a string consists of.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include "core/model/drill_string.h"
+#include "core/model/string_edit.h"
+#include "core/text/message.h"
+
+namespace drillwave {
+
+/// Returns "3rd rod" for every section of the string with repeats written out; "adapter" where only one
+/// section has that name, "section 3" where it has none.
+std::vector<Message> stringSectionWords(const DrillString& drillString);
+
+/// Returns "hammer 1", or "hammer 1 (piston)" where it has a name. `place` counts from 1.
+Message hammerSectionWords(const DrillString& drillString, std::size_t place);
+
+/// Returns the words of all sections of hammer and string, in the order of allSections().
+std::vector<Message> sectionWords(const DrillString& drillString);
+
+/// Returns the words of every section as it stands in a file, in the order of sectionSpots(): those of
+/// sectionWords(), and "2nd to 4th rod" of a section in a repeat.
+std::vector<Message> rowWords(const DrillString& drillString);
+
+/// Returns "6 rods, 3 couplings, 2 other sections".
+Message stringWords(const DrillString& drillString);
+
+}  // namespace drillwave

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sections are counted by their names: "3rd rod".
+#include <QTest>
+
+#include "core/model/section_words.h"
+
+using namespace drillwave;
+
+namespace {
+
+Section named(const char* name) {
+    Section section;
+    section.name = name;
+    section.length = 1;
+    return section;
+}
+
+std::vector<std::string> texts(const std::vector<Message>& words) {
+    std::vector<std::string> all;
+    for (const Message& each : words) all.push_back(each.text());
+    return all;
+}
+
+using Texts = std::vector<std::string>;
+
+}  // namespace
+
+class TestSectionWords : public QObject {
+    Q_OBJECT
+
+  private slots:
+    void sectionsOfOneNameAreCounted() {
+        DrillString drill;
+        drill.hammer.sections = {named("piston"), named("")};
+        drill.parts = {{.sections = {named("adapter")}},
+                       {.sections = {named("rod")}},
+                       {.repeat = 2, .group = true, .sections = {named("coupling"), named("rod")}},
+                       {.sections = {named("")}}};
+        QCOMPARE(texts(sectionWords(drill)),
+                 (Texts{"hammer 1 (piston)", "hammer 2", "adapter", "1st rod", "1st coupling", "2nd rod",
+                        "2nd coupling", "3rd rod", "section 7"}));
+        QCOMPARE(texts(rowWords(drill)), (Texts{"hammer 1 (piston)", "hammer 2", "adapter", "1st rod",
+                                                "1st and 2nd coupling", "2nd and 3rd rod", "section 7"}));
+        QCOMPARE(stringWords(drill).text(), std::string("3 rods, 2 couplings, 2 other sections"));
+    }
+
+    void rowsOfARepeatHaveAllTheirNumbers() {
+        DrillString drill;
+        drill.parts = {{.repeat = 4, .group = true, .sections = {named("rod"), named("")}},
+                       {.repeat = 3, .group = true, .sections = {named("rod"), named("rod")}}};
+        QCOMPARE(texts(rowWords(drill)),
+                 (Texts{"1st to 4th rod", "sections 2, 4 … 8", "5th, 7th … 9th rod", "6th, 8th … 10th rod"}));
+    }
+
+    void ordinalsAreThoseOfEnglish() {
+        DrillString drill;
+        drill.parts = {{.repeat = 23, .group = true, .sections = {named("rod")}}};
+        const Texts all = texts(stringSectionWords(drill));
+        QCOMPARE(all[10], std::string("11th rod"));
+        QCOMPARE(all[11], std::string("12th rod"));
+        QCOMPARE(all[20], std::string("21st rod"));
+        QCOMPARE(all[22], std::string("23rd rod"));
+        QCOMPARE(stringWords(drill).text(), std::string("23 rods"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestSectionWords)
+#include "tst_section_words.moc"
