@@ -262,23 +262,34 @@ void TestMapPage::anotherParameterAsksForAnotherMap() {
 
 void TestMapPage::aClickTakesOverThePoint() {
     open("t38_medium_rock");
+    // Away from the presets: a press near a line of the crosshair takes hold of it.
+    m_document->assign(*findParameter("bit_rock.gamma"), 0.9, m_document->newGesture());
+    finish();
     const MapGrid& grid = report().grid;
-    const PresetPoint preset = m_page->map()->picture()->presets.front();
-    const auto& picture = *m_page->map()->picture();
-    const QPoint point = pixelOf(preset.x * picture.x.factor, preset.y * picture.y.factor);
-    const auto place = m_page->map()->pointAt({preset.x * picture.x.factor, preset.y * picture.y.factor});
+    const QCPAxisRect* rect = m_page->map()->mapRect();
+    const QPoint crosshair = pixelOf(105, 0.9);
+    constexpr int clear = 15;  // [px]
+    std::optional<QPoint> mark;
+    for (const QPointF& at : m_page->map()->keyPlaces().marks())
+        if (const QPoint pixel = pixelOf(at.x(), at.y()); !mark && rect->rect().contains(pixel) &&
+                                                          std::abs(pixel.x() - crosshair.x()) > clear &&
+                                                          std::abs(pixel.y() - crosshair.y()) > clear)
+            mark = pixel;
+    QVERIFY(mark);
+    const auto place = m_page->map()->pointAt({rect->axis(QCPAxis::atBottom)->pixelToCoord(mark->x()),
+                                               rect->axis(QCPAxis::atLeft)->pixelToCoord(mark->y())});
     QVERIFY(place);
-    const double x = grid.xs()[place->column], y = grid.ys()[place->row];
-    // Between lines and presets a click only gives the plot the focus.
+    const double stiffness = grid.xs()[place->column], gamma = grid.ys()[place->row];
+    // Away from lines and presets, a click only gives the plot the focus.
     m_page->plot()->keyPoint().offer({});
-    for (QCPAbstractPlottable* line : m_page->plot()->axisRect()->plottables()) line->setVisible(false);
-    QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, point);
-    QCOMPARE(m_document->undoStack().count(), 0);
-    m_page->plot()->keyPoint().offer(m_page->map()->keyPlaces());
-    QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, point);
-    QVERIFY(std::abs(m_document->scenario().bitRock.stiffness / x - 1) < 0.05);
-    QVERIFY(std::abs(m_document->scenario().bitRock.gamma - y) < 0.05);
+    for (QCPAbstractPlottable* line : rect->plottables()) line->setVisible(false);
+    QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, *mark);
     QCOMPARE(m_document->undoStack().count(), 1);
+    m_page->plot()->keyPoint().offer(m_page->map()->keyPlaces());
+    QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, *mark);
+    QCOMPARE(m_document->scenario().bitRock.stiffness, stiffness);
+    QCOMPARE(m_document->scenario().bitRock.gamma, gamma);
+    QCOMPARE(m_document->undoStack().count(), 2);
     QVERIFY(m_document->undoStack().undoText().contains(QStringLiteral("stiffness")));
 }
 
