@@ -9,8 +9,7 @@
 namespace drillwave {
 namespace {
 
-constexpr int leastLines = 10;   // of text: what is lower is of no use
-constexpr int leastWidth = 400;  // [px]
+constexpr int leastLines = 10;  // of text: what is lower is of no use
 
 }  // namespace
 

@@ -14,6 +14,8 @@ class PageScroll : public QScrollArea {
     Q_OBJECT
 
   public:
+    static constexpr int leastWidth = 400;  ///< [px] below which the window does not go
+
     explicit PageScroll(PageTabs* pages, QWidget* parent = nullptr);
 
     QSize sizeHint() const override;

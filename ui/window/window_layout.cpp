@@ -123,26 +123,30 @@ int WindowLayout::widthSideBySide() const {
     // One more than the least: a window that has been made as narrow as it can be has the docks come
     // together.
     const auto* pages = m_window->centralWidget()->findChild<PageScroll*>();
-    int width = std::max(usefulPageWidth, (pages ? pages->neededWidth() : 0) + 1);
+    int width = std::max(usefulPageWidth, pages->neededWidth() + 1);
     for (const QDockWidget* dock : std::as_const(m_docks))
         width += dock->widget()->minimumSizeHint().width() +
                  m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
     return width;
 }
 
-// The least with the docks on one side. The window may be made as narrow at once, whatever the docks need
-// side by side: they come together when it is.
-int WindowLayout::widthStacked() const {
-    int dock = 0;
-    for (const QDockWidget* each : std::as_const(m_docks))
-        if (!each->isFloating() && !each->isHidden())
-            dock = std::max(dock, each->widget()->minimumSizeHint().width());
-    return m_window->centralWidget()->minimumSizeHint().width() + dock +
-           m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
+// The width that docks on one side and the separator take at least.
+int WindowLayout::widthOfOneSide() const {
+    int width = 0;
+    for (const QDockWidget* dock : std::as_const(m_docks))
+        if (!dock->isFloating() && !dock->isHidden())
+            width = std::max(width, dock->widget()->minimumSizeHint().width());
+    return width + m_window->style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent);
 }
 
+// The window may be made narrow at once, whatever the docks need side by side: they come together when it is.
+// A dock shrinks before the page scrolls sideways.
 void WindowLayout::stack() {
-    m_window->setMinimumWidth(widthStacked());
+    auto* pages = m_window->centralWidget()->findChild<PageScroll*>();
+    const int side = widthOfOneSide();
+    m_window->setMinimumWidth(PageScroll::leastWidth + side);
+    pages->setMinimumWidth(
+        std::max(PageScroll::leastWidth, std::min(m_window->width() - side, pages->neededWidth())));
     if (!m_stacked && m_window->width() < widthSideBySide() && isSideBySide()) {
         shareOneSide();
     } else if (m_stacked && m_window->width() >= widthSideBySide()) {

@@ -38,7 +38,7 @@ class WindowLayout : public QObject {
     void stack();
     void shareOneSide();
     int widthSideBySide() const;
-    int widthStacked() const;
+    int widthOfOneSide() const;
     bool isSideBySide() const;
 
     QMainWindow* m_window;
