@@ -74,8 +74,10 @@ void WindowLayout::save() const {
 bool WindowLayout::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Show && !std::exchange(m_restored, true))
         QTimer::singleShot(0, this, &WindowLayout::restore);
-    else if ((event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) && m_restored)
-        QTimer::singleShot(0, this, &WindowLayout::stack);
+    if ((event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) && m_restored &&
+        !m_docks.isEmpty())
+        setLeastWidths();  // before the window lays itself out
+    if (event->type() == QEvent::Resize && m_restored) QTimer::singleShot(0, this, &WindowLayout::stack);
     return QObject::eventFilter(watched, event);
 }
 
@@ -141,12 +143,15 @@ int WindowLayout::widthOfOneSide() const {
 
 // The window may be made narrow at once, whatever the docks need side by side: they come together when it is.
 // A dock shrinks before the page scrolls sideways.
-void WindowLayout::stack() {
+void WindowLayout::setLeastWidths() {
     auto* pages = m_window->centralWidget()->findChild<PageScroll*>();
     const int side = widthOfOneSide();
     m_window->setMinimumWidth(PageScroll::leastWidth + side);
     pages->setMinimumWidth(
         std::max(PageScroll::leastWidth, std::min(m_window->width() - side, pages->neededWidth())));
+}
+
+void WindowLayout::stack() {
     if (!m_stacked && m_window->width() < widthSideBySide() && isSideBySide()) {
         shareOneSide();
     } else if (m_stacked && m_window->width() >= widthSideBySide()) {

@@ -36,6 +36,7 @@ class WindowLayout : public QObject {
     void restore();
     void reset();
     void stack();
+    void setLeastWidths();
     void shareOneSide();
     int widthSideBySide() const;
     int widthOfOneSide() const;
