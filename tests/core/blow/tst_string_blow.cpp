@@ -168,7 +168,7 @@ class TestStringBlow : public QObject {
         for (const Example& example : builtInExamples())
             if (example.name == "t38_medium_rock") rod = parseScenario(example.text, "t38").scenario;
         const double speed = std::sqrt(rod.rod.youngsModulus / rod.rod.density);
-        rod.pulse.duration = 2 * 0.517 / speed;
+        rod.pulse.duration = 2 * 0.52 / speed;
         const Blow ofRod = solveBlow(rod, {}, Detail::histories);
         const Blow ofString = solved(stringOf(rod).scenario);
         for (const char* name :
