@@ -149,10 +149,12 @@ class MarchStudy {
             statisticsOf(other.blows, settle, m_mesh.problem.blow.velocity());
         // One that does not come to the same motion may be on its way to another: its scatter counts.
         const int period = m_result.statistics->period;
+        const double rounding = std::abs(m_mesh.grid.rounding(m_mesh.problem));
         const bool isLeft = period > 0 && statistics.period != period;
         for (std::size_t q = 0; q < blowQuantities.size(); ++q)
             m_result.cellErrors[q] =
                 coveringCells * std::abs(statistics.spreads[q].mean - m_result.spread(q).mean) +
+                coveringRounding * rounding * std::abs(m_result.spread(q).mean) +
                 (isLeft ? statistics.spreads[q].deviation : 0);
         const std::size_t penetration = quantityPlace(&DrillingBlow::penetration);
         const BlowSpread &own = m_result.spread(penetration), &others = statistics.spreads[penetration];

@@ -35,6 +35,10 @@ struct Lyapunov {
 /// What other cells change, twice or half as large, counts so often.
 inline constexpr double coveringCells = 3;
 
+/// A relative rounding of the interval has changed means by up to 180 times as much, which no other cells
+/// show.
+inline constexpr double coveringRounding = 300;
+
 /// What is wanted beside the blows: each march costs one of its own.
 struct DrillingWants {
     bool cellError = true;  ///< the same with other cells, see comparedDrillingGridOf()

@@ -299,11 +299,11 @@ void TestImportOfCurve::settingsOfARecorderAreKeptByNameAndOffered() {
     QVERIFY(settle(first));
     QVERIFY(first.result() == nullptr);
     choose(first, "timeColumn", "column 2");
-    choose(first, "timeUnit", "us");
+    choose(first, "timeUnit", QStringLiteral("µs"));
     choose(first, "valueColumn", "column 3");
     choose(first, "kind", "voltage");
     choose(first, "valueUnit", "V");
-    type(first, "forcePerVolt", "50\n");
+    type(first, "forcePerVolt", "50");
     QVERIFY(settle(first));
     QVERIFY2(first.result(), qPrintable(message(first)));
     const double peak = first.result()->peak;
