@@ -6,6 +6,7 @@
 
 #include "core/model/law_parameter.h"
 #include "core/model/section_parameter.h"
+#include "core/model/string_validation.h"
 #include "core/model/word_parameter.h"
 #include "core/text/decimal_text.h"
 #include "core/text/nearest_name.h"
@@ -138,10 +139,14 @@ Message whyNotApplicable(const Parameter& parameter, const Scenario& scenario) {
 
 namespace {
 
-bool lacksSections(const Scenario& scenario) {
-    if (!isString(scenario) && !hasSections(scenario)) return false;
-    const std::size_t hammer = scenario.drillString.hammer.sections.size();
-    return allSections(scenario.drillString).size() == hammer || (!isForced(scenario) && hammer == 0);
+/// Returns why hammer and string have no scales, whose multiples groups are: without sections, or with more
+/// of them than are followed.
+Message scalesProblem(const Scenario& scenario) {
+    if (!isString(scenario) && !hasSections(scenario)) return {};
+    const std::uint64_t count = sectionCount(scenario.drillString);
+    if (count > maximumSections) return tooManySections(count);
+    if (count > 0 && (isForced(scenario) || !scenario.drillString.hammer.sections.empty())) return {};
+    return translatable("drillwave::Message", "must have at least one section");
 }
 
 }  // namespace
@@ -150,9 +155,9 @@ Message assignNumber(Scenario& scenario, const Parameter& parameter, double si) 
     if (const Message reason = whyNotApplicable(parameter, scenario); !reason.isEmpty())
         return {translatable("drillwave::Message", "has no meaning here: %1"), {reason}};
     if (const Message problem = rangeProblem(parameter, si); !problem.isEmpty()) return problem;
-    // A group is a multiple of a scale, which a hammer or a string without sections does not have.
-    if (!parameter.rules.rival.empty() && lacksSections(scenario))
-        return about("string", translatable("drillwave::Message", "must have at least one section"));
+    if (!parameter.rules.rival.empty())
+        if (const Message problem = scalesProblem(scenario); !problem.isEmpty())
+            return about("string", problem);
     parameter.assign(scenario, si);
     return {};
 }

@@ -48,7 +48,7 @@ class SectionCheck {
 
     void checkHammer() {
         const std::size_t count = m_string.hammer.sections.size();
-        if (count > maximumSections) report("hammer.sections", "", tooMany(count));
+        if (count > maximumSections) report("hammer.sections", "", tooManySections(count));
     }
 
     void checkParts() {
@@ -67,13 +67,7 @@ class SectionCheck {
                        translatable("drillwave::Message", "only a repeat has it"));
         }
         if (const std::uint64_t count = sectionCount(m_string); count > maximumSections)
-            report("string", "", tooMany(count));
-    }
-
-    static Message tooMany(std::uint64_t count) {
-        return {translatable("drillwave::Message",
-                             "has %1 sections, its repeats written out; at most %2 are followed"),
-                {std::to_string(count), std::to_string(maximumSections)}};
+            report("string", "", tooManySections(count));
     }
 
     void checkSection(const std::string& key, const Section& section) {
@@ -149,6 +143,12 @@ class SectionCheck {
 
 std::vector<InputProblem> sectionProblems(const DrillString& drillString) {
     return SectionCheck(drillString).problems();
+}
+
+Message tooManySections(std::uint64_t count) {
+    return {translatable("drillwave::Message",
+                         "has %1 sections, its repeats written out; at most %2 are followed"),
+            {std::to_string(count), std::to_string(maximumSections)}};
 }
 
 }  // namespace drillwave

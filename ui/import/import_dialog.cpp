@@ -158,6 +158,7 @@ void ImportDialog::addRecorders(QFormLayout& form) {
     m_recorder->setInsertPolicy(QComboBox::NoInsert);
     m_recorder->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_recorder->lineEdit()->setMaxLength(60);
+    m_recorder->lineEdit()->setAccessibleName(m_recorder->accessibleName());
     m_recorder->lineEdit()->setPlaceholderText(tr("none"));
     m_keep = new QPushButton(tr("Keep"), row);
     m_keep->setObjectName(QStringLiteral("keepRecorder"));

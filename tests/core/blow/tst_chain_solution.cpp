@@ -154,7 +154,7 @@ class TestChainSolution : public QObject {
                 QVERIFY2(std::abs(solution.impact.momentumResidual()) < 1e-9, number);
                 std::vector<int> finer = solution.problem.pieces;
                 for (int& count : finer)
-                    if (count > 1) count *= 4;
+                    if (count > 1) count *= 2;
                 const Impact truth = solver.solve(problemOf(scenario, finer), {.wants = {}});
                 if (!truth.isSolved() || truth.rounding > 1e-9) continue;  // more work than is permitted
                 ++looked;
@@ -240,7 +240,9 @@ class TestChainSolution : public QObject {
         Scenario scenario = test::losslessString();
         findParameter("string.1.end_diameter")->assign(scenario, 0.03);
         findParameter("hammer.1.end_diameter")->assign(scenario, 0.04);
+        scenario.drillString.endTime = 6e-3;  // of longer ones the waves are too many to be kept
         const Blow blow = solveBlow(scenario, {}, Detail::histories, {}, Stresses::wanted);
+        QVERIFY(blow.impact.waves);
         const std::vector<const Section*> sections = allSections(scenario.drillString);
         const std::vector<SectionStress> stresses = sectionStresses(scenario, blow.impact);
         QCOMPARE(stresses.size(), sections.size());

@@ -387,6 +387,14 @@ void TestParameter::groupsOfAStringWithoutSectionsAreRefused() {
         const std::string problem = assignNumber(scenario, *findParameter(key), 0.5).text();
         QVERIFY2(problem.find("must have at least one section") != std::string::npos, problem.c_str());
     }
+    // Repeats are counted, not written out.
+    StringPart repeat;
+    repeat.sections.push_back({});
+    repeat.repeat = 1'000'000'000;
+    scenario.drillString.parts = {repeat};
+    scenario.drillString.hammer.sections.push_back({});
+    const std::string problem = assignNumber(scenario, *findParameter("beta"), 0.5).text();
+    QVERIFY2(problem.find("has 1000000000 sections") != std::string::npos, problem.c_str());
 }
 
 QTEST_APPLESS_MAIN(TestParameter)
