@@ -212,7 +212,7 @@ void TestReportFile::aStringIsReportedWithItsSections() {
     QVERIFY(page.find("All gaps") == std::string::npos);
     QVERIFY(page.find("of yield") == std::string::npos);
     QCOMPARE(numbersOf(rowOf(page, QStringLiteral("string.3"))), (QList<double>{3.66, 0.039, 0.0145, 0.05}));
-    ScenarioDocument document = parseScenario(findExample("t38_string")->text, "here");
+    ScenarioDocument document = parseScenario(test::losslessText("t38_string"), "here");
     findParameter("string.rod.yield_strength")->assign(document.scenario, 300e6);
     const std::string strong = pageOf(reportOn(document));
     QVERIFY(strong.find("of yield") != std::string::npos);
@@ -343,4 +343,5 @@ void TestReportFile::aPageWithoutARecordIsRefused() {
 }
 
 QTEST_GUILESS_MAIN(TestReportFile)
+#include "tests/support/lossless_string.h"
 #include "tst_report_file.moc"
