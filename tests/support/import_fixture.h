@@ -93,8 +93,12 @@ inline ImportDialog& ImportFixture::open(const QString& path, ImportUse use) {
     if (use == ImportUse::blow) {
         m_window->findChild<QPushButton*>(QStringLiteral("importBlow"))->click();
     } else {
+        // A dialog that was open takes its actions with it.
         for (QAction* action : m_window->findChildren<QAction*>())
-            if (action->text() == QStringLiteral("&Import…")) action->trigger();
+            if (action->text() == QStringLiteral("&Import…")) {
+                action->trigger();
+                break;
+            }
     }
     auto* dialog = m_window->findChild<ImportDialog*>();
     if (!dialog) qFatal("no dialog");
