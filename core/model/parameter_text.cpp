@@ -139,8 +139,7 @@ Message whyNotApplicable(const Parameter& parameter, const Scenario& scenario) {
 
 namespace {
 
-/// Returns why hammer and string have no scales, whose multiples groups are: without sections, or with more
-/// of them than are followed.
+/// Returns why groups cannot be set: their scales need at least one section, and no more than are followed.
 Message scalesProblem(const Scenario& scenario) {
     if (!isString(scenario) && !hasSections(scenario)) return {};
     const std::uint64_t count = sectionCount(scenario.drillString);

@@ -76,10 +76,19 @@ Message hammerSectionWords(const DrillString& drillString, std::size_t place) {
             {std::to_string(place) + (name.empty() ? "" : " (" + name + ")")}};
 }
 
-std::vector<Message> sectionWords(const DrillString& drillString) {
+namespace {
+
+std::vector<Message> hammerWords(const DrillString& drillString) {
     std::vector<Message> words;
     for (std::size_t place = 1; place <= drillString.hammer.sections.size(); ++place)
         words.push_back(hammerSectionWords(drillString, place));
+    return words;
+}
+
+}  // namespace
+
+std::vector<Message> sectionWords(const DrillString& drillString) {
+    std::vector<Message> words = hammerWords(drillString);
     for (Message& each : stringSectionWords(drillString)) words.push_back(std::move(each));
     return words;
 }
@@ -87,9 +96,7 @@ std::vector<Message> sectionWords(const DrillString& drillString) {
 std::vector<Message> rowWords(const DrillString& drillString) {
     const std::vector<const Section*> sections = expandedSections(drillString);
     const NumberedNames names(sections);
-    std::vector<Message> words;
-    for (std::size_t place = 1; place <= drillString.hammer.sections.size(); ++place)
-        words.push_back(hammerSectionWords(drillString, place));
+    std::vector<Message> words = hammerWords(drillString);
     std::uint64_t before = 0;
     for (const StringPart& part : drillString.parts) {
         const std::uint64_t size = part.sections.size();

@@ -105,11 +105,19 @@ SectionSpot insertBehind(DrillString& drillString, const SectionSpot& spot,
     return last;
 }
 
+namespace {
+
+/// Returns whether a section stands beside others in the hammer or in a repeat, not as a part of its own.
+bool isInList(const DrillString& drillString, const SectionSpot& spot) {
+    return spot.inHammer || drillString.parts[spot.part].group;
+}
+
+}  // namespace
+
 bool canReplace(const DrillString& drillString, const std::vector<SectionSpot>& spots) {
     if (spots.empty()) return false;
     const SectionSpot& first = spots.front();
-    const bool isOneList = first.inHammer || drillString.parts[first.part].group;
-    if (!isOneList) return canRepeat(drillString, spots);
+    if (!isInList(drillString, first)) return canRepeat(drillString, spots);
     for (std::size_t i = 0; i < spots.size(); ++i)
         if (spots[i] != SectionSpot{first.inHammer, first.part, first.index + i}) return false;
     return true;
@@ -121,9 +129,7 @@ SectionSpot replaceSections(DrillString& drillString, const std::vector<SectionS
     SectionSpot last = spots.back();
     for (const Section& section : sections) last = insertAfter(drillString, last, section);
     for (auto spot = spots.rbegin(); spot != spots.rend(); ++spot) removeSection(drillString, *spot);
-    const SectionSpot& first = spots.front();
-    const bool isOneList = first.inHammer || drillString.parts[first.part].group;
-    (isOneList ? last.index : last.part) -= spots.size();
+    (isInList(drillString, spots.front()) ? last.index : last.part) -= spots.size();
     return last;
 }
 
