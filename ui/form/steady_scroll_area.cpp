@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/form/steady_scroll_area.h"
 
+#include <QEvent>
 #include <QScrollBar>
 #include <algorithm>
 
@@ -17,6 +18,12 @@ SteadyScrollArea::SteadyScrollArea(QWidget* parent) : QScrollArea(parent) {
     setFrameShape(QFrame::NoFrame);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOn);
+}
+
+// Content that has become wider needs a wider area; Qt would leave the width as it was.
+bool SteadyScrollArea::event(QEvent* event) {
+    if (event->type() == QEvent::LayoutRequest) updateGeometry();
+    return QScrollArea::event(event);
 }
 
 QSize SteadyScrollArea::around(const QSize& content, int height) const {

@@ -17,6 +17,9 @@ class SteadyScrollArea : public QScrollArea {
     /// Wide enough that nothing is cut off at the side.
     QSize minimumSizeHint() const override;
 
+  protected:
+    bool event(QEvent* event) override;
+
   private:
     QSize around(const QSize& content, int height) const;
 };
