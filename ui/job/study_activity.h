@@ -4,6 +4,8 @@
 
 #include <QObject>
 #include <QString>
+#include <QTimer>
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 
@@ -16,7 +18,10 @@ struct StudyProgress {
     bool operator==(const StudyProgress&) const = default;
 };
 
-/// stopped: by the user; what had been found stays. failed: see problem().
+/// Seconds that a study may run on a page before the user asks for all of it.
+inline constexpr std::chrono::seconds unaskedTime{10};
+
+/// stopped: by the user, or after unaskedTime; what had been found stays. failed: see problem().
 enum class StudyState { idle, running, finished, stopped, failed };
 
 /// What can be seen of a study from outside.
@@ -24,7 +29,7 @@ class StudyActivity : public QObject {
     Q_OBJECT
 
   public:
-    using QObject::QObject;
+    explicit StudyActivity(QObject* parent = nullptr);
 
     /// Of the study asked for last.
     StudyState state() const { return m_state; }
@@ -36,6 +41,12 @@ class StudyActivity : public QObject {
     /// How many values have come, of earlier studies too: while it grows the window keeps up with the hand.
     std::uint64_t answers() const { return m_answers; }
     virtual void cancel() = 0;
+    /// Runs a study that was stopped again, without limit of time.
+    virtual void resume() = 0;
+    /// Stops every study that runs longer, resumed ones excepted; 0 for no limit. None at first.
+    void setTimeLimit(std::chrono::milliseconds limit) { m_limit = limit; }
+    /// Whether the last study was stopped because its time was over.
+    bool isOutOfTime() const { return m_isOutOfTime; }
     /// Stops the study and drops what there is to show.
     virtual void forget() = 0;
 
@@ -44,10 +55,18 @@ class StudyActivity : public QObject {
     void changed();
 
   protected:
+    /// Begins the time of a study that starts.
+    void startTime();
+
     StudyState m_state = StudyState::idle;
     StudyProgress m_progress;
     QString m_problem;
     std::uint64_t m_answers = 0;
+
+  private:
+    std::chrono::milliseconds m_limit{0};
+    QTimer m_time;
+    bool m_isOutOfTime = false;
 };
 
 }  // namespace drillwave

@@ -37,6 +37,7 @@ class StudyJob : public StudyActivity {
     explicit StudyJob(QObject* parent = nullptr) : StudyActivity(parent) {}
 
     void submit(Study study);
+    void resume() override;
     /// Stops the study. What it has shown so far stays.
     void cancel() override;
     void forget() override;
@@ -56,6 +57,7 @@ class StudyJob : public StudyActivity {
         std::shared_ptr<const Value> value;
     };
 
+    void start();
     StudyFeed<Value> feed(std::uint64_t number, const std::stop_token& stop);
     static End run(const Study& study, const StudyFeed<Value>& feed);
     template <class Write>
@@ -65,6 +67,7 @@ class StudyJob : public StudyActivity {
     void end(std::uint64_t number, const End& end);
 
     // Seen by the window's thread only. Studies are counted from 1.
+    Study m_study;
     std::uint64_t m_asked = 0;
     std::uint64_t m_dropped = 0;  // up to this one nobody wants to hear of them
     std::uint64_t m_valueOf = 0;
@@ -80,17 +83,28 @@ class StudyJob : public StudyActivity {
 
 template <class Value>
 void StudyJob<Value>::submit(Study study) {
+    m_study = std::move(study);
+    startTime();
+    start();
+}
+
+template <class Value>
+void StudyJob<Value>::resume() {
+    if (m_state == StudyState::stopped) start();
+}
+
+template <class Value>
+void StudyJob<Value>::start() {
     const std::uint64_t number = ++m_asked;
     m_state = StudyState::running;
     m_progress = {};
     m_problem.clear();
-    m_worker.submit(
-        [this, number, study = std::move(study)](const std::stop_token& stop) -> Worker::Delivery {
-            End ended = run(study, feed(number, stop));
-            // What was stopped for the next study is not finished, whatever it says.
-            if (stop.stop_requested()) ended = {};
-            return [this, number, ended = std::move(ended)] { end(number, ended); };
-        });
+    m_worker.submit([this, number, study = m_study](const std::stop_token& stop) -> Worker::Delivery {
+        End ended = run(study, feed(number, stop));
+        // What was stopped for the next study is not finished, whatever it says.
+        if (stop.stop_requested()) ended = {};
+        return [this, number, ended = std::move(ended)] { end(number, ended); };
+    });
     emit changed();
 }
 

@@ -19,6 +19,13 @@ QString timeLeft(double seconds, const QLocale& locale) {
                        : StudyStatus::tr("%1 min left").arg(locale.toString(std::ceil(shown / 60), 'f', 0));
 }
 
+// "3 s" or "3 min", rounded up.
+QString timeText(double seconds, const QLocale& locale) {
+    const double shown = std::ceil(seconds);
+    return shown < 100 ? StudyStatus::tr("%1 s").arg(locale.toString(shown, 'f', 0))
+                       : StudyStatus::tr("%1 min").arg(locale.toString(std::ceil(shown / 60), 'f', 0));
+}
+
 // The place stays when what is in it goes.
 void keepPlace(QWidget* widget) {
     QSizePolicy policy = widget->sizePolicy();
@@ -41,20 +48,25 @@ QString progressText(const StudyProgress& progress, double seconds, const QLocal
                                 : StudyStatus::tr("%1/s").arg(numberText(rate, 2, locale)));
 }
 
+QString resumeText(const StudyProgress& progress, double seconds, const QLocale& locale) {
+    if (seconds < rateSeconds || progress.done == 0 || progress.done >= progress.wanted)
+        return StudyStatus::tr("Solve all");
+    const double all = seconds / double(progress.done) * double(progress.wanted);
+    return StudyStatus::tr("Solve all (%1)").arg(timeText(all, locale));
+}
+
 StudyStatus::StudyStatus(QWidget* parent)
     : QWidget(parent),
       m_title(new QLabel(this)),
       m_bar(new QProgressBar(this)),
       m_text(new QLabel(this)),
-      m_button(new QPushButton(tr("Cancel"), this)) {
+      m_button(new QPushButton(this)) {
     m_bar->setTextVisible(false);
     m_bar->setFixedSize(6 * fontMetrics().averageCharWidth() + 24, fontMetrics().height());
     m_bar->setAccessibleName(tr("Progress of the study"));
     m_text->setMinimumWidth(
         m_text->fontMetrics().horizontalAdvance(QStringLiteral("9999/9999 · ") + tr("%1 min left").arg(99)));
     m_button->setObjectName(QStringLiteral("studyButton"));
-    m_button->setToolTip(tr("Stop the study; the points it has found stay"));
-    m_button->setAccessibleName(tr("Cancel the study"));
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(4, 0, 4, 0);
     for (QWidget* part : {static_cast<QWidget*>(m_title), static_cast<QWidget*>(m_bar),
@@ -66,7 +78,11 @@ StudyStatus::StudyStatus(QWidget* parent)
     m_late.setInterval(usualPatience);
     connect(&m_late, &QTimer::timeout, this, &StudyStatus::showRunning);
     connect(m_button, &QPushButton::clicked, this, [this] {
-        if (m_activity) m_activity->cancel();
+        if (!m_activity) return;
+        if (m_activity->state() == StudyState::stopped)
+            m_activity->resume();
+        else
+            m_activity->cancel();
     });
     clear();
 }
@@ -80,11 +96,12 @@ void StudyStatus::follow(StudyActivity* activity, const QString& name) {
     clear();
     if (!activity) return;
     connect(activity, &StudyActivity::changed, this, &StudyStatus::update);
-    if (activity->state() == StudyState::running) update();
+    if (activity->state() == StudyState::running || activity->state() == StudyState::stopped) update();
 }
 
 void StudyStatus::update() {
     if (m_activity->state() == StudyState::running) {
+        if (!m_since.isValid()) clear();  // of what was said of a stopped one
         // A study that has done nothing has just begun.
         if (!m_since.isValid() || m_activity->progress().done == 0) m_since.start();
         if (m_button->isHidden()) {
@@ -94,12 +111,28 @@ void StudyStatus::update() {
         }
         return;
     }
+    const double seconds = m_since.isValid() ? double(m_since.elapsed()) / 1000 : 0;
     m_late.stop();
     m_since.invalidate();
     clear();
-    if (m_activity->state() != StudyState::stopped) return;
+    if (m_activity->state() == StudyState::stopped) showStopped(seconds);
+}
+
+void StudyStatus::showStopped(double seconds) {
     m_text->setText(progressText(m_activity->progress(), 0, locale()));
-    setTitle(tr("%1 stopped").arg(m_name), tr("stopped"));
+    setButton(resumeText(m_activity->progress(), seconds, locale()),
+              tr("Run the study again to its end, however long it takes"));
+    const QString limit = locale().toString(qint64(unaskedTime.count()));
+    if (m_activity->isOutOfTime())
+        setTitle(tr("%1 stopped after %2 s").arg(m_name, limit), tr("stopped after %1 s").arg(limit));
+    else
+        setTitle(tr("%1 stopped").arg(m_name), tr("stopped"));
+}
+
+void StudyStatus::setButton(const QString& words, const QString& toolTip) {
+    m_button->setText(words);
+    m_button->setToolTip(toolTip);
+    m_button->show();
 }
 
 void StudyStatus::showRunning() {
@@ -108,7 +141,7 @@ void StudyStatus::showRunning() {
     m_text->setText(progressText(progress, double(m_since.elapsed()) / 1000, locale()));
     m_bar->setVisible(progress.wanted > 0);
     if (progress.wanted > 0) m_bar->setValue(int(100.0 * double(progress.done) / double(progress.wanted)));
-    m_button->show();
+    setButton(tr("Cancel"), tr("Stop the study; the points it has found stay"));
     setTitle(m_name, {});
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The status line of a study: how far it is, how long it still takes, and a button to stop it.
+// The status line of a study: how far it is, how long it still takes, and a button that stops or resumes it.
 #pragma once
 
 #include <QElapsedTimer>
@@ -15,12 +15,15 @@
 
 namespace drillwave {
 
+/// "Solve all (3 min)": the button that resumes a stopped study, of which these points took that long.
+QString resumeText(const StudyProgress& progress, double seconds, const QLocale& locale);
+
 /// "640/1500 · 2 s left" after that many seconds; "640 · 320/s" where nobody knows how many there will be.
 /// Only the count while there is too little to tell the rate, and where all that was thought of is done.
 QString progressText(const StudyProgress& progress, double seconds, const QLocale& locale);
 
 /// Shows the activity of the page on show while it runs for more than a moment, and what was reached of one
-/// that was stopped. Its place is kept while it shows nothing.
+/// that was stopped, with a button to resume it. Its place is kept while it shows nothing.
 class StudyStatus : public QWidget {
     Q_OBJECT
 
@@ -39,6 +42,8 @@ class StudyStatus : public QWidget {
   private:
     void update();
     void showRunning();
+    void showStopped(double seconds);
+    void setButton(const QString& words, const QString& toolTip);
     void setTitle(const QString& title, const QString& shortTitle);
     bool fitsItsLine() const;
     void clear();

@@ -52,6 +52,7 @@ class TestStudyJob : public QObject {
     void theValueOfAnEarlierStudyStaysUntilThereIsAnother();
     void whatAnEarlierStudyShowsIsNotCurrent();
     void aCancelledStudyKeepsWhatItHasShown();
+    void aStudyStopsWhenItsTimeIsOverUnlessItIsResumed();
     void aStudyAfterACancelGetsItsValue();
     void whatAStudyThrowsIsItsProblem();
     void aLongStudyIsStoppedWhenANewerOneWaits();
@@ -193,6 +194,34 @@ void TestStudyJob::aCancelledStudyKeepsWhatItHasShown() {
     QVERIFY(std::is_sorted(seen.begin(), seen.end()));
     job.cancel();  // there is nothing to stop
     QCOMPARE(job.state(), StudyState::finished);
+}
+
+void TestStudyJob::aStudyStopsWhenItsTimeIsOverUnlessItIsResumed() {
+    CurveJob job;
+    job.setTimeLimit(std::chrono::milliseconds(20));
+    std::atomic<int> runs = 0;
+    job.submit([&runs](const StudyFeed<Curve>& feed) {
+        feed.show(coarse(1));
+        if (++runs == 1) untilStopped(feed.stop);
+        QTest::qSleep(60);  // longer than the time limit
+        return fine(1);
+    });
+    QTRY_COMPARE(job.state(), StudyState::stopped);
+    QVERIFY(job.isOutOfTime());
+    QVERIFY(job.value());
+    job.resume();
+    QTRY_COMPARE(job.state(), StudyState::finished);
+    QCOMPARE(runs.load(), 2);
+    job.resume();  // there is nothing to resume
+    QCOMPARE(job.state(), StudyState::finished);
+    // The next one has its time again, and a user who stops it did not wait for its end.
+    job.submit([](const StudyFeed<Curve>& feed) {
+        untilStopped(feed.stop);
+        return fine(2);
+    });
+    QVERIFY(!job.isOutOfTime());
+    job.cancel();
+    QVERIFY(!job.isOutOfTime());
 }
 
 void TestStudyJob::aStudyAfterACancelGetsItsValue() {

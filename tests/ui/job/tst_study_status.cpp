@@ -19,6 +19,7 @@ class FakeStudy : public StudyActivity {
     }
     bool isCurrent() const override { return false; }
     void cancel() override { set(StudyState::stopped, m_progress); }
+    void resume() override { set(StudyState::running, {}); }
     void forget() override { cancel(); }
 };
 
@@ -33,6 +34,7 @@ class TestStudyStatus : public QObject {
     void aStudyIsShownAfterAMoment();
     void aShortStudyIsNeverSeen();
     void cancelStopsTheStudyAndSaysHowFarItWas();
+    void aStoppedStudySaysHowLongAllOfItTakes();
     void anotherPageShowsItsOwnStudy();
     void theLineKeepsItsPlace();
     void aNarrowLineDoesWithoutTheName();
@@ -98,7 +100,24 @@ void TestStudyStatus::cancelStopsTheStudyAndSaysHowFarItWas() {
     status.button()->click();
     QCOMPARE(study.state(), StudyState::stopped);
     QCOMPARE(status.text(), QString("Map stopped 5/9"));
+    QCOMPARE(status.button()->text(), QString("Solve all"));
+    // Another page and back: the study is still stopped, and can still be resumed.
+    status.follow(nullptr, {});
     QVERIFY(status.button()->isHidden());
+    status.follow(&study, QStringLiteral("Map"));
+    QCOMPARE(status.text(), QString("Map stopped 5/9"));
+    status.button()->click();
+    QCOMPARE(study.state(), StudyState::running);
+    QTRY_COMPARE(status.button()->text(), QString("Cancel"));
+}
+
+void TestStudyStatus::aStoppedStudySaysHowLongAllOfItTakes() {
+    const QLocale locale = QLocale::c();
+    QCOMPARE(resumeText({250, 1000}, 10, locale), QString("Solve all (40 s)"));
+    QCOMPARE(resumeText({10, 1000}, 10, locale), QString("Solve all (17 min)"));
+    QCOMPARE(resumeText({10, 0}, 10, locale), QString("Solve all"));
+    QCOMPARE(resumeText({0, 1000}, 10, locale), QString("Solve all"));
+    QCOMPARE(resumeText({10, 1000}, 0, locale), QString("Solve all"));
 }
 
 void TestStudyStatus::anotherPageShowsItsOwnStudy() {

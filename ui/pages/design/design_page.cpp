@@ -54,6 +54,8 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
     m_plot = new DesignPlot(widget);
     useFrame(*m_plot, tr("Designs over what is not known"));
     watch(m_study.job());
+    m_study.job().setTimeLimit(
+        std::chrono::milliseconds(0));  // it ends after its own seconds, with whole stages
     connect(widget, &PlotWidget::placeTaken, this, &DesignPage::click);
     connect(m_card, &DesignCard::designWanted, this,
             [this](std::uint64_t design) { takeDesign(design, {}); });

@@ -103,6 +103,7 @@ void StudyPage::forget() {
 
 void StudyPage::watch(StudyActivity& activity) {
     m_activity = &activity;
+    activity.setTimeLimit(unaskedTime);
     connect(&activity, &StudyActivity::changed, this, &StudyPage::follow);
 }
 
