@@ -111,6 +111,24 @@ class ChainPieces {
     std::vector<int> m_counts;
 };
 
+/// Adds the waves of fewer pieces where those of the solution are more than can be kept, and of rounded round
+/// trips where no number of pieces has any.
+void addCoarseWaves(const Scenario& scenario, const NetworkSettings& settings, NetworkSolver& solver,
+                    const std::vector<Trial>& trials, ChainSolution& solution, const std::stop_token& stop) {
+    NetworkSettings waves = settings;
+    waves.accuracy = NetworkAccuracy::quick;
+    waves.wants = {.histories = true};
+    for (auto trial = trials.rbegin(); trial != trials.rend() && !solution.impact.waves; ++trial) {
+        waves.roundsForWaves = settings.roundsForWaves && trial + 1 == trials.rend();
+        const Impact coarser = solver.solve(problemOf(scenario, trial->counts), waves, stop);
+        if (stop.stop_requested()) return;
+        if (!coarser.isSolved() || !coarser.waves) continue;
+        solution.impact.takeWavesOf(coarser);
+        solution.impact.incident = coarser.incident;
+        solution.impact.force = coarser.force;
+    }
+}
+
 }  // namespace
 
 ChainSolution solveChain(const Scenario& scenario, const NetworkSettings& settings, NetworkSolver& solver,
@@ -163,14 +181,17 @@ ChainSolution solveChain(const Scenario& scenario, const NetworkSettings& settin
         widen();
         return solution;
     }
+    NetworkSettings full = settings;
+    full.roundsForWaves = false;  // fewer pieces do less harm
     for (auto trial = trials.rbegin(); trial != trials.rend(); ++trial) {
         // The forces or waves of so many pieces may take too much work.
         const bool isLast = trial + 1 == trials.rend();
-        if (!solve(trial->counts, settings) || (!isLast && isRoundedMore(solution.impact, trial->sums))) {
+        if (!solve(trial->counts, full) || (!isLast && isRoundedMore(solution.impact, trial->sums))) {
             if (stop.stop_requested()) break;
             continue;
         }
         widen();
+        if (settings.wants.histories) addCoarseWaves(scenario, settings, solver, trials, solution, stop);
         break;
     }
     return solution;

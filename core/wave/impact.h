@@ -3,8 +3,10 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -115,6 +117,16 @@ struct Impact {
     double forcesEnd = 0;  ///< until when they count: a round trip of the string after endOfBlow, or less
     std::vector<double> jointReflection;  ///< share of hammerWork per joint of two sections, where wanted
     std::shared_ptr<const StringWaves> waves;  ///< where wanted, and not more than can be kept
+    /// Where those are more than can be kept, `waves` are of a coarser string, whose e and efficiency differ
+    /// by this at most.
+    std::optional<double> wavesDifference;
+
+    /// Takes the waves of another run, of a coarser string.
+    void takeWavesOf(const Impact& coarser) {
+        waves = coarser.waves;
+        wavesDifference =
+            std::max(std::abs(coarser.cor - cor), std::abs(coarser.efficiency() - efficiency()));
+    }
 
     std::vector<ImpactEvent> events;  ///< Detail::events and above
 

@@ -29,13 +29,13 @@ WavesNotice::WavesNotice(Document& document, PageTabs& pages, QWidget* parent)
 }
 
 void WavesNotice::present(const SolvedBlow& blow) {
-    const bool isEmpty = hasSections(blow.scenario) && blow.fault.isEmpty() && !blow.marchedBlow &&
-                         !blow.pages.empty() && !blow.impact.waves;
-    if (!isEmpty || blow.request.scenario != m_document.scenario()) return hide();
+    const bool isThinned = hasSections(blow.scenario) && blow.fault.isEmpty() && !blow.marchedBlow &&
+                           !blow.pages.empty() && (!blow.impact.waves || blow.impact.wavesDifference);
+    if (!isThinned || blow.request.scenario != m_document.scenario()) return hide();
     const DrillString rounded = withRoundedLengths(m_document.scenario().drillString);
     if (rounded == m_document.scenario().drillString) return hide();
-    say(tr("The waves of this blow are too many to be kept, because the lengths share only a small step. "
-           "Rounding lengths to 10 mm can show this page: %1.")
+    say(tr("The waves of this blow are too many to be kept: this page shows those of a coarser string. "
+           "Rounding lengths to 10 mm can show them in full: %1.")
             .arg(changesText(rounded)));
 }
 

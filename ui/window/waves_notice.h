@@ -10,7 +10,7 @@ namespace drillwave {
 
 class PageTabs;
 
-/// Seen while the page on show wanted waves that were too many to be kept, where rounded lengths may help.
+/// Shown while the waves of the page were too many to be kept, where rounded lengths may help.
 class WavesNotice : public Notice {
     Q_OBJECT
 

@@ -218,6 +218,9 @@ bool usualGrid(const Problem& problem, CellGrid& grid) {
 class NetworkSolver::Workspace {
   public:
     Impact solve(const Problem& problem, const NetworkSettings& settings, const std::stop_token& stop);
+    /// Adds the waves of rounded round trips, as long cells as it takes to keep them.
+    void addCoarseWaves(Impact& impact, const Problem& problem, const NetworkSettings& settings,
+                        const std::stop_token& stop);
     /// Cells that it has room for.
     double held() const { return m_held; }
 
@@ -299,6 +302,18 @@ Impact NetworkSolver::Workspace::solveRounded(const Problem& problem, const Netw
     return impact;
 }
 
+void NetworkSolver::Workspace::addCoarseWaves(Impact& impact, const Problem& problem,
+                                              const NetworkSettings& settings, const std::stop_token& stop) {
+    const NetworkWants wants = wantsOf({.histories = true}, quickSmoothness);
+    const double roundTrip = roundTripOf(problem);
+    for (double cell = roundTrip / roundedCells; cell * fewestRoundedCells <= roundTrip; cell *= 2) {
+        planRounded(problem, cell, wants);
+        const Impact coarse = run(settings, stop);
+        if (stop.stop_requested()) return;
+        if (coarse.isSolved() && coarse.waves) return impact.takeWavesOf(coarse);
+    }
+}
+
 /// On cells that all round trips share, as fine as is wanted.
 const ForeseenWork& NetworkSolver::Workspace::planFine(const Problem& problem,
                                                        const NetworkSettings& settings,
@@ -333,6 +348,8 @@ Impact NetworkSolver::solve(const Problem& problem, const NetworkSettings& setti
                             const std::stop_token& stop) {
     if (!m_workspace) m_workspace = std::make_unique<Workspace>();
     Impact impact = m_workspace->solve(problem, settings, stop);
+    if (settings.wants.histories && settings.roundsForWaves && impact.isSolved() && !impact.waves)
+        m_workspace->addCoarseWaves(impact, problem, settings, stop);
     if (impact.waves) {
         impact.incident = impact.waves->bitWave();
         impact.force = impact.waves->bitForce();

@@ -28,6 +28,7 @@ struct NetworkSettings {
     NetworkWants wants;
     int halvings = 0;  ///< cells half as large as usual, and again
     long mostCells = mostNetworkCells;
+    bool roundsForWaves = true;  ///< waves of rounded round trips rather than none
 };
 
 /// Why this is no problem that can be solved: losses inside the hammer, a bit mass that swings too fast.
@@ -46,7 +47,8 @@ double balanceError(const Impact& impact);
 /// back. One solver per thread.
 ///
 /// Where the waves of a sure run are more than can be kept, they are those of a quick one: values to some
-/// 1e-3 where a wave bends within a cell. Round trips that share no cell are rounded: `rounding` tells by how
+/// 1e-3 where a wave bends within a cell, or else of a run with round trips rounded until they can be kept
+/// (Impact::wavesDifference). Round trips that share no cell are rounded: `rounding` tells by how
 /// much, and the error then is what other cells make of it. A blow that takes more work than permitted is not
 /// solved.
 class NetworkSolver {

@@ -240,7 +240,7 @@ class TestChainSolution : public QObject {
         Scenario scenario = test::losslessString();
         findParameter("string.1.end_diameter")->assign(scenario, 0.03);
         findParameter("hammer.1.end_diameter")->assign(scenario, 0.04);
-        scenario.drillString.endTime = 6e-3;  // of longer ones the waves are too many to be kept
+        scenario.drillString.endTime = 6e-3;  // of longer ones the waves are those of fewer pieces
         const Blow blow = solveBlow(scenario, {}, Detail::histories, {}, Stresses::wanted);
         QVERIFY(blow.impact.waves);
         const std::vector<const Section*> sections = allSections(scenario.drillString);
@@ -262,6 +262,42 @@ class TestChainSolution : public QObject {
         const BlowWaves waves(blow);
         for (const double x : {-0.02, 0.001, 0.02, 0.03, 0.5})
             QVERIFY(std::isfinite(waves.value(WaveQuantity::force, x, waves.end() / 2)));
+    }
+
+    void wavesOfManyPiecesAreThoseOfFewer() {
+        Scenario scenario = test::losslessString();
+        findParameter("string.1.end_diameter")->assign(scenario, 0.03);
+        findParameter("hammer.1.end_diameter")->assign(scenario, 0.04);
+        checkThinnedWaves(scenario);
+    }
+
+    void wavesOfLengthsThatShareNoCellAreThoseOfRoundedOnes() {
+        Scenario scenario = test::losslessString();
+        findParameter("string.3.length")->assign(scenario, 3.6571);
+        findParameter("hammer.1.length")->assign(scenario, 0.29993);
+        checkThinnedWaves(scenario);
+    }
+
+  private:
+    /// Numbers are those without waves; the waves reach the end of the blow, give nearly the same peak force,
+    /// and an alert says how far they are off.
+    static void checkThinnedWaves(const Scenario& scenario) {
+        const Blow alone = solveBlow(scenario, {}, Detail::summary);
+        const Blow blow = solveBlow(scenario, {}, Detail::histories);
+        QVERIFY(blow.impact.isSolved());
+        QVERIFY(blow.impact.waves);
+        QVERIFY(blow.impact.wavesDifference);
+        QVERIFY2(*blow.impact.wavesDifference < 0.01, QByteArray::number(*blow.impact.wavesDifference));
+        QVERIFY(std::abs(blow.impact.cor - alone.impact.cor) <= alone.impact.corError);
+        const auto alert = std::ranges::find(blow.alerts, AlertCode::wavesThinned, &Alert::code);
+        QVERIFY(alert != blow.alerts.end());
+        QCOMPARE(alert->argument("difference").value, *blow.impact.wavesDifference);
+        QVERIFY(std::ranges::find(alone.alerts, AlertCode::wavesThinned, &Alert::code) == alone.alerts.end());
+        double peak = 0;
+        for (int i = 0; i <= 4000; ++i)
+            peak = std::max(peak, blow.impact.force(blow.impact.waves->end() * i / 4000));
+        QVERIFY2(std::abs(peak / blow.impact.peakForce - 1) < 0.02,
+                 QByteArray::number(peak / blow.impact.peakForce));
     }
 };
 
