@@ -11,6 +11,7 @@
 #include "core/model/scales.h"
 #include "core/model/section_address.h"
 #include "core/model/section_pieces.h"
+#include "core/model/section_words.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {
@@ -152,8 +153,9 @@ std::vector<Alert> stressAlerts(const Scenario& scenario, const std::vector<Sect
                                    {"place", peak.place, Quantity::length},
                                    {"time", peak.time, Quantity::time},
                                    {"strength", *limit, Quantity::stress}}});
-                if (section != &rod)
-                    alerts.back().arguments.push_back({"section", static_cast<double>(at + 1)});
+                if (section == &rod) return;
+                alerts.back().arguments.push_back({"section", static_cast<double>(at + 1)});
+                alerts.back().subject = sectionWords(scenario.drillString)[at];
                 return;
             }
         };
@@ -179,6 +181,11 @@ std::vector<Alert> stringAlerts(const Scenario& scenario, const Impact& impact) 
             alert.arguments.push_back({"shared_cell", impact.sharedCell * scales.time, Quantity::time});
         alerts.push_back(alert);
     }
+    if (impact.wavesDifference)
+        alerts.push_back({AlertLevel::information,
+                          AlertCode::wavesThinned,
+                          "",
+                          {{"difference", *impact.wavesDifference}}});
     if (impact.outcome == Outcome::nextBlow)
         alerts.push_back({AlertLevel::warning,
                           AlertCode::blowNotOver,

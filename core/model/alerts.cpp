@@ -148,6 +148,7 @@ std::string_view name(AlertCode code) {
                                                       {stressAboveFatigue, "stress_above_fatigue"},
                                                       {residualWaves, "residual_waves"},
                                                       {lengthsRounded, "lengths_rounded"},
+                                                      {wavesThinned, "waves_thinned"},
                                                       {blowNotOver, "blow_not_over"},
                                                       {stressesLeftOut, "stresses_left_out"},
                                                       {cornersWithoutEffect, "corners_without_effect"},

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "core/model/scenario.h"
+#include "core/text/message.h"
 #include "core/text/units.h"
 
 namespace drillwave {
@@ -30,6 +31,7 @@ enum class AlertCode {
     stressAboveFatigue,
     residualWaves,
     lengthsRounded,
+    wavesThinned,
     blowNotOver,
     stressesLeftOut,
     cornersWithoutEffect,
@@ -63,6 +65,7 @@ struct Alert {
     AlertCode code = AlertCode::implausibleValue;
     std::string parameter;  ///< key of what it is about, may be empty
     std::vector<AlertArgument> arguments;
+    Message subject = {};  ///< words of the section that it is about, "3rd rod"; may be empty
     bool operator==(const Alert&) const = default;
 
     bool has(std::string_view argument) const;

@@ -182,9 +182,8 @@ Message overload(const Alert& alert, const Message& consequence, const ReadingSt
                       strength = inUnit(alert, "strength", style);
     if (alert.has("section"))
         return {translatable("drillwave::Message",
-                             "Section %1 of hammer and string %2: %3, %4 from its rear end at %5, against a "
-                             "strength of %6."),
-                {whole(alert, "section"), consequence, stress, place, time, strength}};
+                             "%1 %2: %3, %4 from its rear end at %5, against a strength of %6."),
+                {alert.subject, consequence, stress, place, time, strength}};
     if (isAfter)
         return {translatable("drillwave::Message",
                              "The rod %1: %2, %3 from the hammer at %4, after the blow, in the waves left "
@@ -239,6 +238,11 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
             return residualWaves(alert, style);
         case AlertCode::lengthsRounded:
             return lengthsRounded(alert, style);
+        case AlertCode::wavesThinned:
+            return {translatable("drillwave::Message",
+                                 "The waves of this blow are too many to be kept: plots of waves and forces "
+                                 "are of a coarser string, whose COR and efficiency differ by at most %1."),
+                    {bound(alert, "difference", style)}};
         case AlertCode::blowNotOver:
             return {translatable("drillwave::Message",
                                  "After %1 bit or hammer may still meet again: these are the numbers at the "

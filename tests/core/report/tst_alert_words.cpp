@@ -141,10 +141,14 @@ const std::vector<Example>& examples() {
            {"place", 1.5, Quantity::length},
            {"time", 4e-3, Quantity::time},
            {"strength", 300e6, Quantity::stress},
-           {"section", 9}}},
-         "Section 9 of hammer and string would yield: tension reaches 362.2 MPa, 1.5 m from its rear end at "
-         "4 "
-         "ms, against a strength of 300 MPa."},
+           {"section", 9}},
+          Message("3rd rod")},
+         "3rd rod would yield: tension reaches 362.2 MPa, 1.5 m from its rear end at 4 ms, against a "
+         "strength "
+         "of 300 MPa."},
+        {{AlertLevel::information, AlertCode::wavesThinned, "", {{"difference", 2.5e-3}}},
+         "The waves of this blow are too many to be kept: plots of waves and forces are of a coarser string, "
+         "whose COR and efficiency differ by at most 0.0026."},
         {{warning,
           AlertCode::lengthsRounded,
           "",

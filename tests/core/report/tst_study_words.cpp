@@ -231,6 +231,7 @@ class TestStudyWords : public QObject {
   private slots:
     void everyWordCanBeTranslated_data();
     void everyWordCanBeTranslated();
+    void aRepeatingMotionWithPositiveExponentIsNamedUnstable();
 };
 
 void TestStudyWords::everyWordCanBeTranslated_data() {
@@ -258,6 +259,26 @@ void TestStudyWords::everyWordCanBeTranslated() {
     static const QRegularExpression marked(QStringLiteral("⟦[^⟧]*⟧")), point(QStringLiteral("\\d\\.\\d"));
     numbers.remove(marked);
     QVERIFY2(!numbers.contains(point), qPrintable(told));
+}
+
+/// A motion repeats until a disturbance grows: λ beyond its error says so beside the period.
+void TestStudyWords::aRepeatingMotionWithPositiveExponentIsNamedUnstable() {
+    DrillingResult result;
+    result.statistics = DrillingStatistics{};
+    result.statistics->regime = DrillingRegime::period;
+    result.statistics->period = 1;
+    const auto words = [&](double exponent, std::optional<double> error) {
+        result.lyapunov = Lyapunov{exponent, error};
+        return QString::fromStdString(regimeWords(result).text());
+    };
+    QVERIFY(words(0.006, 0.001).startsWith("repeats every blow, but a small disturbance grows;"));
+    QVERIFY(words(0.001, 0.006).startsWith("repeats every blow;"));
+    QVERIFY(words(-0.3, 0.001).startsWith("repeats every blow;"));
+    result.statistics->regime = DrillingRegime::irregular;
+    QVERIFY(words(0.3, 0.001).startsWith("irregular: single blows are no result;"));
+    result.statistics->regime = DrillingRegime::rest;
+    result.lyapunov.reset();
+    QCOMPARE(QString::fromStdString(regimeWords(result).text()), QString("at rest before every blow"));
 }
 
 QTEST_GUILESS_MAIN(TestStudyWords)
