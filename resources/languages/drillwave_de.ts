@@ -7073,10 +7073,6 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>der Zug erreicht %1</translation>
     </message>
     <message>
-        <source>Section %1 of hammer and string %2: %3, %4 from its rear end at %5, against a strength of %6.</source>
-        <translation>Abschnitt %1 von Hammer und Strang %2: %3, %4 vom hinteren Ende bei %5, gegenüber einer Festigkeit von %6.</translation>
-    </message>
-    <message>
         <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the waves left (which nothing damps here), against a strength of %5.</source>
         <translation>Die Stange %1: %2, %3 vom Hammer bei %4, nach dem Schlag, in den verbliebenen Wellen (die hier nichts dämpft), gegenüber einer Festigkeit von %5.</translation>
     </message>
@@ -11560,6 +11556,18 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>is empty; a section that is from no preset is written without it</source>
         <translation>ist leer; ein Abschnitt, der aus keiner Voreinstellung ist, wird ohne es geschrieben</translation>
     </message>
+    <message>
+        <source>%1 %2: %3, %4 from its rear end at %5, against a strength of %6.</source>
+        <translation>%1 %2: %3, %4 von ihrem hinteren Ende, nach %5; die Festigkeit ist %6.</translation>
+    </message>
+    <message>
+        <source>The waves of this blow are too many to be kept: plots of waves and forces are of a coarser string, whose COR and efficiency differ by at most %1.</source>
+        <translation>Dieser Schlag hat zu viele Wellen, um sie alle zu speichern: Wellen und Kräfte in den Diagrammen gehören zu einem gröber geteilten Strang, dessen Stoßzahl und Wirkungsgrad um höchstens %1 abweichen.</translation>
+    </message>
+    <message>
+        <source>%1, but a small disturbance grows</source>
+        <translation>%1, aber eine kleine Störung wächst</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -13961,16 +13969,40 @@ Festigkeit</translation>
         <translation>Die Studie anhalten; gefundene Punkte bleiben</translation>
     </message>
     <message>
-        <source>Cancel the study</source>
-        <translation>Die Studie abbrechen</translation>
-    </message>
-    <message>
         <source>%1 stopped</source>
         <translation>%1 angehalten</translation>
     </message>
     <message>
         <source>stopped</source>
         <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>Solve all</source>
+        <translation>Ganz lösen</translation>
+    </message>
+    <message>
+        <source>Solve all (%1)</source>
+        <translation>Ganz lösen (%1)</translation>
+    </message>
+    <message>
+        <source>Run the study again to its end, however long it takes</source>
+        <translation>Die Studie noch einmal bis zum Ende rechnen, wie lange es auch dauert</translation>
+    </message>
+    <message>
+        <source>%1 stopped after %2 s</source>
+        <translation>%1 nach %2 s angehalten</translation>
+    </message>
+    <message>
+        <source>stopped after %1 s</source>
+        <translation>nach %1 s angehalten</translation>
     </message>
 </context>
 <context>
@@ -14505,8 +14537,8 @@ Festigkeit</translation>
         <translation>die Längen runden</translation>
     </message>
     <message>
-        <source>The waves of this blow are too many to be kept, because the lengths share only a small step. Rounding lengths to 10 mm can show this page: %1.</source>
-        <translation>Die Wellen dieses Schlags sind zu viele, um behalten zu werden, weil die Längen nur einen kleinen gemeinsamen Schritt haben. Auf 10 mm gerundete Längen können diese Seite zeigen: %1.</translation>
+        <source>The waves of this blow are too many to be kept: this page shows those of a coarser string. Rounding lengths to 10 mm can show them in full: %1.</source>
+        <translation>Dieser Schlag hat zu viele Wellen, um sie alle zu speichern: Diese Seite zeigt die eines gröber geteilten Strangs. Auf 10 mm gerundete Längen können sie alle zeigen: %1.</translation>
     </message>
 </context>
 <context>

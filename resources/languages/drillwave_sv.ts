@@ -7073,10 +7073,6 @@ en projektion av fler dimensioner</translation>
         <translation>draget når %1</translation>
     </message>
     <message>
-        <source>Section %1 of hammer and string %2: %3, %4 from its rear end at %5, against a strength of %6.</source>
-        <translation>Sektion %1 i hammare och sträng %2: %3, %4 från dess bakände vid %5, mot en hållfasthet på %6.</translation>
-    </message>
-    <message>
         <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the waves left (which nothing damps here), against a strength of %5.</source>
         <translation>Stången %1: %2, %3 från hammaren vid %4, efter slaget, i de vågor som är kvar (som inget dämpar här), mot en hållfasthet på %5.</translation>
     </message>
@@ -11560,6 +11556,18 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>is empty; a section that is from no preset is written without it</source>
         <translation>är tomt; en sektion som inte kommer från ett förval skrivs utan det</translation>
     </message>
+    <message>
+        <source>%1 %2: %3, %4 from its rear end at %5, against a strength of %6.</source>
+        <translation>%1 %2: %3, %4 från bakänden, efter %5; hållfastheten är %6.</translation>
+    </message>
+    <message>
+        <source>The waves of this blow are too many to be kept: plots of waves and forces are of a coarser string, whose COR and efficiency differ by at most %1.</source>
+        <translation>Slaget har för många vågor för att alla ska kunna sparas: vågor och krafter i diagrammen är från en grövre indelad sträng, vars studstal och verkningsgrad avviker med högst %1.</translation>
+    </message>
+    <message>
+        <source>%1, but a small disturbance grows</source>
+        <translation>%1, men en liten störning växer</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -13961,16 +13969,40 @@ fastheten</translation>
         <translation>Stoppa studien; punkter som den har funnit är kvar</translation>
     </message>
     <message>
-        <source>Cancel the study</source>
-        <translation>Avbryt studien</translation>
-    </message>
-    <message>
         <source>%1 stopped</source>
         <translation>%1 stoppad</translation>
     </message>
     <message>
         <source>stopped</source>
         <translation>stoppad</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>%1 min</source>
+        <translation>%1 min</translation>
+    </message>
+    <message>
+        <source>Solve all</source>
+        <translation>Lös allt</translation>
+    </message>
+    <message>
+        <source>Solve all (%1)</source>
+        <translation>Lös allt (%1)</translation>
+    </message>
+    <message>
+        <source>Run the study again to its end, however long it takes</source>
+        <translation>Kör studien igen till slutet, hur lång tid det än tar</translation>
+    </message>
+    <message>
+        <source>%1 stopped after %2 s</source>
+        <translation>%1 stoppad efter %2 s</translation>
+    </message>
+    <message>
+        <source>stopped after %1 s</source>
+        <translation>stoppad efter %1 s</translation>
     </message>
 </context>
 <context>
@@ -14505,8 +14537,8 @@ fastheten</translation>
         <translation>avrunda längderna</translation>
     </message>
     <message>
-        <source>The waves of this blow are too many to be kept, because the lengths share only a small step. Rounding lengths to 10 mm can show this page: %1.</source>
-        <translation>Slagets vågor är för många för att sparas, eftersom längderna bara har ett litet gemensamt steg. Längder avrundade till 10 mm kan visa sidan: %1.</translation>
+        <source>The waves of this blow are too many to be kept: this page shows those of a coarser string. Rounding lengths to 10 mm can show them in full: %1.</source>
+        <translation>Slaget har för många vågor för att alla ska kunna sparas: sidan visar vågorna i en grövre indelad sträng. Med längder avrundade till 10 mm kan alla visas: %1.</translation>
     </message>
 </context>
 <context>

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The import of measured signals: what is found out of a file, and what can be changed.
+#include <QDir>
 #include <QLabel>
 #include <QPlainTextEdit>
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
 #include <cmath>
+#include <fstream>
 
 #include "core/model/scales.h"
+#include "core/signal/signal_reading.h"
 #include "tests/support/import_fixture.h"
 #include "tests/ui/window/layout_check.h"
 #include "ui/form/choice_box.h"
@@ -48,6 +51,8 @@ class TestImportDialog : public QObject, private ImportFixture {
     void rangeStaysOnceTheUserHasEditedIt();
     void voltsNeedACalibrationOrABridge();
     void qualityIsStatedBelowThePlot();
+    void fieldFilesAreReadAsByCommand_data();
+    void fieldFilesAreReadAsByCommand();
     void wrongInputsAreToldInPlace_data();
     void wrongInputsAreToldInPlace();
     void everythingCanBeReadAndReached_data();
@@ -381,6 +386,36 @@ void TestImportDialog::qualityIsStatedBelowThePlot() {
     const QString summary = control<QLabel>(dialog, "summary").text();
     QVERIFY2(summary.contains(QStringLiteral("equal samples at the largest value, 180: clipped?")),
              qPrintable(summary));
+}
+
+void TestImportDialog::fieldFilesAreReadAsByCommand_data() {
+    QTest::addColumn<QString>("path");
+    const QDir folder(QStringLiteral(DRILLWAVE_SOURCE_DIR "/tests/cases/field"));
+    const QStringList files = folder.entryList({QStringLiteral("*.csv")});
+    QVERIFY(files.size() > 20);
+    for (const QString& file : files)
+        if (!file.contains(QStringLiteral("_table_")))  // of scenarios, not of samples
+            QTest::addRow("%s", qPrintable(file)) << folder.filePath(file);
+}
+
+/// The dialog takes what the command takes without options, with the same impulse, and nothing else.
+void TestImportDialog::fieldFilesAreReadAsByCommand() {
+    QFETCH(QString, path);
+    std::ifstream in(path.toStdString(), std::ios::binary);
+    const SignalReading reading = readSignal(in, {});
+    const bool isRead = reading.problem.isEmpty() && !reading.isOpen();
+    ImportDialog& dialog = open(path, ImportUse::blow);
+    settle(dialog);
+    QCOMPARE(control<QPushButton>(dialog, "take").isEnabled(), isRead);
+    if (!isRead) {
+        QVERIFY(!message(dialog).isEmpty());
+        return;
+    }
+    QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
+    QVERIFY2(
+        std::abs(dialog.result()->impulse / reading.blow.impulse - 1) < 1e-3,
+        qPrintable(
+            QStringLiteral("%1, by command %2").arg(dialog.result()->impulse).arg(reading.blow.impulse)));
 }
 
 void TestImportDialog::wrongInputsAreToldInPlace_data() {
