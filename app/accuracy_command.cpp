@@ -47,8 +47,7 @@ std::vector<int> ladderOf(const Arguments& arguments) {
     throw CommandError(
         ExitCode::usage,
         Message(
-            translatable("drillwave::Message",
-                         "--segments %1: needs at most %2 whole numbers from %3 to %4, as in 100,1000,10000"),
+            translatable("--segments %1: needs at most %2 whole numbers from %3 to %4, as in 100,1000,10000"),
             {shortened(*list), std::to_string(longestLadder), std::to_string(minimumSegments),
              std::to_string(maximumSegments)}));
 }
@@ -64,8 +63,7 @@ void checkWork(const Arguments& arguments, const std::vector<int>& ladder) {
     if (moves <= static_cast<double>(limit)) return;
     throw CommandError(
         ExitCode::usage,
-        Message(translatable("drillwave::Message",
-                             "--segments %1: would move waves by %2 segments, more than --work-limit, now "
+        Message(translatable("--segments %1: would move waves by %2 segments, more than --work-limit, now "
                              "%3, permits (half a minute is some 1e9); take fewer or permit more"),
                 {arguments.value("segments").value_or(""), arguments.style().number(moves, 2),
                  std::to_string(limit)}));

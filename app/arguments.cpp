@@ -70,10 +70,8 @@ const OptionSpec* nearestOption(std::string_view name, std::span<const OptionSpe
                                 std::span<const OptionSpec> options) {
     const OptionSpec* nearest = word.starts_with("--") ? nearestOption(name, options) : nullptr;
     if (nearest)
-        refuse({translatable("drillwave::Message", "unknown option `%1`; did you mean `%2`?"),
-                {shortened(word), nearest->text()}});
-    refuse({translatable("drillwave::Message", "unknown option `%1`; --help lists the options"),
-            {shortened(word)}});
+        refuse({translatable("unknown option `%1`; did you mean `%2`?"), {shortened(word), nearest->text()}});
+    refuse({translatable("unknown option `%1`; --help lists the options"), {shortened(word)}});
 }
 
 /// Quoted where a shell would read more into it than the word.
@@ -106,16 +104,14 @@ const OptionSpec* optionNamed(const OptionWord& given, const std::string& word,
 /// The word behind an option that takes one. An option of the command is none: its value is missing.
 const std::string& valueBehind(const OptionSpec& option, std::span<const std::string> rest,
                                std::span<const OptionSpec> options) {
-    const Message needs{translatable("drillwave::Message", "`%1` needs a value: %2"),
-                        {option.text(), std::string(option.value)}};
+    const Message needs{translatable("`%1` needs a value: %2"), {option.text(), std::string(option.value)}};
     if (rest.empty()) refuse(needs);
     const std::string& word = rest.front();
     if (word != "--" && !(isOption(word) && optionNamed(split(word), word, options))) return word;
     if (option.name == "o")
-        refuse({translatable("drillwave::Message",
-                             "%1; `%2` behind it is an option, a file of that name is ./%2"),
+        refuse({translatable("%1; `%2` behind it is an option, a file of that name is ./%2"),
                 {needs, shortened(word)}});
-    refuse({translatable("drillwave::Message", "%1; `%2` behind it is an option"), {needs, shortened(word)}});
+    refuse({translatable("%1; `%2` behind it is an option"), {needs, shortened(word)}});
 }
 
 void addWord(std::string& text, const std::string& word) {
@@ -149,11 +145,9 @@ Arguments Arguments::parse(std::span<const std::string> words, std::span<const O
         const OptionSpec* option = optionNamed(given, word, options);
         if (!option) refuseUnknown(word, given.name, options);
         if (option->times == OptionSpec::Times::once && arguments.has(option->name))
-            refuse(
-                {translatable("drillwave::Message", "`%1` is given twice; give it once"), {option->text()}});
+            refuse({translatable("`%1` is given twice; give it once"), {option->text()}});
         if (option->value.empty()) {
-            if (given.value)
-                refuse({translatable("drillwave::Message", "`%1` takes no value"), {option->text()}});
+            if (given.value) refuse({translatable("`%1` takes no value"), {option->text()}});
             given.value = "";
             arguments.m_switches.push_back(option->name);
         } else if (!given.value) {
@@ -192,8 +186,7 @@ void Arguments::replaceValue(std::string_view option, std::string value) {
 
 void Arguments::checkOnePrinted() const {
     if (has("json") && value("o") == "-")
-        refuse({translatable("drillwave::Message",
-                             "--json and -o - would both print to standard output; take one")});
+        refuse({translatable("--json and -o - would both print to standard output; take one")});
 }
 
 std::string Arguments::optionsText(std::span<const std::string_view> without) const {

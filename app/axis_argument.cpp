@@ -53,8 +53,7 @@ std::vector<double> levelArguments(const Arguments& arguments, Quantity quantity
         levels.push_back(quantityArgument("level", word, quantity));
     if (levels.size() > mostLevels)
         throw CommandError(ExitCode::usage,
-                           Message(translatable("drillwave::Message", "--level: at most %1 levels"),
-                                   {std::to_string(mostLevels)}));
+                           Message(translatable("--level: at most %1 levels"), {std::to_string(mostLevels)}));
     return levels;
 }
 

@@ -40,28 +40,25 @@ Arguments parseArguments(const Command& command, std::span<const std::string> wo
     Arguments arguments = Arguments::parse(words, command.options);
     arguments.speak(language);
     if (arguments.value("o") == std::string())
-        throw CommandError(
-            ExitCode::usage,
-            translatable("drillwave::Message", "-o needs a name, this one is empty; - is standard output"));
+        throw CommandError(ExitCode::usage,
+                           translatable("-o needs a name, this one is empty; - is standard output"));
     // What belongs beside a file is beside the one that a link leads to.
     if (const std::optional<std::string> path = arguments.value("o"); path && isLinkToFile(*path))
         arguments.replaceValue("o", behindLinks(*path));
     const std::size_t given = arguments.operands().size();
     if (given < command.leastOperands)
         throw CommandError(ExitCode::usage,
-                           Message(translatable("drillwave::Message", "needs %1; see drillwave %2 --help"),
+                           Message(translatable("needs %1; see drillwave %2 --help"),
                                    {std::string(command.operands), std::string(command.name)}));
     if (given > command.mostOperands) {
         const std::string word = shortened(arguments.operands()[command.mostOperands]), name(command.name);
         if (command.operands.empty())
-            throw CommandError(ExitCode::usage,
-                               Message(translatable("drillwave::Message",
-                                                    "`%1` is too much; takes none, see drillwave %2 --help"),
-                                       {word, name}));
-        throw CommandError(
-            ExitCode::usage,
-            Message(translatable("drillwave::Message", "`%1` is too much; takes %2, see drillwave %3 --help"),
-                    {word, std::string(command.operands), name}));
+            throw CommandError(
+                ExitCode::usage,
+                Message(translatable("`%1` is too much; takes none, see drillwave %2 --help"), {word, name}));
+        throw CommandError(ExitCode::usage,
+                           Message(translatable("`%1` is too much; takes %2, see drillwave %3 --help"),
+                                   {word, std::string(command.operands), name}));
     }
     return arguments;
 }

@@ -34,10 +34,9 @@ std::optional<double> goalOf(const Arguments& arguments, const std::vector<Outpu
     const std::optional<std::string> word = arguments.value("goal");
     if (!word) return std::nullopt;
     if (columns.size() != 1)
-        throw CommandError(
-            ExitCode::usage,
-            Message(translatable("drillwave::Message", "--goal is about one output; --outputs names %1"),
-                    {std::to_string(columns.size())}));
+        throw CommandError(ExitCode::usage,
+                           Message(translatable("--goal is about one output; --outputs names %1"),
+                                   {std::to_string(columns.size())}));
     const OutputColumn& column = columns.front();
     const Quantity quantity = column.output->siQuantity();
     const bool hasUnit = column.hasUnit();
@@ -45,8 +44,7 @@ std::optional<double> goalOf(const Arguments& arguments, const std::vector<Outpu
         parseQuantity(*word, quantity, BareNumber::inDefaultUnit).valid())
         throw CommandError(
             ExitCode::usage,
-            Message(translatable("drillwave::Message",
-                                 "--goal %1: without --si %2 is a number without a unit; add --si"),
+            Message(translatable("--goal %1: without --si %2 is a number without a unit; add --si"),
                     {shortened(*word), std::string(column.output->name)}));
     return quantityArgument("goal", *word, hasUnit ? quantity : Quantity::ratio);
 }
@@ -63,9 +61,8 @@ std::vector<std::string> quotedAxes(const Arguments& arguments) {
 CurveQuestion questionOf(const Arguments& arguments, const RowOptions& options, const Scenario& base) {
     const std::optional<std::string> along = arguments.value("along");
     if (!along)
-        throw CommandError(
-            ExitCode::usage,
-            translatable("drillwave::Message", "needs --along KEY=START:STOP or KEY=START:STOP:log"));
+        throw CommandError(ExitCode::usage,
+                           translatable("needs --along KEY=START:STOP or KEY=START:STOP:log"));
     CurveQuestion question{.base = base,
                            .along = rangeArgument("along", *along),
                            .family = {},
@@ -118,7 +115,6 @@ void checkGoalFile(const Arguments& arguments, const RowOptions& options, const 
         throw CommandError(
             ExitCode::usage,
             translatable(
-                "drillwave::Message",
                 "--goal has no place where -o - prints the curve; leave out -o, or give -o FILE.csv"));
     const std::string path = goalName(options.path);
     checkOutputIsNoInput(path, arguments, base);
@@ -139,8 +135,7 @@ void checkSolved(const CurveStudy& study, const std::string& path, long workLimi
             for (const CurveStretch& stretch : output.unsolved)
                 throw CommandError(
                     ExitCode::unsolvedOrFailed,
-                    Message(translatable("drillwave::Message",
-                                         "%1: could not be solved everywhere: from %2 = %3 to %4: %5"),
+                    Message(translatable("%1: could not be solved everywhere: from %2 = %3 to %4: %5"),
                             {path, std::string(study.question.along.key()),
                              valueText(study.question.along, stretch.start, valueDigits, style),
                              valueText(study.question.along, stretch.end, valueDigits, style),
@@ -151,8 +146,7 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const bool writesFile = arguments.has("o");
     if (arguments.has("force") && !writesFile)
-        throw CommandError(ExitCode::usage, translatable("drillwave::Message",
-                                                         "--force is about the file of -o; add -o FILE.csv"));
+        throw CommandError(ExitCode::usage, translatable("--force is about the file of -o; add -o FILE.csv"));
     arguments.checkOnePrinted();
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const ScenarioInput input = loadScenarioInput(path, arguments);

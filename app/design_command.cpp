@@ -35,18 +35,17 @@ const std::string& fileOf(const Arguments& arguments) {
     for (const std::string& word : arguments.operands()) {
         if (isAimWord(word)) continue;
         if (file)
-            throw CommandError(
-                ExitCode::usage,
-                Message(translatable("drillwave::Message", "takes one FILE; `%1` is a second one"), {word}));
+            throw CommandError(ExitCode::usage,
+                               Message(translatable("takes one FILE; `%1` is a second one"), {word}));
         file = &word;
     }
-    if (!file) throw CommandError(ExitCode::usage, translatable("drillwave::Message", "needs FILE"));
+    if (!file) throw CommandError(ExitCode::usage, translatable("needs FILE"));
     return *file;
 }
 
 DesignFindings solve(const DesignStudy& study, int jobs, const ReadingStyle& style,
                      const Interruption& interruption) {
-    ProgressBar bar(designSolves(study), translatable("drillwave::Message", "blows"), style);
+    ProgressBar bar(designSolves(study), translatable("blows"), style);
     std::uint64_t solved = 0;
     DesignFindings findings =
         runDesign(study, {.jobs = jobs, .stop = interruption.token(), .progress = [&](std::uint64_t more) {
@@ -67,21 +66,18 @@ void checkFeasible(const DesignStudy& study, const DesignFindings& findings, con
     for (const DesignSamples& design : findings.designs) {
         if (design.hasStatistics(study.samples) || !lines.empty()) continue;
         lines.emplace_back(
-            translatable("drillwave::Message",
-                         "%1: of too many samples there is no answer, so that designs have no statistics: %2 "
+            translatable("%1: of too many samples there is no answer, so that designs have no statistics: %2 "
                          "of %3; the first: %4"),
             std::vector<Message>{path, std::to_string(design.unsolved), std::to_string(study.samples),
                                  reasonWithHint(design.reason, study.workLimit)});
     }
     if (!study.limits.empty()) {
         lines.push_back(
-            about(path, translatable("drillwave::Message",
-                                     "no design meets all limits; loosen one or widen the choices")));
+            about(path, translatable("no design meets all limits; loosen one or widen the choices")));
         for (Message& line : nearestToLimits(study, findings, style)) lines.push_back(std::move(line));
     }
     if (lines.empty())
-        lines.push_back(
-            about(path, translatable("drillwave::Message", "the scenario as it is could not be solved")));
+        lines.push_back(about(path, translatable("the scenario as it is could not be solved")));
     throw CommandError(ExitCode::unsolvedOrFailed, std::move(lines), CommandError::Begin::withOption);
 }
 
@@ -102,8 +98,7 @@ FolderFiles filesOf(const DesignReport& report, ScenarioDocument document, std::
 void remarkOnSamples(const Arguments& arguments, std::uint64_t taken) {
     const std::optional<std::string> asked = arguments.value("samples");
     if (asked && *asked != std::to_string(taken))
-        printRemark({translatable("drillwave::Message", "--samples %1: takes %2, a power of two"),
-                     {*asked, std::to_string(taken)}},
+        printRemark({translatable("--samples %1: takes %2, a power of two"), {*asked, std::to_string(taken)}},
                     arguments.style());
 }
 
@@ -112,17 +107,14 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     const std::optional<std::string> folder = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     if (arguments.has("force") && !folder)
-        throw CommandError(ExitCode::usage, translatable("drillwave::Message",
-                                                         "--force is about the files of -o; add -o DIR"));
+        throw CommandError(ExitCode::usage, translatable("--force is about the files of -o; add -o DIR"));
     if (folder == "-")
         throw CommandError(ExitCode::usage,
-                           translatable("drillwave::Message",
-                                        "-o - names no folder for the files; add -o DIR, or --json, which "
+                           translatable("-o - names no folder for the files; add -o DIR, or --json, which "
                                         "prints to standard output"));
     if (arguments.values("draws").size() > 1)
-        throw CommandError(ExitCode::usage,
-                           Message(translatable("drillwave::Message", "%1 is given twice; give it once"),
-                                   {std::string("--draws")}));
+        throw CommandError(ExitCode::usage, Message(translatable("%1 is given twice; give it once"),
+                                                    {std::string("--draws")}));
     const int jobs = jobsOf(arguments);
     const StudyPlots plots = StudyPlots::inFolder(arguments, "design");
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
@@ -157,8 +149,7 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
                     &interruption);
     std::string text = arguments.has("json") ? designJson(report) : designText(report, arguments.style());
     if (folder && !arguments.has("json"))
-        text += "  " +
-                arguments.style().said({translatable("drillwave::Message", "files in %1"), {*folder}}) + "\n";
+        text += "  " + arguments.style().said({translatable("files in %1"), {*folder}}) + "\n";
     printText(text);
     return ExitCode::done;
 }

@@ -34,9 +34,8 @@ void readAims(const Arguments& arguments, const DesignSetup& setup, DesignStudy&
     for (const std::string& word : arguments.operands()) {
         if (!isAimWord(word)) continue;
         if (!arguments.has("aim"))
-            return faults.add(
-                ExitCode::usage,
-                {translatable("drillwave::Message", "`%1`: write --aim before it"), {shortened(word)}});
+            return faults.add(ExitCode::usage,
+                              {translatable("`%1`: write --aim before it"), {shortened(word)}});
         wanted.words.push_back(word);
     }
     for (const std::string& word : wanted.words) {

@@ -23,7 +23,6 @@ void goOnBeside(char** argv) {
 }
 
 constexpr const char* noWindowProgram = translatable(
-    "drillwave::Message",
     "there is no drillwave-window beside this program; install the package drillwave, or build the "
     "program with DRILLWAVE_GUI=ON");
 
@@ -35,8 +34,7 @@ int openWindow(int argc, char** argv) {
     windowArguments(std::vector<std::string>(argv + 1, argv + argc));
     throw CommandError(
         ExitCode::usage,
-        Message(translatable("drillwave::Message",
-                             "no window: %1; without it use `drillwave run FILE` (see --help)"),
+        Message(translatable("no window: %1; without it use `drillwave run FILE` (see --help)"),
                 {noWindowProgram}));
 }
 
@@ -47,8 +45,7 @@ std::unique_ptr<const Drawing> startDrawing(int, char** argv, const Language&) {
     exitOnInterruption();
     throw CommandError(
         ExitCode::usage,
-        Message(translatable("drillwave::Message",
-                             "no pictures: %1; without it leave out --plots, and write a report with "
+        Message(translatable("no pictures: %1; without it leave out --plots, and write a report with "
                              "--no-plots"),
                 {noWindowProgram}));
 }

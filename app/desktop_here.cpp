@@ -41,7 +41,6 @@ namespace drillwave {
 namespace {
 
 constexpr const char* noDisplay = translatable(
-    "drillwave::Message",
     "no display to open the window on; use `drillwave run FILE` (see --help), or `drillwave -platform "
     "offscreen`");
 
@@ -75,11 +74,9 @@ void prepareFailure(bool isPlatformChosen) {
         "drillwave: " +
         style.said(
             isPlatformChosen
-                ? Message(translatable("drillwave::Message",
-                                       "the window cannot be opened on the platform of -platform or "
+                ? Message(translatable("the window cannot be opened on the platform of -platform or "
                                        "QT_QPA_PLATFORM; use `drillwave run FILE` or `-platform offscreen`"))
-                : Message(translatable("drillwave::Message",
-                                       "display %1 cannot be reached; set DISPLAY to one that is there, use "
+                : Message(translatable("display %1 cannot be reached; set DISPLAY to one that is there, use "
                                        "`drillwave run FILE` (see --help), or `drillwave -platform "
                                        "offscreen`"),
                           {namedDisplays()})) +
@@ -250,8 +247,7 @@ std::unique_ptr<const Drawing> startDrawing(int argc, char** argv, const Languag
     if (!QFontMetrics(QApplication::font()).inFont(QLatin1Char('a')))
         throw CommandError(
             ExitCode::unwritableOutput,
-            translatable("drillwave::Message",
-                         "there are no fonts for the letters of the pictures; install some "
+            translatable("there are no fonts for the letters of the pictures; install some "
                          "(Debian: apt install fonts-dejavu-core), or leave out the pictures"));
     return drawing;
 }

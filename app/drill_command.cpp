@@ -69,13 +69,11 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     if (arguments.has("force") && !out && !arguments.has("gaps"))
         throw CommandError(ExitCode::usage,
-                           translatable("drillwave::Message",
-                                        "--force is about the files of -o; add -o FILE.csv or -o DIR"));
+                           translatable("--force is about the files of -o; add -o FILE.csv or -o DIR"));
     arguments.checkOnePrinted();
     if (arguments.has("gaps") && !arguments.has("scan"))
-        throw CommandError(
-            ExitCode::usage,
-            translatable("drillwave::Message", "--gaps is about a scan; add --scan KEY=START:STOP:COUNT"));
+        throw CommandError(ExitCode::usage,
+                           translatable("--gaps is about a scan; add --scan KEY=START:STOP:COUNT"));
     ScenarioDocument document = loadScenarioArgument(path, arguments);
     if (arguments.has("scan")) return runDrillScan(arguments, document, path, drawing);
 
@@ -93,7 +91,6 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
             ExitCode::usage,
             Message(
                 translatable(
-                    "drillwave::Message",
                     "--histories: these blows have more than %1 samples; take fewer blows or fewer --cells"),
                 {std::to_string(mostDrillingInstants)}));
     wants.mostWork = permittedDrillWork(arguments);
@@ -111,8 +108,8 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
     const Interruption interruption;
     remarkOnValues(document.scenario, path, arguments.style());
     remarkOnUnusedOfDrill(document.scenario, path, arguments.style());
-    ProgressBar bar(static_cast<std::uint64_t>(foreseenBlows(settings, wants)),
-                    translatable("drillwave::Message", "blows"), arguments.style());
+    ProgressBar bar(static_cast<std::uint64_t>(foreseenBlows(settings, wants)), translatable("blows"),
+                    arguments.style());
     std::uint64_t done = 0;
     DrillingReport report{
         .result = studyDrilling(document.scenario, settings, wants, interruption.token(),

@@ -16,15 +16,13 @@ double permittedDrillWork(const Arguments& arguments) {
     if (!work || !(*work >= 1))
         throw CommandError(
             ExitCode::usage,
-            Message(translatable("drillwave::Message", "--work-limit %1 must be a number of at least 1"),
-                    {shortened(*text)}));
+            Message(translatable("--work-limit %1 must be a number of at least 1"), {shortened(*text)}));
     return *work;
 }
 
 OutputUnits drillUnits(const Arguments& arguments) {
     if (arguments.has("si") && arguments.has("dimensionless"))
-        throw CommandError(ExitCode::usage,
-                           translatable("drillwave::Message", "--si and --dimensionless exclude each other"));
+        throw CommandError(ExitCode::usage, translatable("--si and --dimensionless exclude each other"));
     return arguments.has("dimensionless") ? OutputUnits::dimensionless : OutputUnits::si;
 }
 
@@ -48,13 +46,13 @@ std::optional<BlowRange> drillHistories(const Arguments& arguments, const std::o
                            Message(pattern, {shortened(*text), std::to_string(settings.blows)}));
     };
     if (!out || *out == "-" || out->ends_with(".csv"))
-        wrong(translatable("drillwave::Message", "--histories %1 needs a folder: add -o DIR"));
+        wrong(translatable("--histories %1 needs a folder: add -o DIR"));
     const std::size_t colon = text->find(':');
     const std::optional<long> first = wholeNumberIn<long>(text->substr(0, colon));
     const std::optional<long> last =
         colon == std::string::npos ? first : wholeNumberIn<long>(text->substr(colon + 1));
     if (!first || !last || *first < 1 || *last < *first || *last > settings.blows)
-        wrong(translatable("drillwave::Message", "--histories %1 must be A:B, blows from 1 to %2"));
+        wrong(translatable("--histories %1 must be A:B, blows from 1 to %2"));
     return BlowRange{*first, *last};
 }
 
@@ -69,8 +67,7 @@ void checkDrillWork(double work, const Arguments& arguments) {
     if (work <= permitted) return;
     throw CommandError(
         ExitCode::unsolvedOrFailed,
-        Message(translatable("drillwave::Message",
-                             "it takes %1 cells times nodes, more than the %2 permitted, about %3; fewer "
+        Message(translatable("it takes %1 cells times nodes, more than the %2 permitted, about %3; fewer "
                              "blows or --cells take less, --work-limit permits more"),
                 {style.number(work, 3), style.number(permitted, 3),
                  style.quantity(work / workOfSecond, Quantity::time, 2)}));
@@ -80,15 +77,12 @@ void remarkOnUnusedOfDrill(const Scenario& scenario, const std::string& path, co
     const Drill& drill = scenario.drill;
     const std::string name = inputName(path);
     if (scenario.drillString.endTime)
-        printRemark(
-            about(name, translatable("drillwave::Message", "end_time counts for single blows, not here")),
-            style);
+        printRemark(about(name, translatable("end_time counts for single blows, not here")), style);
     if (drill.machineMass.value_or(0) > 0 && drill.damperDamping.value_or(0) == 0 &&
         drill.damperStiffness.value_or(0) == 0)
         printRemark(
             about(name,
-                  translatable("drillwave::Message",
-                               "machine_mass without a damper: the machine presses with a constant force")),
+                  translatable("machine_mass without a damper: the machine presses with a constant force")),
             style);
 }
 

@@ -53,8 +53,7 @@ void checkAnswers(const DrillingScan& scan, const std::string& path) {
     if (failed == 0) return;
     throw CommandError(
         ExitCode::unsolvedOrFailed,
-        Message(translatable("drillwave::Message",
-                             "%1: %2 of %3 rows could not be solved: their cells are empty; the first: %4"),
+        Message(translatable("%1: %2 of %3 rows could not be solved: their cells are empty; the first: %4"),
                 {path, std::to_string(failed), std::to_string(scan.points.size()), reason}));
 }
 
@@ -67,8 +66,7 @@ ExitCode runDrillScan(const Arguments& arguments, const ScenarioDocument& docume
     if (arguments.has("histories"))
         throw CommandError(
             ExitCode::usage,
-            translatable("drillwave::Message",
-                         "--histories is about the blows of one march, and --scan makes one of "
+            translatable("--histories is about the blows of one march, and --scan makes one of "
                          "each value; take one of them"));
     const ParsedAxis parsed = parseAxis(word);
     if (!parsed.problem.isEmpty()) throw CommandError(ExitCode::usage, about("--scan", parsed.problem));
@@ -78,8 +76,7 @@ ExitCode runDrillScan(const Arguments& arguments, const ScenarioDocument& docume
         throw CommandError(
             ExitCode::usage,
             Message(
-                translatable("drillwave::Message",
-                             "--plots: a scan over %1 has words on its axis and no picture; scan a number"),
+                translatable("--plots: a scan over %1 has words on its axis and no picture; scan a number"),
                 {std::string(axis.key())}));
     checkNotSet(arguments, document.scenario, std::span(&axis, 1), std::vector{quotedAxis("scan", word)});
     DrillingSettings settings = scanSettingsOf(document.scenario);
@@ -94,14 +91,13 @@ ExitCode runDrillScan(const Arguments& arguments, const ScenarioDocument& docume
         if (file && *file != "-") checkDrillRows(*file, arguments, document, overwrite);
     plots.check(arguments, document, overwrite);
     if (out && gaps && *out == *gaps)
-        throw CommandError(ExitCode::usage,
-                           translatable("drillwave::Message", "-o and --gaps name one file; give two"));
+        throw CommandError(ExitCode::usage, translatable("-o and --gaps name one file; give two"));
     const int jobs = jobsOf(arguments);
     checkStandardOutput();
     const Interruption interruption;
     remarkOnValues(document.scenario, path, arguments.style());
     remarkOnUnusedOfDrill(first, path, arguments.style());
-    ProgressBar bar(axis.count, translatable("drillwave::Message", "values"), arguments.style());
+    ProgressBar bar(axis.count, translatable("values"), arguments.style());
     std::uint64_t done = 0;
     DrillingScanReport report{
         .scan = scanDrilling(

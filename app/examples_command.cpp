@@ -20,11 +20,9 @@ const Example& namedExample(const std::string& name) {
     const std::string near(nearestName(name, names));
     if (near.empty())
         throw CommandError(ExitCode::usage,
-                           Message(translatable("drillwave::Message",
-                                                "`%1` is not an example; `drillwave examples` lists them"),
+                           Message(translatable("`%1` is not an example; `drillwave examples` lists them"),
                                    {shortened(name)}));
-    throw CommandError(ExitCode::usage, Message(translatable("drillwave::Message",
-                                                             "`%1` is not an example; did you mean `%2`?"),
+    throw CommandError(ExitCode::usage, Message(translatable("`%1` is not an example; did you mean `%2`?"),
                                                 {shortened(name), near}));
 }
 
@@ -72,8 +70,7 @@ ExitCode runExamples(const Arguments& arguments, const Drawing*) {
         return ExitCode::done;
     }
     if (arguments.has("force"))
-        throw CommandError(ExitCode::usage, translatable("drillwave::Message",
-                                                         "--force is about the files of -o; add -o DIR"));
+        throw CommandError(ExitCode::usage, translatable("--force is about the files of -o; add -o DIR"));
     OutputFile out("-", Overwrite::allowed);
     if (directory || !arguments.operands().empty())
         print(examples, out);

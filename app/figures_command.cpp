@@ -19,19 +19,17 @@ namespace {
 std::string drawn(const Drawing& drawing, const Figure& figure, std::string_view format) {
     std::string bytes = drawing.figure(figure, format);
     if (bytes.empty())
-        throw CommandError(ExitCode::internalError,
-                           Message(translatable("drillwave::Message", "Fig. %1 could not be drawn"),
-                                   {std::to_string(figure.number)}));
+        throw CommandError(ExitCode::internalError, Message(translatable("Fig. %1 could not be drawn"),
+                                                            {std::to_string(figure.number)}));
     return bytes;
 }
 
 /// Those of --plots; PNG and SVG without.
 std::vector<std::string> formatsOf(const Arguments& arguments) {
     if (arguments.has("plots") && arguments.value("o").value_or("-") == "-")
-        throw CommandError(
-            ExitCode::usage,
-            Message(translatable("drillwave::Message", "%1 is about files; add -o %2 to say where they go"),
-                    {std::string("--plots"), std::string("DIR")}));
+        throw CommandError(ExitCode::usage,
+                           Message(translatable("%1 is about files; add -o %2 to say where they go"),
+                                   {std::string("--plots"), std::string("DIR")}));
     std::vector<std::string> formats = plotFormats(arguments);
     return formats.empty() ? std::vector<std::string>{"png", "svg"} : formats;
 }
@@ -71,8 +69,7 @@ FolderFiles filesOf(const std::vector<Figure>& figures, const std::vector<Discre
 ExitCode runFigures(const Arguments& arguments, const Drawing* drawing) {
     const std::optional<std::string> directory = arguments.value("o");
     if (!directory)
-        throw CommandError(ExitCode::usage,
-                           translatable("drillwave::Message", "needs -o DIR, the folder for the figures"));
+        throw CommandError(ExitCode::usage, translatable("needs -o DIR, the folder for the figures"));
     const std::vector<std::string> formats = formatsOf(arguments);
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const Interruption interruption;
@@ -88,8 +85,7 @@ ExitCode runFigures(const Arguments& arguments, const Drawing* drawing) {
     const FolderFiles folder = filesOf(figures, numbers, formats, *drawing, interruption);
     writeFolder(*directory, folder, overwrite, &interruption);
     const auto agreeing = std::ranges::count_if(numbers, &Discrepancy::agrees);
-    const Message done{translatable("drillwave::Message",
-                                    "%1 files in %2; %3 of %4 printed numbers agree, see index.html or "
+    const Message done{translatable("%1 files in %2; %3 of %4 printed numbers agree, see index.html or "
                                     "discrepancies.csv"),
                        {std::to_string(folder.files.size()), *directory, std::to_string(agreeing),
                         std::to_string(numbers.size())}};

@@ -37,9 +37,8 @@ double gapOf(const Arguments& arguments, const char* option, const Scenario& sce
     const double gap = typed.si / scale;
     if (gap >= least && gap <= most) return gap;
     if (dimensional)
-        refuse({translatable("drillwave::Message", "must be from %1 to %2, d0 being %3"),
-                {shown(least), shown(most), shown(1)}});
-    refuse({translatable("drillwave::Message", "must be from %1 to %2"), {shown(least), shown(most)}});
+        refuse({translatable("must be from %1 to %2, d0 being %3"), {shown(least), shown(most), shown(1)}});
+    refuse({translatable("must be from %1 to %2"), {shown(least), shown(most)}});
     return gap;
 }
 
@@ -49,8 +48,7 @@ std::optional<NormalGap> normalOf(const Arguments& arguments, const Scenario& sc
         if (arguments.has("gap-mean"))
             throw CommandError(
                 ExitCode::usage,
-                translatable("drillwave::Message",
-                             "--gap-mean needs --gap-deviation, how far gaps scatter about it"));
+                translatable("--gap-mean needs --gap-deviation, how far gaps scatter about it"));
         return std::nullopt;
     }
     NormalGap normal;
@@ -74,28 +72,24 @@ ExitCode runGap(const Arguments& arguments, const Drawing* drawing) {
     const std::optional<std::string> csvPath = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     if (arguments.has("force") && !csvPath)
-        throw CommandError(ExitCode::usage, translatable("drillwave::Message",
-                                                         "--force is about the file of -o; add -o FILE.csv"));
+        throw CommandError(ExitCode::usage, translatable("--force is about the file of -o; add -o FILE.csv"));
     arguments.checkOnePrinted();
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const OutputUnits units = arguments.has("si") ? OutputUnits::si : OutputUnits::dimensionless;
     if (arguments.has("si") && !csvPath)
-        throw CommandError(ExitCode::usage, translatable("drillwave::Message",
-                                                         "--si is about the file of -o; add -o FILE.csv"));
+        throw CommandError(ExitCode::usage, translatable("--si is about the file of -o; add -o FILE.csv"));
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
     if (!gapHasPeriod(document.scenario))
         throw CommandError(
             ExitCode::invalidScenario,
             about(inputName(path),
                   translatable(
-                      "drillwave::Message",
                       "is a drill string, and this command solves uniform rods alone (`drillwave: 1`); "
                       "`drillwave curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap")));
     if (units == OutputUnits::si && !hasUnits(document.scenario))
         throw CommandError(
             ExitCode::usage,
-            Message(translatable("drillwave::Message",
-                                 "--si: %1 is given by its dimensionless groups and has no SI units"),
+            Message(translatable("--si: %1 is given by its dimensionless groups and has no SI units"),
                     {path}));
     const std::optional<NormalGap> normal = normalOf(arguments, document.scenario);
     if (csvPath) {
@@ -112,8 +106,7 @@ ExitCode runGap(const Arguments& arguments, const Drawing* drawing) {
     if (!report.curve.isComplete())
         throw CommandError(
             ExitCode::unsolvedOrFailed,
-            Message(translatable("drillwave::Message", "%1: could not be solved at all gaps: %2"),
-                    {path, report.curve.reason}));
+            Message(translatable("%1: could not be solved at all gaps: %2"), {path, report.curve.reason}));
     if (csvPath)
         writeStudy(*csvPath, scenarioHeader(report.scenarioText) + gapCsv(report, units),
                    plots.draw(&report, drawing, interruption), overwrite, interruption);

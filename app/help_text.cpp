@@ -68,7 +68,7 @@ std::string programHelp(const ReadingStyle& style) {
 std::string commandHelp(const Command& command, const ReadingStyle& style) {
     const auto said = [&](std::string_view text) { return style.patternFor(std::string(text)); };
     const std::string operands = command.operands.empty() ? "" : " " + std::string(command.operands);
-    std::string help = style.said({translatable("drillwave::Message", "Usage: drillwave %1 [OPTION]…\n"),
+    std::string help = style.said({translatable("Usage: drillwave %1 [OPTION]…\n"),
                                    {std::string(command.name) + operands}}) +
                        "\n" + said(command.summary) + ".\n";
     if (command.operands.starts_with("FILE")) help += "\n" + said(scenarioOperandHelp) + "\n";
@@ -85,7 +85,7 @@ std::string commandHelp(const Command& command, const ReadingStyle& style) {
 
 std::string ownHelp(std::string_view name, const ReadingStyle& style) {
     const auto help = [&](const std::string& usage, std::string_view summary) {
-        return style.said({translatable("drillwave::Message", "Usage: drillwave %1\n"), {usage}}) + "\n" +
+        return style.said({translatable("Usage: drillwave %1\n"), {usage}}) + "\n" +
                style.patternFor(std::string(summary)) + ".\n";
     };
     if (name == "help")

@@ -66,11 +66,9 @@ std::string chapterText(std::span<const Chapter> manual, std::span<const std::st
         if (block.kind == Kind::heading && block.level == 2 && !sectionNumber(block.text).empty())
             there += (there.empty() ? "" : ", ") + std::string(sectionNumber(block.text));
     if (there.empty())
-        throw CommandError(ExitCode::usage,
-                           Message(translatable("drillwave::Message", "`%1` is not a section of %2"),
-                                   {shortened(words[1]), chapter->name}));
-    throw CommandError(ExitCode::usage, Message(translatable("drillwave::Message",
-                                                             "`%1` is not a section of %2, which has %3"),
+        throw CommandError(ExitCode::usage, Message(translatable("`%1` is not a section of %2"),
+                                                    {shortened(words[1]), chapter->name}));
+    throw CommandError(ExitCode::usage, Message(translatable("`%1` is not a section of %2, which has %3"),
                                                 {shortened(words[1]), chapter->name, there}));
 }
 
@@ -149,14 +147,12 @@ std::string optionText(std::string_view word, std::size_t width, const ReadingSt
         }
     if (meanings.empty()) return {};
     ManualBlock table{Kind::table, 0, {}, {}};
-    table.rows.push_back({style.said(translatable("drillwave::Message", "option")),
-                          style.said(translatable("drillwave::Message", "does")),
-                          style.said(translatable("drillwave::Message", "of the commands"))});
+    table.rows.push_back({style.said(translatable("option")), style.said(translatable("does")),
+                          style.said(translatable("of the commands"))});
     for (const auto& [option, owners] : meanings)
-        table.rows.push_back({synopsis(option), style.patternFor(std::string(option.help)),
-                              owners.size() == commands().size()
-                                  ? style.said(translatable("drillwave::Message", "all"))
-                                  : listOf(owners)});
+        table.rows.push_back(
+            {synopsis(option), style.patternFor(std::string(option.help)),
+             owners.size() == commands().size() ? style.said(translatable("all")) : listOf(owners)});
     return plainText(std::span(&table, 1), width);
 }
 
@@ -185,8 +181,7 @@ std::vector<std::string> namesWith(std::string_view words) {
 /// The best places as a table: what prints each, and what is there.
 std::string placesText(std::span<const WordPlace> places, std::size_t width, const ReadingStyle& style) {
     ManualBlock table{Kind::table, 0, {}, {}};
-    table.rows.push_back(
-        {"drillwave help …", style.said(translatable("drillwave::Message", "what is there"))});
+    table.rows.push_back({"drillwave help …", style.said(translatable("what is there"))});
     for (const WordPlace& place : places)
         table.rows.push_back(
             {place.number.empty() ? place.chapter : place.chapter + " " + place.number, place.shown});
@@ -225,13 +220,11 @@ std::string searchText(std::span<const Chapter> manual, const std::string& words
     }
     if (places.size() > mostPlaces) places.resize(mostPlaces);
     if (!places.empty()) {
-        addSentence(
-            {translatable("drillwave::Message", "The manual has `%1` in these places, the best first:"),
-             {meant}});
+        addSentence({translatable("The manual has `%1` in these places, the best first:"), {meant}});
         add(placesText(places, width, style));
     }
     if (const std::vector<std::string> names = namesWith(meant); !names.empty())
-        addSentence({translatable("drillwave::Message", "Parameters and outputs: %1."), {listOf(names)}});
+        addSentence({translatable("Parameters and outputs: %1."), {listOf(names)}});
     return text;
 }
 
@@ -294,18 +287,16 @@ std::string topicText(std::span<const std::string> words, std::size_t width, con
     if (text.empty())
         text = searchText(manual, name, width, style);
     else if (const std::string keys = keysEndingIn(name); !keys.empty())
-        add(style.said({translatable("drillwave::Message", "See also %1."), {keys}}) + "\n");
+        add(style.said({translatable("See also %1."), {keys}}) + "\n");
     if (!text.empty()) return text;
     const std::string near = nearest(name);
     if (near.empty())
         throw CommandError(ExitCode::usage,
-                           Message(translatable("drillwave::Message",
-                                                "`%1` is neither a command nor a chapter, parameter or "
+                           Message(translatable("`%1` is neither a command nor a chapter, parameter or "
                                                 "output; `drillwave help` says what there is"),
                                    {shortened(name)}));
     throw CommandError(ExitCode::usage,
-                       Message(translatable("drillwave::Message",
-                                            "`%1` is neither a command nor a chapter, parameter or output; "
+                       Message(translatable("`%1` is neither a command nor a chapter, parameter or output; "
                                             "near it %2; `drillwave help` says what there is"),
                                {shortened(name), near}));
 }

@@ -32,10 +32,8 @@ class Pipe {
           m_descriptor(m_isOwn ? ::open(path.c_str(), O_RDONLY | O_CLOEXEC) : STDIN_FILENO) {
         if (m_descriptor < 0) m_problem = cannotBeOpened(reason(errno));
         if (!m_isOwn && ::isatty(STDIN_FILENO) == 1)
-            std::fprintf(
-                stderr, "%s\n",
-                style.said(translatable("drillwave::Message", "reading standard input; end it with Ctrl-D"))
-                    .c_str());
+            std::fprintf(stderr, "%s\n",
+                         style.said(translatable("reading standard input; end it with Ctrl-D")).c_str());
     }
     ~Pipe() {
         if (m_isOwn && m_descriptor >= 0) ::close(m_descriptor);
@@ -48,8 +46,7 @@ class Pipe {
         while (m_problem.isEmpty()) {
             const ssize_t got = ::read(m_descriptor, bytes, most);
             if (got >= 0) return static_cast<std::size_t>(got);
-            if (errno != EINTR)
-                m_problem = {translatable("drillwave::Message", "cannot be read: %1"), {reason(errno)}};
+            if (errno != EINTR) m_problem = {translatable("cannot be read: %1"), {reason(errno)}};
         }
         return 0;
     }
@@ -121,8 +118,7 @@ RereadableInput::Buffer::int_type RereadableInput::Buffer::underflow() {
     } catch (const std::ios_base::failure& failure) {
         throw CommandError(
             ExitCode::unreadableInput,
-            Message(translatable("drillwave::Message",
-                                 "%1: cannot be read: %2; copy it to another disk, or get it anew"),
+            Message(translatable("%1: cannot be read: %2; copy it to another disk, or get it anew"),
                     {m_name, failure.code().message()}));
     }
 }
@@ -139,9 +135,9 @@ RereadableInput::RereadableInput(const std::string& path, std::uint64_t most, co
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) refuse(cannotBeOpened(reason(errno)));
     if (!S_ISREG(status.st_mode))
-        refuse(translatable("drillwave::Message", "is not a regular file; write the rows to a file first"));
+        refuse(translatable("is not a regular file; write the rows to a file first"));
     if (!m_buffer.open(path, std::ios::in | std::ios::binary))
-        refuse(translatable("drillwave::Message", "cannot be opened for reading; check its permissions"));
+        refuse(translatable("cannot be opened for reading; check its permissions"));
 }
 
 void RereadableInput::keep(const std::string& path, std::uint64_t most, const ReadingStyle& style) {
@@ -149,8 +145,7 @@ void RereadableInput::keep(const std::string& path, std::uint64_t most, const Re
     const auto refuse = [&](const std::string& problem) {
         throw CommandError(
             ExitCode::unwritableOutput,
-            Message(translatable("drillwave::Message",
-                                 "%1: cannot be kept in %2: %3; set TMPDIR to a folder with more room"),
+            Message(translatable("%1: cannot be kept in %2: %3; set TMPDIR to a folder with more room"),
                     {inputName(path), temporaryFolder(), problem}));
     };
     if (kept.descriptor < 0) refuse(reason(errno));
@@ -161,8 +156,7 @@ void RereadableInput::keep(const std::string& path, std::uint64_t most, const Re
         bytes += got;
         if (bytes > most)
             throw CommandError(ExitCode::unreadableInput,
-                               Message(translatable("drillwave::Message",
-                                                    "%1: is longer than %2 MiB, the most that is kept of "
+                               Message(translatable("%1: is longer than %2 MiB, the most that is kept of "
                                                     "what is not a file; write its rows to a file first"),
                                        {inputName(path), std::to_string(most >> 20)}));
         if (const WriteFailure failure = writeAll(kept.descriptor, {chunk.data(), got}))

@@ -68,7 +68,7 @@ void handleOnce(void (*handler)(int)) {
 
 void speakOnInterruption(const ReadingStyle& style) {
     styleOfCommand = &style;
-    lineOfInterruption = "drillwave: " + style.said(translatable("drillwave::Message", "interrupted")) + "\n";
+    lineOfInterruption = "drillwave: " + style.said(translatable("interrupted")) + "\n";
 }
 
 void holdInterruptions() {
@@ -121,8 +121,7 @@ void Interruption::ignoreFromNowOn() const {
 
 void Interruption::check() const {
     if (m_source.stop_requested())
-        throw CommandError(ExitCode::interrupted,
-                           translatable("drillwave::Message", "interrupted; no output was left behind"));
+        throw CommandError(ExitCode::interrupted, translatable("interrupted; no output was left behind"));
 }
 
 }  // namespace drillwave

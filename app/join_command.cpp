@@ -35,8 +35,7 @@ struct JoinedPart {
 }
 
 [[noreturn]] void refuseCommand(const RowPart& part, const Message& reason) {
-    refuse(recordName(part.file),
-           {translatable("drillwave::Message", "its command is none of this version: %1"), {reason}});
+    refuse(recordName(part.file), {translatable("its command is none of this version: %1"), {reason}});
 }
 
 Arguments argumentsOf(const RowPart& part, std::string& command) {
@@ -54,15 +53,13 @@ Arguments argumentsOf(const RowPart& part, std::string& command) {
 JoinedPart loadPart(const std::string& file) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(file, error))
-        refuse(file, std::filesystem::exists(file, error)
-                         ? translatable("drillwave::Message", "is no file of rows")
-                         : translatable("drillwave::Message", "the part is not there"));
+        refuse(file, std::filesystem::exists(file, error) ? translatable("is no file of rows")
+                                                          : translatable("the part is not there"));
     const std::string record = recordName(file);
     const FileBytes bytes = readFile(record, maximumInputBytes);
     if (!bytes.problem.isEmpty())
         refuse(record,
-               {translatable("drillwave::Message", "%1; a part needs the record that was written with it"),
-                {bytes.problem}});
+               {translatable("%1; a part needs the record that was written with it"), {bytes.problem}});
     try {
         JoinedPart loaded{parseRowPart(bytes.bytes, file), {}, {}};
         loaded.arguments = argumentsOf(loaded.part, loaded.command);
@@ -76,11 +73,10 @@ JoinedPart loadPart(const std::string& file) {
 /// another name: its scenario stands in the record.
 Message difference(const JoinedPart& one, const JoinedPart& other) {
     if (std::string key = differingKey(one.part, other.part); !key.empty()) return key;
-    if (one.part.shard.count != other.part.shard.count)
-        return translatable("drillwave::Message", "number of parts");
+    if (one.part.shard.count != other.part.shard.count) return translatable("number of parts");
     const bool isSame = one.command == other.command &&
                         one.arguments.optionsText(partOption) == other.arguments.optionsText(partOption);
-    return isSame ? Message() : Message(translatable("drillwave::Message", "command"));
+    return isSame ? Message() : Message(translatable("command"));
 }
 
 /// In their order. Throws where they are no whole.
@@ -92,7 +88,6 @@ std::vector<JoinedPart> loadParts(const std::vector<std::string>& files) {
         if (const Message key = difference(loaded.front(), loaded.back()); !key.isEmpty())
             problems.emplace_back(
                 translatable(
-                    "drillwave::Message",
                     "%1: is a part of another run than %2: its %3 differs; leave it out or run it again"),
                 std::vector<Message>{file, files.front(), key});
     }
@@ -115,13 +110,12 @@ void copyRows(const RowPart& part, OutputFile& out, const Interruption& interrup
         out.write(text);
         interruption.check();
     }
-    if (!stream.eof()) refuse(part.file, translatable("drillwave::Message", "cannot be read"));
+    if (!stream.eof()) refuse(part.file, translatable("cannot be read"));
     if (sum == part.sum) return;
     throw CommandError(
         ExitCode::invalidScenario,
         std::vector{Message(
-            translatable("drillwave::Message",
-                         "%1: is not what its record says: it has %2 bytes with checksum %3, and was written "
+            translatable("%1: is not what its record says: it has %2 bytes with checksum %3, and was written "
                          "with %4 and %5; it was changed or is another part, run it again"),
             {part.file, std::to_string(sum.bytes), sum.checksum(), std::to_string(part.sum.bytes),
              part.sum.checksum()})});
@@ -142,8 +136,7 @@ std::vector<std::string> partsIn(const std::string& folder) {
             files.push_back(std::move(file));
     }
     std::ranges::sort(files);
-    if (files.empty())
-        refuse(folder, translatable("drillwave::Message", "has no parts of --shard with their records"));
+    if (files.empty()) refuse(folder, translatable("has no parts of --shard with their records"));
     return files;
 }
 
@@ -165,9 +158,8 @@ std::vector<std::string> filesOf(const std::vector<std::string>& operands) {
 ExitCode runJoin(const Arguments& arguments, const Drawing*) {
     const std::optional<std::string> path = arguments.value("o");
     if (!path)
-        throw CommandError(
-            ExitCode::usage,
-            translatable("drillwave::Message", "needs -o FILE, where to write; - is standard output"));
+        throw CommandError(ExitCode::usage,
+                           translatable("needs -o FILE, where to write; - is standard output"));
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const std::vector<JoinedPart> parts = loadParts(filesOf(arguments.operands()));
     std::vector<std::string> inputs;
@@ -185,7 +177,7 @@ ExitCode runJoin(const Arguments& arguments, const Drawing*) {
     const Interruption interruption;
     OutputFile out(*path, overwrite);
     {
-        ProgressBar bar(whole.rows, translatable("drillwave::Message", "rows"), arguments.style());
+        ProgressBar bar(whole.rows, translatable("rows"), arguments.style());
         std::uint64_t copied = 0;
         for (const JoinedPart& one : parts) {
             copyRows(one.part, out, interruption);

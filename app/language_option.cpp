@@ -29,11 +29,9 @@ const Language* languageNamed(const std::string& code, const std::string& by) {
     for (const Language& language : languages)
         known += (known.empty() ? "" : ", ") + std::string(language.code);
     if (code.empty())
-        throw CommandError(ExitCode::usage,
-                           Message(translatable("drillwave::Message", "%1 needs one of %2"), {by, known}));
+        throw CommandError(ExitCode::usage, Message(translatable("%1 needs one of %2"), {by, known}));
     throw CommandError(ExitCode::usage,
-                       Message(translatable("drillwave::Message", "%1: `%2` is not one of %3"),
-                               {by, shortened(code), known}));
+                       Message(translatable("%1: `%2` is not one of %3"), {by, shortened(code), known}));
 }
 
 }  // namespace
@@ -55,9 +53,8 @@ const Language* takeLanguage(std::vector<std::string>& words) {
     for (auto word = std::find_if(words.begin(), end(), isIt); word != end();
          word = std::find_if(words.begin(), end(), isIt)) {
         if (code)
-            throw CommandError(
-                ExitCode::usage,
-                Message(translatable("drillwave::Message", "`%1` is given twice; give it once"), {name}));
+            throw CommandError(ExitCode::usage,
+                               Message(translatable("`%1` is given twice; give it once"), {name}));
         if (*word != name) {
             code = word->substr(name.size() + 1);
             words.erase(word);

@@ -39,9 +39,8 @@ int print(const std::string& text) {
     if (std::fputs(text.c_str(), stdout) >= 0 && std::fflush(stdout) == 0)
         return static_cast<int>(ExitCode::done);
     const std::string reason = std::generic_category().message(errno);
-    throw CommandError(
-        ExitCode::unwritableOutput,
-        Message(translatable("drillwave::Message", "standard output: cannot be written: %1"), {reason}));
+    throw CommandError(ExitCode::unwritableOutput,
+                       Message(translatable("standard output: cannot be written: %1"), {reason}));
 }
 
 int printVersion() {
@@ -68,8 +67,7 @@ bool asksForVersion(std::span<const std::string> words) {
 void refuseMore(std::span<const std::string> words, std::size_t taken) {
     if (words.size() > taken)
         throw CommandError(ExitCode::usage,
-                           Message(translatable("drillwave::Message",
-                                                "`%1` is too much; `drillwave help` says what there is"),
+                           Message(translatable("`%1` is too much; `drillwave help` says what there is"),
                                    {shortened(words[taken])}));
 }
 
@@ -188,15 +186,13 @@ int main(int argc, char** argv) {
         return internalError(
             who,
             translatable(
-                "drillwave::Message",
                 "out of memory: this needs more than is free, or than a limit (ulimit -v, -d) permits; raise "
                 "it, use fewer threads (-j 1) or ask for less at once"),
             styleOf(*language));
     } catch (const std::exception& error) {
         return internalError(
             who,
-            {translatable("drillwave::Message",
-                          "internal error: %1; please report it with the command that led to it"),
+            {translatable("internal error: %1; please report it with the command that led to it"),
              {std::string(error.what())}},
             styleOf(*language));
     }

@@ -27,16 +27,14 @@ SweepAxis axisOf(const Arguments& arguments, const std::string& option) {
     if (!word)
         throw CommandError(
             ExitCode::usage,
-            Message(translatable("drillwave::Message",
-                                 "needs --x KEY=START:STOP:COUNT[:log] and --y likewise; %1 is missing"),
+            Message(translatable("needs --x KEY=START:STOP:COUNT[:log] and --y likewise; %1 is missing"),
                     {"--" + option}));
     // A map lies between even steps: axisArgument() would take a list, and name it where it takes none.
     const auto colons = std::ranges::count(*word, ':');
     if (colons < 2 || colons > 3)
         throw CommandError(ExitCode::usage,
                            about(quotedAxis(option, *word),
-                                 translatable("drillwave::Message",
-                                              "a map needs KEY=START:STOP:COUNT or KEY=START:STOP:COUNT:log; "
+                                 translatable("a map needs KEY=START:STOP:COUNT or KEY=START:STOP:COUNT:log; "
                                               "`drillwave sweep` takes a list")));
     return axisArgument(option, *word);
 }
@@ -47,8 +45,7 @@ OutputColumn outputOf(const Arguments& arguments, OutputUnits units) {
     if (choice.columns.size() != 1)
         throw CommandError(
             ExitCode::usage,
-            translatable("drillwave::Message",
-                         "--output: a map has one output; for several take `drillwave sweep`"));
+            translatable("--output: a map has one output; for several take `drillwave sweep`"));
     return choice.columns.front();
 }
 
@@ -67,15 +64,13 @@ MapFiles filesOf(const Arguments& arguments, const RowOptions& options, const Sc
     MapFiles files{options, {}};
     const bool hasFile = arguments.has("o") && !isStream(options.path);
     if (arguments.has("force") && (!arguments.has("o") || options.path == "-"))
-        throw CommandError(ExitCode::usage, translatable("drillwave::Message",
-                                                         "--force is about the file of -o; add -o FILE.csv"));
+        throw CommandError(ExitCode::usage, translatable("--force is about the file of -o; add -o FILE.csv"));
     if (isStream(options.path) && arguments.has("o"))
         for (const char* option : {"level", "json"})
             if (arguments.has(option))
                 throw CommandError(
                     ExitCode::usage,
-                    Message(translatable("drillwave::Message",
-                                         "%1 has no place where -o - prints the map; give -o FILE.csv"),
+                    Message(translatable("%1 has no place where -o - prints the map; give -o FILE.csv"),
                             {std::string("--") + option}));
     if (!hasFile) return files;
     checkRows(options, arguments, document);
@@ -91,19 +86,20 @@ MapReport solve(const MapStudy& study, const std::vector<double>& levels, int jo
     const Stopwatch watch;
     MapReport report{.study = study, .grid = {}, .contours = {}, .runTime = 0, .scenarioText = {}};
     {
-        ProgressBar bar(study.x.count * study.y.count, translatable("drillwave::Message", "points"), style);
+        ProgressBar bar(study.x.count * study.y.count, translatable("points"), style);
         report.grid = solveMap(study, jobs, interruption.token(),
                                [&](const MapGrid& soFar) { bar.show(soFar.done()); });
     }
     interruption.check();
     for (const double level : levels) {
         std::optional<ProgressBar> bar;
-        report.contours.push_back(contourOf(
-            study, report.grid, level, jobs, interruption.token(),
-            [&](std::uint64_t placed, std::uint64_t crossings) {
-                if (!bar) bar.emplace(crossings, translatable("drillwave::Message", "contour points"), style);
-                bar->show(placed);
-            }));
+        report.contours.push_back(contourOf(study, report.grid, level, jobs, interruption.token(),
+                                            [&](std::uint64_t placed, std::uint64_t crossings) {
+                                                if (!bar)
+                                                    bar.emplace(crossings, translatable("contour points"),
+                                                                style);
+                                                bar->show(placed);
+                                            }));
         interruption.check();
     }
     report.runTime = watch.seconds();
@@ -130,14 +126,12 @@ ExitCode judge(const MapReport& report, long workLimit) {
         .rows = report.grid.size(), .failed = report.grid.failed(), .failures = report.grid.failures()};
     for (const Contour& contour : report.contours)
         if (counts.failed == 0 && contour.unplaced > 0)
-            throw CommandError(
-                ExitCode::unsolvedOrFailed,
-                Message(translatable("drillwave::Message", "%1 points of a contour could not be placed: %2"),
-                        {std::to_string(contour.unplaced), contour.reason}));
+            throw CommandError(ExitCode::unsolvedOrFailed,
+                               Message(translatable("%1 points of a contour could not be placed: %2"),
+                                       {std::to_string(contour.unplaced), contour.reason}));
     if (counts.failed == 0) return ExitCode::done;
     throw CommandError(ExitCode::unsolvedOrFailed,
-                       Message(translatable("drillwave::Message",
-                                            "%1 of %2 points could not be solved and have no output; %3"),
+                       Message(translatable("%1 of %2 points could not be solved and have no output; %3"),
                                {std::to_string(counts.failed), std::to_string(counts.rows),
                                 reasonsOf(counts, RowNoun::point, workLimit)}));
 }
@@ -146,14 +140,12 @@ ExitCode judge(const MapReport& report, long workLimit) {
 void checkPart(const Arguments& arguments) {
     if (!arguments.has("shard")) return;
     if (!arguments.has("o"))
-        throw CommandError(
-            ExitCode::usage,
-            translatable("drillwave::Message", "--shard: a part of a map has rows alone; add -o FILE.csv"));
+        throw CommandError(ExitCode::usage,
+                           translatable("--shard: a part of a map has rows alone; add -o FILE.csv"));
     for (const char* option : {"level", "json", "plots"})
         if (arguments.has(option))
             throw CommandError(ExitCode::usage,
-                               Message(translatable("drillwave::Message",
-                                                    "%1 needs the map in one piece; leave out --shard"),
+                               Message(translatable("%1 needs the map in one piece; leave out --shard"),
                                        {std::string("--") + option}));
 }
 

@@ -22,23 +22,20 @@ MethodChoice methodChoice(const Arguments& arguments, const std::optional<Method
         std::string known;
         for (const std::string_view one : methodNames())
             known += (known.empty() ? "" : ", ") + std::string(one);
-        throw CommandError(ExitCode::usage, Message(translatable("drillwave::Message",
-                                                                 "--method %1: is not known; choose from %2"),
+        throw CommandError(ExitCode::usage, Message(translatable("--method %1: is not known; choose from %2"),
                                                     {shortened(given), known}));
     }
     choice.method = *method;
     if (arguments.has("segments") && choice.method != Method::lattice)
-        throw CommandError(
-            ExitCode::usage,
-            translatable("drillwave::Message", "--segments is about the lattice; add --method lattice"));
+        throw CommandError(ExitCode::usage,
+                           translatable("--segments is about the lattice; add --method lattice"));
     choice.lattice.segments = static_cast<int>(
         arguments.number("segments", choice.lattice.segments, minimumSegments, maximumSegments));
     return choice;
 }
 
 Message forUniformRods(const std::string& path) {
-    return {translatable("drillwave::Message", "%1: is for uniform rods; leave it out for a drill string"),
-            {path}};
+    return {translatable("%1: is for uniform rods; leave it out for a drill string"), {path}};
 }
 
 void checkMethodOfString(const MethodChoice& choice, const Scenario& scenario, const std::string& path) {

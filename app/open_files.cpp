@@ -12,8 +12,7 @@ namespace drillwave {
 
 CommandError tooFewFiles(int reason) {
     return {ExitCode::unwritableOutput,
-            Message(translatable("drillwave::Message",
-                                 "nothing can be written: %1; raise the limit of open files (ulimit -n)"),
+            Message(translatable("nothing can be written: %1; raise the limit of open files (ulimit -n)"),
                     {std::generic_category().message(reason)})};
 }
 

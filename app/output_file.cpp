@@ -19,7 +19,7 @@ namespace drillwave {
 
 namespace {
 
-constexpr const char* standardOutput = translatable("drillwave::Message", "standard output");
+constexpr const char* standardOutput = translatable("standard output");
 
 bool isStandardOutput(const std::string& path) {
     return path == "-" || path == "/dev/stdout";
@@ -52,16 +52,14 @@ void checkStandardOutput() {
     if (::fcntl(STDOUT_FILENO, F_GETFL) < 0 || (::fcntl(STDOUT_FILENO, F_GETFL) & O_ACCMODE) == O_RDONLY)
         throw CommandError(
             ExitCode::unwritableOutput,
-            about(standardOutput,
-                  translatable("drillwave::Message", "is closed; send it to a file or to /dev/null")));
+            about(standardOutput, translatable("is closed; send it to a file or to /dev/null")));
 }
 
 void checkName(const std::string& path) {
     if (!isUtf8(path))
         throw CommandError(
             ExitCode::unwritableOutput,
-            about(path, translatable("drillwave::Message",
-                                     "the name has bytes that are not UTF-8; choose another one")));
+            about(path, translatable("the name has bytes that are not UTF-8; choose another one")));
 }
 
 void checkOverwrite(const std::string& path, Overwrite overwrite) {
@@ -69,15 +67,13 @@ void checkOverwrite(const std::string& path, Overwrite overwrite) {
     if (isStream(path)) return;
     std::error_code ignored;
     if (path.ends_with('/') || std::filesystem::is_directory(path, ignored))
-        throw CommandError(
-            ExitCode::unwritableOutput,
-            about(path, translatable("drillwave::Message", "is a folder; give the name of a file")));
+        throw CommandError(ExitCode::unwritableOutput,
+                           about(path, translatable("is a folder; give the name of a file")));
     // A dangling link is something that would be written through.
     if (isThere(path) && overwrite == Overwrite::refused)
         throw CommandError(
             ExitCode::unwritableOutput,
-            about(path, translatable("drillwave::Message",
-                                     "exists already; use --force to overwrite it or choose another name")));
+            about(path, translatable("exists already; use --force to overwrite it or choose another name")));
 }
 
 void checkOutput(const std::string& path, Overwrite overwrite, LeftBeside leftBeside) {
@@ -159,10 +155,8 @@ void OutputFile::check(const WriteFailure& failure) const {
         ExitCode::unwritableOutput,
         Message(
             failure.isFull
-                ? translatable("drillwave::Message",
-                               "%1: cannot be written: %2; free some space or choose another place with -o")
-                : translatable("drillwave::Message",
-                               "%1: cannot be written: %2; choose another place with -o"),
+                ? translatable("%1: cannot be written: %2; free some space or choose another place with -o")
+                : translatable("%1: cannot be written: %2; choose another place with -o"),
             {name, failure.reason}));
 }
 

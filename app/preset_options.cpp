@@ -56,14 +56,12 @@ PresetFile presetsOf(const std::optional<std::string>& path, const ReadingStyle&
     if (path->empty())
         throw CommandError(
             ExitCode::usage,
-            translatable("drillwave::Message",
-                         "the file of presets has an empty name; without one the built-in ones are taken"));
+            translatable("the file of presets has an empty name; without one the built-in ones are taken"));
     const FileBytes file = readInput(*path, maximumPresetBytes + 1, style);
     if (!file.problem.isEmpty())
         throw CommandError(
             ExitCode::unreadableInput,
-            std::vector{about(inputName(*path), {translatable("drillwave::Message", "the file of presets %1"),
-                                                 {file.problem}})});
+            std::vector{about(inputName(*path), {translatable("the file of presets %1"), {file.problem}})});
     return parsedPresets(file.bytes, *path);
 }
 
@@ -72,8 +70,7 @@ PresetFile parsedPresets(std::string_view text, const std::string& path) {
         throw CommandError(
             ExitCode::unreadableInput,
             std::vector{
-                Message(translatable("drillwave::Message",
-                                     "%1: the file of presets is larger than %2 KiB, too large to be meant"),
+                Message(translatable("%1: the file of presets is larger than %2 KiB, too large to be meant"),
                         {inputName(path), std::to_string(maximumPresetBytes / 1024)})});
     try {
         return parsePresets(text, inputName(path));
@@ -92,13 +89,10 @@ void applyPresets(Scenario& scenario, const Arguments& arguments, const std::str
         const std::string option = "--" + std::string(name(kind));
         if (hasSections(scenario) && kind != PresetKind::rock)
             refuse(option, *wanted,
-                   {translatable("drillwave::Message",
-                                 "%1 is a drill string, whose sections are given one by one"),
-                    {path}});
+                   {translatable("%1 is a drill string, whose sections are given one by one"), {path}});
         if (!hasUnits(scenario))
             refuse(option, *wanted,
                    {translatable(
-                        "drillwave::Message",
                         "%1 is given by its dimensionless groups; presets need a scenario in physical units"),
                     {path}});
         if (presets.empty()) presets = presetsOf(file, arguments.style()).presets;
@@ -110,8 +104,7 @@ void applyPresets(Scenario& scenario, const Arguments& arguments, const std::str
                       });
     if (arguments.has("presets") && !used)
         throw CommandError(ExitCode::usage,
-                           translatable("drillwave::Message",
-                                        "--presets is about --rod, --hammer and --rock; add one of them"));
+                           translatable("--presets is about --rod, --hammer and --rock; add one of them"));
 }
 
 }  // namespace drillwave

@@ -19,11 +19,11 @@ namespace {
 const char* usePattern(PresetKind kind) {
     switch (kind) {
         case PresetKind::rod:
-            return translatable("drillwave::Message", "rods, for %1");
+            return translatable("rods, for %1");
         case PresetKind::hammer:
-            return translatable("drillwave::Message", "hammers, for %1");
+            return translatable("hammers, for %1");
         case PresetKind::rock:
-            return translatable("drillwave::Message", "rocks, for %1");
+            return translatable("rocks, for %1");
     }
     return "";
 }
@@ -31,16 +31,13 @@ const char* usePattern(PresetKind kind) {
 const char* usePattern(SectionPresetKind kind) {
     switch (kind) {
         case SectionPresetKind::piston:
-            return translatable("drillwave::Message",
-                                "pistons, for drill strings (length × diameter / bore)");
+            return translatable("pistons, for drill strings (length × diameter / bore)");
         case SectionPresetKind::adapter:
-            return translatable("drillwave::Message",
-                                "adapters, for drill strings (length × diameter / bore)");
+            return translatable("adapters, for drill strings (length × diameter / bore)");
         case SectionPresetKind::coupling:
-            return translatable("drillwave::Message",
-                                "couplings, for drill strings (length × diameter / bore)");
+            return translatable("couplings, for drill strings (length × diameter / bore)");
         case SectionPresetKind::bit:
-            return translatable("drillwave::Message", "bits, for drill strings (length × diameter / bore)");
+            return translatable("bits, for drill strings (length × diameter / bore)");
     }
     return "";
 }
@@ -86,9 +83,8 @@ ExitCode runPresets(const Arguments& arguments, const Drawing*) {
         listing.add(name(preset.kind), usePattern(preset.kind), preset.name,
                     description(preset, arguments.style()));
     if (listing.text().empty() && !search.empty())
-        throw CommandError(
-            ExitCode::unsolvedOrFailed,
-            Message(translatable("drillwave::Message", "no preset has all of \"%1\""), {search}));
+        throw CommandError(ExitCode::unsolvedOrFailed,
+                           Message(translatable("no preset has all of \"%1\""), {search}));
     printText(listing.text());
     return ExitCode::done;
 }

@@ -59,8 +59,7 @@ void ProgressBar::show(std::uint64_t done) {
                numbers(done);
         m_drawn = true;
     } else {
-        text =
-            m_style.said({translatable("drillwave::Message", "%1 done"), {percent}}) + numbers(done) + "\n";
+        text = m_style.said({translatable("%1 done"), {percent}}) + numbers(done) + "\n";
     }
     std::fputs(text.c_str(), m_out.stream);
 }
@@ -71,9 +70,7 @@ std::string ProgressBar::numbers(std::uint64_t done) const {
     const double rate = static_cast<double>(done) / elapsed;
     if (!m_unit.empty())
         text += "  " + std::to_string(static_cast<std::uint64_t>(rate)) + " " + m_unit + "/s";
-    if (rate > 0)
-        text += "  " + m_style.said({translatable("drillwave::Message", "%1 left"),
-                                     {durationText(secondsLeft(done))}});
+    if (rate > 0) text += "  " + m_style.said({translatable("%1 left"), {durationText(secondsLeft(done))}});
     return text;
 }
 
@@ -85,9 +82,8 @@ double ProgressBar::secondsLeft(std::uint64_t done) const {
 ElapsedTime::ElapsedTime(const ReadingStyle& style) {
     const bool isTerminal = ::isatty(STDERR_FILENO) == 1;
     // Styles are not for several threads at once.
-    const std::string words =
-        style.patternFor(isTerminal ? translatable("drillwave::Message", "solving for %1; Ctrl-C ends it")
-                                    : translatable("drillwave::Message", "solving for %1"));
+    const std::string words = style.patternFor(isTerminal ? translatable("solving for %1; Ctrl-C ends it")
+                                                          : translatable("solving for %1"));
     const int step = isTerminal ? 1 : static_cast<int>(linesBetween.count());
     const auto draw = [isTerminal, step, words](const std::stop_token& stop) {
         std::mutex mutex;

@@ -46,9 +46,8 @@ struct ReportPlace {
 ReportPlace placeOf(const Arguments& arguments) {
     const std::optional<std::string> path = arguments.value("o");
     if (!path)
-        throw CommandError(
-            ExitCode::usage,
-            translatable("drillwave::Message", "needs -o DIR, -o FILE.html or -o FILE.pdf, where to write"));
+        throw CommandError(ExitCode::usage,
+                           translatable("needs -o DIR, -o FILE.html or -o FILE.pdf, where to write"));
     if (isStream(*path)) return {*path, false, {"html"}};
     std::error_code ignored;
     std::string ending = std::filesystem::path(*path).extension().string();
@@ -56,8 +55,7 @@ ReportPlace placeOf(const Arguments& arguments) {
     const bool hasPlots = !arguments.has(withoutPlots);
     if (ending == ".pdf" && !hasPlots)
         throw CommandError(ExitCode::usage,
-                           translatable("drillwave::Message",
-                                        "--no-plots: a PDF is drawn with its plots; give -o FILE.html"));
+                           translatable("--no-plots: a PDF is drawn with its plots; give -o FILE.html"));
     if (ending == ".html" || ending == ".pdf") return {*path, false, {ending.substr(1)}};
     const bool isFolder = path->ends_with('/') || std::filesystem::is_directory(*path, ignored);
     if (!ending.empty() && !isFolder)
@@ -65,7 +63,6 @@ ReportPlace placeOf(const Arguments& arguments) {
             ExitCode::usage,
             about("-o " + *path,
                   translatable(
-                      "drillwave::Message",
                       "a report is FILE.html or FILE.pdf; for a folder of that name put / behind it")));
     if (!hasPlots) return {*path, true, {"html"}};
     return {*path, true, {"html", "pdf"}};
@@ -143,9 +140,7 @@ ExitCode runReport(const Arguments& arguments, const Drawing* drawing) {
     interruption.check();
     write(place, std::move(files), overwrite, interruption);
     if (!isStream(place.path))
-        std::printf("%s\n", arguments.style()
-                                .said({translatable("drillwave::Message", "report in %1"), {place.path}})
-                                .c_str());
+        std::printf("%s\n", arguments.style().said({translatable("report in %1"), {place.path}}).c_str());
     return ExitCode::done;
 }
 

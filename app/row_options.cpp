@@ -43,15 +43,13 @@ Shard shardOf(const Arguments& arguments) {
     const std::string text = arguments.value("shard").value_or("1/1");
     const std::optional<Shard> shard = parseShard(text);
     if (!shard)
-        throw CommandError(ExitCode::usage, Message(translatable("drillwave::Message",
-                                                                 "--shard %1: needs I/N, 1 <= I <= N <= %2"),
+        throw CommandError(ExitCode::usage, Message(translatable("--shard %1: needs I/N, 1 <= I <= N <= %2"),
                                                     {shortened(text), std::to_string(maximumShards)}));
     return *shard;
 }
 
 Message withLimitHint(const Message& reason, long workLimit) {
-    return {translatable("drillwave::Message", "%1; --work-limit, now %2, permits more"),
-            {reason, std::to_string(workLimit)}};
+    return {translatable("%1; --work-limit, now %2, permits more"), {reason, std::to_string(workLimit)}};
 }
 
 /// Of a blow within workLimitsOf().
@@ -63,24 +61,19 @@ long limitOf(const Arguments& arguments, const Scenario& scenario) {
 /// Rows that are kept have a file to be kept for, and are not in memory to be drawn.
 void checkResumes(const Arguments& arguments) {
     if (isStream(arguments.value("o").value_or("-")))
-        throw CommandError(
-            ExitCode::usage,
-            translatable("drillwave::Message", "--resume is about the file of -o; add -o FILE.csv"));
+        throw CommandError(ExitCode::usage,
+                           translatable("--resume is about the file of -o; add -o FILE.csv"));
     for (const char* option : {"plots", "level", "json"})
         if (arguments.has(option))
             throw CommandError(ExitCode::usage,
-                               Message(translatable("drillwave::Message",
-                                                    "%1 needs the rows in one run; leave out --resume"),
+                               Message(translatable("%1 needs the rows in one run; leave out --resume"),
                                        {std::string("--") + option}));
 }
 
 /// "2 rows", to stand before a reason.
 Message countOf(std::uint64_t count, RowNoun noun) {
-    if (noun == RowNoun::row)
-        return counted(count, translatable("drillwave::Message", "%1 row"),
-                       translatable("drillwave::Message", "%1 rows"));
-    return counted(count, translatable("drillwave::Message", "%1 point"),
-                   translatable("drillwave::Message", "%1 points"));
+    if (noun == RowNoun::row) return counted(count, translatable("%1 row"), translatable("%1 rows"));
+    return counted(count, translatable("%1 point"), translatable("%1 points"));
 }
 
 }  // namespace
@@ -95,8 +88,7 @@ Message reasonsOf(const RowCounts& counts, RowNoun noun, long workLimit) {
         atLimit |= isAtLimit(failure.reason);
     }
     if (told < counts.failed)
-        text = {translatable("drillwave::Message", "%1; %2 for other reasons"),
-                {text, std::to_string(counts.failed - told)}};
+        text = {translatable("%1; %2 for other reasons"), {text, std::to_string(counts.failed - told)}};
     return atLimit ? withLimitHint(text, workLimit) : text;
 }
 
@@ -129,7 +121,7 @@ Message reasonWithHint(const Message& reason, const Arguments& arguments, const 
 }
 
 Message couldNotBeSolved(const std::string& path, const Message& reason) {
-    return {translatable("drillwave::Message", "%1: could not be solved: %2"), {path, reason}};
+    return {translatable("%1: could not be solved: %2"), {path, reason}};
 }
 
 OptionSpec workLimitSpec() {
@@ -165,7 +157,7 @@ OptionSpec resumeOptionSpec() {
 }
 
 std::string outputHelp(const ReadingStyle& style) {
-    std::string help = style.said(translatable("drillwave::Message", "Outputs:"));
+    std::string help = style.said(translatable("Outputs:"));
     std::size_t width = 0;
     for (const std::span<const Output> table : {outputs(), drillOutputs()})
         for (const Output& output : table) width = std::max(width, output.name.size());
@@ -174,12 +166,10 @@ std::string outputHelp(const ReadingStyle& style) {
                 style.patternFor(std::string(meaning));
     };
     for (const Output& output : outputs()) add(output.name, output.meaning);
-    add("all", translatable("drillwave::Message",
-                            "all of these that FILE has: some need a blow frequency, "
+    add("all", translatable("all of these that FILE has: some need a blow frequency, "
                             "thrust_margin a thrust too"));
     help +=
         "\n" + style.said(translatable(
-                   "drillwave::Message",
                    "Of many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency "
                    "and drill.thrust:"));
     for (const Output& output : drillOutputs()) add(output.name, output.meaning);
@@ -302,8 +292,7 @@ class RowForecast {
         const double all = static_cast<double>(bytes) + bytesLeft;
         if (!isStream(m_options.path)) checkRoom(all, bytesLeft);
         if (seconds / done * left < worthTelling) return;
-        printRemark({translatable("drillwave::Message",
-                                  "%1 rows take about %2 and %3. A run that ends before its time leaves no "
+        printRemark({translatable("%1 rows take about %2 and %3. A run that ends before its time leaves no "
                                   "rows, but with --resume those that are done, and with --shard I/N the "
                                   "parts that are done"),
                      {std::to_string(m_rows), bytesText(all, m_style), durationText(seconds / done * left)}},
@@ -321,8 +310,7 @@ class RowForecast {
         if (error || needed <= static_cast<double>(space.available)) return;
         throw CommandError(
             ExitCode::unwritableOutput,
-            Message(translatable("drillwave::Message",
-                                 "%1: %2 rows take about %3, and the disk has %4 free; take fewer rows, or "
+            Message(translatable("%1: %2 rows take about %3, and the disk has %4 free; take fewer rows, or "
                                  "write parts (--shard I/N) to several disks"),
                     {m_options.path, std::to_string(m_rows), bytesText(all, m_style),
                      bytesText(static_cast<double>(space.available), m_style)}));
@@ -357,18 +345,15 @@ void note(KeptRows* kept, const RowsDone& done, WriteFailure (KeptRows::*how)(co
 }  // namespace
 
 Message unsolvedRows(std::uint64_t unsolved, std::uint64_t rows) {
-    return {
-        translatable("drillwave::Message", "%1 of %2 rows could not be solved: their output cells are empty"),
-        {std::to_string(unsolved), std::to_string(rows)}};
+    return {translatable("%1 of %2 rows could not be solved: their output cells are empty"),
+            {std::to_string(unsolved), std::to_string(rows)}};
 }
 
 ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions& options,
                    const Interruption& interruption, const ReadingStyle& style, const DrawRows& draw) {
     if (options.resumes)
         if (const std::optional<RowPart> there = rowsThere(record, options.path)) {
-            printRemark(
-                {translatable("drillwave::Message", "%1: has all of these rows already"), {options.path}},
-                style);
+            printRemark({translatable("%1: has all of these rows already"), {options.path}}, style);
             if (there->unsolved == 0) return ExitCode::done;
             throw CommandError(ExitCode::unsolvedOrFailed, unsolvedRows(there->unsolved, there->rows));
         }
@@ -379,7 +364,7 @@ ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions
     {
         OutputFile out = kept ? OutputFile(options.path, options.overwrite, *kept)
                               : OutputFile(options.path, options.overwrite);
-        ProgressBar bar(record.rows, translatable("drillwave::Message", "rows"), style);
+        ProgressBar bar(record.rows, translatable("rows"), style);
         RowForecast forecast(options, begin, record.rows, style);
         RowCsv csv([&](std::string_view text) {
             out.write(text);
@@ -401,8 +386,7 @@ ExitCode writeRows(const RunRows& run, const RowRecord& record, const RowOptions
             throw CommandError(
                 ExitCode::interrupted,
                 Message(
-                    translatable("drillwave::Message",
-                                 "interrupted; %1 of %2 rows are kept in %3, and the same command goes on "
+                    translatable("interrupted; %1 of %2 rows are kept in %3, and the same command goes on "
                                  "behind them"),
                     {std::to_string(done.rows), std::to_string(record.rows), kept->path()}));
         }

@@ -38,8 +38,7 @@ RunFiles filesOf(const Arguments& arguments) {
     if (arguments.has("si")) files.units = OutputUnits::si;
     if (arguments.has("dimensionless")) {
         if (files.units)
-            throw CommandError(ExitCode::usage, translatable("drillwave::Message",
-                                                             "--si and --dimensionless exclude each other"));
+            throw CommandError(ExitCode::usage, translatable("--si and --dimensionless exclude each other"));
         files.units = OutputUnits::dimensionless;
     }
     files.plots = plotFormats(arguments);
@@ -47,8 +46,7 @@ RunFiles filesOf(const Arguments& arguments) {
         for (const char* option : {"plots", "si", "dimensionless", "force"})
             if (arguments.has(option))
                 throw CommandError(ExitCode::usage,
-                                   Message(translatable("drillwave::Message",
-                                                        "%1 is about files; add -o %2 to say where they go"),
+                                   Message(translatable("%1 is about files; add -o %2 to say where they go"),
                                            {std::string("--") + option, std::string("DIR")}));
     return files;
 }
@@ -82,7 +80,6 @@ void writeFiles(const RunFiles& files, const SolvedRun& run, const Drawing* draw
     if (!drawn)
         printRemark(
             translatable(
-                "drillwave::Message",
                 "note: the waves of this blow are more than can be kept: no histories.csv and no plots"),
             style);
     if (!files.plots.empty() && drawn) pictures = drawing->blow(run.blow, files.plots, interruption.token());
@@ -93,8 +90,7 @@ void writeFiles(const RunFiles& files, const SolvedRun& run, const Drawing* draw
 void print(const SolvedRun& run, const RunFiles& files, bool json, const ReadingStyle& style) {
     std::string text = json ? blowJson(run.blow, run.scenarioText) : blowText(run.blow, style);
     if (!json && !files.directory.empty())
-        text +=
-            "  " + style.said({translatable("drillwave::Message", "files in %1"), {files.directory}}) + "\n";
+        text += "  " + style.said({translatable("files in %1"), {files.directory}}) + "\n";
     printText(text);
 }
 
@@ -109,8 +105,7 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
     if (files.units == OutputUnits::si && !hasUnits(document.scenario))
         throw CommandError(
             ExitCode::usage,
-            Message(translatable("drillwave::Message",
-                                 "--si: %1 is given by its dimensionless groups and has no SI units"),
+            Message(translatable("--si: %1 is given by its dimensionless groups and has no SI units"),
                     {path}));
     prepare(files, arguments, document);
 

@@ -42,9 +42,8 @@ struct Setting {
 
 /// One setting would silently undo the other.
 [[noreturn]] void refusePair(const std::string& one, const std::string& other, const Message& problem) {
-    throw CommandError(
-        ExitCode::usage,
-        Message(translatable("drillwave::Message", "%1 and %2 %3; give one of them"), {one, other, problem}));
+    throw CommandError(ExitCode::usage,
+                       Message(translatable("%1 and %2 %3; give one of them"), {one, other, problem}));
 }
 
 Assignments assignmentsOf(const std::vector<Setting>& settings) {
@@ -59,8 +58,8 @@ std::vector<Setting> settings(const Arguments& arguments) {
     for (const std::string& word : arguments.values(setOption.name)) {
         const std::size_t equals = word.find('=');
         if (equals == std::string::npos)
-            throw CommandError(ExitCode::usage, about("--set " + shortened(word),
-                                                      translatable("drillwave::Message", "needs KEY=VALUE")));
+            throw CommandError(ExitCode::usage,
+                               about("--set " + shortened(word), translatable("needs KEY=VALUE")));
         all.push_back({std::string(trimmed(word.substr(0, equals))), word.substr(equals + 1),
                        "--set " + shortened(word)});
     }
@@ -87,7 +86,7 @@ bool isKey(const std::string& key) {
 Message assign(Scenario& scenario, const Setting& setting) {
     if (setting.key != titleKey) return assignText(scenario, setting.key, setting.value);
     if (const TextProblem problem = checkText(setting.value); !problem.reason.empty())
-        return {translatable("drillwave::Message", "holds %1"), {Message::ofTable(problem.reason)}};
+        return {translatable("holds %1"), {Message::ofTable(problem.reason)}};
     scenario.title = setting.value;
     return {};
 }
@@ -110,23 +109,21 @@ Message nearExample(const std::string& path) {
     if (begun.front().empty()) return {};
     Message list;
     for (const std::string_view name : begun)
-        list = joined(std::move(list), translatable("drillwave::Message", "%1 or %2"),
-                      "`" + std::string(name) + "`");
+        list = joined(std::move(list), translatable("%1 or %2"), "`" + std::string(name) + "`");
     return list;
 }
 
 void tellNewerVersion(const std::string& path, const std::string& version, const ReadingStyle& style) {
     if (isNewerVersion(version, versionText))
         printRemark(
-            {translatable("drillwave::Message",
-                          "%1: note: written by Drillwave %2, newer than this %3: results may differ"),
+            {translatable("%1: note: written by Drillwave %2, newer than this %3: results may differ"),
              {path, shortened(version), std::string(versionText)}},
             style);
 }
 
 void tellOlderVersion(const std::string& path, const ScenarioInput& input, const ReadingStyle& style) {
     if (Message changes = changesSentence(input.version, input.document.scenario); !changes.isEmpty())
-        printRemark({translatable("drillwave::Message", "%1: note: %2"), {path, std::move(changes)}}, style);
+        printRemark({translatable("%1: note: %2"), {path, std::move(changes)}}, style);
 }
 
 }  // namespace
@@ -152,9 +149,9 @@ std::string inputBytes(const std::string& path, const ReadingStyle& style) {
     if (const Example* example = exampleNamed(path)) return std::string(example->text);
     FileBytes file = readInput(path, maximumInputBytes, style);
     if (file.problem.isEmpty()) return std::move(file.bytes);
-    Message problem{translatable("drillwave::Message", "the scenario file %1"), {file.problem}};
+    Message problem{translatable("the scenario file %1"), {file.problem}};
     if (const Message near = nearExample(path); !near.isEmpty())
-        problem = {translatable("drillwave::Message", "%1; did you mean the example %2?"), {problem, near}};
+        problem = {translatable("%1; did you mean the example %2?"), {problem, near}};
     throw CommandError(ExitCode::unreadableInput, std::vector{about(inputName(path), problem)});
 }
 
@@ -176,8 +173,7 @@ void checkOutputIsNone(const std::string& output, const std::vector<std::string>
         if (std::filesystem::equivalent(output, input, error) && !error)
             throw CommandError(
                 ExitCode::usage,
-                Message(translatable("drillwave::Message",
-                                     "-o %1 is read as input (%2); choose another name for the output"),
+                Message(translatable("-o %1 is read as input (%2); choose another name for the output"),
                         {output, input}));
     }
 }
@@ -199,8 +195,7 @@ void checkOutputIsNoInput(const std::string& output, const Arguments& arguments,
 ScenarioInput loadScenarioInput(const std::string& path, const Arguments& arguments) {
     if (isStandardInput(path) && arguments.value("presets") == "-")
         throw CommandError(ExitCode::usage,
-                           translatable("drillwave::Message",
-                                        "FILE - and --presets - would both read standard input; take one"));
+                           translatable("FILE - and --presets - would both read standard input; take one"));
     ScenarioInput input = loadScenarioFile(path, arguments.style());
     tellNewerVersion(inputName(path), input.version, arguments.style());
     tellOlderVersion(inputName(path), input, arguments.style());
@@ -223,8 +218,7 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
                            CommandError::Begin::withOption);
     if (const auto pair = assignmentsOf(all).meeting(scenario))
         refusePair(all[pair->one].word, all[pair->other].word, pair->problem);
-    const char* pattern =
-        arguments.has(setOption.name) ? translatable("drillwave::Message", "%1 with --set: %2") : "%1: %2";
+    const char* pattern = arguments.has(setOption.name) ? translatable("%1 with --set: %2") : "%1: %2";
     for (const InputProblem& problem : validate(scenario))
         problems.emplace_back(pattern, std::vector<Message>{inputName(path), problem.text});
     if (!problems.empty())
@@ -235,10 +229,9 @@ ScenarioInput loadScenarioInput(const std::string& path, const Arguments& argume
 ScenarioDocument loadScenarioArgument(const std::string& path, const Arguments& arguments) {
     ScenarioInput input = loadScenarioInput(path, arguments);
     if (input.method && input.method->method != Method::exact)
-        printRemark(
-            {translatable("drillwave::Message", "%1: note: was solved by %2; this command solves exactly"),
-             {inputName(path), methodMessage(*input.method)}},
-            arguments.style());
+        printRemark({translatable("%1: note: was solved by %2; this command solves exactly"),
+                     {inputName(path), methodMessage(*input.method)}},
+                    arguments.style());
     return std::move(input.document);
 }
 
@@ -267,8 +260,7 @@ void checkNotSet(const Arguments& arguments, const Scenario& scenario, std::span
 void remarkOnValues(const Scenario& scenario, const std::string& path, const ReadingStyle& style) {
     for (const Alert& alert : alertsFor(scenario))
         if (alert.code == AlertCode::implausibleValue)
-            printRemark({translatable("drillwave::Message", "%1: warning: %2"),
-                         {inputName(path), alertMessage(alert, style)}},
+            printRemark({translatable("%1: warning: %2"), {inputName(path), alertMessage(alert, style)}},
                         style);
 }
 

@@ -41,13 +41,11 @@ void checkSignalOptions(const Arguments& arguments) {
     if (!arguments.has("o"))
         for (const char* option : {"force", "decimal-comma"})
             if (arguments.has(option))
-                throw CommandError(
-                    ExitCode::usage,
-                    Message(translatable("drillwave::Message", "%1 is about the file of -o; add -o FILE.csv"),
-                            {std::string("--") + option}));
+                throw CommandError(ExitCode::usage,
+                                   Message(translatable("%1 is about the file of -o; add -o FILE.csv"),
+                                           {std::string("--") + option}));
     if (arguments.has("o") && arguments.operands().size() > 1)
-        throw CommandError(ExitCode::usage,
-                           translatable("drillwave::Message", "-o takes one record; give one FILE"));
+        throw CommandError(ExitCode::usage, translatable("-o takes one record; give one FILE"));
     arguments.checkOnePrinted();
 }
 
@@ -68,7 +66,7 @@ ExitCode runSignal(const Arguments& arguments, const Drawing*) {
             if (arguments.operands().size() == 1) throw;
             for (const Message& line : error.messages()) printRemark(line, arguments.style());
             records.push_back({inputName(path), {}});
-            records.back().reading.problem = translatable("drillwave::Message", "cannot be read");
+            records.back().reading.problem = translatable("cannot be read");
             code = worseOf(code, error.code());
             continue;
         }

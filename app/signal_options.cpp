@@ -46,10 +46,9 @@ const Recorder& recorderNamed(const std::vector<Recorder>& recorders, const std:
     for (const Recorder& recorder : recorders) names.push_back(recorder.name);
     const std::string near(nearestName(wanted, names));
     if (!near.empty())
-        refuseUsage({translatable("drillwave::Message", "--recorder %1: is not known; did you mean `%2`?"),
-                     {shortened(wanted), near}});
-    refuseUsage({translatable("drillwave::Message",
-                              "--recorder %1: is not known; --save-recorder %1 keeps options in %2"),
+        refuseUsage(
+            {translatable("--recorder %1: is not known; did you mean `%2`?"), {shortened(wanted), near}});
+    refuseUsage({translatable("--recorder %1: is not known; --save-recorder %1 keeps options in %2"),
                  {shortened(wanted), recordersPath()}});
 }
 
@@ -106,15 +105,14 @@ SignalOptions signalOptionsOf(const Arguments& arguments) {
             refuseUsage(about("--" + std::string(option.name) + " " + shortened(text), problem));
     }
     if (options.from && options.to && !(*options.from < *options.to))
-        refuseUsage(translatable("drillwave::Message", "--from must be before --to"));
+        refuseUsage(translatable("--from must be before --to"));
     return options;
 }
 
 void saveRecorder(const Arguments& arguments) {
     const std::optional<std::string> name = arguments.value("save-recorder");
     if (!name) return;
-    if (trimmed(*name).empty())
-        refuseUsage(translatable("drillwave::Message", "--save-recorder needs a name, this one is empty"));
+    if (trimmed(*name).empty()) refuseUsage(translatable("--save-recorder needs a name, this one is empty"));
     Recorder recorder{std::string(trimmed(*name)), {}};
     std::vector<Recorder> recorders = recordersThere();
     if (const std::optional<std::string> base = arguments.value("recorder"))
@@ -137,15 +135,13 @@ void applySignal(ScenarioDocument& document, const Arguments& arguments, const s
     if (!record) {
         for (const OptionSpec& option : recordOptionSpecs())
             if (arguments.has(option.name))
-                refuseUsage({translatable("drillwave::Message", "%1 is about a record; add --signal FILE"),
-                             {option.text()}});
+                refuseUsage({translatable("%1 is about a record; add --signal FILE"), {option.text()}});
         return;
     }
     if (!hasUnits(scenario))
         throw CommandError(
             ExitCode::invalidScenario,
-            about(path, translatable("drillwave::Message",
-                                     "is given by its dimensionless groups; --signal needs physical units")));
+            about(path, translatable("is given by its dimensionless groups; --signal needs physical units")));
     const SignalOptions options = signalOptionsOf(arguments);
     RereadableInput input(*record, RereadableInput::mostKept, arguments.style());
     SignalReading reading = readSignal(input.stream(), options, barOf(scenario));
@@ -157,14 +153,12 @@ void applySignal(ScenarioDocument& document, const Arguments& arguments, const s
         std::vector<Message> questions;
         for (const std::string& question : reading.questions)
             questions.push_back(
-                about(name, {translatable("drillwave::Message",
-                                          "the table leaves open: %1; answer by %2, see drillwave signal"),
+                about(name, {translatable("the table leaves open: %1; answer by %2, see drillwave signal"),
                              {question, std::string(answerTo(question))}}));
         throw CommandError(ExitCode::invalidScenario, questions);
     }
     for (const SignalRemark& remark : reading.remarks) {
-        printRemark({translatable("drillwave::Message", "%1: warning: %2"), {name, remark.text}},
-                    arguments.style());
+        printRemark({translatable("%1: warning: %2"), {name, remark.text}}, arguments.style());
         document.recordRemarks.push_back(about(name, remark.text));
     }
     if (hasSections(scenario) && !isForced(scenario)) scenario = forcedStringOf(scenario).scenario;
@@ -182,7 +176,6 @@ void applySignal(ScenarioDocument& document, const Arguments& arguments, const s
     if (blow.isThinned)
         printRemark(
             {translatable(
-                 "drillwave::Message",
                  "%1: note: %2 of %3 samples are kept, impulse and e to 1e-4; --all-samples keeps all"),
              {name, std::to_string(blow.signal.points.size()), std::to_string(blow.signal.samples)}},
             arguments.style());

@@ -29,7 +29,7 @@ ExitCode runStability(const Arguments& arguments, const Drawing* drawing) {
     checkStandardOutput();
     const Interruption interruption;
     const std::vector<StabilityCase> cases = stabilityCases();
-    ProgressBar bar(cases.size(), translatable("drillwave::Message", "cases"), arguments.style());
+    ProgressBar bar(cases.size(), translatable("cases"), arguments.style());
     const Stopwatch watch;
     const StabilityReport report =
         checkStability(cases, availableThreads(), interruption.token(),

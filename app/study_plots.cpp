@@ -28,8 +28,7 @@ std::vector<std::string> formatsIn(const std::string& list) {
         begin = end + 1;
         if (std::ranges::find(pictureFormats, format) == pictureFormats.end())
             throw CommandError(ExitCode::usage,
-                               Message(translatable("drillwave::Message",
-                                                    "--plots %1: `%2` is not a plot format; choose from %3"),
+                               Message(translatable("--plots %1: `%2` is not a plot format; choose from %3"),
                                        {shortened(list), format, knownFormats()}));
         if (std::ranges::find(formats, format) == formats.end()) formats.push_back(format);
     }
@@ -40,10 +39,9 @@ std::vector<std::string> formatsIn(const std::string& list) {
 std::string placeOf(const Arguments& arguments, const char* what) {
     const std::string place = arguments.value("o").value_or("-");
     if (place == "-")
-        throw CommandError(
-            ExitCode::usage,
-            Message(translatable("drillwave::Message", "%1 is about files; add -o %2 to say where they go"),
-                    {std::string("--plots"), std::string(what)}));
+        throw CommandError(ExitCode::usage,
+                           Message(translatable("%1 is about files; add -o %2 to say where they go"),
+                                   {std::string("--plots"), std::string(what)}));
     return place;
 }
 
@@ -75,8 +73,7 @@ StudyPlots StudyPlots::besideFile(const Arguments& arguments) {
     if (isStream(path))
         throw CommandError(
             ExitCode::usage,
-            Message(translatable("drillwave::Message",
-                                 "--plots: there is no place for pictures beside %1; give -o FILE.csv"),
+            Message(translatable("--plots: there is no place for pictures beside %1; give -o FILE.csv"),
                     {path}));
     plots.m_folder = prefixOf(path);
     plots.m_order.stem = studyStem(path.substr(plots.m_folder.size()));

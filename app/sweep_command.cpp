@@ -18,8 +18,7 @@ std::vector<SweepAxis> axesOf(const Arguments& arguments) {
     for (const std::string& word : arguments.values("vary")) axes.push_back(axisArgument("vary", word));
     if (axes.empty())
         throw CommandError(ExitCode::usage,
-                           translatable("drillwave::Message",
-                                        "needs --vary KEY=START:STOP:COUNT[:log] or --vary KEY=A,B,C"));
+                           translatable("needs --vary KEY=START:STOP:COUNT[:log] or --vary KEY=A,B,C"));
     return axes;
 }
 

@@ -30,8 +30,7 @@ ExitCode runTableCommand(const Arguments& arguments, const Drawing*) {
     const std::string& path = arguments.operands()[1];
     if (isStandardInput(scenarioPath) && isStandardInput(path))
         throw CommandError(ExitCode::usage,
-                           translatable("drillwave::Message",
-                                        "FILE and CASES are both standard input; give a name for one"));
+                           translatable("FILE and CASES are both standard input; give a name for one"));
     const ScenarioInput input = loadScenarioInput(scenarioPath, arguments);
     const ScenarioDocument& base = input.document;
     const RowOptions options = rowOptions(arguments, input.method);

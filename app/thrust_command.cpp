@@ -30,8 +30,7 @@ std::optional<SweepAxis> axisOf(const Arguments& arguments) {
     if (along && frequencies)
         throw CommandError(
             ExitCode::usage,
-            translatable("drillwave::Message",
-                         "--frequency VALUES is --along drill.blow_frequency=VALUES; give one of them"));
+            translatable("--frequency VALUES is --along drill.blow_frequency=VALUES; give one of them"));
     const std::string option = along ? "--along" : "--frequency";
     ParsedAxis parsed =
         parseAxis(along ? *along : "drill.blow_frequency=" + *frequencies, customaryThrustPoints);
@@ -40,19 +39,17 @@ std::optional<SweepAxis> axisOf(const Arguments& arguments) {
             parsed.kind == ParsedAxis::Kind::badValue ? ExitCode::invalidScenario : ExitCode::usage,
             about(option, parsed.problem));
     if (!parsed.axis.parameter)
-        throw CommandError(
-            ExitCode::usage,
-            about(option, translatable("drillwave::Message", "pulse.shape is no number; sweep takes it")));
-    if (parsed.axis.count > mostThrustPoints)
         throw CommandError(ExitCode::usage,
-                           Message(translatable("drillwave::Message", "%1: at most %2 values"),
-                                   {option, std::to_string(mostThrustPoints)}));
+                           about(option, translatable("pulse.shape is no number; sweep takes it")));
+    if (parsed.axis.count > mostThrustPoints)
+        throw CommandError(ExitCode::usage, Message(translatable("%1: at most %2 values"),
+                                                    {option, std::to_string(mostThrustPoints)}));
     return std::move(parsed.axis);
 }
 
 ThrustCurve curveAlong(const Scenario& scenario, const SweepAxis& axis, int jobs, const WorkLimits& limits,
                        const ReadingStyle& style, const Interruption& interruption) {
-    ProgressBar bar(axis.count, translatable("drillwave::Message", "points"), style);
+    ProgressBar bar(axis.count, translatable("points"), style);
     const auto progress = [&](const ThrustCurve& soFar) { bar.show(soFar.points.size()); };
     ThrustCurve curve =
         thrustAlong(scenario, *axis.parameter, valuesOf(axis), jobs, interruption.token(), progress, limits);
@@ -72,8 +69,7 @@ void checkSolved(const ThrustCurve& curve, const std::string& path, const Argume
     if (failed == 0) return;
     throw CommandError(
         ExitCode::unsolvedOrFailed,
-        Message(translatable("drillwave::Message",
-                             "%1: %2 of %3 points could not be solved: their cells are empty; the first: %4"),
+        Message(translatable("%1: %2 of %3 points could not be solved: their cells are empty; the first: %4"),
                 {path, std::to_string(failed), std::to_string(curve.points.size()),
                  reasonWithHint(reason, arguments, scenario)}));
 }
@@ -93,8 +89,7 @@ void checkQuestion(const Scenario& scenario, const std::optional<SweepAxis>& axi
     if (problem.isEmpty() && axis) {
         problem = whyNotApplicable(*axis->parameter, scenario);
         if (!problem.isEmpty())
-            problem = {translatable("drillwave::Message", "%1 has no meaning here: %2"),
-                       {std::string(axis->key()), problem}};
+            problem = {translatable("%1 has no meaning here: %2"), {std::string(axis->key()), problem}};
     }
     if (!problem.isEmpty()) throw CommandError(ExitCode::invalidScenario, about(path, problem));
 }
@@ -105,12 +100,10 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     const std::optional<SweepAxis> axis = axisOf(arguments);
     if (csvPath && !axis)
-        throw CommandError(
-            ExitCode::usage,
-            translatable("drillwave::Message", "-o writes the table of --along; add --along KEY=START:STOP"));
+        throw CommandError(ExitCode::usage,
+                           translatable("-o writes the table of --along; add --along KEY=START:STOP"));
     if (arguments.has("force") && !csvPath)
-        throw CommandError(ExitCode::usage, translatable("drillwave::Message",
-                                                         "--force is about the file of -o; add -o FILE.csv"));
+        throw CommandError(ExitCode::usage, translatable("--force is about the file of -o; add -o FILE.csv"));
     arguments.checkOnePrinted();
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const int jobs = jobsOf(arguments);

@@ -15,8 +15,7 @@ namespace {
 
 [[noreturn]] void refuseWord(const std::string& word) {
     if (word.size() > 1 && word.starts_with('-'))
-        throw CommandError(ExitCode::usage, Message(translatable("drillwave::Message",
-                                                                 "unknown option `%1`; see drillwave --help"),
+        throw CommandError(ExitCode::usage, Message(translatable("unknown option `%1`; see drillwave --help"),
                                                     {shortened(word)}));
     std::vector<std::string_view> names;
     for (const Command* command : commands()) names.push_back(command->name);
@@ -26,12 +25,10 @@ namespace {
         throw CommandError(
             ExitCode::usage,
             Message(translatable(
-                        "drillwave::Message",
                         "`%1` is neither a command, nor a file or an example; did you mean `drillwave %2`?"),
                     {shortened(word), near}));
-    throw CommandError(
-        ExitCode::unreadableInput,
-        about(word, translatable("drillwave::Message", "No such file or command; see drillwave --help")));
+    throw CommandError(ExitCode::unreadableInput,
+                       about(word, translatable("No such file or command; see drillwave --help")));
 }
 
 }  // namespace
@@ -52,8 +49,7 @@ WindowArguments windowArguments(std::span<const std::string> words) {
         if (!arguments.file.empty() || arguments.example)
             throw CommandError(
                 ExitCode::usage,
-                Message(translatable("drillwave::Message", "`%1` is too much; the window opens one file"),
-                        {shortened(word)}));
+                Message(translatable("`%1` is too much; the window opens one file"), {shortened(word)}));
         if (isFile) arguments.file = word;
         arguments.example = example;
     }

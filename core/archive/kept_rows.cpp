@@ -84,8 +84,7 @@ void KeptRows::open(const std::string& entries, Other other) {
         return;
     }
     if (::flock(m_descriptor, LOCK_EX | LOCK_NB) != 0 && !areLocksUnknown(errno)) {
-        m_problem = {translatable("drillwave::Message",
-                                  "%1: another process writes these rows; wait for it, or end it"),
+        m_problem = {translatable("%1: another process writes these rows; wait for it, or end it"),
                      {m_notes}};
         return;
     }
@@ -99,8 +98,7 @@ void KeptRows::open(const std::string& entries, Other other) {
     }
     // One that died at its first bytes has left less than it would.
     if (other == Other::isProblem && !std::string_view(entries).starts_with(begun)) {
-        m_problem = {translatable("drillwave::Message",
-                                  "%1: is of another run (other options, inputs or build); use "
+        m_problem = {translatable("%1: is of another run (other options, inputs or build); use "
                                   "--force to begin again, or choose another name"),
                      {m_notes, m_path}};
         return;

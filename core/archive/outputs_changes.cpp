@@ -28,16 +28,15 @@ Message changedNumbers(std::string_view version, const Scenario& scenario) {
     if (!isNewerVersion(versionOfOutputs2, version)) return {};
     std::vector<Message> changed;
     if (hasSections(scenario)) {
-        changed.emplace_back(translatable("drillwave::Message", "sequences of blows"));
+        changed.emplace_back(translatable("sequences of blows"));
         if (!hasUniformSections(scenario.drillString))
-            changed.emplace_back(translatable("drillwave::Message", "all results, by its cones"));
+            changed.emplace_back(translatable("all results, by its cones"));
         if (hasLosses(scenario))
-            changed.emplace_back(
-                translatable("drillwave::Message", "cor and the required feed, by its losses"));
+            changed.emplace_back(translatable("cor and the required feed, by its losses"));
     }
-    changed.emplace_back(translatable("drillwave::Message", "contact shares"));
-    changed.emplace_back(translatable("drillwave::Message", "statements about the feed"));
-    changed.emplace_back(translatable("drillwave::Message", "energies, which are in J beside SI"));
+    changed.emplace_back(translatable("contact shares"));
+    changed.emplace_back(translatable("statements about the feed"));
+    changed.emplace_back(translatable("energies, which are in J beside SI"));
     Message list;
     for (Message& each : changed) list = joined(std::move(list), "%1; %2", std::move(each));
     return list;
@@ -49,8 +48,7 @@ Message changesSentence(std::string_view version, const Scenario& scenario) {
     Message changed = changedNumbers(version, scenario);
     if (changed.isEmpty()) return {};
     return {
-        translatable("drillwave::Message",
-                     "Written by Drillwave %1. These results have changed since: %2 (manual, Upgrading)."),
+        translatable("Written by Drillwave %1. These results have changed since: %2 (manual, Upgrading)."),
         {shortened(std::string(version)), std::move(changed)}};
 }
 

@@ -98,11 +98,11 @@ class ScenarioRemarks {
 };
 
 Message ofPreset(const std::string& name, const std::string& source) {
-    return {translatable("drillwave::Message", "preset %1: %2"), {name, source}};
+    return {translatable("preset %1: %2"), {name, source}};
 }
 
 Message notStated() {
-    return translatable("drillwave::Message", "not stated");
+    return translatable("not stated");
 }
 
 /// "preset T38, round 38 mm: nominal" of the first preset that the scenario follows in everything.
@@ -118,7 +118,7 @@ Message presetSource(const Scenario& scenario, const SavedValue& saved) {
 Message sourceOf(const Scenario& scenario, const SavedValue& saved, const std::optional<Stated>& stated) {
     if (stated && !stated->comment.empty()) return stated->comment;
     if (Message source = presetSource(scenario, saved); !source.isEmpty()) return source;
-    return stated ? notStated() : translatable("drillwave::Message", "assumed by the program");
+    return stated ? notStated() : translatable("assumed by the program");
 }
 
 /// In the unit of the text where that says the same value.
@@ -142,25 +142,23 @@ ReportInput inputOf(const Scenario& scenario, const SavedValue& saved, const Sce
     ReportInput input{key, {}, shownValue(saved, stated), {}, sourceOf(scenario, saved, stated)};
     if (!saved.parameter) {
         if (saved.key == "restrike") {
-            input.label = translatable("drillwave::Message", "hammer may strike again");
-            input.word = scenario.drillString.hammer.restrike ? translatable("drillwave::Message", "yes")
-                                                              : translatable("drillwave::Message", "no");
+            input.label = translatable("hammer may strike again");
+            input.word = scenario.drillString.hammer.restrike ? translatable("yes") : translatable("no");
             return input;
         }
         if (saved.key == lawKey) {
-            input.label = translatable("drillwave::Message", "law of bit and rock");
+            input.label = translatable("law of bit and rock");
             input.word = Message::ofTable(phrase(scenario.bitRock.law));
             return input;
         }
         if (key == rockIndexingKey) {
-            input.label = translatable("drillwave::Message", "rock at the next blow");
+            input.label = translatable("rock at the next blow");
             return input;
         }
         const bool isFile = saved.key != "shape";
-        input.label = isFile ? translatable("drillwave::Message", "table of the blow")
-                             : translatable("drillwave::Message", "shape of the blow");
+        input.label = isFile ? translatable("table of the blow") : translatable("shape of the blow");
         if (isFile)
-            input.source = translatable("drillwave::Message", "its points are in the scenario");
+            input.source = translatable("its points are in the scenario");
         else
             input.word = Message::ofTable(wordsOf(scenario.pulse.shape));
         return input;
@@ -173,7 +171,7 @@ ReportInput inputOf(const Scenario& scenario, const SavedValue& saved, const Sce
 }
 
 Message inScenario() {
-    return translatable("drillwave::Message", "in the scenario");
+    return translatable("in the scenario");
 }
 
 /// The force or slope of a corner of the law.
@@ -262,7 +260,7 @@ std::vector<ReportSection> sectionsOf(const Scenario& scenario, std::string_view
         found.push_back(
             sectionOf(saved, drill.hammer.sections[i], "hammer.sections." + std::to_string(i), remarks));
         found.back().key = "hammer." + number;
-        found.back().place = {translatable("drillwave::Message", "hammer %1"), {number}};
+        found.back().place = {translatable("hammer %1"), {number}};
     }
     std::size_t next = 0;
     const std::vector<PlacedSection> placed = placedSections(drill);
@@ -294,8 +292,8 @@ std::vector<ReportInput> inputsOf(const Scenario& scenario, std::string_view tex
             inputs.push_back(cornerInput(scenario, *findParameter(cornerKey(place, field))));
     if (const TablePoints& points = scenario.pulse.tablePoints;
         scenario.pulse.shape == PulseShape::table && scenario.pulse.tableFile.empty())
-        inputs.push_back({"pulse.points", translatable("drillwave::Message", "points of the blow"),
-                          std::to_string(points.size()), static_cast<double>(points.size()), inScenario()});
+        inputs.push_back({"pulse.points", translatable("points of the blow"), std::to_string(points.size()),
+                          static_cast<double>(points.size()), inScenario()});
     return inputs;
 }
 

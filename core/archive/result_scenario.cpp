@@ -49,14 +49,13 @@ void checkRecord(const Node& record, const std::string& source) {
             times += record.children[i].text == key;
         if (times > 1)
             refuseResultValue(source, key, "",
-                              {translatable("drillwave::Message", "is given %1 times; keep one of them"),
-                               {std::to_string(times)}});
+                              {translatable("is given %1 times; keep one of them"), {std::to_string(times)}});
     }
     if (const std::string* format = record.textOf(rowRecordFormatKey);
         format && *format != std::to_string(rowRecordFormat))
-        refuseResultValue(source, rowRecordFormatKey, *format,
-                          {translatable("drillwave::Message", "this program reads the format %1"),
-                           {std::to_string(rowRecordFormat)}});
+        refuseResultValue(
+            source, rowRecordFormatKey, *format,
+            {translatable("this program reads the format %1"), {std::to_string(rowRecordFormat)}});
     if (const std::string* method = record.textOf("method"); method && *method != methodOfStrings)
         if (const Message problem = methodProblem(*method); !problem.isEmpty())
             refuseResultValue(source, "method", *method, problem);
@@ -91,8 +90,7 @@ std::optional<ScenarioInput> parseRecord(std::string_view text, const std::strin
 ScenarioInput parseCsv(std::string_view text, const std::string& source) {
     const std::string yaml = scenarioFromHeader(text);
     if (yaml.empty())
-        refuseResult(source, translatable("drillwave::Message",
-                                          "is taken for a result, as its name ends in .csv, and holds no "
+        refuseResult(source, translatable("is taken for a result, as its name ends in .csv, and holds no "
                                           "scenario; only the CSV files of "
                                           "run, gap, thrust and accuracy begin with one (a sweep or table "
                                           "has it in the .yaml beside it)"));
@@ -114,7 +112,6 @@ ScenarioInput parsePage(std::string_view text, const std::string& source) {
     refuseResult(
         source,
         translatable(
-            "drillwave::Message",
             "is a web page and holds no scenario; only the HTML files of `drillwave report` begin with one"));
 }
 
@@ -138,19 +135,16 @@ ScenarioInput parseInput(std::string_view text, const std::string& source) {
     if (isCsvName(source) || plain.starts_with(csvRemarksBegin)) return parseCsv(plain, source);
     if (mayBeRecord(plain)) {
         if (text.size() >= maximumInputBytes)
-            refuseResult(source,
-                         translatable("drillwave::Message", "is larger than 4 MiB, too large to be meant"));
+            refuseResult(source, translatable("is larger than 4 MiB, too large to be meant"));
         if (std::optional<ScenarioInput> input = parseRecord(plain, source)) return std::move(*input);
     }
     if (endsWith(source, ".json"))
-        refuseResult(source, translatable("drillwave::Message",
-                                          "is taken for a result, as its name ends in .json, and holds no "
+        refuseResult(source, translatable("is taken for a result, as its name ends in .json, and holds no "
                                           "`scenario`; give the scenario "
                                           "file"));
     if (text.size() > maximumScenarioBytes)
         refuseResult(source,
-                     translatable("drillwave::Message",
-                                  "the scenario file is larger than 1024 KiB, too large to be meant"));
+                     translatable("the scenario file is larger than 1024 KiB, too large to be meant"));
     const ResultRemarks remarks = remarksOf(plain);
     if (!remarks.problem.isEmpty()) refuseResult(source, remarks.problem);
     return {.document = parseScenario(text, source),
@@ -161,15 +155,13 @@ ScenarioInput parseInput(std::string_view text, const std::string& source) {
 
 ScenarioInput loadInput(const std::string& path) {
     const FileBytes file = readStart(path, maximumInputBytes);
-    if (!file.problem.isEmpty())
-        refuseResult(path, {translatable("drillwave::Message", "the scenario file %1"), {file.problem}});
+    if (!file.problem.isEmpty()) refuseResult(path, {translatable("the scenario file %1"), {file.problem}});
     return parseInput(file.bytes, path);
 }
 
 ScenarioDocument loadResultScenario(const std::string& path) {
     ScenarioInput input = loadInput(path);
-    if (!input.isResult)
-        refuseResult(path, translatable("drillwave::Message", "holds no scenario of a result"));
+    if (!input.isResult) refuseResult(path, translatable("holds no scenario of a result"));
     return std::move(input.document);
 }
 

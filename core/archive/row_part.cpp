@@ -36,16 +36,13 @@ std::vector<Entry> entriesOf(std::string_view record) {
 }
 
 [[noreturn]] void refusePart(const std::string& file, const Message& reason) {
-    throw ScenarioError(ScenarioError::Kind::unreadable, file + ".yaml",
-                        {{"",
-                          {translatable("drillwave::Message",
-                                        "%1; parts are joined by the records that were written with them"),
-                           {reason}}}});
+    throw ScenarioError(
+        ScenarioError::Kind::unreadable, file + ".yaml",
+        {{"", {translatable("%1; parts are joined by the records that were written with them"), {reason}}}});
 }
 
 Message placeOf(const Shard& shard) {
-    return {translatable("drillwave::Message", "part %1 of %2"),
-            {std::to_string(shard.index), std::to_string(shard.count)}};
+    return {translatable("part %1 of %2"), {std::to_string(shard.index), std::to_string(shard.count)}};
 }
 
 /// "3", "3, 5 to 9", at most some of them.
@@ -59,7 +56,7 @@ Message rangesOf(const std::vector<std::uint64_t>& numbers) {
         if (ranges++ == mostRanges) return {"%1 …", {text}};
         Message range = std::to_string(numbers[i]);
         if (end > i)
-            range = {end == i + 1 ? "%1, %2" : translatable("drillwave::Message", "%1 to %2"),
+            range = {end == i + 1 ? "%1, %2" : translatable("%1 to %2"),
                      {range, std::to_string(numbers[end])}};
         text = joined(std::move(text), "%1, %2", std::move(range));
         i = end + 1;
@@ -70,45 +67,38 @@ Message rangesOf(const std::vector<std::uint64_t>& numbers) {
 }  // namespace
 
 RowPart parseRowPart(std::string_view record, const std::string& file) {
-    if (!record.starts_with(rowRecordKey))
-        refusePart(file, translatable("drillwave::Message", "is no record of rows"));
+    if (!record.starts_with(rowRecordKey)) refusePart(file, translatable("is no record of rows"));
     const YamlTree tree = parseYaml(record);
     if (!tree.problem.text.isEmpty())
-        refusePart(file, {translatable("drillwave::Message", "cannot be read: %1"), {tree.problem.text}});
+        refusePart(file, {translatable("cannot be read: %1"), {tree.problem.text}});
     const std::string* format = tree.root.textOf(rowRecordFormatKey);
     const std::string known = std::to_string(rowRecordFormat);
     if (!format || *format != known)
-        refusePart(file,
-                   {translatable("drillwave::Message", "is of another format than %1, from a newer program"),
-                    {known}});
+        refusePart(file, {translatable("is of another format than %1, from a newer program"), {known}});
     const std::optional<std::string_view> entries = unsealed(record);
-    if (!entries)
-        refusePart(
-            file, translatable("drillwave::Message", "has no checksum, or was changed after it was written"));
+    if (!entries) refusePart(file, translatable("has no checksum, or was changed after it was written"));
     const std::string* command = tree.root.textOf("command");
     const std::string* checksum = tree.root.textOf("crc32");
     const YamlNode* part = tree.root.valueOf("part");
     RowPart read;
     read.file = file;
     read.record = std::string(*entries);
-    if (!command) refusePart(file, translatable("drillwave::Message", "has no command"));
+    if (!command) refusePart(file, translatable("has no command"));
     const auto numberOf = [&](const char* key) {
         const std::string* text = tree.root.textOf(key);
         const auto number = text ? wholeNumberIn<std::uint64_t>(*text) : std::nullopt;
-        if (!number)
-            refusePart(file, {translatable("drillwave::Message", "has no whole number `%1`"), {key}});
+        if (!number) refusePart(file, {translatable("has no whole number `%1`"), {key}});
         return *number;
     };
     read.rows = numberOf("rows");
     read.unsolved = numberOf("unsolved");
     read.sum.bytes = numberOf("bytes");
     const std::optional<std::uint32_t> crc32 = checksum ? checksumOf(*checksum) : std::nullopt;
-    if (!crc32) refusePart(file, {translatable("drillwave::Message", "has no `%1`"), {"crc32"}});
+    if (!crc32) refusePart(file, {translatable("has no `%1`"), {"crc32"}});
     read.sum.crc32 = *crc32;
     if (part) {
         const std::optional<Shard> shard = parseShard(part->text);
-        if (!shard)
-            refusePart(file, {translatable("drillwave::Message", "part: %1 is no part I/N"), {part->text}});
+        if (!shard) refusePart(file, {translatable("part: %1 is no part I/N"), {part->text}});
         read.shard = *shard;
     }
     read.command = *command;
@@ -140,7 +130,7 @@ std::vector<Message> wholeProblems(std::span<const RowPart> parts) {
         if (isNew)
             rows += part.rows;
         else
-            add(translatable("drillwave::Message", "%1: is %2, as %3 is; give each part once"),
+            add(translatable("%1: is %2, as %3 is; give each part once"),
                 {part.file, placeOf(part.shard), there->second->file});
     }
     const std::uint64_t count = parts.front().shard.count;
@@ -148,16 +138,13 @@ std::vector<Message> wholeProblems(std::span<const RowPart> parts) {
     for (std::uint64_t index = 1; index <= count; ++index)
         if (!byIndex.contains(index)) missing.push_back(index);
     if (!missing.empty())
-        add(missing.size() == 1 ? translatable("drillwave::Message",
-                                               "part %1 of %2 is missing; run what is missing, or name it")
-                                : translatable("drillwave::Message",
-                                               "parts %1 of %2 are missing; run what is missing, or name it"),
+        add(missing.size() == 1 ? translatable("part %1 of %2 is missing; run what is missing, or name it")
+                                : translatable("parts %1 of %2 are missing; run what is missing, or name it"),
             {rangesOf(missing), std::to_string(count)});
     if (!problems.empty()) return problems;
     for (const RowPart& part : parts)
         if (const std::uint64_t own = rowsOf(part.shard, rows).size(); part.rows != own)
-            add(translatable("drillwave::Message",
-                             "%1: has %2 rows, but %3 of all %4 has %5; it is of another run"),
+            add(translatable("%1: has %2 rows, but %3 of all %4 has %5; it is of another run"),
                 {part.file, std::to_string(part.rows), placeOf(part.shard), std::to_string(rows),
                  std::to_string(own)});
     return problems;

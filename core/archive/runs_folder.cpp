@@ -64,7 +64,6 @@ Message RunsFolder::write(const std::vector<NamedFile>& files, ExistingFiles exi
     if (std::string foreign = keeps ? foreignFile(files) : std::string(); !foreign.empty())
         return {
             translatable(
-                "drillwave::Message",
                 "%1: has been put there or changed by somebody else; move it away, or keep the runs again to "
                 "replace it"),
             {std::move(foreign)}};

@@ -35,54 +35,44 @@ std::vector<Message> drillProblems(const Scenario& scenario, const DrillLength& 
     if (!hasUnits(scenario))
         return {about(
             std::string("drillwave"),
-            translatable("drillwave::Message",
-                         "a dimensionless scenario has no drill; give the rod and the drill in units"))};
+            translatable("a dimensionless scenario has no drill; give the rod and the drill in units"))};
     const Drill& drill = scenario.drill;
     std::vector<Message> problems;
     const auto add = [&](const char* key, Message problem) {
         problems.push_back(about(std::string(key), std::move(problem)));
     };
-    if (!drill.blowFrequency)
-        add("drill.blow_frequency", translatable("drillwave::Message", "is missing: many blows need it"));
-    if (!drill.thrust)
-        add("drill.thrust", translatable("drillwave::Message", "is missing: many blows need it"));
+    if (!drill.blowFrequency) add("drill.blow_frequency", translatable("is missing: many blows need it"));
+    if (!drill.thrust) add("drill.thrust", translatable("is missing: many blows need it"));
     if (scenario.pulse.shape == PulseShape::rigidBody)
-        add("pulse.shape", translatable("drillwave::Message",
-                                        "the reference case rigid_body is one impact and has no blows"));
+        add("pulse.shape", translatable("the reference case rigid_body is one impact and has no blows"));
     if (drill.machineMass.value_or(0) == 0) {
         if (drill.damperDamping.value_or(0) > 0)
-            add("drill.damper_damping",
-                translatable("drillwave::Message", "needs drill.machine_mass, which the damper carries"));
+            add("drill.damper_damping", translatable("needs drill.machine_mass, which the damper carries"));
         if (drill.damperStiffness.value_or(0) > 0)
-            add("drill.damper_stiffness",
-                translatable("drillwave::Message", "needs drill.machine_mass, which the damper carries"));
+            add("drill.damper_stiffness", translatable("needs drill.machine_mass, which the damper carries"));
     }
     if (length.settle >= length.blows)
-        add("drill.settle",
-            {translatable("drillwave::Message", "%1 must be less than the blows, which are %2"),
-             {std::to_string(length.settle), std::to_string(length.blows)}});
+        add("drill.settle", {translatable("%1 must be less than the blows, which are %2"),
+                             {std::to_string(length.settle), std::to_string(length.blows)}});
     if (!drill.blowFrequency || !problems.empty()) return problems;
     const double interval = 1 / *drill.blowFrequency;
     const double least = interval * (1 - widestScatter * drill.intervalScatter.value_or(0));
     const double pulse =
         isForced(scenario) ? pulseForceOf(scenario).end * pulseDuration(scenario) : pulseDuration(scenario);
     if (!(pulse < least))
-        add("drill.blow_frequency", {translatable("drillwave::Message",
-                                                  "a blow lasts %1 s, which is no less than the interval of "
+        add("drill.blow_frequency", {translatable("a blow lasts %1 s, which is no less than the interval of "
                                                   "the blows; lower the frequency or make the blow shorter"),
                                      {formatNumber(pulse)}});
     if (const double t0 = scalesOf(scenario).time; interval / t0 > longestInterval)
         add("drill.blow_frequency",
             {translatable(
-                 "drillwave::Message",
                  "the interval of the blows is %1 times t0 = %2 s, at most %3 are followed; raise the "
                  "frequency or make the blow longer"),
              {rounded(interval / t0, 3), rounded(t0, 3), rounded(longestInterval, 3)}});
     const double roundTrips = interval / (2 * chainProperties(scenario).transitTime);
     if (roundTrips < leastRoundTrips)
         add("drill.blow_frequency",
-            {translatable("drillwave::Message",
-                          "waves take longer from hammer to bit than from blow to blow (%1 round trips); "
+            {translatable("waves take longer from hammer to bit than from blow to blow (%1 round trips); "
                           "lower the frequency or make the string shorter"),
              {formatNumber(roundTrips)}});
     return problems;

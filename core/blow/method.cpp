@@ -31,7 +31,7 @@ Message methodProblem(std::string_view name) {
     std::string list;
     for (const std::string_view known : names.all().first(names.all().size() - 1))
         list += (list.empty() ? "" : ", ") + std::string(known);
-    return {translatable("drillwave::Message", "must be %1 or %2"), {list, std::string(names.all().back())}};
+    return {translatable("must be %1 or %2"), {list, std::string(names.all().back())}};
 }
 
 std::optional<int> segmentsIn(std::string_view text) {
@@ -47,20 +47,19 @@ Message segmentsProblem() {
 Message nameMessage(Method method) {
     switch (method) {
         case Method::exact:
-            return translatable("drillwave::Message", "exact");
+            return translatable("exact");
         case Method::lattice:
-            return translatable("drillwave::Message", "lattice");
+            return translatable("lattice");
         case Method::closedForm:
-            return translatable("drillwave::Message", "closed_form");
+            return translatable("closed_form");
     }
     return {};
 }
 
 Message methodMessage(const MethodChoice& choice) {
     const Message method = nameMessage(choice.method);
-    if (choice.method != Method::lattice) return {translatable("drillwave::Message", "method %1"), {method}};
-    return {translatable("drillwave::Message", "method %1, %2 segments"),
-            {method, std::to_string(choice.lattice.segments)}};
+    if (choice.method != Method::lattice) return {translatable("method %1"), {method}};
+    return {translatable("method %1, %2 segments"), {method, std::to_string(choice.lattice.segments)}};
 }
 
 std::string describe(const MethodChoice& choice) {

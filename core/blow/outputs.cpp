@@ -37,23 +37,20 @@ Number number(const From& from) {
 
 /// Of a scenario that is none of them.
 Message whyNone(OutputOf which, const Scenario& scenario) {
-    if (which == OutputOf::uniformRod)
-        return translatable("drillwave::Message", "only a uniform rod has it (`drillwave: 1`)");
+    if (which == OutputOf::uniformRod) return translatable("only a uniform rod has it (`drillwave: 1`)");
     if (!concerns(OutputOf::drillString, scenario))
-        return translatable("drillwave::Message", "only a drill string has it (`drillwave: 2`)");
+        return translatable("only a drill string has it (`drillwave: 2`)");
     return isForced(scenario)
-               ? translatable("drillwave::Message",
-                              "only a hammer of sections has it (`hammer`), this string is driven by a force")
-               : translatable("drillwave::Message",
-                              "only faces with a stiffness have it (`hammer.face_stiffness`)");
+               ? translatable("only a hammer of sections has it (`hammer`), this string is driven by a force")
+               : translatable("only faces with a stiffness have it (`hammer.face_stiffness`)");
 }
 
 Message whyNoPower(const Scenario& scenario) {
-    return frequencyProblem(scenario, translatable("drillwave::Message", "the percussion power"));
+    return frequencyProblem(scenario, translatable("the percussion power"));
 }
 
 Message whyNoRate(const Scenario& scenario) {
-    return frequencyProblem(scenario, translatable("drillwave::Message", "the penetration rate"));
+    return frequencyProblem(scenario, translatable("the penetration rate"));
 }
 
 constexpr std::string_view thrustMarginName = "thrust_margin";
@@ -396,8 +393,7 @@ DrillWishes drillWishesOf(const Output& output) {
 Message overflowProblem(const Output& output, double value) {
     const bool isNever = output.measure == Measure::time && std::isnan(value);
     if (std::isfinite(value) || isNever) return {};
-    return {translatable("drillwave::Message",
-                         "%1 is beyond the range of double precision: the values are too large or too small"),
+    return {translatable("%1 is beyond the range of double precision: the values are too large or too small"),
             {std::string(output.name)}};
 }
 

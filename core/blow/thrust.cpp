@@ -14,31 +14,26 @@ std::optional<double> thrustNeeded(const Scenario& scenario, double cor, double 
 }
 
 Message thrustProblem(const Scenario& scenario) {
-    return frequencyProblem(scenario, translatable("drillwave::Message", "the thrust"));
+    return frequencyProblem(scenario, translatable("the thrust"));
 }
 
 Message thrustMarginProblem(const Scenario& scenario) {
     if (!gapHasPeriod(scenario))
-        return translatable("drillwave::Message",
-                            "the margin of the thrust is known of uniform rods alone (`drillwave: 1`)");
+        return translatable("the margin of the thrust is known of uniform rods alone (`drillwave: 1`)");
     if (const Message problem = thrustProblem(scenario); !problem.isEmpty()) return problem;
     if (!scenario.drill.thrust)
         return translatable(
-            "drillwave::Message",
             "the margin of the thrust needs drill.thrust; give it in the scenario or with --set");
     return {};
 }
 
 Message frequencyProblem(const Scenario& scenario, const char* what) {
     if (!hasUnits(scenario))
-        return {translatable("drillwave::Message",
-                             "%1 needs a scenario in physical units; this one is given by its "
+        return {translatable("%1 needs a scenario in physical units; this one is given by its "
                              "dimensionless groups"),
                 {what}};
     if (!scenario.drill.blowFrequency)
-        return {translatable("drillwave::Message",
-                             "%1 needs drill.blow_frequency; give it in the scenario or with --set"),
-                {what}};
+        return {translatable("%1 needs drill.blow_frequency; give it in the scenario or with --set"), {what}};
     return {};
 }
 

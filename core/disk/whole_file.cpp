@@ -145,9 +145,8 @@ WriteFailure replaceFile(const std::string& path, std::string_view bytes) {
 
 Message notWritten(const std::string& name, const WriteFailure& failure) {
     return {failure.isFull
-                ? translatable("drillwave::Message",
-                               "%1: cannot be written: %2; free some space or choose another place")
-                : translatable("drillwave::Message", "%1: cannot be written: %2; choose another place"),
+                ? translatable("%1: cannot be written: %2; free some space or choose another place")
+                : translatable("%1: cannot be written: %2; choose another place"),
             {name, failure.reason}};
 }
 

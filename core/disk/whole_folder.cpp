@@ -38,17 +38,14 @@ std::string reasonOf(int error) {
 }
 
 Message notMade(const std::string& folder, const std::string& reason) {
-    return {translatable("drillwave::Message", "%1: the folder cannot be made: %2; choose another one"),
-            {folder, reason}};
+    return {translatable("%1: the folder cannot be made: %2; choose another one"), {folder, reason}};
 }
 
 Message notLocked(const std::string& lockPath, int error) {
     std::error_code ignored;
-    const Message reason = fs::is_symlink(lockPath, ignored)
-                               ? Message(translatable("drillwave::Message", "it is a link"))
-                               : Message(reasonOf(error));
-    return {translatable("drillwave::Message",
-                         "%1: this lock of the folder cannot be opened: %2; remove it or choose another "
+    const Message reason =
+        fs::is_symlink(lockPath, ignored) ? Message(translatable("it is a link")) : Message(reasonOf(error));
+    return {translatable("%1: this lock of the folder cannot be opened: %2; remove it or choose another "
                          "folder"),
             {lockPath, reason}};
 }
@@ -68,11 +65,9 @@ Message nameProblem(const std::string& path, ExistingFiles existing) {
     if (!isThere(path)) return {};
     std::error_code ignored;
     if (!fs::is_symlink(path, ignored) && !fs::is_regular_file(path, ignored))
-        return {translatable("drillwave::Message", "%1: is there and no file; choose another folder"),
-                {path}};
+        return {translatable("%1: is there and no file; choose another folder"), {path}};
     if (existing == ExistingFiles::kept)
-        return {translatable("drillwave::Message",
-                             "%1: exists already; choose another folder or ask for it to be overwritten"),
+        return {translatable("%1: exists already; choose another folder or ask for it to be overwritten"),
                 {path}};
     return {};
 }
@@ -229,8 +224,7 @@ class Delivery {
             if (waited > silentWait && !std::exchange(isNotified, true)) m_onLongWait(lock.path());
             if (waited > longestWait)
                 return failed(
-                    {translatable("drillwave::Message",
-                                  "%1: another run has been writing there for %2 seconds; wait for it or "
+                    {translatable("%1: another run has been writing there for %2 seconds; wait for it or "
                                   "choose another folder"),
                      {m_folder, std::to_string(longestWait.count())}});
             std::this_thread::sleep_for(lockPatience);

@@ -33,10 +33,8 @@ std::string endsText(const Range& range, const ReadingStyle& style) {
 }
 
 Message rangeMessage(const Range& range, const ReadingStyle& style) {
-    if (std::isfinite(range.high))
-        return {translatable("drillwave::Message", "in %1"), {endsText(range, style)}};
-    return {range.lowOpen ? translatable("drillwave::Message", "greater than %1")
-                          : translatable("drillwave::Message", "at least %1"),
+    if (std::isfinite(range.high)) return {translatable("in %1"), {endsText(range, style)}};
+    return {range.lowOpen ? translatable("greater than %1") : translatable("at least %1"),
             {style.withDecimalSign(formatNumber(range.low))}};
 }
 
@@ -45,23 +43,22 @@ Message hardMessage(const Range& range, Quantity quantity, const ReadingStyle& s
     if (!std::isfinite(range.high) || si.name.empty()) return rangeMessage(range, style);
     if (quantity == Quantity::angle) return {"%1 %2", {rangeMessage(range, style), std::string(si.name)}};
     const std::string high = style.quantity(range.high, quantity);
-    if (range.lowOpen) return {translatable("drillwave::Message", "greater than 0, at most %1"), {high}};
+    if (range.lowOpen) return {translatable("greater than 0, at most %1"), {high}};
     return style.quantity(range.low, quantity) + " – " + high;
 }
 
 Message presenceMessage(Presence presence, std::string_view rival) {
     switch (presence) {
         case Presence::required:
-            return translatable("drillwave::Message", "required");
+            return translatable("required");
         case Presence::either:
-            if (rival.empty())
-                return translatable("drillwave::Message", "required, or what stands in its place");
-            return {translatable("drillwave::Message", "required, or `%1`"), {std::string(rival)}};
+            if (rival.empty()) return translatable("required, or what stands in its place");
+            return {translatable("required, or `%1`"), {std::string(rival)}};
         case Presence::assumed:
         case Presence::unusual:
-            return translatable("drillwave::Message", "may be left out: the program then assumes a value");
+            return translatable("may be left out: the program then assumes a value");
         case Presence::optional:
-            return translatable("drillwave::Message", "may be left out");
+            return translatable("may be left out");
     }
     return {};
 }
@@ -72,34 +69,30 @@ Message conditionMessage(Scope scope) {
         case Scope::section:
             return {};
         case Scope::withUnits:
-            return translatable("drillwave::Message", "scenarios in physical units");
+            return translatable("scenarios in physical units");
         case Scope::withoutUnits:
-            return translatable("drillwave::Message", "dimensionless scenarios");
+            return translatable("dimensionless scenarios");
         case Scope::manyBlows:
             return translatable(
-                "drillwave::Message",
                 "scenarios in physical units, for many blows: one alone does not depend on it");
         case Scope::string:
-            return translatable("drillwave::Message", "drill strings");
+            return translatable("drill strings");
         case Scope::hammer:
-            return translatable("drillwave::Message", "drill strings that a hammer strikes");
+            return translatable("drill strings that a hammer strikes");
         case Scope::uniformRod:
-            return translatable("drillwave::Message", "uniform rods, with units and without");
+            return translatable("uniform rods, with units and without");
         case Scope::dimensional:
-            return translatable("drillwave::Message", "uniform rods in physical units");
+            return translatable("uniform rods in physical units");
         case Scope::withoutArea:
-            return translatable("drillwave::Message",
-                                "uniform rods in physical units, given by their diameter");
+            return translatable("uniform rods in physical units, given by their diameter");
         case Scope::givenPulse:
-            return translatable("drillwave::Message",
-                                "hammer forces in physical units, but those of a piston or a table");
+            return translatable("hammer forces in physical units, but those of a piston or a table");
         case Scope::trapezoid:
-            return translatable("drillwave::Message", "hammer forces of the shape `trapezoid`");
+            return translatable("hammer forces of the shape `trapezoid`");
         case Scope::pistonInSi:
-            return translatable("drillwave::Message",
-                                "hammer forces of the shape `piston`, in physical units");
+            return translatable("hammer forces of the shape `piston`, in physical units");
         case Scope::pistonByRatio:
-            return translatable("drillwave::Message", "hammer forces of the shape `piston`, dimensionless");
+            return translatable("hammer forces of the shape `piston`, dimensionless");
     }
     return {};
 }
@@ -123,12 +116,11 @@ ParameterFacts commonFacts(const Row& row, const Message& label, const ReadingSt
 ParameterFacts factsOf(const Parameter& parameter, const ReadingStyle& style) {
     ParameterFacts facts = commonFacts(parameter, labelMessage(parameter), style);
     if (parameter.rules.wholeNumber)
-        facts.range = style.said({translatable("drillwave::Message", "a whole number %1"), {facts.range}});
+        facts.range = style.said({translatable("a whole number %1"), {facts.range}});
     facts.presence = style.said(presenceMessage(parameter.rules.presence, parameter.rules.rival));
     const std::optional<RockLaw> law = parameter.rules.law;
-    facts.condition = style.said(
-        law ? Message(translatable("drillwave::Message", "rock with `law: %1`"), {std::string(name(*law))})
-            : conditionMessage(parameter.scope));
+    facts.condition = style.said(law ? Message(translatable("rock with `law: %1`"), {std::string(name(*law))})
+                                     : conditionMessage(parameter.scope));
     return facts;
 }
 
@@ -150,7 +142,7 @@ std::vector<std::string> presetValues(const Parameter& parameter, const ReadingS
     const Unit& unit = parameter.displayUnit();
     const auto text = [&](double si) { return withUnit(style.number(unit.fromSi(si)), unit); };
     if (values.size() > mostPresetValues)
-        return {style.said({translatable("drillwave::Message", "%1 to %2, of `drillwave presets`"),
+        return {style.said({translatable("%1 to %2, of `drillwave presets`"),
                             {text(values.begin()->first), text(values.rbegin()->first)}})};
     std::vector<std::string> lines;
     for (const auto& [si, sources] : values)

@@ -44,57 +44,51 @@ std::string sentence(std::string_view meaning, const ReadingStyle& style) {
 std::string entry(const ParameterFacts& facts, const std::vector<std::string>& values,
                   const ReadingStyle& style) {
     std::string text = heading(facts.key, facts.title) + facts.meaning + ".\n\n";
-    text += item(translatable("drillwave::Message", "unit"), facts.unit, style) +
-            item(translatable("drillwave::Message", "range"), facts.range, style) +
-            item(translatable("drillwave::Message", "usual"), facts.usual, style);
-    for (const std::string& value : values)
-        text += item(translatable("drillwave::Message", "preset"), value, style);
-    return text + item(translatable("drillwave::Message", "of"), facts.condition, style) +
-           item(translatable("drillwave::Message", "in files"), facts.presence, style);
+    text += item(translatable("unit"), facts.unit, style) + item(translatable("range"), facts.range, style) +
+            item(translatable("usual"), facts.usual, style);
+    for (const std::string& value : values) text += item(translatable("preset"), value, style);
+    return text + item(translatable("of"), facts.condition, style) +
+           item(translatable("in files"), facts.presence, style);
 }
 
 // What has a word, or true and false, for its value.
 std::string wordEntry(std::string_view key, const Message& meaning, std::string_view values,
                       const ReadingStyle& style) {
-    return heading(key, style.said(translatable("drillwave::Message", "a word"))) + style.said(meaning) +
-           ".\n\n" + item(translatable("drillwave::Message", "one of"), values, style);
+    return heading(key, style.said(translatable("a word"))) + style.said(meaning) + ".\n\n" +
+           item(translatable("one of"), values, style);
 }
 
 // Of the key of a parameter, as files have it.
 Message sectionTitle(std::string_view section) {
-    if (section == "rod") return translatable("drillwave::Message", "Rod");
-    if (section == "pulse") return translatable("drillwave::Message", "Hammer force");
-    if (section == "material") return translatable("drillwave::Message", "Material of a drill string");
-    if (section == "hammer") return translatable("drillwave::Message", "Hammer of a drill string");
-    if (section == "bit_rock") return translatable("drillwave::Message", "Bit and rock");
-    if (section == "drill") return translatable("drillwave::Message", "Drill");
-    if (section == "groups") return translatable("drillwave::Message", "Groups");
-    return translatable("drillwave::Message", "Drill string");
+    if (section == "rod") return translatable("Rod");
+    if (section == "pulse") return translatable("Hammer force");
+    if (section == "material") return translatable("Material of a drill string");
+    if (section == "hammer") return translatable("Hammer of a drill string");
+    if (section == "bit_rock") return translatable("Bit and rock");
+    if (section == "drill") return translatable("Drill");
+    if (section == "groups") return translatable("Groups");
+    return translatable("Drill string");
 }
 
 Message meaningOf(const WordParameter& parameter) {
-    if (parameter.key == pulseShapeKey)
-        return translatable("drillwave::Message", "Shape of the hammer force (files §1.1)");
-    if (parameter.key == rockLawKey)
-        return translatable("drillwave::Message", "Loading curve of bit and rock (files §1.4)");
-    return translatable("drillwave::Message",
-                        "Whether every blow meets `fresh` rock or the `same` crater (drilling §4)");
+    if (parameter.key == pulseShapeKey) return translatable("Shape of the hammer force (files §1.1)");
+    if (parameter.key == rockLawKey) return translatable("Loading curve of bit and rock (files §1.4)");
+    return translatable("Whether every blow meets `fresh` rock or the `same` crater (drilling §4)");
 }
 
 Message ownersOf(const Output& output) {
-    if (output.needsDrilling())
-        return translatable("drillwave::Message", "many blows under a feed (drilling)");
+    if (output.needsDrilling()) return translatable("many blows under a feed (drilling)");
     switch (output.of) {
         case OutputOf::anyBlow:
-            return translatable("drillwave::Message", "every blow");
+            return translatable("every blow");
         case OutputOf::uniformRod:
-            return translatable("drillwave::Message", "uniform rods");
+            return translatable("uniform rods");
         case OutputOf::drillString:
-            return translatable("drillwave::Message", "drill strings");
+            return translatable("drill strings");
         case OutputOf::hammer:
-            return translatable("drillwave::Message", "drill strings that a hammer strikes");
+            return translatable("drill strings that a hammer strikes");
         case OutputOf::elasticFaces:
-            return translatable("drillwave::Message", "drill strings whose faces have a stiffness");
+            return translatable("drill strings whose faces have a stiffness");
     }
     return {};
 }
@@ -127,18 +121,16 @@ std::string referenceOf(const Output& output, const ReadingStyle& style) {
     std::string text =
         heading(output.name, style.patternFor(std::string(output.title))) + sentence(output.meaning, style);
     if (!output.note.empty())
-        text += " " + style.said({translatable("drillwave::Message", "In the window: %1."),
-                                  {Message::ofTable(output.note)}});
+        text += " " + style.said({translatable("In the window: %1."), {Message::ofTable(output.note)}});
     text += "\n\n";
-    const std::string scale =
-        output.isOnlySi() ? style.said(translatable("drillwave::Message", "nothing: it is there in SI only"))
-                          : std::string(scaleName(output));
+    const std::string scale = output.isOnlySi() ? style.said(translatable("nothing: it is there in SI only"))
+                                                : std::string(scaleName(output));
     if (scale == noUnit && siName(output) == noUnit)
-        text += "- " + style.said(translatable("drillwave::Message", "a plain number")) + "\n";
+        text += "- " + style.said(translatable("a plain number")) + "\n";
     else
-        text += item(translatable("drillwave::Message", "multiple of"), scale, style) +
-                item(translatable("drillwave::Message", "in SI"), siName(output), style);
-    return text + item(translatable("drillwave::Message", "of"), style.said(ownersOf(output)), style);
+        text += item(translatable("multiple of"), scale, style) +
+                item(translatable("in SI"), siName(output), style);
+    return text + item(translatable("of"), style.said(ownersOf(output)), style);
 }
 
 std::string_view scaleName(const Output& output) {
@@ -153,9 +145,8 @@ std::string_view siName(const Output& output) {
 
 std::string parameterReference(const ReadingStyle& style) {
     std::string text = chapterHead(
-        translatable("drillwave::Message", "Parameters"),
+        translatable("Parameters"),
         translatable(
-            "drillwave::Message",
             "Every number of a scenario: in files, behind `--set`, as axis of a study, as a field of the "
             "window. This chapter is written by the program from the table it works with. Outside its "
             "range a value is refused, outside the usual one it is remarked on; what presets give is a "
@@ -168,38 +159,34 @@ std::string parameterReference(const ReadingStyle& style) {
         last = title;
         text += "\n" + referenceOf(parameter, style);
     }
-    text += section(translatable("drillwave::Message", "Corners of the loading curve"), style) + "\n" +
-            style.said(translatable("drillwave::Message", "Up to 64 of them, by their place.")) + "\n" +
-            lawEntries(style);
-    text += section(translatable("drillwave::Message", "Sections of a drill string"), style) + "\n" +
-            style.said(translatable("drillwave::Message",
-                                    "NAME is the name of sections, or the place of one from 1; of the hammer "
+    text += section(translatable("Corners of the loading curve"), style) + "\n" +
+            style.said(translatable("Up to 64 of them, by their place.")) + "\n" + lawEntries(style);
+    text += section(translatable("Sections of a drill string"), style) + "\n" +
+            style.said(translatable("NAME is the name of sections, or the place of one from 1; of the hammer "
                                     "`hammer.1.length` (files §1.3).")) +
             "\n";
     for (const SectionField& field : sectionFields()) text += "\n" + referenceOf(field, style);
-    text += section(translatable("drillwave::Message", "Words"), style);
+    text += section(translatable("Words"), style);
     for (const WordParameter& parameter : wordParameters()) text += "\n" + referenceOf(parameter, style);
     return text + "\n" +
            wordEntry(restrikeKey,
-                     translatable("drillwave::Message",
-                                  "Whether the hammer stays there to be hit again; without it the hammer is "
+                     translatable("Whether the hammer stays there to be hit again; without it the hammer is "
                                   "withdrawn after the first separation"),
                      "true, false", style);
 }
 
 std::string outputReference(const ReadingStyle& style) {
     std::string text = chapterHead(
-        translatable("drillwave::Message", "Outputs"),
+        translatable("Outputs"),
         translatable(
-            "drillwave::Message",
             "Every result: a key of JSON, a column of CSV files, a name for `--outputs`, a row of the "
             "window. This chapter is written by the program from the table it works with. Scales are "
             "those of theory §2; of a drill string W0 and W are the energy E0 of its hammer, I0 the "
             "momentum p0."),
         style);
-    text += section(translatable("drillwave::Message", "One blow"), style);
+    text += section(translatable("One blow"), style);
     for (const Output& output : outputs()) text += "\n" + referenceOf(output, style);
-    text += section(translatable("drillwave::Message", "Many blows under a feed"), style);
+    text += section(translatable("Many blows under a feed"), style);
     for (const Output& output : drillOutputs()) text += "\n" + referenceOf(output, style);
     return text;
 }

@@ -13,7 +13,7 @@
 namespace drillwave {
 namespace {
 
-constexpr const char* sameThing = translatable("drillwave::Message", "set the same thing");
+constexpr const char* sameThing = translatable("set the same thing");
 
 /// Where a key comes among those that are set together.
 using Rank = std::tuple<std::ptrdiff_t, int, std::ptrdiff_t>;

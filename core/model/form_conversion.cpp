@@ -43,14 +43,12 @@ void roundLengths(DrillString& drillString, std::vector<Message>& lost) {
     Section& rod = drillString.parts.front().sections.front();
     const double ofHammer = roundedLength(hammer.length), ofRod = roundedLength(rod.length);
     if (ofHammer != hammer.length)
-        lost.push_back({translatable("drillwave::Message",
-                                     "The hammer is rounded to %1, so that waves can be kept; it gives the "
+        lost.push_back({translatable("The hammer is rounded to %1, so that waves can be kept; it gives the "
                                      "same impulse, in a blow that is so much longer or shorter."),
                         {wholeMillimetres(ofHammer)}});
     if (ofRod != rod.length)
-        lost.push_back(
-            {translatable("drillwave::Message", "The rod is rounded to %1, so that waves can be kept."),
-             {wholeMillimetres(ofRod)}});
+        lost.push_back({translatable("The rod is rounded to %1, so that waves can be kept."),
+                        {wholeMillimetres(ofRod)}});
     drillString.hammer.velocity *= hammer.length / ofHammer;
     hammer.length = ofHammer;
     rod.length = ofRod;
@@ -66,7 +64,6 @@ Hammer hammerOf(const Scenario& scenario, std::vector<Message>& lost) {
         hammer.sections = {sectionOf(pulse.piston)};
         if (pistonImpedanceRatio(scenario) > 1)
             lost.emplace_back(translatable(
-                "drillwave::Message",
                 "The blow is no prescribed force any more: waves that come back to the hammer while it still "
                 "pushes part it from the rod."));
         return hammer;
@@ -100,28 +97,22 @@ void nameLostSections(const DrillString& drill, std::vector<Message>& lost) {
         mass += section->massAfter;
     }
     if (others > 0)
-        lost.push_back({translatable("drillwave::Message",
-                                     "%1 of %2 sections are of another impedance (couplings, adapter, bit): "
+        lost.push_back({translatable("%1 of %2 sections are of another impedance (couplings, adapter, bit): "
                                      "they have become rod, which reflects nothing."),
                         {std::to_string(others), std::to_string(sections.size())}});
-    if (mass > 0)
-        lost.emplace_back(
-            translatable("drillwave::Message", "The lumped masses, that of the bit among them."));
-    if (losses > 0)
-        lost.emplace_back(translatable("drillwave::Message", "The losses in joints and along the rods."));
+    if (mass > 0) lost.emplace_back(translatable("The lumped masses, that of the bit among them."));
+    if (losses > 0) lost.emplace_back(translatable("The losses in joints and along the rods."));
 }
 
 void nameLostHammer(const Hammer& hammer, std::vector<Message>& lost) {
     if (hammer.sections.size() > 1)
         lost.emplace_back(translatable(
-            "drillwave::Message",
             "The steps of the hammer: it has become uniform, of the same mass, velocity and wave travel "
             "time."));
-    if (hammer.faceStiffness)
-        lost.emplace_back(translatable("drillwave::Message", "The elastic face of the hammer: it is rigid."));
+    if (hammer.faceStiffness) lost.emplace_back(translatable("The elastic face of the hammer: it is rigid."));
     if (hammer.restrike)
-        lost.emplace_back(translatable(
-            "drillwave::Message", "The hammer is not hit again once it has separated: it is withdrawn."));
+        lost.emplace_back(
+            translatable("The hammer is not hit again once it has separated: it is withdrawn."));
 }
 
 /// The uniform hammer of the mass, velocity and transit time of this one.
@@ -157,13 +148,11 @@ Section sectionOf(const Rod& rod, const Material& material) {
 }
 
 Message whyNoString(const Scenario& scenario) {
-    if (hasSections(scenario)) return translatable("drillwave::Message", "it is a drill string already");
+    if (hasSections(scenario)) return translatable("it is a drill string already");
     if (!hasUnits(scenario))
-        return translatable("drillwave::Message",
-                            "a drill string has physical units, and this scenario has none");
+        return translatable("a drill string has physical units, and this scenario has none");
     if (scenario.pulse.shape == PulseShape::rigidBody)
-        return translatable("drillwave::Message",
-                            "the reference case of a rod that arrives without waves has no hammer");
+        return translatable("the reference case of a rod that arrives without waves has no hammer");
     return {};
 }
 
@@ -198,8 +187,7 @@ Conversion forcedStringOf(const Scenario& scenario) {
     converted.scenario.pulse = pistonOf(scenario.drillString, converted.lost);
     converted.scenario.drillString.hammer = Hammer();
     converted.lost.emplace_back(
-        translatable("drillwave::Message",
-                     "What comes back to the hammer: the force is that of the hammer on a rod without end."));
+        translatable("What comes back to the hammer: the force is that of the hammer on a rod without end."));
     return converted;
 }
 
@@ -224,8 +212,7 @@ Conversion uniformRodOf(const Scenario& scenario) {
     nameLostSections(drill, converted.lost);
     uniform.pulse = isForced(scenario) ? scenario.pulse : pistonOf(drill, converted.lost);
     if (drill.endTime)
-        converted.lost.emplace_back(
-            translatable("drillwave::Message", "The time until which the blow is followed."));
+        converted.lost.emplace_back(translatable("The time until which the blow is followed."));
     return converted;
 }
 

@@ -88,23 +88,23 @@ KeptParameter findParameter(std::string_view key) {
 }
 
 Message Range::problem(double value, const Unit& si) const {
-    if (!std::isfinite(value)) return translatable("drillwave::Message", "must be a finite number");
+    if (!std::isfinite(value)) return translatable("must be a finite number");
     if (contains(value)) return {};
     // Who gives nothing, or less, need not be told how little or how much would do.
     if (low >= 0 && value <= 0 && !si.name.empty())
-        return low > 0 || lowOpen ? translatable("drillwave::Message", "must be greater than 0")
-                                  : translatable("drillwave::Message", "must be at least 0");
+        return low > 0 || lowOpen ? translatable("must be greater than 0")
+                                  : translatable("must be at least 0");
     const std::string unit = std::isfinite(high) && !si.name.empty() ? " " + std::string(si.name) : "";
-    const Message problem{std::isfinite(high) ? translatable("drillwave::Message", "must be in %1%2")
-                          : lowOpen           ? translatable("drillwave::Message", "must be greater than %1")
-                                              : translatable("drillwave::Message", "must be at least %1"),
+    const Message problem{std::isfinite(high) ? translatable("must be in %1%2")
+                          : lowOpen           ? translatable("must be greater than %1")
+                                              : translatable("must be at least %1"),
                           {std::isfinite(high) ? ends() : formatNumber(low), unit}};
     return value > high && *whyNotMore ? Message("%1: %2", {problem, whyNotMore}) : problem;
 }
 
 Message rangeProblem(const Parameter& parameter, double value) {
     if (parameter.rules.wholeNumber && std::isfinite(value) && value != std::floor(value))
-        return translatable("drillwave::Message", "must be a whole number");
+        return translatable("must be a whole number");
     return parameter.hard.problem(value, unitsOf(parameter.quantity).front());
 }
 
@@ -115,8 +115,7 @@ Message readBackProblem(const Parameter& parameter, const Scenario& scenario, do
     const double kept = parameter.value(scenario).value_or(std::nan(""));
     if (std::abs(kept - wanted) <= rounding * std::abs(wanted)) return {};
     return {
-        translatable("drillwave::Message",
-                     "cannot be kept: the values that it follows from are at the end of double precision, "
+        translatable("cannot be kept: the values that it follows from are at the end of double precision, "
                      "it reads back as %1"),
         {formatNumber(kept)}};
 }

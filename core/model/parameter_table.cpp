@@ -22,8 +22,8 @@ constexpr Range notNegative{0, infinity};
 /// Rounding of a gap or a transit time must stay a small part of a wave: at 1e9 two neighbouring doubles are
 /// 1e-7 of a period or of t0 apart.
 constexpr double largestTime = 1e9;
-constexpr const char* lostPhase = translatable(
-    "drillwave::Message", "in a larger one the numbers of double precision are too coarse to place a wave");
+constexpr const char* lostPhase =
+    translatable("in a larger one the numbers of double precision are too coarse to place a wave");
 using enum SliderScale;
 
 Value diameter(const S& s) {
@@ -241,7 +241,7 @@ constexpr std::array parameterTable{
               [](const S& s) { return s.drill.damperStiffness; }, [](S& s, double v) { s.drill.damperStiffness = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.drill.damperStiffness.reset(); }}},
     Parameter{"drill.wave_loss", "wave loss", "η", "Share that the waves lose of their deviation from what is steady in a round trip, over many blows",
-              Quantity::share, "%", {0, 1, false, translatable("drillwave::Message", "what loses all of it carries no wave"), true}, {0.01, 0.3}, linear, Scope::manyBlows,
+              Quantity::share, "%", {0, 1, false, translatable("what loses all of it carries no wave"), true}, {0.01, 0.3}, linear, Scope::manyBlows,
               [](const S& s) { return s.drill.waveLoss; }, [](S& s, double v) { s.drill.waveLoss = v; },
               {.presence = Presence::optional, .clear = [](S& s) { s.drill.waveLoss.reset(); }}},
     Parameter{"drill.blows", "blows", "N", "Blows that are followed, one after the other; 1000 where nothing is given",

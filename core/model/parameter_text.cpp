@@ -15,20 +15,18 @@ namespace drillwave {
 namespace {
 
 constexpr const char* notOfUniformRod =
-    translatable("drillwave::Message", "only a drill string has it (`drillwave: 2`), this is a uniform rod");
+    translatable("only a drill string has it (`drillwave: 2`), this is a uniform rod");
 
 Message refusal(std::string_view key, std::string_view text, const Message& reason) {
     return refusedValue(key, trimmed(text), reason);
 }
 
 constexpr const char* notOfString =
-    translatable("drillwave::Message", "only a uniform rod has it (`drillwave: 1`), this is a drill string");
+    translatable("only a uniform rod has it (`drillwave: 1`), this is a drill string");
 constexpr const char* notOfHammer =
-    translatable("drillwave::Message",
-                 "only a force in place of the hammer has it (`pulse`), this string is struck by a hammer");
+    translatable("only a force in place of the hammer has it (`pulse`), this string is struck by a hammer");
 constexpr const char* notOfForce =
-    translatable("drillwave::Message",
-                 "only a hammer of sections has it (`hammer`), this string is driven by a force (`pulse`)");
+    translatable("only a hammer of sections has it (`hammer`), this string is driven by a force (`pulse`)");
 
 Message assignWord(Scenario& scenario, const WordParameter& parameter, std::string_view text) {
     const auto words = parameter.words();
@@ -40,16 +38,14 @@ Message assignWord(Scenario& scenario, const WordParameter& parameter, std::stri
     if (const Message reason = shapeRefusal(scenario, PulseShape());
         parameter.key == pulseShapeKey && !reason.isEmpty())
         return refusal(parameter.key, text, reason);
-    return refusal(parameter.key, text,
-                   {translatable("drillwave::Message", "must be one of %1"), {parameter.list()}});
+    return refusal(parameter.key, text, {translatable("must be one of %1"), {parameter.list()}});
 }
 
 Message assignRestrike(Scenario& scenario, std::string_view text) {
     const std::optional<bool> restrike = findTruth(trimmed(text));
     if (!isString(scenario)) return refusal(restrikeKey, text, notOfUniformRod);
     if (isForced(scenario)) return refusal(restrikeKey, text, notOfForce);
-    if (!restrike)
-        return refusal(restrikeKey, text, translatable("drillwave::Message", "must be true or false"));
+    if (!restrike) return refusal(restrikeKey, text, translatable("must be true or false"));
     scenario.drillString.hammer.restrike = *restrike;
     return {};
 }
@@ -57,8 +53,7 @@ Message assignRestrike(Scenario& scenario, std::string_view text) {
 Message unknownKey(std::string_view key) {
     for (const std::string_view text : {"title", "pulse.file", "pulse.points", "hammer.sections", "string"})
         if (key == text)
-            return {translatable("drillwave::Message", "`%1` is no number; write it into the scenario file"),
-                    {std::string(key)}};
+            return {translatable("`%1` is no number; write it into the scenario file"), {std::string(key)}};
     return notAParameter(key);
 }
 
@@ -67,30 +62,26 @@ Message whyNotInDimensionless(const Parameter& parameter) {
     const auto group = std::ranges::find_if(parameters(), [&](const Parameter& other) {
         return other.isGroup() && other.rules.rival == parameter.key;
     });
-    if (group == parameters().end())
-        return translatable("drillwave::Message", "the scenario is given by its dimensionless groups");
-    return {translatable("drillwave::Message",
-                         "the scenario is given by its dimensionless groups; set `%1` instead"),
+    if (group == parameters().end()) return translatable("the scenario is given by its dimensionless groups");
+    return {translatable("the scenario is given by its dimensionless groups; set `%1` instead"),
             {std::string(group->key)}};
 }
 
 Message whyNotInString(const Parameter& parameter) {
     if (parameter.scope == Scope::uniformRod)
-        return translatable("drillwave::Message",
-                            "follows from the lengths of hammer and string; set those, as `string.1.length`");
+        return translatable("follows from the lengths of hammer and string; set those, as `string.1.length`");
     if (parameter.section() != "rod") return notOfString;
-    return {translatable("drillwave::Message", "%1; set its sections, as `string.1.length`"), {notOfString}};
+    return {translatable("%1; set its sections, as `string.1.length`"), {notOfString}};
 }
 
 /// Of a parameter that only one law of the rock has.
 Message whyNotOfLaw(const Parameter& parameter, const Scenario& scenario) {
     const RockLaw law = *parameter.rules.law;
     if (scenario.bitRock.law != law)
-        return {translatable("drillwave::Message", "only %1 has it; set `%2=%3` too"),
+        return {translatable("only %1 has it; set `%2=%3` too"),
                 {Message::ofTable(phrase(law)), std::string(rockLawKey), std::string(name(law))}};
-    return hasUnits(scenario) ? translatable("drillwave::Message",
-                                             "needs a unit, as this scenario is in physical quantities")
-                              : translatable("drillwave::Message", "has no unit in a dimensionless scenario");
+    return hasUnits(scenario) ? translatable("needs a unit, as this scenario is in physical quantities")
+                              : translatable("has no unit in a dimensionless scenario");
 }
 
 }  // namespace
@@ -122,19 +113,17 @@ Message whyNotApplicable(const Parameter& parameter, const Scenario& scenario) {
     if (isString(scenario) && !ofPulse) return whyNotInString(parameter);
     const std::string shape(name(scenario.pulse.shape));
     if (parameter.scope == Scope::trapezoid)
-        return {translatable("drillwave::Message", "only a trapezoid has it, the shape is %1"), {shape}};
+        return {translatable("only a trapezoid has it, the shape is %1"), {shape}};
     if (parameter.scope == Scope::pistonByRatio && scenario.pulse.shape == PulseShape::piston)
-        return translatable("drillwave::Message",
-                            "follows from the diameters and materials of hammer and rod");
+        return translatable("follows from the diameters and materials of hammer and rod");
     if (parameter.scope == Scope::pistonByRatio)
-        return {translatable("drillwave::Message", "only a piston has it, the shape is %1"), {shape}};
+        return {translatable("only a piston has it, the shape is %1"), {shape}};
     if (!hasUnits(scenario)) return whyNotInDimensionless(parameter);
     if (parameter.scope == Scope::withoutArea)
-        return translatable("drillwave::Message",
-                            "the rod is given by its area; set `rod.area` or `rod.diameter`");
+        return translatable("the rod is given by its area; set `rod.area` or `rod.diameter`");
     if (parameter.scope == Scope::givenPulse)
-        return {translatable("drillwave::Message", "follows from the data of the %1"), {shape}};
-    return {translatable("drillwave::Message", "only a piston has it, the shape is %1"), {shape}};
+        return {translatable("follows from the data of the %1"), {shape}};
+    return {translatable("only a piston has it, the shape is %1"), {shape}};
 }
 
 namespace {
@@ -145,14 +134,14 @@ Message scalesProblem(const Scenario& scenario) {
     const std::uint64_t count = sectionCount(scenario.drillString);
     if (count > maximumSections) return tooManySections(count);
     if (count > 0 && (isForced(scenario) || !scenario.drillString.hammer.sections.empty())) return {};
-    return translatable("drillwave::Message", "must have at least one section");
+    return translatable("must have at least one section");
 }
 
 }  // namespace
 
 Message assignNumber(Scenario& scenario, const Parameter& parameter, double si) {
     if (const Message reason = whyNotApplicable(parameter, scenario); !reason.isEmpty())
-        return {translatable("drillwave::Message", "has no meaning here: %1"), {reason}};
+        return {translatable("has no meaning here: %1"), {reason}};
     if (const Message problem = rangeProblem(parameter, si); !problem.isEmpty()) return problem;
     if (!parameter.rules.rival.empty())
         if (const Message problem = scalesProblem(scenario); !problem.isEmpty())
@@ -163,10 +152,8 @@ Message assignNumber(Scenario& scenario, const Parameter& parameter, double si) 
 
 Message notAParameter(std::string_view key) {
     const std::string near = nearestKey(key);
-    if (near.empty())
-        return {translatable("drillwave::Message", "`%1` is not a parameter"), {shortened(key)}};
-    return {translatable("drillwave::Message", "`%1` is not a parameter; did you mean `%2`?"),
-            {shortened(key), near}};
+    if (near.empty()) return {translatable("`%1` is not a parameter"), {shortened(key)}};
+    return {translatable("`%1` is not a parameter; did you mean `%2`?"), {shortened(key), near}};
 }
 
 std::string nearestKey(std::string_view key) {

@@ -21,7 +21,7 @@ std::string curveText(const Preset& preset, const ReadingStyle& style) {
     std::string text = style.said(Message::ofTable(phrase(preset.law)));
     for (const RockCorner& corner : preset.corners)
         text +=
-            ", " + style.said({translatable("drillwave::Message", "from %1 on slope %2"),
+            ", " + style.said({translatable("from %1 on slope %2"),
                                {style.quantity(corner.force, Quantity::force), style.number(corner.slope)}});
     return text;
 }
@@ -73,11 +73,9 @@ std::string nameFor(const std::string& name, const ReadingStyle& style) {
 std::string description(const Preset& preset, const ReadingStyle& style) {
     std::string text;
     if (preset.shape)
-        text = valueLine(translatable("drillwave::Message", "shape"), style.name(name(*preset.shape)),
-                         preset.shapeSource, style);
+        text = valueLine(translatable("shape"), style.name(name(*preset.shape)), preset.shapeSource, style);
     if (!preset.lawSource.empty())
-        text = valueLine(translatable("drillwave::Message", "loading curve"), curveText(preset, style),
-                         preset.lawSource, style);
+        text = valueLine(translatable("loading curve"), curveText(preset, style), preset.lawSource, style);
     for (const PresetValue& value : preset.values) {
         const Parameter& parameter = *value.parameter;
         if (!text.empty()) text += '\n';

@@ -50,27 +50,25 @@ const std::string& nameOf(const PartPreset& preset) {
 
 Message partProblem(PresetPart part, const Scenario& scenario) {
     if (!hasUnits(scenario))
-        return translatable("drillwave::Message",
-                            "presets need physical units, and this scenario is given by its dimensionless "
-                            "groups; choose a group such as beta");
+        return translatable(
+            "presets need physical units, and this scenario is given by its dimensionless "
+            "groups; choose a group such as beta");
     if (part == PresetPart::bit) {
-        if (!isString(scenario))
-            return translatable("drillwave::Message", "a uniform rod has no bit; a drill string has one");
+        if (!isString(scenario)) return translatable("a uniform rod has no bit; a drill string has one");
         if (bitSections(scenario.drillString) == 0)
             return translatable(
-                "drillwave::Message",
                 "the string does not end with a section called bit; name its last section so");
         return {};
     }
     if (!isString(scenario)) return {};
     if (part == PresetPart::rod)
-        return translatable("drillwave::Message",
-                            "a preset of a rod is for uniform rods, and this scenario is a drill string; "
-                            "choose sizes such as string.rod.diameter");
+        return translatable(
+            "a preset of a rod is for uniform rods, and this scenario is a drill string; "
+            "choose sizes such as string.rod.diameter");
     if (isForced(scenario))
-        return translatable("drillwave::Message",
-                            "this drill string is struck by a prescribed force, which no preset replaces; "
-                            "choose numbers such as pulse.duration");
+        return translatable(
+            "this drill string is struck by a prescribed force, which no preset replaces; "
+            "choose numbers such as pulse.duration");
     return {};
 }
 
@@ -144,11 +142,11 @@ FoundName findPresetName(std::span<const std::string_view> names, std::string_vi
         std::string candidates;
         for (const std::size_t i : beginning)
             candidates += (candidates.empty() ? "`" : ", `") + std::string(names[i]) + "`";
-        return {0, {translatable("drillwave::Message", "may be %1; give the whole name"), {candidates}}};
+        return {0, {translatable("may be %1; give the whole name"), {candidates}}};
     }
     if (const std::string meant(nearestName(wanted, near)); !meant.empty())
-        return {0, {translatable("drillwave::Message", "is not known; did you mean `%1`?"), {meant}}};
-    return {0, {translatable("drillwave::Message", "is not known; `%1` lists them"), {list}}};
+        return {0, {translatable("is not known; did you mean `%1`?"), {meant}}};
+    return {0, {translatable("is not known; `%1` lists them"), {list}}};
 }
 
 }  // namespace drillwave

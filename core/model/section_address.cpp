@@ -58,24 +58,18 @@ Message noSuchName(const SectionAddress& address, const DrillString& drillString
     const bool hammer = address.chain == Chain::hammer;
     const std::string name = shortened(address.name);
     if (!near.empty())
-        return {hammer ? translatable("drillwave::Message",
-                                      "no section of the hammer is called `%1`; did you mean `%2`?")
-                       : translatable("drillwave::Message",
-                                      "no section of the string is called `%1`; did you mean `%2`?"),
+        return {hammer ? translatable("no section of the hammer is called `%1`; did you mean `%2`?")
+                       : translatable("no section of the string is called `%1`; did you mean `%2`?"),
                 {name, std::string(near)}};
     if (!list.empty())
-        return {hammer ? translatable("drillwave::Message",
-                                      "no section of the hammer is called `%1`; its names: %2")
-                       : translatable("drillwave::Message",
-                                      "no section of the string is called `%1`; its names: %2"),
+        return {hammer ? translatable("no section of the hammer is called `%1`; its names: %2")
+                       : translatable("no section of the string is called `%1`; its names: %2"),
                 {name, shortened(list)}};
     return {
         hammer
             ? translatable(
-                  "drillwave::Message",
                   "no section of the hammer is called `%1`; its sections have no names, give a place: `%2`")
             : translatable(
-                  "drillwave::Message",
                   "no section of the string is called `%1`; its sections have no names, give a place: `%2`"),
         {name, sectionKey(address.chain, 1, address.field->key)}};
 }
@@ -83,11 +77,10 @@ Message noSuchName(const SectionAddress& address, const DrillString& drillString
 Message noSuchPlace(const SectionAddress& address, const DrillString& drillString) {
     const bool hammer = address.chain == Chain::hammer;
     const std::uint64_t count = hammer ? drillString.hammer.sections.size() : sectionCount(drillString);
-    const char* pattern =
-        hammer ? (count == 1 ? translatable("drillwave::Message", "the hammer has only %1 section")
-                             : translatable("drillwave::Message", "the hammer has only %1 sections"))
-               : (count == 1 ? translatable("drillwave::Message", "the string has only %1 section")
-                             : translatable("drillwave::Message", "the string has only %1 sections"));
+    const char* pattern = hammer ? (count == 1 ? translatable("the hammer has only %1 section")
+                                               : translatable("the hammer has only %1 sections"))
+                                 : (count == 1 ? translatable("the string has only %1 section")
+                                               : translatable("the string has only %1 sections"));
     return {pattern, {std::to_string(count)}};
 }
 
@@ -152,13 +145,10 @@ std::string nearestSectionKey(std::string_view key) {
 
 Message sectionNameProblem(std::string_view name) {
     if (isWholeNumber(name))
-        return translatable("drillwave::Message",
-                            "must not be a whole number: numbers are the places of sections");
-    if (name != trimmed(name))
-        return translatable("drillwave::Message", "must not begin or end with a blank");
+        return translatable("must not be a whole number: numbers are the places of sections");
+    if (name != trimmed(name)) return translatable("must not begin or end with a blank");
     if (name.size() > maximumNameBytes)
-        return {translatable("drillwave::Message", "must have at most %1 bytes"),
-                {std::to_string(maximumNameBytes)}};
+        return {translatable("must have at most %1 bytes"), {std::to_string(maximumNameBytes)}};
     return name.empty() ? Message() : nameProblem(name);
 }
 

@@ -147,29 +147,24 @@ Message meetingProblem(const Parameter& one, const Scenario& ofOne, const Parame
     };
     if (std::ranges::none_of(numbersOf(b, ofOther), isOfOne)) return {};
     if (a.place > 0 && b.place > 0)
-        return translatable("drillwave::Message", "set one section, which a repeat brings to both places");
+        return translatable("set one section, which a repeat brings to both places");
     const SectionAddress& place = a.place > 0 ? a : b;
-    return {
-        place.chain == Chain::hammer
-            ? translatable("drillwave::Message", "set one section: section %1 of the hammer is called %2")
-            : translatable("drillwave::Message", "set one section: section %1 of the string is called %2"),
-        {std::to_string(place.place), shortened(a.place > 0 ? b.name : a.name)}};
+    return {place.chain == Chain::hammer
+                ? translatable("set one section: section %1 of the hammer is called %2")
+                : translatable("set one section: section %1 of the string is called %2"),
+            {std::to_string(place.place), shortened(a.place > 0 ? b.name : a.name)}};
 }
 
 Message whyNoSection(const Parameter& parameter, const Scenario& scenario) {
     if (!hasSections(scenario))
-        return translatable("drillwave::Message",
-                            "only a drill string has it (`drillwave: 2`), this is a uniform rod");
-    if (!parameter.address) return translatable("drillwave::Message", "the string has no repeat");
+        return translatable("only a drill string has it (`drillwave: 2`), this is a uniform rod");
+    if (!parameter.address) return translatable("the string has no repeat");
     const SectionAddress& address = *parameter.address;
     bool found = false;
     visitSections(address, scenario.drillString, [&](const Section&) { found = true; });
     if (found && address.field->with == SectionField::With::area)
-        return translatable("drillwave::Message",
-                            "goes with an area, and the section is given by its diameter");
-    if (found)
-        return translatable("drillwave::Message",
-                            "goes with a diameter, and the section is given by its area");
+        return translatable("goes with an area, and the section is given by its diameter");
+    if (found) return translatable("goes with a diameter, and the section is given by its area");
     return whyNoneThere(address, scenario.drillString);
 }
 

@@ -82,13 +82,13 @@ std::vector<ShapeProblem> shapeProblems(const Section& section) {
     std::vector<ShapeProblem> problems;
     if (section.area) return problems;
     if (section.bore >= section.diameter && section.diameter > 0)
-        problems.push_back({"bore",
-                            {translatable("drillwave::Message", "must be less than the diameter of %1"),
-                             {millimetres(section.diameter)}}});
+        problems.push_back(
+            {"bore",
+             {translatable("must be less than the diameter of %1"), {millimetres(section.diameter)}}});
     if (section.endDiameter && *section.endDiameter <= section.bore)
-        problems.push_back({endKey(section),
-                            {translatable("drillwave::Message", "must be larger than the bore of %1"),
-                             {millimetres(section.bore)}}});
+        problems.push_back(
+            {endKey(section),
+             {translatable("must be larger than the bore of %1"), {millimetres(section.bore)}}});
     return problems;
 }
 

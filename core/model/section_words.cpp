@@ -14,10 +14,10 @@ namespace {
 Message ordinal(std::uint64_t number) {
     const std::uint64_t tens = number % 100;
     const bool isTeen = tens >= 11 && tens <= 13;
-    const char* pattern = translatable("drillwave::Message", "%1th");
-    if (!isTeen && number % 10 == 1) pattern = translatable("drillwave::Message", "%1st");
-    if (!isTeen && number % 10 == 2) pattern = translatable("drillwave::Message", "%1nd");
-    if (!isTeen && number % 10 == 3) pattern = translatable("drillwave::Message", "%1rd");
+    const char* pattern = translatable("%1th");
+    if (!isTeen && number % 10 == 1) pattern = translatable("%1st");
+    if (!isTeen && number % 10 == 2) pattern = translatable("%1nd");
+    if (!isTeen && number % 10 == 3) pattern = translatable("%1rd");
     return {pattern, {std::to_string(number)}};
 }
 
@@ -32,10 +32,9 @@ struct NumberedNames {
 };
 
 Message placeWords(const Section& section, std::uint64_t place, const NumberedNames& names) {
-    if (section.name.empty())
-        return {translatable("drillwave::Message", "section %1"), {std::to_string(place)}};
+    if (section.name.empty()) return {translatable("section %1"), {std::to_string(place)}};
     if (names.counts.at(section.name) == 1) return section.name;
-    return {translatable("drillwave::Message", "%1 %2"), {ordinal(names.numbers[place - 1]), section.name}};
+    return {translatable("%1 %2"), {ordinal(names.numbers[place - 1]), section.name}};
 }
 
 /// A section that has several places.
@@ -44,20 +43,15 @@ Message repeatWords(const Section& section, const std::vector<std::uint64_t>& nu
     const bool follow = last - first + 1 == numbers.size();
     if (section.name.empty()) {
         std::vector<Message> ends{std::to_string(first), std::to_string(last)};
-        if (follow) return {translatable("drillwave::Message", "sections %1 to %2"), std::move(ends)};
-        if (numbers.size() == 2)
-            return {translatable("drillwave::Message", "sections %1 and %2"), std::move(ends)};
-        return {translatable("drillwave::Message", "sections %1, %2 … %3"),
+        if (follow) return {translatable("sections %1 to %2"), std::move(ends)};
+        if (numbers.size() == 2) return {translatable("sections %1 and %2"), std::move(ends)};
+        return {translatable("sections %1, %2 … %3"),
                 {std::to_string(first), std::to_string(second), std::to_string(last)}};
     }
     if (numbers.size() == 2)
-        return {translatable("drillwave::Message", "%1 and %2 %3"),
-                {ordinal(first), ordinal(last), section.name}};
-    if (follow)
-        return {translatable("drillwave::Message", "%1 to %2 %3"),
-                {ordinal(first), ordinal(last), section.name}};
-    return {translatable("drillwave::Message", "%1, %2 … %3 %4"),
-            {ordinal(first), ordinal(second), ordinal(last), section.name}};
+        return {translatable("%1 and %2 %3"), {ordinal(first), ordinal(last), section.name}};
+    if (follow) return {translatable("%1 to %2 %3"), {ordinal(first), ordinal(last), section.name}};
+    return {translatable("%1, %2 … %3 %4"), {ordinal(first), ordinal(second), ordinal(last), section.name}};
 }
 
 }  // namespace
@@ -72,8 +66,7 @@ std::vector<Message> stringSectionWords(const DrillString& drillString) {
 
 Message hammerSectionWords(const DrillString& drillString, std::size_t place) {
     const std::string& name = drillString.hammer.sections[place - 1].name;
-    return {translatable("drillwave::Message", "hammer %1"),
-            {std::to_string(place) + (name.empty() ? "" : " (" + name + ")")}};
+    return {translatable("hammer %1"), {std::to_string(place) + (name.empty() ? "" : " (" + name + ")")}};
 }
 
 namespace {
@@ -121,23 +114,15 @@ Message stringWords(const DrillString& drillString) {
     for (const Section* section : expandedSections(drillString))
         ++(section->name == "rod" ? rods : section->name == "coupling" ? couplings : others);
     if (rods + couplings == 0)
-        return counted(others, translatable("drillwave::Message", "%1 section"),
-                       translatable("drillwave::Message", "%1 sections"));
+        return counted(others, translatable("%1 section"), translatable("%1 sections"));
     Message all;
     const auto add = [&all](Message more) {
-        all = all.isEmpty()
-                  ? std::move(more)
-                  : Message(translatable("drillwave::Message", "%1, %2"), {std::move(all), std::move(more)});
+        all = all.isEmpty() ? std::move(more)
+                            : Message(translatable("%1, %2"), {std::move(all), std::move(more)});
     };
-    if (rods > 0)
-        add(counted(rods, translatable("drillwave::Message", "%1 rod"),
-                    translatable("drillwave::Message", "%1 rods")));
-    if (couplings > 0)
-        add(counted(couplings, translatable("drillwave::Message", "%1 coupling"),
-                    translatable("drillwave::Message", "%1 couplings")));
-    if (others > 0)
-        add(counted(others, translatable("drillwave::Message", "%1 other section"),
-                    translatable("drillwave::Message", "%1 other sections")));
+    if (rods > 0) add(counted(rods, translatable("%1 rod"), translatable("%1 rods")));
+    if (couplings > 0) add(counted(couplings, translatable("%1 coupling"), translatable("%1 couplings")));
+    if (others > 0) add(counted(others, translatable("%1 other section"), translatable("%1 other sections")));
     return all;
 }
 

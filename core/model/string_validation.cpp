@@ -52,19 +52,16 @@ class SectionCheck {
     }
 
     void checkParts() {
-        if (m_string.parts.empty())
-            report("string", "", translatable("drillwave::Message", "must have at least one section"));
+        if (m_string.parts.empty()) report("string", "", translatable("must have at least one section"));
         for (const StringPart& part : m_string.parts) {
             if (part.sections.empty() || (!part.group && part.sections.size() != 1))
                 report("string", "",
-                       translatable("drillwave::Message",
-                                    "each part must be one section, or a repeat of at least one"));
+                       translatable("each part must be one section, or a repeat of at least one"));
             const Message reason =
                 rangeProblem(*findParameter("string.repeat"), static_cast<double>(part.repeat));
             if (!reason.isEmpty()) report("string.repeat", std::to_string(part.repeat), reason);
             if (!part.group && part.repeat > 1)
-                report("string.repeat", std::to_string(part.repeat),
-                       translatable("drillwave::Message", "only a repeat has it"));
+                report("string.repeat", std::to_string(part.repeat), translatable("only a repeat has it"));
         }
         if (const std::uint64_t count = sectionCount(m_string); count > maximumSections)
             report("string", "", tooManySections(count));
@@ -95,8 +92,7 @@ class SectionCheck {
             report(
                 sectionKey(Chain::hammer, i + 1) + "." + field,
                 formatQuantity(value, losing.quantity, losing.displayUnit()),
-                translatable("drillwave::Message",
-                             "losses inside the hammer are not part of the model: give them to sections of "
+                translatable("losses inside the hammer are not part of the model: give them to sections of "
                              "the string"));
         };
         for (std::size_t i = 0; i < sections.size() && goesOn(); ++i) {
@@ -117,8 +113,7 @@ class SectionCheck {
         const SectionField& bore = *findSectionField("bore");
         report(sectionKey(Chain::hammer, m_string.hammer.sections.size()) + "." + std::string(end.key),
                formatQuantity(*end.value(last), end.quantity, end.displayUnit()),
-               {translatable("drillwave::Message",
-                             "is so narrow that the face meets no more than the bore of %1 of the section it "
+               {translatable("is so narrow that the face meets no more than the bore of %1 of the section it "
                              "strikes"),
                 {formatQuantity(hole, bore.quantity, bore.displayUnit())}});
     }
@@ -130,8 +125,7 @@ class SectionCheck {
             if (!std::isfinite(value) || value <= 0)
                 return report(
                     key, "",
-                    translatable("drillwave::Message",
-                                 "the values are so large or small that its impedance, transit time "
+                    translatable("the values are so large or small that its impedance, transit time "
                                  "or mass overflows"));
     }
 
@@ -146,8 +140,7 @@ std::vector<InputProblem> sectionProblems(const DrillString& drillString) {
 }
 
 Message tooManySections(std::uint64_t count) {
-    return {translatable("drillwave::Message",
-                         "has %1 sections, its repeats written out; at most %2 are followed"),
+    return {translatable("has %1 sections, its repeats written out; at most %2 are followed"),
             {std::to_string(count), std::to_string(maximumSections)}};
 }
 

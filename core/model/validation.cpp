@@ -55,14 +55,13 @@ class CornerCheck {
     void check() {
         if (m_rock.corners.empty()) {
             add("bit_rock.corners", "",
-                translatable("drillwave::Message",
-                             "is missing: a law with corners needs at least one, as "
+                translatable("is missing: a law with corners needs at least one, as "
                              "`bit_rock.corner.1.force` and `bit_rock.corner.1.slope`"));
             return;
         }
         if (m_rock.corners.size() > mostRockCorners) {
             add("bit_rock.corners", "",
-                {translatable("drillwave::Message", "has %1 corners, at most %2 are possible"),
+                {translatable("has %1 corners, at most %2 are possible"),
                  {std::to_string(m_rock.corners.size()), std::to_string(mostRockCorners)}});
             return;
         }
@@ -80,21 +79,18 @@ class CornerCheck {
         if (isRight(i, "force", corner.force) && i > 0 && !(corner.force > m_rock.corners[i - 1].force) &&
             !std::isnan(m_rock.corners[i - 1].force))
             add(pathOf(i, "force"), textOf(i, "force", corner.force),
-                {translatable("drillwave::Message",
-                              "must be greater than the force of the corner before it, %1"),
+                {translatable("must be greater than the force of the corner before it, %1"),
                  {textOf(i - 1, "force", m_rock.corners[i - 1].force)}});
         if (isRight(i, "slope", corner.slope) && corner.slope * m_gamma > 1 + rounding)
             add(pathOf(i, "slope"), formatNumber(corner.slope),
-                {translatable("drillwave::Message",
-                              "must be at most 1/gamma = %1: loading steeper than unloading would create "
+                {translatable("must be at most 1/gamma = %1: loading steeper than unloading would create "
                               "energy"),
                  {formatNumber(1 / m_gamma)}});
     }
 
     bool isRight(std::size_t i, std::string_view field, double value) {
         if (std::isnan(value)) {
-            add(pathOf(i, field), "",
-                translatable("drillwave::Message", "is missing: a corner has a force and a slope"));
+            add(pathOf(i, field), "", translatable("is missing: a corner has a force and a slope"));
             return false;
         }
         const Message reason = rangeProblem(*parameterOf(i, field), value);
@@ -135,8 +131,7 @@ void checkLaw(const Scenario& scenario, std::vector<InputProblem>& problems) {
 void checkSectionsOfRod(const DrillString& unused, std::vector<InputProblem>& problems) {
     if (!unused.parts.empty() || !unused.hammer.sections.empty())
         report(problems, "string", "",
-               translatable("drillwave::Message",
-                            "must have no sections in a uniform rod: they belong to `drillwave: 2`"));
+               translatable("must have no sections in a uniform rod: they belong to `drillwave: 2`"));
 }
 
 void checkBore(const Scenario& scenario, std::vector<InputProblem>& problems) {
@@ -144,8 +139,7 @@ void checkBore(const Scenario& scenario, std::vector<InputProblem>& problems) {
     if (scenario.form != ScenarioForm::dimensional || rod.area || !(rod.bore >= rod.diameter)) return;
     const Parameter& bore = *findParameter("rod.bore");
     report(problems, bore.key, valueText(bore, rod.bore),
-           {translatable("drillwave::Message", "must be less than the diameter of %1"),
-            {valueText(bore, rod.diameter)}});
+           {translatable("must be less than the diameter of %1"), {valueText(bore, rod.diameter)}});
 }
 
 void checkTrapezoid(const Pulse& pulse, std::vector<InputProblem>& problems) {
@@ -153,7 +147,7 @@ void checkTrapezoid(const Pulse& pulse, std::vector<InputProblem>& problems) {
     // 0.7 + 0.3 may be a rounding error above 1: accept it, the plateau is then empty.
     if (pulse.rise + pulse.fall <= 1 + 1e-12) return;
     report(problems, "pulse.fall", formatNumber(pulse.fall),
-           {translatable("drillwave::Message", "rise and fall together must not exceed 1, they are %1"),
+           {translatable("rise and fall together must not exceed 1, they are %1"),
             {formatNumber(pulse.rise + pulse.fall)}});
 }
 
@@ -171,12 +165,10 @@ void checkDrill(const Drill& drill, std::vector<InputProblem>& problems) {
     };
     if (drill.blows && drill.settle && *drill.settle >= *drill.blows)
         add("drill.settle", *drill.settle,
-            {translatable("drillwave::Message", "must be less than the blows, which are %1"),
-             {formatNumber(*drill.blows)}});
+            {translatable("must be less than the blows, which are %1"), {formatNumber(*drill.blows)}});
     const bool hasDamper = drill.damperDamping.value_or(0) > 0 || drill.damperStiffness.value_or(0) > 0;
     if (hasDamper && drill.machineMass == 0.0)
-        add("drill.machine_mass", 0,
-            translatable("drillwave::Message", "must be more than 0: the damper carries it"));
+        add("drill.machine_mass", 0, translatable("must be more than 0: the damper carries it"));
 }
 
 /// A string that arrives as a whole is no blow of a force.
@@ -184,8 +176,7 @@ void checkShape(const Scenario& scenario, std::vector<InputProblem>& problems) {
     if (isString(scenario) && scenario.pulse.shape == PulseShape::rigidBody)
         report(
             problems, pulseShapeKey, std::string(name(scenario.pulse.shape)),
-            translatable("drillwave::Message",
-                         "is the reference case of a uniform rod (`drillwave: 1`); a drill string takes any "
+            translatable("is the reference case of a uniform rod (`drillwave: 1`); a drill string takes any "
                          "other shape"));
 }
 
@@ -196,8 +187,7 @@ void checkPiston(const Scenario& scenario, std::vector<InputProblem>& problems) 
     const bool given = scenario.form == ScenarioForm::dimensionless;
     report(problems, given ? "pulse.impedance_ratio" : "pulse.diameter",
            given ? formatNumber(ratio) : std::string(),
-           {translatable("drillwave::Message",
-                         "the hammer's impedance is %1 times the rod's, too many steps to follow; use the "
+           {translatable("the hammer's impedance is %1 times the rod's, too many steps to follow; use the "
                          "shape exponential, a rigid hammer"),
             {formatNumber(ratio)}});
 }
@@ -212,8 +202,7 @@ void checkFirstContact(const Groups& groups, const Message& follows, std::vector
     const double firstContact = groups.tau * (1 + 2 * groups.delta);
     if (firstContact <= latest) return;
     report(problems, "delta", formatNumber(groups.delta),
-           {translatable("drillwave::Message",
-                         "with tau = %1 the bit meets the rock after %2 t0, too late for double precision "
+           {translatable("with tau = %1 the bit meets the rock after %2 t0, too late for double precision "
                          "to tell what happens within one t0 (at most %3)%4"),
             {formatNumber(groups.tau), formatNumber(firstContact), formatNumber(latest), follows}});
 }
@@ -225,13 +214,11 @@ void checkGroups(const Scenario& scenario, std::vector<InputProblem>& problems) 
                                scales.stiffness, scales.energy}) {
         if (isPositiveAndFinite(scale)) continue;
         const Message reason =
-            translatable("drillwave::Message",
-                         "the values are so large or small that the force or energy of the blow overflows");
+            translatable("the values are so large or small that the force or energy of the blow overflows");
         problems.push_back({.key = "", .text = reason, .reason = reason});
         return;
     }
-    const Message follows =
-        hasUnits(scenario) ? translatable("drillwave::Message", "; it follows from the other values") : "";
+    const Message follows = hasUnits(scenario) ? translatable("; it follows from the other values") : "";
     for (const Parameter& parameter : parameters()) {
         if (parameter.section() != "groups") continue;
         const double value = *parameter.value(scenario);
@@ -251,30 +238,25 @@ InputProblem valueProblem(std::string_view key, std::string_view value, const Me
 
 PointProblem pointProblem(const TablePoints& points) {
     const std::size_t last = points.empty() ? 0 : points.size() - 1;
-    if (points.size() < 2)
-        return {last, translatable("drillwave::Message", "needs at least two points of time and force")};
+    if (points.size() < 2) return {last, translatable("needs at least two points of time and force")};
     if (points.size() > static_cast<std::size_t>(maximumPulseSegments))
-        return {last,
-                {translatable("drillwave::Message", "has more than %1 points"),
-                 {std::to_string(maximumPulseSegments)}}};
+        return {last, {translatable("has more than %1 points"), {std::to_string(maximumPulseSegments)}}};
     double largest = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
         const auto that = [i](const char* text) -> PointProblem {
             return {i, {text, {std::to_string(i + 1)}}};
         };
         if (!std::isfinite(points[i].time) || !std::isfinite(points[i].force))
-            return that(translatable("drillwave::Message", "point %1 must be finite numbers"));
+            return that(translatable("point %1 must be finite numbers"));
         if (points[i].force < 0)
-            return that(
-                translatable("drillwave::Message", "point %1 has a negative force, a hammer only pushes"));
+            return that(translatable("point %1 has a negative force, a hammer only pushes"));
         if (i > 0 && points[i].time <= points[i - 1].time)
-            return that(translatable("drillwave::Message", "point %1 must be later than the one before it"));
+            return that(translatable("point %1 must be later than the one before it"));
         largest = std::max(largest, points[i].force);
     }
-    if (largest == 0)
-        return {last, translatable("drillwave::Message", "must have a force greater than 0 somewhere")};
+    if (largest == 0) return {last, translatable("must have a force greater than 0 somewhere")};
     if (!isPositiveAndFinite(points.back().time - points.front().time))
-        return {last, translatable("drillwave::Message", "lasts too long")};
+        return {last, translatable("lasts too long")};
     return {};
 }
 

@@ -24,8 +24,7 @@ Message setLaw(Scenario& scenario, std::size_t word) {
 }
 
 Message setIndexing(Scenario& scenario, std::size_t word) {
-    if (!hasUnits(scenario))
-        return translatable("drillwave::Message", "a dimensionless scenario has no drill");
+    if (!hasUnits(scenario)) return translatable("a dimensionless scenario has no drill");
     scenario.drill.indexing = static_cast<RockIndexing>(word);
     return {};
 }

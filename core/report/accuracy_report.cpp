@@ -22,13 +22,12 @@ std::string label(const AccuracyRow& row) {
 
 std::string table(const Accuracy& accuracy, const ReadingStyle& style) {
     TextGrid grid;
-    grid.add(withTitles(style.said(translatable("drillwave::Message", "method")), accuracyColumns, style));
+    grid.add(withTitles(style.said(translatable("method")), accuracyColumns, style));
     for (const AccuracyRow& row : accuracy.rows)
         grid.add(row.outcome == Outcome::rebounded
                      ? withCells(label(row), accuracyColumns, row, style)
-                     : std::vector<std::string>{
-                           label(row),
-                           style.said({translatable("drillwave::Message", "not solved: %1"), {row.reason}})});
+                     : std::vector<std::string>{label(row),
+                                                style.said({translatable("not solved: %1"), {row.reason}})});
     return grid.text();
 }
 
@@ -40,12 +39,10 @@ std::string linesOf(const Message& words, const ReadingStyle& style) {
 Message agreement(const Accuracy& accuracy) {
     for (const AccuracyRow& row : accuracy.rows)
         if (!row.sameAsMoved)
-            return {translatable("drillwave::Message",
-                                 "THE RING DOES NOT GIVE THE NUMBERS OF THE MOVED WAVES at %1 segments: "
+            return {translatable("THE RING DOES NOT GIVE THE NUMBERS OF THE MOVED WAVES at %1 segments: "
                                  "please report this."),
                     {std::to_string(row.choice.lattice.segments)}};
-    return translatable("drillwave::Message",
-                        "The ring buffer gives every number of the moved waves, to the last bit.");
+    return translatable("The ring buffer gives every number of the moved waves, to the last bit.");
 }
 
 /// What the columns of the table are.
@@ -54,9 +51,8 @@ std::string legend(const Accuracy& accuracy, const ReadingStyle& style) {
         return row.outcome == Outcome::rebounded && row.time.runs < wantedRuns;
     };
     std::string text =
-        "\n" + style.said(translatable("drillwave::Message", "The table")) + "\n" +
-        linesOf(translatable("drillwave::Message",
-                             "Errors are absolute, forces in F0; those of lattice and closed form against "
+        "\n" + style.said(translatable("The table")) + "\n" +
+        linesOf(translatable("Errors are absolute, forces in F0; those of lattice and closed form against "
                              "the exact solution.\n"
                              "estimate: what the method itself says about its error of e. order: observed, "
                              "from the row above.\n"
@@ -65,15 +61,12 @@ std::string legend(const Accuracy& accuracy, const ReadingStyle& style) {
                              "middles. A force that is constant in each step cannot come closer than half "
                              "its change in a step."),
                 style);
-    const Message times{translatable("drillwave::Message",
-                                     "Times: processor time of a solve for e alone. speed: how many times "
+    const Message times{translatable("Times: processor time of a solve for e alone. speed: how many times "
                                      "faster than the paper's choice,\n"
                                      "the lattice of %1 segments with moved waves."),
                         {std::to_string(paperSegments)}};
     return text + linesOf(std::ranges::any_of(accuracy.rows, isShort)
-                              ? Message(translatable("drillwave::Message",
-                                                     "%1 Rows of over a second have fewer runs."),
-                                        {times})
+                              ? Message(translatable("%1 Rows of over a second have fewer runs."), {times})
                               : times,
                           style);
 }
@@ -81,12 +74,9 @@ std::string legend(const Accuracy& accuracy, const ReadingStyle& style) {
 std::string extendedText(const Accuracy& accuracy, const ReadingStyle& style) {
     const Impact& extended = accuracy.extended;
     if (extended.outcome != Outcome::rebounded)
-        return linesOf(
-            {translatable("drillwave::Message", "In long double it was not solved: %1."), {extended.reason}},
-            style);
+        return linesOf({translatable("In long double it was not solved: %1."), {extended.reason}}, style);
     return linesOf(
-        {translatable("drillwave::Message",
-                      "Its errors are differences to a solution in long double (%1 bits, %2),\n"
+        {translatable("Its errors are differences to a solution in long double (%1 bits, %2),\n"
                       "whose own error is below %3 and counted in: they show\n"
                       "rounding and truncation, but not a mistaken event: both march with the same code for "
                       "events."),
@@ -103,24 +93,19 @@ std::string checks(const Accuracy& accuracy, const ReadingStyle& style) {
         return "    " + leftAligned(style.said(equation), width) + " " +
                shownNumber(residual, NumberStyle::error, style) + "\n";
     };
-    return "\n" + style.said(translatable("drillwave::Message", "The exact solution")) + "\n" +
-           extendedText(accuracy, style) +
-           linesOf({translatable("drillwave::Message",
-                                 "So its histories were put back into the equations at %1 points, without "
+    return "\n" + style.said(translatable("The exact solution")) + "\n" + extendedText(accuracy, style) +
+           linesOf({translatable("So its histories were put back into the equations at %1 points, without "
                                  "that code.\n"
                                  "Largest residuals, in F0 (1 + beta/gamma):"),
                     {std::to_string(residuals.points)}},
                    style) +
            line(std::string("g(s) = Fa(s) + g(s - 2 tau) - F(s - 2 tau)"), residuals.wave) +
            line(residuals.loadingLines == 1
-                    ? translatable("drillwave::Message", "F' = a (2g - F), a = beta or beta/gamma")
-                    : translatable("drillwave::Message",
-                                   "F' = a (2g - F), a = s_j beta on line j, or beta/gamma"),
+                    ? translatable("F' = a (2g - F), a = beta or beta/gamma")
+                    : translatable("F' = a (2g - F), a = s_j beta on line j, or beta/gamma"),
                 residuals.rate) +
-           line(
-               translatable("drillwave::Message", "F = law of the penetration and of the largest one so far"),
-               residuals.law) +
-           line(translatable("drillwave::Message", "smallest force"), residuals.leastForce);
+           line(translatable("F = law of the penetration and of the largest one so far"), residuals.law) +
+           line(translatable("smallest force"), residuals.leastForce);
 }
 
 /// The case, in all digits.
@@ -130,10 +115,8 @@ std::string accuracyHeading(const Scenario& scenario, const Accuracy& accuracy, 
     return (scenario.title.empty() ? std::string() : scenario.title + "\n") + "  beta " + whole(groups.beta) +
            "  gamma " + whole(groups.gamma) + "  tau " + whole(groups.tau) + "  delta " +
            whole(groups.delta) + "  " +
-           style.said(
-               {translatable("drillwave::Message", "pulse %1"), {std::string(name(scenario.pulse.shape))}}) +
-           "\n" +
-           linesOf({translatable("drillwave::Message", "e = %1, peak force %2 F0"),
+           style.said({translatable("pulse %1"), {std::string(name(scenario.pulse.shape))}}) + "\n" +
+           linesOf({translatable("e = %1, peak force %2 F0"),
                     {whole(accuracy.exact.cor), whole(accuracy.exact.peakForce)}},
                    style);
 }
@@ -159,8 +142,7 @@ std::string accuracyText(const Scenario& scenario, const Accuracy& accuracy, con
     std::string text = accuracyHeading(scenario, accuracy, style) + "\n" + table(accuracy, style) +
                        legend(accuracy, style) + linesOf(agreement(accuracy), style);
     if (!std::isnan(accuracy.latticeOrder))
-        text += linesOf({translatable("drillwave::Message",
-                                      "Over the whole ladder the error of e falls with the number of "
+        text += linesOf({translatable("Over the whole ladder the error of e falls with the number of "
                                       "segments to the power of %1."),
                          {shownNumber(accuracy.latticeOrder, NumberStyle::order, style)}},
                         style);
@@ -208,14 +190,12 @@ std::string accuracyCsv(const Accuracy& accuracy) {
 std::string accuracyText(const Scenario& scenario, const StringAccuracy& accuracy,
                          const ReadingStyle& style) {
     TextGrid grid;
-    grid.add(
-        withTitles(style.said(translatable("drillwave::Message", "method")), stringAccuracyColumns, style));
+    grid.add(withTitles(style.said(translatable("method")), stringAccuracyColumns, style));
     for (const StringAccuracyRow& row : accuracy.rows)
         grid.add(withCells(std::string(name(row.method)), stringAccuracyColumns, row, style));
     return headingOf(scenario, style) + "\n" + grid.text() + "\n" +
            linesOf(
-               {translatable("drillwave::Message",
-                             "error: of the efficiency, against %1 (cut cells half as large again, "
+               {translatable("error: of the efficiency, against %1 (cut cells half as large again, "
                              "stated error %2)\n"
                              "stated: what the method says of it; impulse: error of the impulse on the "
                              "rock, of the hammer's\n"

@@ -16,8 +16,7 @@ constexpr double shareOfThrust = 0.5;
 /// A reason of a study, in a sentence; where the study was given up, how to have it all the same.
 Message sentenceOf(const Message& reason, const Blow& blow, std::string_view command) {
     if (reason != tooManyPieces) return reason;
-    return {translatable("drillwave::Message",
-                         "This blow has %1 pieces, too many to be followed over all gaps in a report: "
+    return {translatable("This blow has %1 pieces, too many to be followed over all gaps in a report: "
                          "`drillwave %2` does that, and takes its time."),
             {std::to_string(blow.impact.pieces), std::string(command)}};
 }
@@ -70,9 +69,8 @@ void addGap(BlowReport& report, const std::stop_token& stop, const GapProgress& 
     else if (gap.curve.reason == tooManyPieces)
         report.gapProblem = sentenceOf(gap.curve.reason, report.blow, "gap");
     else
-        report.gapProblem = {
-            translatable("drillwave::Message", "The blow could not be solved at all gaps: %1"),
-            {gap.curve.reason}};
+        report.gapProblem = {translatable("The blow could not be solved at all gaps: %1"),
+                             {gap.curve.reason}};
 }
 
 }  // namespace

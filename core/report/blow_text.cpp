@@ -41,44 +41,35 @@ struct SummaryLine {
 /// Of uniform rods as multiples and in SI, of drill strings in SI alone; what comes before and behind them is
 /// added by hand.
 constexpr auto summaryLines = std::to_array<SummaryLine>({
-    {"efficiency_recovered", translatable("drillwave::Message", "and what the hammer takes back"),
-     OutputOf::hammer, LineKind::part},
-    {"rock_work", translatable("drillwave::Message", "work on the rock"), OutputOf::drillString},
-    {"impulse", translatable("drillwave::Message", "impulse 1 + e"), OutputOf::uniformRod},
-    {"impulse", translatable("drillwave::Message", "impulse on the rock"), OutputOf::drillString,
-     LineKind::plain, translatable("drillwave::Message", "%1 of the hammer's")},
-    {"cor", translatable("drillwave::Message", "restitution e of the string"), OutputOf::drillString},
-    {"peak_force", translatable("drillwave::Message", "peak force"), OutputOf::uniformRod},
-    {"peak_force", translatable("drillwave::Message", "peak force on the rock"), OutputOf::drillString},
-    {"max_penetration", translatable("drillwave::Message", "largest penetration")},
-    {"residual_penetration", translatable("drillwave::Message", "residual penetration"),
-     OutputOf::uniformRod},
-    {"residual_penetration", translatable("drillwave::Message", "penetration that stays"),
-     OutputOf::drillString},
-    {"peak_compression", translatable("drillwave::Message", "largest compression"), OutputOf::uniformRod},
-    {"peak_tension", translatable("drillwave::Message", "largest tension"), OutputOf::uniformRod},
-    {"peak_compression_after", translatable("drillwave::Message", "compression after"), OutputOf::uniformRod,
+    {"efficiency_recovered", translatable("and what the hammer takes back"), OutputOf::hammer,
      LineKind::part},
-    {"peak_tension_after", translatable("drillwave::Message", "tension after"), OutputOf::uniformRod,
-     LineKind::part},
-    {"percussion_power", translatable("drillwave::Message", "percussion power"), OutputOf::uniformRod},
-    {"penetration_rate", translatable("drillwave::Message", "penetration rate"), OutputOf::uniformRod,
-     LineKind::plain, translatable("drillwave::Message", "%1 of blows like this one")},
-    {"first_contact_time", translatable("drillwave::Message", "first contact"), OutputOf::anyBlow,
-     LineKind::afterContact},
-    {"separation_time", translatable("drillwave::Message", "last separation"), OutputOf::anyBlow,
-     LineKind::afterContact},
-    {"contact_duration", translatable("drillwave::Message", "time in contact"), OutputOf::anyBlow,
-     LineKind::afterContact},
-    {"piston_separation_time", translatable("drillwave::Message", "hammer leaves"), OutputOf::hammer},
-    {"hammer_rebound_velocity", translatable("drillwave::Message", "hammer rebound"), OutputOf::hammer,
-     LineKind::plain, translatable("drillwave::Message", "away from the rock")},
-    {"work_ratio", translatable("drillwave::Message", "hammer work W"), OutputOf::uniformRod},
-    {"rock_work", translatable("drillwave::Message", "in the rock"), OutputOf::uniformRod, LineKind::part},
-    {"rebound_energy", translatable("drillwave::Message", "in the rebound"), OutputOf::uniformRod,
-     LineKind::part},
-    {"residual_wave_energy", translatable("drillwave::Message", "in waves"), OutputOf::uniformRod,
-     LineKind::part},
+    {"rock_work", translatable("work on the rock"), OutputOf::drillString},
+    {"impulse", translatable("impulse 1 + e"), OutputOf::uniformRod},
+    {"impulse", translatable("impulse on the rock"), OutputOf::drillString, LineKind::plain,
+     translatable("%1 of the hammer's")},
+    {"cor", translatable("restitution e of the string"), OutputOf::drillString},
+    {"peak_force", translatable("peak force"), OutputOf::uniformRod},
+    {"peak_force", translatable("peak force on the rock"), OutputOf::drillString},
+    {"max_penetration", translatable("largest penetration")},
+    {"residual_penetration", translatable("residual penetration"), OutputOf::uniformRod},
+    {"residual_penetration", translatable("penetration that stays"), OutputOf::drillString},
+    {"peak_compression", translatable("largest compression"), OutputOf::uniformRod},
+    {"peak_tension", translatable("largest tension"), OutputOf::uniformRod},
+    {"peak_compression_after", translatable("compression after"), OutputOf::uniformRod, LineKind::part},
+    {"peak_tension_after", translatable("tension after"), OutputOf::uniformRod, LineKind::part},
+    {"percussion_power", translatable("percussion power"), OutputOf::uniformRod},
+    {"penetration_rate", translatable("penetration rate"), OutputOf::uniformRod, LineKind::plain,
+     translatable("%1 of blows like this one")},
+    {"first_contact_time", translatable("first contact"), OutputOf::anyBlow, LineKind::afterContact},
+    {"separation_time", translatable("last separation"), OutputOf::anyBlow, LineKind::afterContact},
+    {"contact_duration", translatable("time in contact"), OutputOf::anyBlow, LineKind::afterContact},
+    {"piston_separation_time", translatable("hammer leaves"), OutputOf::hammer},
+    {"hammer_rebound_velocity", translatable("hammer rebound"), OutputOf::hammer, LineKind::plain,
+     translatable("away from the rock")},
+    {"work_ratio", translatable("hammer work W"), OutputOf::uniformRod},
+    {"rock_work", translatable("in the rock"), OutputOf::uniformRod, LineKind::part},
+    {"rebound_energy", translatable("in the rebound"), OutputOf::uniformRod, LineKind::part},
+    {"residual_wave_energy", translatable("in waves"), OutputOf::uniformRod, LineKind::part},
 });
 
 int digitsOf(const Blow& blow) {
@@ -113,7 +104,7 @@ std::vector<std::string> cellsOfString(const SummaryLine& line, const Output& ou
     std::vector<std::string> cells{labelOf(line, style),
                                    isPlain ? style.number(value) : siText(output, value, blow, style)};
     const char* remark = isForced(blow.scenario) && output.measure == Measure::impulse
-                             ? translatable("drillwave::Message", "%1 of the force's")
+                             ? translatable("%1 of the force's")
                              : line.remark;
     if (remark) cells.push_back(style.said({remark, {style.number(value)}}));
     return cells;
@@ -140,8 +131,8 @@ Message marginMessage(double margin, double effective, const ReadingStyle& style
     const auto newton = [&](double force) { return style.quantity(force, Quantity::force, 4); };
     const double need = effective / (1 + margin);
     return {
-        margin < 0 ? translatable("drillwave::Message", "%1, not met: short by %2 (%3)")
-                   : translatable("drillwave::Message", "%1, met with %2 (%3) to spare"),
+        margin < 0 ? translatable("%1, not met: short by %2 (%3)")
+                   : translatable("%1, met with %2 (%3) to spare"),
         {newton(need), newton(std::abs(effective - need)), style.number(100 * std::abs(margin), 3) + " %"}};
 }
 
@@ -152,9 +143,8 @@ Message neededThrust(const Blow& blow, const ReadingStyle& style) {
     };
     const std::string needed = newton(blow.feed->need(ThrustCase::scenario).thrust);
     if (!force) return needed;
-    if (!force->weight)
-        return {translatable("drillwave::Message", "%1, installed %2"), {needed, newton(force->thrust)}};
-    return {translatable("drillwave::Message", "%1, installed %2, effective %3"),
+    if (!force->weight) return {translatable("%1, installed %2"), {needed, newton(force->thrust)}};
+    return {translatable("%1, installed %2, effective %3"),
             {needed, newton(force->thrust), newton(force->effective())}};
 }
 
@@ -164,10 +154,9 @@ void addFeed(TextGrid& grid, const Blow& blow, const ReadingStyle& style) {
         grid.add({before + style.said(label), style.said(words)});
     };
     const std::optional<FeedForce>& force = blow.feed->force;
-    add("", translatable("drillwave::Message", "feed required"), neededThrust(blow, style));
+    add("", translatable("feed required"), neededThrust(blow, style));
     if (const std::optional<double> margin = blow.thrustMargin())
-        add("  ", translatable("drillwave::Message", "at every gap"),
-            marginMessage(*margin, force->effective(), style));
+        add("  ", translatable("at every gap"), marginMessage(*margin, force->effective(), style));
 }
 
 /// What a blow is judged by first, with its error.
@@ -177,8 +166,8 @@ void addMain(TextGrid& grid, const Blow& blow, const ReadingStyle& style) {
     const bool isEstimate = blow.method.method == Method::lattice;
     grid.add({style.said(Message::ofTable(main.value->title)),
               style.number(*main.value->value(numbers), 12) + "  " +
-                  style.said({isEstimate ? translatable("drillwave::Message", "(error estimated as %1)")
-                                         : translatable("drillwave::Message", "(error below %1)"),
+                  style.said({isEstimate ? translatable("(error estimated as %1)")
+                                         : translatable("(error below %1)"),
                               {style.bound(*main.error->value(numbers))}})});
 }
 
@@ -187,8 +176,8 @@ std::string resultText(const Blow& blow, const ReadingStyle& style) {
     addMain(grid, blow, style);
     addSummary(grid, blow, style);
     if (!hasSections(blow.scenario))
-        grid.add({style.said(translatable("drillwave::Message", "balance errors")),
-                  style.said({translatable("drillwave::Message", "%1 of I0, %2 of W"),
+        grid.add({style.said(translatable("balance errors")),
+                  style.said({translatable("%1 of I0, %2 of W"),
                               {style.number(blow.summary.momentumResidual, 2),
                                style.number(blow.summary.energy.residual, 2)}})});
     addFeed(grid, blow, style);
@@ -207,10 +196,10 @@ std::string resultText(const Blow& blow, const ReadingStyle& style) {
 Message solvedMessage(const Blow& blow, const ReadingStyle& style) {
     const SolverWords solver = solverWords(blow);
     const int contacts = blow.impact.contacts;
-    return {translatable("drillwave::Message", "method %1, %2, %3, solved in %4"),
+    return {translatable("method %1, %2, %3, solved in %4"),
             {solver.name,
-             counted(static_cast<std::uint64_t>(contacts), translatable("drillwave::Message", "%1 contact"),
-                     translatable("drillwave::Message", "%1 contacts")),
+             counted(static_cast<std::uint64_t>(contacts), translatable("%1 contact"),
+                     translatable("%1 contacts")),
              solver.pieces, style.quantity(blow.runTime, Quantity::time)}};
 }
 
@@ -224,12 +213,11 @@ std::string blowText(const Blow& blow, const ReadingStyle& style) {
     for (const Alert& alert : blow.alerts) {
         // The line of e says it already, as an estimate.
         if (blow.method.method == Method::lattice && alert.code == AlertCode::reducedAccuracy) continue;
-        text +=
-            "  " +
-            style.said({alert.level == AlertLevel::warning ? translatable("drillwave::Message", "warning: %1")
-                                                           : translatable("drillwave::Message", "note: %1"),
-                        {alertMessage(alert, style)}}) +
-            "\n";
+        text += "  " +
+                style.said({alert.level == AlertLevel::warning ? translatable("warning: %1")
+                                                               : translatable("note: %1"),
+                            {alertMessage(alert, style)}}) +
+                "\n";
     }
     return text;
 }

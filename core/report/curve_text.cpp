@@ -20,18 +20,15 @@ Message whatMessage(const CurveFeature& feature, const ReadingStyle& style) {
     using Kind = CurveFeature::Kind;
     switch (feature.kind) {
         case Kind::minimum:
-            return feature.ofAll ? translatable("drillwave::Message", "least")
-                                 : translatable("drillwave::Message", "minimum");
+            return feature.ofAll ? translatable("least") : translatable("minimum");
         case Kind::maximum:
-            return feature.ofAll ? translatable("drillwave::Message", "largest")
-                                 : translatable("drillwave::Message", "maximum");
+            return feature.ofAll ? translatable("largest") : translatable("maximum");
         case Kind::kink:
-            return translatable("drillwave::Message", "kink");
+            return translatable("kink");
         case Kind::jump:
-            return translatable("drillwave::Message", "jump");
+            return translatable("jump");
         case Kind::crossing:
-            return {feature.rising ? translatable("drillwave::Message", "rises above %1")
-                                   : translatable("drillwave::Message", "falls below %1"),
+            return {feature.rising ? translatable("rises above %1") : translatable("falls below %1"),
                     {style.number(feature.level)}};
     }
     return {};
@@ -40,19 +37,19 @@ Message whatMessage(const CurveFeature& feature, const ReadingStyle& style) {
 Message remarkMessage(const CurveFeature& feature, const ReadingStyle& style) {
     using Shape = CurveFeature::Shape;
     if (feature.kind == CurveFeature::Kind::jump)
-        return {translatable("drillwave::Message", "to %1"), {style.number(feature.valueAfter, curveDigits)}};
+        return {translatable("to %1"), {style.number(feature.valueAfter, curveDigits)}};
     switch (feature.shape) {
         case Shape::smooth:
             return {};
         case Shape::cusp:
-            return {translatable("drillwave::Message", "slope %1 to %2"),
+            return {translatable("slope %1 to %2"),
                     {style.number(feature.slopeBefore, 3), style.number(feature.slopeAfter, 3)}};
         case Shape::end:
-            return translatable("drillwave::Message", "end of the range");
+            return translatable("end of the range");
         case Shape::grid:
-            return translatable("drillwave::Message", "between points");
+            return translatable("between points");
         case Shape::everywhere:
-            return translatable("drillwave::Message", "everywhere");
+            return translatable("everywhere");
     }
     return {};
 }
@@ -84,7 +81,7 @@ std::string stretchesText(const CurveQuestion& question, const std::vector<Curve
                 "\n";
     if (stretches.size() > mostStretches)
         text += "  " +
-                style.said({translatable("drillwave::Message", "and %1 more such stretches"),
+                style.said({translatable("and %1 more such stretches"),
                             {std::to_string(stretches.size() - mostStretches)}}) +
                 "\n";
     return text;
@@ -93,8 +90,8 @@ std::string stretchesText(const CurveQuestion& question, const std::vector<Curve
 Message alongMessage(const CurveQuestion& question, const ReadingStyle& style) {
     const CurveRange range = question.range();
     return {range.spacing == CurveRange::Spacing::logarithmic
-                ? translatable("drillwave::Message", "Along %1 from %2 to %3, by its logarithm.")
-                : translatable("drillwave::Message", "Along %1 from %2 to %3."),
+                ? translatable("Along %1 from %2 to %3, by its logarithm.")
+                : translatable("Along %1 from %2 to %3."),
             {std::string(question.along.key()), valueText(question.along, range.start, valueDigits, style),
              valueText(question.along, range.stop, valueDigits, style)}};
 }
@@ -103,9 +100,7 @@ Message alongMessage(const CurveQuestion& question, const ReadingStyle& style) {
 
 std::string leftOutText(std::size_t count, std::size_t most, const ReadingStyle& style) {
     if (count <= most) return {};
-    return "  " +
-           style.said({translatable("drillwave::Message", "and %1 more; --json has all"),
-                       {std::to_string(count - most)}}) +
+    return "  " + style.said({translatable("and %1 more; --json has all"), {std::to_string(count - most)}}) +
            "\n";
 }
 
@@ -130,16 +125,14 @@ std::string curveText(const CurveReport& report, const ReadingStyle& style) {
             const CurveOutput& output = line.outputs[i];
             text +=
                 "\n" + featureTable(question, question.columns[i], output.features, style) +
-                stretchesText(question, output.grid,
-                              translatable("drillwave::Message", "known by points alone from %1 to %2: %3"),
+                stretchesText(question, output.grid, translatable("known by points alone from %1 to %2: %3"),
                               style) +
-                stretchesText(question, output.unsolved,
-                              translatable("drillwave::Message", "no answer from %1 to %2: %3"), style);
+                stretchesText(question, output.unsolved, translatable("no answer from %1 to %2: %3"), style);
         }
     }
     return text + "\n  " +
            style.said(
-               {translatable("drillwave::Message", "From %1 blows in %2."),
+               {translatable("From %1 blows in %2."),
                 {std::to_string(report.study.solves), style.quantity(report.runTime, Quantity::time, 3)}}) +
            "\n";
 }

@@ -30,32 +30,28 @@ Message uncertainMessage(const DesignStudy& study, const ReadingStyle& style) {
         std::string keys;
         for (const KeptParameter& parameter : study.draws->parameters)
             keys += (keys.empty() ? "" : " ") + std::string(parameter->key);
-        add(style.said({translatable("drillwave::Message", "%1 draws of %2"),
-                        {std::to_string(study.draws->rows()), keys}}));
+        add(style.said({translatable("%1 draws of %2"), {std::to_string(study.draws->rows()), keys}}));
     }
-    return {translatable("drillwave::Message", "Uncertain: %1."), {list}};
+    return {translatable("Uncertain: %1."), {list}};
 }
 
 Message chosenMessage(const DesignStudy& study) {
     Message list;
     for (const SweepAxis& axis : study.choices) {
-        list = joined(std::move(list), "%1, %2",
-                      {translatable("drillwave::Message", "%1 (%2 values)"),
-                       {std::string(axis.key()), std::to_string(axis.count)}});
+        list =
+            joined(std::move(list), "%1, %2",
+                   {translatable("%1 (%2 values)"), {std::string(axis.key()), std::to_string(axis.count)}});
     }
-    if (list.isEmpty()) list = translatable("drillwave::Message", "nothing, the design of FILE alone");
-    return {study.keepsEnergy
-                ? translatable("drillwave::Message", "Chosen: %1; every blow has the energy of FILE's.")
-                : translatable("drillwave::Message", "Chosen: %1."),
+    if (list.isEmpty()) list = translatable("nothing, the design of FILE alone");
+    return {study.keepsEnergy ? translatable("Chosen: %1; every blow has the energy of FILE's.")
+                              : translatable("Chosen: %1."),
             {list}};
 }
 
 Message samplesMessage(const DesignStudy& study) {
     const std::uint64_t designs = study.designCount();
-    return {designs == 1 ? translatable("drillwave::Message",
-                                        "%1 design, %2 samples each, the same for all; errors are of 95 %.")
-                         : translatable("drillwave::Message",
-                                        "%1 designs, %2 samples each, the same for all; errors are of 95 %."),
+    return {designs == 1 ? translatable("%1 design, %2 samples each, the same for all; errors are of 95 %.")
+                         : translatable("%1 designs, %2 samples each, the same for all; errors are of 95 %."),
             {std::to_string(designs), std::to_string(study.samples)}};
 }
 
@@ -68,10 +64,9 @@ class DesignTable {
   public:
     DesignTable(const DesignReport& report, const std::string& first, const ReadingStyle& style)
         : m_report(report), m_style(style) {
-        std::vector<std::string> titles{first, style.said(translatable("drillwave::Message", "design"))};
+        std::vector<std::string> titles{first, style.said(translatable("design"))};
         for (const DesignAim& aim : report.study.aims) {
-            titles.push_back(style.said(
-                {translatable("drillwave::Message", "%1 nominal"), {std::string(aim.output->name)}}));
+            titles.push_back(style.said({translatable("%1 nominal"), {std::string(aim.output->name)}}));
             titles.push_back(aimWords(aim));
         }
         m_grid.add(titles);
@@ -87,7 +82,7 @@ class DesignTable {
             cells.push_back(aimedWithError(m_report, aim, design, m_style));
         }
         if (m_report.findings.feasibility[design].marginal)
-            cells.push_back(m_style.said(translatable("drillwave::Message", "marginal")));
+            cells.push_back(m_style.said(translatable("marginal")));
         m_grid.add(cells);
     }
 
@@ -102,9 +97,8 @@ class DesignTable {
 std::string bestText(const DesignReport& report, const ReadingStyle& style) {
     const BestDesigns& best = report.findings.best;
     DesignTable table(report, "", style);
-    table.add(style.said(translatable("drillwave::Message", "robust best")), *best.robust);
-    if (best.nominal)
-        table.add(style.said(translatable("drillwave::Message", "nominal best")), *best.nominal);
+    table.add(style.said(translatable("robust best")), *best.robust);
+    if (best.nominal) table.add(style.said(translatable("nominal best")), *best.nominal);
     if (const auto file = presentDesign(report.study); file && report.study.designCount() > 1)
         table.add("FILE", *file);
     return table.text();
@@ -124,15 +118,14 @@ std::string costText(const DesignReport& report, const ReadingStyle& style) {
         return (difference > 0 ? "+" : "") + outputText(report.study, *aim.output, difference, style, 3);
     };
     return paragraph(style.said(
-        {translatable("drillwave::Message", "%1 in place of %2: %3 %4, where all is as in FILE %5."),
+        {translatable("%1 in place of %2: %3 %4, where all is as in FILE %5."),
          {designName(report.study, *best.robust, style), designName(report.study, *best.nominal, style),
           aimedName(aim), change(brings), change(costs)}}));
 }
 
 std::string paretoText(const DesignReport& report, const ReadingStyle& style) {
     if (report.study.aims.size() < 2 || report.study.designCount() < 2) return {};
-    DesignTable table(report, style.said(translatable("drillwave::Message", "none is better in all aims")),
-                      style);
+    DesignTable table(report, style.said(translatable("none is better in all aims")), style);
     constexpr std::size_t enough = 12;
     std::size_t told = 0, all = 0;
     for (std::size_t d = 0; d < report.findings.designs.size(); ++d) {
@@ -142,9 +135,8 @@ std::string paretoText(const DesignReport& report, const ReadingStyle& style) {
     }
     std::string text = "\n" + table.text();
     if (all > enough)
-        text +=
-            paragraph(style.said({translatable("drillwave::Message", "and %1 more: -o DIR writes them all."),
-                                  {std::to_string(all - enough)}}));
+        text += paragraph(style.said(
+            {translatable("and %1 more: -o DIR writes them all."), {std::to_string(all - enough)}}));
     return text;
 }
 
@@ -163,22 +155,20 @@ void addOutput(const DesignReport& report, std::size_t o, const ReadingStyle& st
     const OutputSensitivity& output = report.findings.sensitivity.outputs[o];
     const std::string name(report.findings.aimed[o]->name);
     if (output.isConstant) {
-        grid.add({name, style.said(translatable("drillwave::Message", "constant"))});
+        grid.add({name, style.said(translatable("constant"))});
         return;
     }
     double alone = 0;
     for (std::size_t i = 0; i < output.indices.size(); ++i) {
-        const std::string key = i < study.uncertain.size()
-                                    ? std::string(study.uncertain[i].parameter->key)
-                                    : style.said(translatable("drillwave::Message", "draws"));
+        const std::string key = i < study.uncertain.size() ? std::string(study.uncertain[i].parameter->key)
+                                                           : style.said(translatable("draws"));
         const SobolIndex& index = output.indices[i];
         alone += index.first.value;
         grid.add({i == 0 ? name : "", key, bar(index),
                   style.number(index.total.value, 3) + " +- " + style.number(index.total.error, 1)});
     }
     constexpr double nearlyAll = 0.9;
-    if (alone < nearlyAll)
-        grid.add({"", style.said(translatable("drillwave::Message", "acts in combination"))});
+    if (alone < nearlyAll) grid.add({"", style.said(translatable("acts in combination"))});
 }
 
 std::string sensitivityText(const DesignReport& report, const ReadingStyle& style) {
@@ -187,8 +177,7 @@ std::string sensitivityText(const DesignReport& report, const ReadingStyle& styl
     for (std::size_t o = 0; o < report.findings.sensitivity.outputs.size(); ++o)
         addOutput(report, o, style, grid);
     return "\n" +
-           style.said(translatable("drillwave::Message",
-                                   "What is worth measuring: share of the scatter, # alone, - with others")) +
+           style.said(translatable("What is worth measuring: share of the scatter, # alone, - with others")) +
            "\n" + grid.text();
 }
 
@@ -200,8 +189,8 @@ std::string placeText(const DesignStudy& study, const std::vector<double>& at, c
             const Parameter& parameter = *study.uncertain[i].parameter;
             text += std::string(parameter.key) + " " + style.quantity(at[i], parameter.quantity, 4);
         } else {
-            text += style.said({translatable("drillwave::Message", "row %1 of the draws"),
-                                {std::to_string(static_cast<std::size_t>(at[i]) + 1)}});
+            text += style.said(
+                {translatable("row %1 of the draws"), {std::to_string(static_cast<std::size_t>(at[i]) + 1)}});
         }
     }
     return text;
@@ -211,11 +200,9 @@ Message worstMessage(const DesignReport& report, std::size_t a, const ReadingSty
     const WorstCase& worst = *report.findings.worst[a];
     const DesignAim& aim = report.study.aims[a];
     return {aim.sense == Sense::largest
-                ? translatable("drillwave::Message",
-                               "Least %1 of the robust best found in the ranges: %2 at %3 (samples alone: "
+                ? translatable("Least %1 of the robust best found in the ranges: %2 at %3 (samples alone: "
                                "%4; %5 searches, %6 of them ended here).")
-                : translatable("drillwave::Message",
-                               "Largest %1 of the robust best found in the ranges: %2 at %3 (samples alone: "
+                : translatable("Largest %1 of the robust best found in the ranges: %2 at %3 (samples alone: "
                                "%4; %5 searches, %6 of them ended here)."),
             {std::string(aim.output->name), outputText(report.study, *aim.output, worst.value, style),
              placeText(report.study, worst.at, style),

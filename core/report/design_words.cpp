@@ -23,17 +23,13 @@ void addUnsolved(const DesignReport& report, std::vector<DesignRemark>& remarks)
         if (reason.isEmpty()) reason = design.reason;
     }
     if (unsolved == 0) return;
-    Message text{
-        unsolved == 1
-            ? translatable("drillwave::Message", "%1 sample could not be solved and are left out: %2.")
-            : translatable("drillwave::Message", "%1 samples could not be solved and are left out: %2."),
-        {std::to_string(unsolved), reason}};
+    Message text{unsolved == 1 ? translatable("%1 sample could not be solved and are left out: %2.")
+                               : translatable("%1 samples could not be solved and are left out: %2."),
+                 {std::to_string(unsolved), reason}};
     if (without > 0) {
         const Message more{without == 1
-                               ? translatable("drillwave::Message",
-                                              "%1 design with more than 0.1 % of them have no statistics.")
-                               : translatable("drillwave::Message",
-                                              "%1 designs with more than 0.1 % of them have no statistics."),
+                               ? translatable("%1 design with more than 0.1 % of them have no statistics.")
+                               : translatable("%1 designs with more than 0.1 % of them have no statistics."),
                            {std::to_string(without)}};
         text = {"%1 %2", {text, more}};
     }
@@ -48,8 +44,7 @@ void addUncertain(const DesignReport& report, const ReadingStyle& style, std::ve
         remarks.push_back(
             {false,
              "points_uncertain",
-             {translatable("drillwave::Message",
-                           "Up to %1 % of the samples of a design have an error of their own that is larger "
+             {translatable("Up to %1 % of the samples of a design have an error of their own that is larger "
                            "than that of the statistics: blows that chatter."),
               {style.number(share * 100, 2)}}});
 }
@@ -60,11 +55,9 @@ Message bestNames(const DesignReport& report, const ReadingStyle& style) {
     constexpr std::size_t enough = 6;
     Message names = designName(report.study, *best.robust, style);
     for (std::size_t i = 0; i < best.ties.size() && i < enough; ++i)
-        names = {translatable("drillwave::Message", "%1 or %2"),
-                 {names, designName(report.study, best.ties[i], style)}};
+        names = {translatable("%1 or %2"), {names, designName(report.study, best.ties[i], style)}};
     if (best.ties.size() > enough)
-        names = {translatable("drillwave::Message", "%1 or %2 others"),
-                 {names, std::to_string(best.ties.size() - enough)}};
+        names = {translatable("%1 or %2 others"), {names, std::to_string(best.ties.size() - enough)}};
     return names;
 }
 
@@ -73,11 +66,10 @@ void addTies(const DesignReport& report, const ReadingStyle& style, std::vector<
     if (best.ties.empty()) return;
     const Message names = bestNames(report, style);
     if (!best.nextBest) {
-        remarks.push_back({false,
-                           "flat_optimum",
-                           {translatable("drillwave::Message",
-                                         "The samples do not tell the best designs apart: take any of %1."),
-                            {names}}});
+        remarks.push_back(
+            {false,
+             "flat_optimum",
+             {translatable("The samples do not tell the best designs apart: take any of %1."), {names}}});
         return;
     }
     const DesignAim& next = report.study.aims[1];
@@ -85,11 +77,9 @@ void addTies(const DesignReport& report, const ReadingStyle& style, std::vector<
         {false,
          "flat_optimum",
          {next.sense == Sense::largest
-              ? translatable("drillwave::Message",
-                             "The samples do not tell the best designs apart: take any of %1; of them %2 "
+              ? translatable("The samples do not tell the best designs apart: take any of %1; of them %2 "
                              "has the largest %3, %4.")
-              : translatable("drillwave::Message",
-                             "The samples do not tell the best designs apart: take any of %1; of them %2 "
+              : translatable("The samples do not tell the best designs apart: take any of %1; of them %2 "
                              "has the least %3, %4."),
           {names, designName(report.study, *best.nextBest, style), aimedName(next),
            outputText(report.study, *next.output, aimedValue(report, next, *best.nextBest).value, style)}}});
@@ -128,10 +118,8 @@ void addEdges(const DesignReport& report, std::vector<DesignRemark>& remarks) {
         remarks.push_back(
             {false,
              "optimum_at_edge",
-             {value == most ? translatable("drillwave::Message",
-                                           "The robust best is at the upper end of %1: widen the choice.")
-                            : translatable("drillwave::Message",
-                                           "The robust best is at the lower end of %1: widen the choice."),
+             {value == most ? translatable("The robust best is at the upper end of %1: widen the choice.")
+                            : translatable("The robust best is at the lower end of %1: widen the choice."),
               {std::string(axis.key())}}});
     }
 }
@@ -148,16 +136,14 @@ void addEnergy(const DesignReport& report, const ReadingStyle& style, std::vecto
     if (choosesHammers(report.study)) {
         remarks.push_back({false,
                            "energy_varies",
-                           {translatable("drillwave::Message",
-                                         "The energy of the blow differs by up to %1 % between the designs: "
+                           {translatable("The energy of the blow differs by up to %1 % between the designs: "
                                          "hammers of different power are compared."),
                             {style.number(report.findings.energySpread * 100, 3)}}});
         return;
     }
     remarks.push_back({true,
                        "energy_varies",
-                       {translatable("drillwave::Message",
-                                     "The choices change the energy of the blow by up to %1 %: machines of "
+                       {translatable("The choices change the energy of the blow by up to %1 %: machines of "
                                      "different power are compared; --keep-energy keeps it."),
                         {style.number(report.findings.energySpread * 100, 3)}}});
 }
@@ -176,8 +162,7 @@ void addGamma(const DesignReport& report, std::vector<DesignRemark>& remarks) {
                 continue;
             remarks.push_back(
                 {false, "gamma_dominates",
-                 translatable("drillwave::Message",
-                              "The scatter of the efficiency is nearly all that of gamma; loading_work "
+                 translatable("The scatter of the efficiency is nearly all that of gamma; loading_work "
                               "shows what wave and machine can do: --aim max:loading_work@q05.")});
         }
     }
@@ -188,14 +173,14 @@ Message othersMessage(const DesignReport& report, const ReadingStyle& style) {
     const DesignStudy& study = report.study;
     const std::size_t count = report.findings.designs.size();
     if (study.choices.size() != 1 || !study.choices.front().parameter)
-        return {translatable("drillwave::Message", "none of %1 designs"), {std::to_string(count)}};
+        return {translatable("none of %1 designs"), {std::to_string(count)}};
     const SweepAxis& axis = study.choices.front();
     std::size_t least = 0, most = 0;
     for (std::size_t d = 1; d < count; ++d) {
         if (axis.value(d) < axis.value(least)) least = d;
         if (axis.value(d) > axis.value(most)) most = d;
     }
-    return {translatable("drillwave::Message", "nothing from %1 to %2"),
+    return {translatable("nothing from %1 to %2"),
             {designName(study, least, style), designName(study, most, style)}};
 }
 
@@ -218,10 +203,9 @@ Message noDifferenceMessage(const DesignReport& report, const ReadingStyle& styl
         apart = std::max({apart, std::abs(value.value - chosen.value),
                           aim.statistic.hasError() ? errorOfDifference(value, chosen) : 0.0});
     }
-    return {translatable("drillwave::Message",
-                         "%1 makes no difference: %2 is %3, within %4, for all %5 designs."),
+    return {translatable("%1 makes no difference: %2 is %3, within %4, for all %5 designs."),
             {report.study.choices.size() == 1 ? Message(std::string(report.study.choices.front().key()))
-                                              : Message(translatable("drillwave::Message", "The choice")),
+                                              : Message(translatable("The choice")),
              aimedName(aim), outputText(report.study, *aim.output, chosen.value, style),
              outputText(report.study, *aim.output, apart, style, 1),
              std::to_string(report.findings.designs.size())}};
@@ -235,22 +219,21 @@ Message answerMessage(const DesignReport& report, const ReadingStyle& style) {
     const std::optional<std::size_t> present = presentDesign(report.study);
     const DesignAim& first = report.study.aims.front();
     if (*headline == DesignHeadline::keep)
-        return {translatable("drillwave::Message", "Keep %1: %2 is better in %3 (%4)."),
+        return {translatable("Keep %1: %2 is better in %3 (%4)."),
                 {designName(report.study, *present, style), othersMessage(report, style), aimedName(first),
                  aimedWithError(report, first, *present, style)}};
     const std::size_t chosen = *report.findings.best.chosen;
     const std::string name = designName(report.study, chosen, style);
     if (!present || std::isnan(aimedValue(report, first, *present).value))
-        return {translatable("drillwave::Message", "Take %1: %2 is %3."),
+        return {translatable("Take %1: %2 is %3."),
                 {name, aimedName(first), aimedWithError(report, first, chosen, style)}};
     if (!report.findings.feasibility[*present].feasible)
-        return {translatable("drillwave::Message",
-                             "Change from %1 to %2: %3 is %4. The present design does not meet all limits."),
+        return {translatable("Change from %1 to %2: %3 is %4. The present design does not meet all limits."),
                 {designName(report.study, *present, style), name, aimedName(first),
                  aimedWithError(report, first, chosen, style)}};
     const DesignAim& deciding = decidingAim(report, *present);
     return {
-        translatable("drillwave::Message", "Change from %1 to %2: %3 becomes %4 instead of %5."),
+        translatable("Change from %1 to %2: %3 becomes %4 instead of %5."),
         {designName(report.study, *present, style), name, aimedName(deciding),
          aimedWithError(report, deciding, chosen, style), aimedWithError(report, deciding, *present, style)}};
 }
@@ -262,12 +245,12 @@ Message withAlerts(const DesignReport& report, Message answer, const ReadingStyl
     Message text = alertMessage(alerts.front(), style);
     Message warning =
         report.study.choices.empty()
-            ? Message(translatable("drillwave::Message", "Warning: %1"), {std::move(text)})
-            : Message(translatable("drillwave::Message", "Warning for %1: %2"),
+            ? Message(translatable("Warning: %1"), {std::move(text)})
+            : Message(translatable("Warning for %1: %2"),
                       {designName(report.study, *report.findings.recommended, style), std::move(text)});
     if (alerts.size() > 1)
-        warning = {alerts.size() == 2 ? translatable("drillwave::Message", "%1 There is %2 more warning.")
-                                      : translatable("drillwave::Message", "%1 There are %2 more warnings."),
+        warning = {alerts.size() == 2 ? translatable("%1 There is %2 more warning.")
+                                      : translatable("%1 There are %2 more warnings."),
                    {std::move(warning), std::to_string(alerts.size() - 1)}};
     return answer.isEmpty() ? warning : Message("%1 %2", {std::move(answer), std::move(warning)});
 }
@@ -390,9 +373,9 @@ std::vector<Message> nearestToLimits(const DesignStudy& study, const DesignFindi
         const std::string option = std::string(limit.atMost ? "--at-most " : "--at-least ") + limit.name() +
                                    "=" + outputText(study, *limit.output, limit.bound);  // as it is typed
         if (std::isnan(best))
-            lines.push_back(about(option, translatable("drillwave::Message", "no design has it")));
+            lines.push_back(about(option, translatable("no design has it")));
         else
-            lines.push_back(about(option, {translatable("drillwave::Message", "the nearest is %1 of %2"),
+            lines.push_back(about(option, {translatable("the nearest is %1 of %2"),
                                            {outputText(study, *limit.output, best, style),
                                             designName(study, nearest, style)}}));
     }

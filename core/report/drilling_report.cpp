@@ -132,25 +132,21 @@ double withoutRounding(double spread) {
 Message regimeWords(const DrillingResult& result, const ReadingStyle& style) {
     const DrillingStatistics& statistics = *result.statistics;
     const auto motion = [&]() -> Message {
-        if (statistics.regime == DrillingRegime::rest)
-            return translatable("drillwave::Message", "at rest before every blow");
+        if (statistics.regime == DrillingRegime::rest) return translatable("at rest before every blow");
         if (statistics.regime != DrillingRegime::period)
-            return translatable("drillwave::Message", "irregular: single blows are no result");
-        if (statistics.period == 1) return translatable("drillwave::Message", "repeats every blow");
-        return {translatable("drillwave::Message", "repeats every %1 blows"),
-                {std::to_string(statistics.period)}};
+            return translatable("irregular: single blows are no result");
+        if (statistics.period == 1) return translatable("repeats every blow");
+        return {translatable("repeats every %1 blows"), {std::to_string(statistics.period)}};
     };
     if (!result.lyapunov) return motion();
     const double error = result.lyapunov->error.value_or(0);
     const bool isUnstable = statistics.regime != DrillingRegime::irregular && result.lyapunov->value > error;
     const Message regime =
-        isUnstable
-            ? Message{translatable("drillwave::Message", "%1, but a small disturbance grows"), {motion()}}
-            : motion();
+        isUnstable ? Message{translatable("%1, but a small disturbance grows"), {motion()}} : motion();
     const std::string exponent = style.number(result.lyapunov->value, 3);
     if (!result.lyapunov->error)
-        return {translatable("drillwave::Message", "%1; Lyapunov exponent %2 per blow"), {regime, exponent}};
-    return {translatable("drillwave::Message", "%1; Lyapunov exponent %2 +- %3 per blow"),
+        return {translatable("%1; Lyapunov exponent %2 per blow"), {regime, exponent}};
+    return {translatable("%1; Lyapunov exponent %2 +- %3 per blow"),
             {regime, exponent, style.number(*result.lyapunov->error, 2)}};
 }
 

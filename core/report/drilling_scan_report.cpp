@@ -42,24 +42,20 @@ constexpr int scanDigits = 4;  ///< of the values of the parameter
 
 /// In files, and for people in their language.
 const char* nameOf(DrillingStart start) {
-    return start == DrillingStart::rest ? translatable("drillwave::Message", "rest")
-                                        : translatable("drillwave::Message", "bouncing");
+    return start == DrillingStart::rest ? translatable("rest") : translatable("bouncing");
 }
 
 Message motionWord(const DrillingStatistics& statistics) {
-    if (statistics.period > 0)
-        return {translatable("drillwave::Message", "period %1"), {std::to_string(statistics.period)}};
-    return translatable("drillwave::Message", "irregular");
+    if (statistics.period > 0) return {translatable("period %1"), {std::to_string(statistics.period)}};
+    return translatable("irregular");
 }
 
 std::string scanTable(const DrillingScan& scan, OutputUnits units, const ReadingStyle& style) {
     TextGrid grid;
     const auto title = [&](const char* english) { return style.said(english); };
-    grid.add({std::string(scan.axis.key()), title(translatable("drillwave::Message", "start")), "phi",
-              title(translatable("drillwave::Message", "gap")), "5 %", "95 %",
-              title(translatable("drillwave::Message", "penetration")), "+-",
-              title(translatable("drillwave::Message", "contact")),
-              title(translatable("drillwave::Message", "motion"))});
+    grid.add({std::string(scan.axis.key()), title(translatable("start")), "phi", title(translatable("gap")),
+              "5 %", "95 %", title(translatable("penetration")), "+-", title(translatable("contact")),
+              title(translatable("motion"))});
     for (const DrillingScanPoint& point : scan.points) {
         const DrillingResult& result = point.result;
         std::vector<std::string> cells{valueText(scan.axis, point.value, scanDigits, style),
@@ -98,9 +94,8 @@ std::optional<Sequence> sequenceAtBase(const DrillingScan& scan) {
 
 Message blowsAtEachValue(const DrillingScan& scan, const ReadingStyle& style) {
     const std::string blows = std::to_string(scan.settings.blows - scan.settings.settle);
-    if (isOfDamper(scan.axis)) return {translatable("drillwave::Message", "%1 blows at each value"), {blows}};
-    return {translatable("drillwave::Message", "with %1, %2 blows at each value"),
-            {feedModelWords(scan.base, style), blows}};
+    if (isOfDamper(scan.axis)) return {translatable("%1 blows at each value"), {blows}};
+    return {translatable("with %1, %2 blows at each value"), {feedModelWords(scan.base, style), blows}};
 }
 
 }  // namespace
@@ -159,7 +154,6 @@ std::string drillingScanText(const DrillingScanReport& report, OutputUnits units
     for (const Message& sentence : scanSentences(scan, present, style))
         text += paragraph(style.said(sentence));
     return text + paragraph(style.said(translatable(
-                      "drillwave::Message",
                       "+- contains the scatter of the blows and three times what half or twice the cells "
                       "change. Penetrations are upper limits: all rock under the bit gives way and cuttings "
                       "vanish.")));

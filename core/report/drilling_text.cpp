@@ -17,11 +17,11 @@ namespace {
 /// Contacts of a blow are told to a hundredth.
 constexpr int statisticDigits = 5;
 
-constexpr const char* rateLabel = translatable("drillwave::Message", "penetration rate");
-constexpr const char* shareLabel = translatable("drillwave::Message", "contact share");
-constexpr const char* motionLabel = translatable("drillwave::Message", "motion");
-constexpr const char* energyLabel = translatable("drillwave::Message", "energy");
-constexpr const char* balancesLabel = translatable("drillwave::Message", "balances");
+constexpr const char* rateLabel = translatable("penetration rate");
+constexpr const char* shareLabel = translatable("contact share");
+constexpr const char* motionLabel = translatable("motion");
+constexpr const char* energyLabel = translatable("energy");
+constexpr const char* balancesLabel = translatable("balances");
 
 /// A line of one of these labels, what is behind them in one column.
 std::string labelled(const char* label, const Message& text, const ReadingStyle& style) {
@@ -37,13 +37,13 @@ std::string percent(double share, int digits, const ReadingStyle& style) {
 
 std::string statisticsTable(const DrillingResult& result, OutputUnits units, const ReadingStyle& style) {
     const auto titles = [&]() -> std::vector<std::string> {
-        return {style.said({translatable("drillwave::Message", "%1 blows"),
+        return {style.said({translatable("%1 blows"),
                             {std::to_string(result.settings.blows - result.settings.settle)}}),
-                style.said(translatable("drillwave::Message", "mean")),
+                style.said(translatable("mean")),
                 "+-",
-                style.said(translatable("drillwave::Message", "deviation")),
+                style.said(translatable("deviation")),
                 "5 %",
-                style.said(translatable("drillwave::Message", "median")),
+                style.said(translatable("median")),
                 "95 %"};
     };
     TextGrid grid;
@@ -79,14 +79,13 @@ std::string motionLines(const DrillingResult& result, OutputUnits units, const R
     const double rate = result.spread(quantityPlace(&DrillingBlow::penetration)).mean *
                         result.units.length() * result.frequencyUsed;
     return labelled(rateLabel,
-                    {translatable("drillwave::Message",
-                                  "up to %1: an upper limit, all rock under the bit gives way and "
+                    {translatable("up to %1: an upper limit, all rock under the bit gives way and "
                                   "cuttings vanish"),
                      {style.rate(rate, 4)}},
                     style) +
            labelled(
                shareLabel,
-               {translatable("drillwave::Message", "%1 of the blows begin within %2 of the rock"),
+               {translatable("%1 of the blows begin within %2 of the rock"),
                 {percent(result.statistics->contactShare, 4, style), contactLimitText(result, units, style)}},
                style) +
            labelled(motionLabel, regimeWords(result, style), style);
@@ -98,12 +97,11 @@ std::string balanceLines(const DrillingResult& result, const ReadingStyle& style
         return percent(std::round(1000 * part / (ledger.hammer + ledger.feed)) / 1000, 3, style);
     };
     return labelled(energyLabel,
-                    {translatable("drillwave::Message",
-                                  "rock %1, damper %2, waves %3, new faces %4 of what hammer and feed bring"),
+                    {translatable("rock %1, damper %2, waves %3, new faces %4 of what hammer and feed bring"),
                      {share(ledger.rock), share(ledger.damper), share(ledger.waves), share(ledger.faces)}},
                     style) +
            labelled(balancesLabel,
-                    {translatable("drillwave::Message", "momentum to %1, energy to %2"),
+                    {translatable("momentum to %1, energy to %2"),
                      {style.bound(std::abs(result.momentumResidual)),
                       style.bound(std::abs(result.energyResidual))}},
                     style);
@@ -117,8 +115,7 @@ std::string drillingText(const DrillingReport& report, OutputUnits units, const 
     text += "\n";
     for (const Message& sentence : drillingSentences(report, style)) text += paragraph(style.said(sentence));
     text += "\n  " +
-            style.said({translatable("drillwave::Message",
-                                     "phi = %1 (thrust over mean reaction), n_b = %2 round trips per blow"),
+            style.said({translatable("phi = %1 (thrust over mean reaction), n_b = %2 round trips per blow"),
                         {style.number(result.groups.phi, 4), style.number(result.groups.roundTrips, 4)}}) +
             "\n";
     if (result.statistics)

@@ -35,35 +35,30 @@ class EstimateMessage {
         const ThrustNeed& largest = m_estimate.largest();
         switch (*state) {
             case FeedState::notApplicable:
-                return translatable("drillwave::Message",
-                                    "The single-blow estimate does not apply: the waves of a blow are still "
-                                    "in the string when the next one comes.");
+                return translatable(
+                    "The single-blow estimate does not apply: the waves of a blow are still "
+                    "in the string when the next one comes.");
             case FeedState::pushedBack:
-                return {translatable("drillwave::Message",
-                                     "The feed of %1 is less than the mean force of the blows, %2: the "
+                return {translatable("The feed of %1 is less than the mean force of the blows, %2: the "
                                      "machine is pushed back."),
                         {installed(m_estimate.balance), required(m_estimate.balance)}};
             case FeedState::belowRequired:
-                return {translatable("drillwave::Message",
-                                     "%1 is below the %2 that this blow requires: penetration will probably "
+                return {translatable("%1 is below the %2 that this blow requires: penetration will probably "
                                      "be lost."),
                         {installed(ofThisBlow), required(ofThisBlow)}};
             case FeedState::requiredAtThisGap:
                 return thisGapOnly(ofThisBlow, largest.thrust);
             case FeedState::requiredMet:
                 return {m_estimate.isOfAllGaps()
-                            ? translatable("drillwave::Message", "%1 covers every single blow (%2 required).")
-                            : translatable("drillwave::Message",
-                                           "%1 covers this blow and rigid rock (%2 required); gaps were not "
+                            ? translatable("%1 covers every single blow (%2 required).")
+                            : translatable("%1 covers this blow and rigid rock (%2 required); gaps were not "
                                            "examined."),
                         {installed(largest.thrust), required(largest.thrust)}};
             case FeedState::returnMet:
                 return {m_estimate.isOfAllGaps()
-                            ? translatable("drillwave::Message",
-                                           "%1 covers every single blow, with return in time at every gap "
+                            ? translatable("%1 covers every single blow, with return in time at every gap "
                                            "(%2).")
-                            : translatable("drillwave::Message",
-                                           "%1 covers this blow and rigid rock, with return in time (%2); "
+                            : translatable("%1 covers this blow and rigid rock, with return in time (%2); "
                                            "gaps were not examined."),
                         {installed(largest.thrustUndamped), required(largest.thrustUndamped)}};
         }
@@ -76,10 +71,8 @@ class EstimateMessage {
         const int digits = digitsApart(m_estimate.frequency, limit);
         const std::string present = frequency(m_estimate.frequency, std::max(usualDigits, digits));
         if (!(limit > 0))
-            return {translatable("drillwave::Message", "This blow is covered by at least %1 at %2."),
-                    {least(needed), present}};
-        return {translatable("drillwave::Message",
-                             "This blow is covered by at least %1 at %2, or at most %3 with this feed."),
+            return {translatable("This blow is covered by at least %1 at %2."), {least(needed), present}};
+        return {translatable("This blow is covered by at least %1 at %2, or at most %3 with this feed."),
                 {least(needed), present, frequency(limit, digits, Rounding::down)}};
     }
 
@@ -99,7 +92,7 @@ class EstimateMessage {
         const int digits = std::max(usualDigits, digitsFor(needed));
         const std::string thrust = force(feed.thrust, digits);
         if (!feed.weight) return thrust;
-        return {translatable("drillwave::Message", "%1 (%2 with the weight along the hole)"),
+        return {translatable("%1 (%2 with the weight along the hole)"),
                 {thrust, force(feed.effective(), digits)}};
     }
 
@@ -116,13 +109,10 @@ class EstimateMessage {
 
     Message thisGapOnly(double ofThisBlow, double largest) const {
         const bool isByGap = m_estimate.largestCase() != ThrustCase::rigidRock;
-        return {isByGap ? translatable("drillwave::Message",
-                                       "%1 covers this blow (%2 required), but not every gap (up to %3).")
+        return {isByGap ? translatable("%1 covers this blow (%2 required), but not every gap (up to %3).")
                 : m_estimate.isOfAllGaps()
-                    ? translatable("drillwave::Message",
-                                   "%1 covers this blow (%2 required), but not rigid rock (%3).")
-                    : translatable("drillwave::Message",
-                                   "%1 covers this blow (%2 required), but not rigid rock (%3); gaps were "
+                    ? translatable("%1 covers this blow (%2 required), but not rigid rock (%3).")
+                    : translatable("%1 covers this blow (%2 required), but not rigid rock (%3); gaps were "
                                    "not examined."),
                 {installed(largest), required(ofThisBlow), required(largest)}};
     }
@@ -132,20 +122,16 @@ class EstimateMessage {
         const double largest = m_estimate.largest().thrust;
         const std::string present = frequency(m_estimate.frequency, usualDigits);
         if (m_estimate.thrustFor(largest) == 0)
-            return {translatable("drillwave::Message",
-                                 "No feed force is given: at %1 the weight along the hole alone covers this "
+            return {translatable("No feed force is given: at %1 the weight along the hole alone covers this "
                                  "blow and rigid rock."),
                     {present}};
         if (largest <= needed)
-            return {translatable("drillwave::Message",
-                                 "No feed force is given: this blow requires at least %1 at %2."),
+            return {translatable("No feed force is given: this blow requires at least %1 at %2."),
                     {least(needed), present}};
         return {m_estimate.isOfAllGaps()
-                    ? translatable("drillwave::Message",
-                                   "No feed force is given: this blow requires at least %1 at %2, every "
+                    ? translatable("No feed force is given: this blow requires at least %1 at %2, every "
                                    "single blow at least %3.")
-                    : translatable("drillwave::Message",
-                                   "No feed force is given: this blow requires at least %1 at %2, rigid "
+                    : translatable("No feed force is given: this blow requires at least %1 at %2, rigid "
                                    "rock at least %3."),
                 {least(needed), present, least(largest)}};
     }
@@ -170,22 +156,20 @@ Message requiredFeedMessage(const Scenario& scenario, const std::optional<FeedEs
                             const ReadingStyle& style) {
     if (estimate) return EstimateMessage(*estimate, style).message();
     if (!hasUnits(scenario))
-        return translatable("drillwave::Message",
-                            "The feed is not judged: the scenario is given by its dimensionless groups, not "
-                            "in physical units.");
+        return translatable(
+            "The feed is not judged: the scenario is given by its dimensionless groups, not "
+            "in physical units.");
     return scenario.drill.thrust
-               ? translatable("drillwave::Message", "The feed is not judged: no blow frequency is given.")
-               : translatable("drillwave::Message",
-                              "The feed is not judged: neither blow frequency nor feed force is given.");
+               ? translatable("The feed is not judged: no blow frequency is given.")
+               : translatable("The feed is not judged: neither blow frequency nor feed force is given.");
 }
 
 std::vector<Message> estimateSentences(const Scenario& scenario, const std::optional<FeedEstimate>& estimate,
                                        const ReadingStyle& style) {
     std::vector<Message> sentences{requiredFeedMessage(scenario, estimate, style)};
     if (estimate)
-        sentences.push_back(
-            {translatable("drillwave::Message", "Estimate from single blows; %1 follows consecutive blows."),
-             {drillingWords(style)}});
+        sentences.push_back({translatable("Estimate from single blows; %1 follows consecutive blows."),
+                             {drillingWords(style)}});
     return sentences;
 }
 
@@ -199,34 +183,30 @@ Message feedRemedy(const FeedEstimate& estimate, const ReadingStyle& style) {
 }
 
 Message drillingWords(const ReadingStyle& style) {
-    return style.isPrinted() ? Message(translatable("drillwave::Message", "the page \"Drilling\""))
-                             : Message(translatable("drillwave::Message", "`drill`"));
+    return style.isPrinted() ? Message(translatable("the page \"Drilling\""))
+                             : Message(translatable("`drill`"));
 }
 
 std::string feedForceText(const FeedForce& feed, const ReadingStyle& style) {
     const auto force = [&](double newton) { return style.quantity(newton, Quantity::force, 4); };
-    if (!feed.weight)
-        return style.said(
-            {translatable("drillwave::Message", "installed feed force %1"), {force(feed.thrust)}});
+    if (!feed.weight) return style.said({translatable("installed feed force %1"), {force(feed.thrust)}});
     return style.said(
         {*feed.weight < 0
-             ? translatable("drillwave::Message",
-                            "effective feed force %1 (installed %2, less %3 of weight along the hole)")
-             : translatable("drillwave::Message",
-                            "effective feed force %1 (installed %2, and %3 of weight along the hole)"),
+             ? translatable("effective feed force %1 (installed %2, less %3 of weight along the hole)")
+             : translatable("effective feed force %1 (installed %2, and %3 of weight along the hole)"),
          {force(feed.effective()), force(feed.thrust), force(std::abs(*feed.weight))}});
 }
 
 const char* labelOf(ThrustCase which) {
     switch (which) {
         case ThrustCase::scenario:
-            return translatable("drillwave::Message", "this blow");
+            return translatable("this blow");
         case ThrustCase::gapQuantile:
-            return translatable("drillwave::Message", "95 % of all gaps");
+            return translatable("95 % of all gaps");
         case ThrustCase::rigidRock:
-            return translatable("drillwave::Message", "rigid rock");
+            return translatable("rigid rock");
         case ThrustCase::elasticWorst:
-            return translatable("drillwave::Message", "elastic rock, worst gap");
+            return translatable("elastic rock, worst gap");
     }
     return "";
 }

@@ -36,7 +36,7 @@ Message feedRemedy(const FeedEstimate& estimate, const ReadingStyle& style = pla
 
 /// Stands once beside every statement on more feed.
 inline constexpr const char* feedLimitsOfModel =
-    translatable("drillwave::Message", "Friction, rotation and buckling are not modelled.");
+    translatable("Friction, rotation and buckling are not modelled.");
 
 /// Names what follows dampers and waves from blow to blow, in the middle of a sentence: the command, in print
 /// and in a window its page.

@@ -30,9 +30,8 @@ class GapTable {
             const std::string multiple = m_style.isPrinted() ? printedWords(scale) : scale;
             return m_style.said(output) + (m_dimensional ? "" : multiple);
         };
-        m_grid.add({m_style.said(title), "e", over(translatable("drillwave::Message", "impulse"), "/I0"),
-                    over(translatable("drillwave::Message", "peak force"), "/F0"),
-                    m_style.said(translatable("drillwave::Message", "efficiency"))});
+        m_grid.add({m_style.said(title), "e", over(translatable("impulse"), "/I0"),
+                    over(translatable("peak force"), "/F0"), m_style.said(translatable("efficiency"))});
     }
 
     /// One line of `value(output)`.
@@ -53,15 +52,14 @@ class GapTable {
     void addGaps(const Extreme& extreme) {
         const auto place = [&](GapOutput output) {
             const GapExtreme& found = extreme(output);
-            if (found.kind == GapExtreme::Kind::everywhere)
-                return m_style.said(translatable("drillwave::Message", "anywhere"));
+            if (found.kind == GapExtreme::Kind::everywhere) return m_style.said(translatable("anywhere"));
             const std::string gap = this->gap(found.gap.value);
             if (found.kind != GapExtreme::Kind::kink) return gap;
-            return m_style.said({translatable("drillwave::Message", "%1 kink"), {gap}});
+            return m_style.said({translatable("%1 kink"), {gap}});
         };
         const std::string cor = place(GapOutput::cor);
-        m_grid.add({"  " + m_style.said(translatable("drillwave::Message", "at a gap of")), cor, cor,
-                    place(GapOutput::peakForce), place(GapOutput::efficiency)});
+        m_grid.add({"  " + m_style.said(translatable("at a gap of")), cor, cor, place(GapOutput::peakForce),
+                    place(GapOutput::efficiency)});
     }
 
     void addBlankLine() { m_grid.add({""}); }
@@ -75,14 +73,13 @@ class GapTable {
 };
 
 Message quantileLabel(std::size_t i, const ReadingStyle& style) {
-    if (gapQuantiles[i] == 0.5) return translatable("drillwave::Message", "median");
-    return {translatable("drillwave::Message", "%1 % quantile"), {style.number(gapQuantiles[i] * 100, 3)}};
+    if (gapQuantiles[i] == 0.5) return translatable("median");
+    return {translatable("%1 % quantile"), {style.number(gapQuantiles[i] * 100, 3)}};
 }
 
 template <class SpreadOf>
 void addSpread(GapTable& table, const SpreadOf& spread, const ReadingStyle& style) {
-    table.add(translatable("drillwave::Message", "mean"),
-              [&](GapOutput output) { return spread(output).mean.value; });
+    table.add(translatable("mean"), [&](GapOutput output) { return spread(output).mean.value; });
     for (std::size_t i = 0; i < gapQuantiles.size(); ++i)
         table.add(quantileLabel(i, style),
                   [&](GapOutput output) { return spread(output).quantiles[i].value; });
@@ -90,18 +87,18 @@ void addSpread(GapTable& table, const SpreadOf& spread, const ReadingStyle& styl
 
 void fill(GapTable& table, const GapReport& report, const ReadingStyle& style) {
     const GapStatistics& statistics = report.statistics;
-    table.addHeading(translatable("drillwave::Message", "all gaps alike"));
-    table.add(translatable("drillwave::Message", "smallest"),
+    table.addHeading(translatable("all gaps alike"));
+    table.add(translatable("smallest"),
               [&](GapOutput output) { return statistics.of(output).least.value.value; });
     table.addGaps([&](GapOutput output) -> const GapExtreme& { return statistics.of(output).least; });
-    table.add(translatable("drillwave::Message", "largest"),
+    table.add(translatable("largest"),
               [&](GapOutput output) { return statistics.of(output).largest.value.value; });
     table.addGaps([&](GapOutput output) -> const GapExtreme& { return statistics.of(output).largest; });
     addSpread(
         table, [&](GapOutput output) -> const GapSpread& { return statistics.of(output).uniform; }, style);
     if (report.normal) {
         table.addBlankLine();
-        table.addHeading({translatable("drillwave::Message", "gap %1 +- %2"),
+        table.addHeading({translatable("gap %1 +- %2"),
                           {table.gap(report.normal->mean), table.gap(report.normal->deviation)}});
         addSpread(
             table, [&](GapOutput output) -> const GapSpread& { return *statistics.of(output).normal; },
@@ -115,15 +112,15 @@ std::string shareOfGaps(double share, const ReadingStyle& style) {
 
 std::string superRebounds(const GapReport& report, const GapTable& table, const ReadingStyle& style) {
     const GapStatistics& statistics = report.statistics;
-    std::string text = style.said({translatable("drillwave::Message", "e > 1 at %1 of all gaps"),
-                                   {shareOfGaps(statistics.shareAboveOne.value, style)}});
+    std::string text = style.said(
+        {translatable("e > 1 at %1 of all gaps"), {shareOfGaps(statistics.shareAboveOne.value, style)}});
     if (report.normal)
-        text += style.said({translatable("drillwave::Message", ", %1 of the scattered ones"),
+        text += style.said({translatable(", %1 of the scattered ones"),
                             {shareOfGaps(statistics.normalShareAboveOne->value, style)}});
     for (const GapCrossing& crossing : statistics.crossings)
         text += (&crossing == &statistics.crossings.front() ? ": " : ", ") +
-                style.said({crossing.rising ? translatable("drillwave::Message", "rises above 1 at %1")
-                                            : translatable("drillwave::Message", "falls below 1 at %1"),
+                style.said({crossing.rising ? translatable("rises above 1 at %1")
+                                            : translatable("falls below 1 at %1"),
                             {table.gap(crossing.gap.value)}});
     return text;
 }
@@ -131,12 +128,12 @@ std::string superRebounds(const GapReport& report, const GapTable& table, const 
 std::string kinks(const GapReport& report, const GapTable& table, const ReadingStyle& style) {
     std::string text;
     for (const GapKink& kink : report.statistics.kinks)
-        text += (text.empty() ? "" : ", ") +
-                style.said({translatable("drillwave::Message", "%1 (slope %2 to %3 per d0)"),
-                            {table.gap(kink.gap), style.number(kink.slopeBefore, 3),
-                             style.number(kink.slopeAfter, 3)}});
+        text +=
+            (text.empty() ? "" : ", ") + style.said({translatable("%1 (slope %2 to %3 per d0)"),
+                                                     {table.gap(kink.gap), style.number(kink.slopeBefore, 3),
+                                                      style.number(kink.slopeAfter, 3)}});
     if (text.empty()) return text;
-    return style.said({translatable("drillwave::Message", "Kinks of e at a gap of %1"), {text}});
+    return style.said({translatable("Kinks of e at a gap of %1"), {text}});
 }
 
 double largestError(const GapStatistics& statistics) {
@@ -168,12 +165,11 @@ std::vector<std::string> gapRemarks(const GapReport& report, const ReadingStyle&
         remarks.push_back(std::move(places));
     if (report.normal)
         remarks.push_back(style.said(
-            translatable("drillwave::Message",
-                         "The scattered gap is a normal distribution cut off at no gap: mean and deviation "
+            translatable("The scattered gap is a normal distribution cut off at no gap: mean and deviation "
                          "are those before the cut.")));
     remarks.push_back(style.said(
-        {report.curve.solves == 1 ? translatable("drillwave::Message", "Errors below %1, from %2 blow")
-                                  : translatable("drillwave::Message", "Errors below %1, from %2 blows"),
+        {report.curve.solves == 1 ? translatable("Errors below %1, from %2 blow")
+                                  : translatable("Errors below %1, from %2 blows"),
          {style.number(largestError(report.statistics), 2), std::to_string(report.curve.solves)}}));
     return remarks;
 }
@@ -182,15 +178,14 @@ std::string gapText(const GapReport& report, const ReadingStyle& style) {
     const auto line = [&](const Message& words) { return "  " + style.said(words) + "\n"; };
     std::string text = headingOf(report.scenario, style);
     if (report.curve.dependsOnGap)
-        text += line(hasUnits(report.scenario)
-                         ? Message(translatable("drillwave::Message", "The gap has a period of d0 = %1."),
-                                   {GapTable(report.scenario, style).gap(1)})
-                         : translatable("drillwave::Message", "The gap has a period of d0."));
+        text += line(hasUnits(report.scenario) ? Message(translatable("The gap has a period of d0 = %1."),
+                                                         {GapTable(report.scenario, style).gap(1)})
+                                               : translatable("The gap has a period of d0."));
     if (const Message remark = report.periodRemark(style); !remark.isEmpty()) text += line(remark);
     text += "\n" + gapGrid(report, style).text() + "\n";
     std::vector<std::string> remarks = gapRemarks(report, style);
-    remarks.back() = style.said({translatable("drillwave::Message", "%1 in %2."),
-                                 {remarks.back(), style.quantity(report.runTime, Quantity::time, 3)}});
+    remarks.back() = style.said(
+        {translatable("%1 in %2."), {remarks.back(), style.quantity(report.runTime, Quantity::time, 3)}});
     for (const std::string& remark : remarks) text += "  " + remark + "\n";
     return text;
 }

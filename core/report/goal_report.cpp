@@ -22,16 +22,15 @@ const char* what(const GoalPlace& place) {
     switch (place.kind) {
         case GoalKind::crossing:
         case GoalKind::between:
-            return place.rising ? translatable("drillwave::Message", "rises through it")
-                                : translatable("drillwave::Message", "falls through it");
+            return place.rising ? translatable("rises through it") : translatable("falls through it");
         case GoalKind::touch:
-            return translatable("drillwave::Message", "turns round at it");
+            return translatable("turns round at it");
         case GoalKind::end:
-            return translatable("drillwave::Message", "is there at an end");
+            return translatable("is there at an end");
         case GoalKind::everywhere:
-            return translatable("drillwave::Message", "is it everywhere");
+            return translatable("is it everywhere");
         case GoalKind::jump:
-            return translatable("drillwave::Message", "jumps over it");
+            return translatable("jumps over it");
     }
     return "";
 }
@@ -49,9 +48,8 @@ bool isOnlyEnclosed(const GoalPlace& place) {
 
 Message remarkMessage(const GoalPlace& place, const ReadingStyle& style) {
     if (!isOnlyEnclosed(place)) return {};
-    return {place.kind == GoalKind::between
-                ? translatable("drillwave::Message", "between points, from %1 to %2")
-                : translatable("drillwave::Message", "from %1 to %2"),
+    return {place.kind == GoalKind::between ? translatable("between points, from %1 to %2")
+                                            : translatable("from %1 to %2"),
             {style.number(place.value.value, goalDigits), style.number(place.valueAfter, goalDigits)}};
 }
 
@@ -74,16 +72,14 @@ std::string placesText(const CurveQuestion& question, const GoalAnswer& answer, 
 /// Where others may be.
 const char* whereUnknown(const CurveLine& line) {
     const CurveOutput& output = line.outputs.front();
-    if (output.unsolved.empty())
-        return translatable("drillwave::Message", "where it is known by points alone");
-    return output.grid.empty()
-               ? translatable("drillwave::Message", "where it has no answer")
-               : translatable("drillwave::Message", "where it is known by points alone or has no answer");
+    if (output.unsolved.empty()) return translatable("where it is known by points alone");
+    return output.grid.empty() ? translatable("where it has no answer")
+                               : translatable("where it is known by points alone or has no answer");
 }
 
 Message rangeMessage(const CurveQuestion& question, const ReadingStyle& style) {
     const CurveRange range = question.range();
-    return {translatable("drillwave::Message", "%1 from %2 to %3"),
+    return {translatable("%1 from %2 to %3"),
             {std::string(question.along.key()), valueText(question.along, range.start, valueDigits, style),
              valueText(question.along, range.stop, valueDigits, style)}};
 }
@@ -92,8 +88,8 @@ Message rangeMessage(const CurveQuestion& question, const ReadingStyle& style) {
 Message noneMessage(const CurveQuestion& question, const GoalAnswer& answer, const ReadingStyle& style) {
     const Message range = rangeMessage(question, style);
     const std::string goal = goalTitle(question, style);
-    if (answer.places.empty()) return {translatable("drillwave::Message", "no %1 gives %2"), {range, goal}};
-    return {translatable("drillwave::Message", "no %1 gives %2, which it jumps over at %3"),
+    if (answer.places.empty()) return {translatable("no %1 gives %2"), {range, goal}};
+    return {translatable("no %1 gives %2, which it jumps over at %3"),
             {range, goal, valueText(question.along, answer.places.front().x.value, goalDigits, style)}};
 }
 
@@ -101,13 +97,11 @@ Message noneMessage(const CurveQuestion& question, const GoalAnswer& answer, con
 Message missMessage(const CurveQuestion& question, const CurveLine& line, const ReadingStyle& style) {
     const GoalAnswer& answer = *line.goal;
     const Message none = noneMessage(question, answer, style);
-    if (!answer.nearest)
-        return {translatable("drillwave::Message", "%1: there is no answer anywhere"), {none}};
+    if (!answer.nearest) return {translatable("%1: there is no answer anywhere"), {none}};
     const std::string value = goalValue(question, answer.nearest->value.value, style);
     const std::string at = valueText(question.along, answer.nearest->x.value, goalDigits, style);
-    if (answer.isComplete)
-        return {translatable("drillwave::Message", "%1: the nearest is %2, at %3"), {none, value, at}};
-    return {translatable("drillwave::Message", "%1: the nearest is %2, at %3; there may be one %4"),
+    if (answer.isComplete) return {translatable("%1: the nearest is %2, at %3"), {none, value, at}};
+    return {translatable("%1: the nearest is %2, at %3; there may be one %4"),
             {none, value, at, whereUnknown(line)}};
 }
 
@@ -121,15 +115,14 @@ std::string goalTitle(const CurveQuestion& question, const ReadingStyle& style) 
 std::string goalText(const CurveQuestion& question, const CurveLine& line, const ReadingStyle& style) {
     const auto lineOf = [&](const Message& words) { return "  " + style.said(words) + "\n"; };
     const GoalAnswer& answer = *line.goal;
-    std::string text = lineOf({translatable("drillwave::Message", "Goal: %1"), {goalTitle(question, style)}});
+    std::string text = lineOf({translatable("Goal: %1"), {goalTitle(question, style)}});
     if (!answer.places.empty()) text += placesText(question, answer, style);
     if (!answer.isReached())
-        return text + paragraph(style.said({translatable("drillwave::Message", "None: %1."),
-                                            {missMessage(question, line, style)}}));
-    if (!answer.isComplete)
         return text +
-               lineOf({translatable("drillwave::Message", "There may be others %1."), {whereUnknown(line)}});
-    return text + lineOf({translatable("drillwave::Message", "There are no others from %1 to %2."),
+               paragraph(style.said({translatable("None: %1."), {missMessage(question, line, style)}}));
+    if (!answer.isComplete)
+        return text + lineOf({translatable("There may be others %1."), {whereUnknown(line)}});
+    return text + lineOf({translatable("There are no others from %1 to %2."),
                           {valueText(question.along, line.range.start, valueDigits, style),
                            valueText(question.along, line.range.stop, valueDigits, style)}});
 }

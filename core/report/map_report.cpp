@@ -27,39 +27,34 @@ std::string placeText(const MapReport& report, const MapGrid::Place& place, cons
 }
 
 Message points(std::uint64_t count) {
-    return counted(count, translatable("drillwave::Message", "%1 point"),
-                   translatable("drillwave::Message", "%1 points"));
+    return counted(count, translatable("%1 point"), translatable("%1 points"));
 }
 
 void addRange(const MapReport& report, TextGrid& table, const ReadingStyle& style) {
     const std::optional<MapGrid::Extent>& extent = report.grid.extent();
     if (!extent) return;
     const auto add = [&](const char* label, double value, const MapGrid::Place& place) {
-        table.add(
-            {style.said(label), outputText(report.study.output, value, style),
-             style.said({translatable("drillwave::Message", "at %1"), {placeText(report, place, style)}})});
+        table.add({style.said(label), outputText(report.study.output, value, style),
+                   style.said({translatable("at %1"), {placeText(report, place, style)}})});
     };
-    add(translatable("drillwave::Message", "smallest"), extent->least, extent->leastPlace);
-    add(translatable("drillwave::Message", "largest"), extent->largest, extent->largestPlace);
+    add(translatable("smallest"), extent->least, extent->leastPlace);
+    add(translatable("largest"), extent->largest, extent->largestPlace);
 }
 
 /// How many points of a contour are how near.
 Message linesMessage(const MapReport& report, const Contour& contour, const ReadingStyle& style) {
-    if (contour.lines.empty()) return translatable("drillwave::Message", "nowhere between the points");
+    if (contour.lines.empty()) return translatable("nowhere between the points");
     std::string within = style.bound(contour.worstResidual());
     if (report.study.output.hasUnit())
         within += " " + std::string(unitsOf(report.study.output.quantity()).front().name);
-    Message message{translatable("drillwave::Message", "%1 on %2, within %3"),
-                    {points(contour.pointCount()),
-                     counted(contour.lines.size(), translatable("drillwave::Message", "%1 line"),
-                             translatable("drillwave::Message", "%1 lines")),
-                     within}};
+    Message message{
+        translatable("%1 on %2, within %3"),
+        {points(contour.pointCount()),
+         counted(contour.lines.size(), translatable("%1 line"), translatable("%1 lines")), within}};
     if (const std::uint64_t jumps = contour.jumpCount(); jumps > 0)
-        message = {translatable("drillwave::Message", "%1, but for %2 where it jumps across"),
-                   {message, std::to_string(jumps)}};
+        message = {translatable("%1, but for %2 where it jumps across"), {message, std::to_string(jumps)}};
     if (const std::uint64_t irregular = contour.irregularCount(); irregular > 0)
-        message = {translatable("drillwave::Message",
-                                "%1; %2 where the blows do not repeat: a mean scatters there, and the "
+        message = {translatable("%1; %2 where the blows do not repeat: a mean scatters there, and the "
                                 "contour with it"),
                    {message, points(irregular)}};
     return message;
@@ -71,9 +66,8 @@ std::string contourText(const MapReport& report, const Contour& contour, const R
         {std::string(report.study.output.output->name), outputText(report.study.output, contour.level, style),
          linesMessage(report, contour, style)}};
     if (contour.unplaced > 0)
-        message = {contour.unplaced == 1
-                       ? translatable("drillwave::Message", "%1; %2 crossing not placed: %3")
-                       : translatable("drillwave::Message", "%1; %2 crossings not placed: %3"),
+        message = {contour.unplaced == 1 ? translatable("%1; %2 crossing not placed: %3")
+                                         : translatable("%1; %2 crossings not placed: %3"),
                    {message, std::to_string(contour.unplaced), contour.reason}};
     return "  " + style.said(message) + "\n";
 }
@@ -128,11 +122,9 @@ JsonObject contourJson(const Contour& contour, bool isOfManyBlows) {
 
 std::string axisText(const SweepAxis& axis, const ReadingStyle& style) {
     const auto value = [&](double si) { return style.quantity(si, axis.parameter->quantity, mapDigits); };
-    const Message values = counted(axis.count, translatable("drillwave::Message", "%1 value"),
-                                   translatable("drillwave::Message", "%1 values"));
-    return style.said({axis.kind == SweepAxis::Kind::logarithmic
-                           ? translatable("drillwave::Message", "%1 = %2 to %3, %4, log")
-                           : translatable("drillwave::Message", "%1 = %2 to %3, %4"),
+    const Message values = counted(axis.count, translatable("%1 value"), translatable("%1 values"));
+    return style.said({axis.kind == SweepAxis::Kind::logarithmic ? translatable("%1 = %2 to %3, %4, log")
+                                                                 : translatable("%1 = %2 to %3, %4"),
                        {std::string(axis.key()), value(axis.start), value(axis.stop), values}});
 }
 
@@ -142,14 +134,12 @@ std::string mapText(const MapReport& report, const ReadingStyle& style) {
     for (const Contour& contour : report.contours) solved += contour.solves;
     // a point of drill_… takes many blows
     const bool hasSequences = study.output.output->needsDrilling();
-    const char* solvedIn = hasSequences
-                               ? (solved == 1 ? translatable("drillwave::Message", "%1 point in %2.")
-                                              : translatable("drillwave::Message", "%1 points in %2."))
-                               : (solved == 1 ? translatable("drillwave::Message", "%1 blow in %2.")
-                                              : translatable("drillwave::Message", "%1 blows in %2."));
+    const char* solvedIn =
+        hasSequences ? (solved == 1 ? translatable("%1 point in %2.") : translatable("%1 points in %2."))
+                     : (solved == 1 ? translatable("%1 blow in %2.") : translatable("%1 blows in %2."));
     std::string text =
         headingOf(study.base, style) + "\n  " +
-        style.said({translatable("drillwave::Message", "%1 over %2; %3"),
+        style.said({translatable("%1 over %2; %3"),
                     {study.output.header(), axisText(study.x, style), axisText(study.y, style)}}) +
         "\n\n";
     TextGrid table(CellAlignment::left);
@@ -157,8 +147,7 @@ std::string mapText(const MapReport& report, const ReadingStyle& style) {
     text += table.text();
     for (const RowFailure& failure : report.grid.failures())
         text += "  " +
-                style.said({translatable("drillwave::Message", "%1 not solved: %2"),
-                            {points(failure.rows), failure.reason}}) +
+                style.said({translatable("%1 not solved: %2"), {points(failure.rows), failure.reason}}) +
                 "\n";
     for (const Contour& contour : report.contours) text += contourText(report, contour, style);
     return text + "  " +

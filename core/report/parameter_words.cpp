@@ -15,25 +15,23 @@ namespace {
 Message sectionWords(const SectionAddress& address) {
     const bool ofHammer = address.chain == SectionAddress::Chain::hammer;
     if (address.place > 0)
-        return {ofHammer ? translatable("drillwave::Message", "hammer section %1")
-                         : translatable("drillwave::Message", "section %1"),
+        return {ofHammer ? translatable("hammer section %1") : translatable("section %1"),
                 {std::to_string(address.place)}};
     SectionAddress named = address;
     named.chain = SectionAddress::Chain::string;
     if (!ofHammer) return named.words();
-    return {translatable("drillwave::Message", "hammer %1"), {named.words()}};
+    return {translatable("hammer %1"), {named.words()}};
 }
 
 }  // namespace
 
 Message labelMessage(const Parameter& parameter) {
     if (parameter.address)
-        return {translatable("drillwave::Message", "%1 of %2"),
+        return {translatable("%1 of %2"),
                 {Message::ofTable(parameter.address->field->label), sectionWords(*parameter.address)}};
     if (const std::size_t corner = cornerOf(parameter))
-        return {parameter.localKey().ends_with("force")
-                    ? translatable("drillwave::Message", "force of corner %1")
-                    : translatable("drillwave::Message", "slope behind corner %1"),
+        return {parameter.localKey().ends_with("force") ? translatable("force of corner %1")
+                                                        : translatable("slope behind corner %1"),
                 {std::to_string(corner)}};
     return Message::ofTable(parameter.label);
 }

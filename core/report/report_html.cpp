@@ -105,10 +105,10 @@ class Page {
             else
                 names += htmlElement("th", name), values += htmlElement("td", shown);
         };
-        add("project", translatable("drillwave::Message", "Project"), head.project);
-        add("author", translatable("drillwave::Message", "Author"), head.author);
-        add("customer", translatable("drillwave::Message", "Customer"), head.customer);
-        add("date", translatable("drillwave::Message", "Date"), head.date);
+        add("project", translatable("Project"), head.project);
+        add("author", translatable("Author"), head.author);
+        add("customer", translatable("Customer"), head.customer);
+        add("date", translatable("Date"), head.date);
         if (head.isEmpty()) return {};
         if (isScreen()) return tableOf("head", names);
         return tableOf("head", "<tr>" + names + "</tr>\n<tr>" + values + "</tr>\n");
@@ -129,16 +129,13 @@ class Page {
     }
 
     std::string about() const {
-        return said({translatable("drillwave::Message",
-                                  "Report on one blow of a percussive drill, written by Drillwave %1, solved "
+        return said({translatable("Report on one blow of a percussive drill, written by Drillwave %1, solved "
                                   "by %2. Tension is positive. %3"),
                      {std::string(versionText), solverWords(blow()).asked,
                       hasSections(blow().scenario)
-                          ? translatable("drillwave::Message",
-                                         "Hammer and string of uniform sections; bending, torsion and "
+                          ? translatable("Hammer and string of uniform sections; bending, torsion and "
                                          "friction in threads beyond a loss factor are not modelled.")
-                          : translatable("drillwave::Message",
-                                         "One uniform rod; joints and the mass of the bit are not "
+                          : translatable("One uniform rod; joints and the mass of the bit are not "
                                          "modelled.")}});
     }
 
@@ -150,7 +147,7 @@ class Page {
 
     /// What stands behind the decision at the top.
     std::string feed() const {
-        std::string html = heading(translatable("drillwave::Message", "Required feed"));
+        std::string html = heading(translatable("Required feed"));
         if (m_report.thrust) {
             const std::vector<Message> sentences = thrustSentences(
                 blow().scenario, m_report.thrust->study.feed, m_report.thrust->study.shareFull, m_style);
@@ -162,20 +159,18 @@ class Page {
     }
 
     std::string alerts() const {
-        std::string html = heading(translatable("drillwave::Message", "Alerts and remarks"));
+        std::string html = heading(translatable("Alerts and remarks"));
         for (const Alert& alert : blow().alerts) {
             const bool isWarning = alert.level == AlertLevel::warning;
             html += std::string("<p class=\"") + (isWarning ? "warning" : "note") + "\"><b>" +
-                    escapedHtml(said(isWarning ? translatable("drillwave::Message", "Warning:")
-                                               : translatable("drillwave::Message", "Note:"))) +
+                    escapedHtml(said(isWarning ? translatable("Warning:") : translatable("Note:"))) +
                     "</b> " + escapedHtml(alertText(alert, m_style)) + "</p>\n";
         }
         for (const Message& remark : m_report.recordRemarks)
-            html += "<p class=\"warning\"><b>" +
-                    escapedHtml(said(translatable("drillwave::Message", "Record:"))) + "</b> " +
+            html += "<p class=\"warning\"><b>" + escapedHtml(said(translatable("Record:"))) + "</b> " +
                     escapedHtml(said(remark)) + "</p>\n";
         return blow().alerts.empty() && m_report.recordRemarks.empty()
-                   ? html + paragraph(translatable("drillwave::Message", "Nothing unusual."))
+                   ? html + paragraph(translatable("Nothing unusual."))
                    : html;
     }
 
@@ -218,20 +213,16 @@ class Page {
             rows += row(input.key, htmlElement("td", input.key) + htmlElement("td", said(input.label)) +
                                        cell(given(input, input.quantity), input.si) +
                                        htmlElement("td", bounded(said(input.source))));
-        return heading(translatable("drillwave::Message", "Inputs")) +
-               table("inputs",
-                     {translatable("drillwave::Message", "key"), translatable("drillwave::Message", "what"),
-                      translatable("drillwave::Message", "value"),
-                      translatable("drillwave::Message", "source")},
-                     rows);
+        return heading(translatable("Inputs")) + table("inputs",
+                                                       {translatable("key"), translatable("what"),
+                                                        translatable("value"), translatable("source")},
+                                                       rows);
     }
 
     /// Hammer and string as the file has them.
     std::string sections() const {
         if (m_report.sections.empty()) return {};
-        std::vector<Message> titles{translatable("drillwave::Message", "place"),
-                                    translatable("drillwave::Message", "section"),
-                                    translatable("drillwave::Message", "times")};
+        std::vector<Message> titles{translatable("place"), translatable("section"), translatable("times")};
         std::vector<const SectionField*> fields;
         for (const SectionField& field : sectionFields()) {
             const auto gives = [&](const ReportSection& section) { return valueOf(section, field); };
@@ -239,7 +230,7 @@ class Page {
             fields.push_back(&field);
             titles.push_back(Message::ofTable(field.label));
         }
-        titles.emplace_back(translatable("drillwave::Message", "source"));
+        titles.emplace_back(translatable("source"));
         std::string rows;
         const std::size_t shown = isScreen() ? m_report.sections.size() : mostSectionsOnPaper;
         for (const ReportSection& section : m_report.sections | std::views::take(shown)) {
@@ -252,8 +243,8 @@ class Page {
             }
             rows += row(section.key, cells + htmlElement("td", bounded(said(section.source))));
         }
-        return heading(translatable("drillwave::Message", "Hammer and string")) +
-               table("sections", titles, rows) + rest(m_report.sections.size());
+        return heading(translatable("Hammer and string")) + table("sections", titles, rows) +
+               rest(m_report.sections.size());
     }
 
     static const ReportInput* valueOf(const ReportSection& section, const SectionField& field) {
@@ -265,8 +256,7 @@ class Page {
     std::string rest(std::size_t sections) const {
         return isScreen() || sections <= mostSectionsOnPaper
                    ? std::string()
-                   : paragraph({translatable("drillwave::Message",
-                                             "The other %1 sections are in the report as HTML."),
+                   : paragraph({translatable("The other %1 sections are in the report as HTML."),
                                 {std::to_string(sections - mostSectionsOnPaper)}});
     }
 
@@ -283,11 +273,10 @@ class Page {
 
     /// On paper in two halves beside each other.
     std::string scales() const {
-        const std::vector<Message> titles{translatable("drillwave::Message", "symbol"),
-                                          translatable("drillwave::Message", "what"),
-                                          translatable("drillwave::Message", "value")};
+        const std::vector<Message> titles{translatable("symbol"), translatable("what"),
+                                          translatable("value")};
         const std::vector<ReportRow> rows = scaleRows(blow(), m_style);
-        const std::string title = heading(translatable("drillwave::Message", "Groups and scales"));
+        const std::string title = heading(translatable("Groups and scales"));
         if (isScreen()) return title + table("scales", titles, numbers(rows, true));
         const auto middle = rows.begin() + static_cast<std::ptrdiff_t>(rows.size() + 1) / 2;
         return title + beside(table("", titles, numbers({rows.begin(), middle}, true)),
@@ -300,30 +289,27 @@ class Page {
     }
 
     std::string results() const {
-        std::vector<Message> titles{translatable("drillwave::Message", "result"),
-                                    translatable("drillwave::Message", "as a multiple")};
+        std::vector<Message> titles{translatable("result"), translatable("as a multiple")};
         if (hasUnits(blow().scenario)) titles.push_back(m_style.unitsTitle());
-        titles.emplace_back(translatable("drillwave::Message", "where and when"));
-        return heading(translatable("drillwave::Message", "Results")) +
+        titles.emplace_back(translatable("where and when"));
+        return heading(translatable("Results")) +
                table("results", titles, numbers(resultRows(blow(), m_style), false)) +
                paragraph(hasSections(blow().scenario)
-                             ? translatable("drillwave::Message",
-                                            "E₀ and p₀ are energy and momentum of the hammer.")
-                             : translatable("drillwave::Message", "W is the work of the hammer."));
+                             ? translatable("E₀ and p₀ are energy and momentum of the hammer.")
+                             : translatable("W is the work of the hammer."));
     }
 
     std::string others() const {
         if (m_report.others.rows.empty()) return {};
-        return heading(translatable("drillwave::Message", "Beside other runs")) +
-               comparison("runs", translatable("drillwave::Message", "quantity"), m_report.others);
+        return heading(translatable("Beside other runs")) +
+               comparison("runs", translatable("quantity"), m_report.others);
     }
 
     std::string misfits() const {
         if (m_report.misfits.rows.empty()) return {};
-        return heading(translatable("drillwave::Message", "Beside what was measured")) +
-               comparison("measured", translatable("drillwave::Message", "signal"), m_report.misfits) +
+        return heading(translatable("Beside what was measured")) +
+               comparison("measured", translatable("signal"), m_report.misfits) +
                paragraph(translatable(
-                   "drillwave::Message",
                    "Over the time that both have: the root of the mean square of their difference, the "
                    "size of the largest force, measured less computed, and how much later the measured "
                    "signal comes than where it fits best."));
@@ -344,26 +330,21 @@ class Page {
     /// What the numbers are worth, which is no result.
     std::string solver() const {
         const bool ofString = hasSections(blow().scenario);
-        return heading(translatable("drillwave::Message", "How well it is solved")) + paragraph(about()) +
-               table(
-                   "solver",
-                   {translatable("drillwave::Message", "error"), translatable("drillwave::Message", "size")},
-                   numbers(solverRows(blow(), m_style), false)) +
+        return heading(translatable("How well it is solved")) + paragraph(about()) +
+               table("solver", {translatable("error"), translatable("size")},
+                     numbers(solverRows(blow(), m_style), false)) +
                paragraph(ofString
-                             ? translatable("drillwave::Message",
-                                            "The error of the efficiency and the errors of the balances are "
+                             ? translatable("The error of the efficiency and the errors of the balances are "
                                             "numerical; what is known of rock and string is far coarser.")
-                             : translatable("drillwave::Message",
-                                            "The bound on e and the errors of the balances are numerical; "
+                             : translatable("The bound on e and the errors of the balances are numerical; "
                                             "what is known of rock and rod is far coarser."));
     }
 
     std::string energies() const {
         if (!hasSections(blow().scenario)) return {};
-        return heading(translatable("drillwave::Message", "Where the energy went")) +
+        return heading(translatable("Where the energy went")) +
                tableOf("energies",
-                       htmlRows(titled({"", said(translatable("drillwave::Message", "share of E₀")),
-                                        said(translatable("drillwave::Message", "energy"))},
+                       htmlRows(titled({"", said(translatable("share of E₀")), said(translatable("energy"))},
                                        energyGrid(blow(), m_style).rows())));
     }
 
@@ -378,12 +359,11 @@ class Page {
         std::vector<std::vector<std::string>> rows = sectionGrid(blow(), m_style).rows();
         const std::size_t sections = rows.size() - 1;
         if (!isScreen()) rows.resize(std::min(sections, mostSectionsOnPaper) + 1);
-        return heading(translatable("drillwave::Message", "Largest stresses of every section")) +
+        return heading(translatable("Largest stresses of every section")) +
                paragraph(strengthSentence(blow().scenario, sectionStresses(blow().scenario, blow().impact),
                                           m_style)) +
                tableOf("stresses", htmlRows(rows)) + rest(sections) +
                paragraph(translatable(
-                   "drillwave::Message",
                    "Places are from the rear end of a section. What a joint reflects is the energy of the "
                    "waves from the hammer that the far end of the section throws back, of that of the "
                    "hammer."));
@@ -391,13 +371,13 @@ class Page {
 
     std::string thrust() const {
         if (!m_report.thrust) return {};
-        return heading(translatable("drillwave::Message", "Needs of the thrust")) +
+        return heading(translatable("Needs of the thrust")) +
                tableOf("thrust", htmlRows(needsGrid(*m_report.thrust, m_style).rows()));
     }
 
     std::string gap() const {
         if (!gapHasPeriod(blow().scenario)) return {};
-        std::string html = heading(translatable("drillwave::Message", "All gaps between bit and rock"));
+        std::string html = heading(translatable("All gaps between bit and rock"));
         if (!m_report.gap) return html + paragraph(sentence(said(m_report.gapProblem)));
         if (const Message remark = m_report.gap->periodRemark(m_style); !remark.isEmpty())
             html += paragraph(remark);
@@ -408,14 +388,13 @@ class Page {
     }
 
     std::string scenario() const {
-        const std::string title = heading(translatable("drillwave::Message", "Scenario"));
+        const std::string title = heading(translatable("Scenario"));
         if (isScreen())
             return title + "<pre id=\"scenario\">\n" + escapedHtml(m_report.scenarioText) + "</pre>\n";
         const PaperLines paper = linesOnPaper(m_report.scenarioText, m_paperLines, paperColumns);
         std::string html = title + "<pre>" + escapedHtml(paper.text) + "</pre>\n";
         if (!paper.isWhole)
-            html += paragraph(translatable("drillwave::Message",
-                                           "The rest of the scenario is in the file attached to the PDF."));
+            html += paragraph(translatable("The rest of the scenario is in the file attached to the PDF."));
         return html;
     }
 
@@ -423,12 +402,12 @@ class Page {
     std::string plots(const std::vector<ReportPicture>& pictures) const {
         std::string html;
         if (pictures.empty() && isScreen())
-            html = paragraph(translatable("drillwave::Message",
-                                          "The plots are left out because this report was written with "
-                                          "--no-plots. Write it again without that option to get them."));
+            html =
+                paragraph(translatable("The plots are left out because this report was written with "
+                                       "--no-plots. Write it again without that option to get them."));
         for (const ReportPicture& picture : pictures)
             if (picture.name != leadName(pictures)) html += isScreen() ? figure(picture) : printed(picture);
-        return html.empty() ? html : heading(translatable("drillwave::Message", "Plots")) + html;
+        return html.empty() ? html : heading(translatable("Plots")) + html;
     }
 
     static std::string image(const ReportPicture& picture) {
@@ -466,7 +445,7 @@ std::string recordText(const BlowReport& report) {
 
 std::string reportTitle(const BlowReport& report, const ReadingStyle& style) {
     std::string title = printableLine(report.blow.scenario.title);
-    return title.empty() ? style.said(translatable("drillwave::Message", "Untitled scenario")) : title;
+    return title.empty() ? style.said(translatable("Untitled scenario")) : title;
 }
 
 // No `<` stands in the record.

@@ -28,8 +28,7 @@ std::string multipleUnit(Measure measure, const Scenario& scenario) {
 
 /// "42.3 % of W".
 std::string shareText(const std::string& percent, const Scenario& scenario, const ReadingStyle& style) {
-    return style.said({translatable("drillwave::Message", "%1 % of%2"),
-                       {percent, multipleUnit(Measure::energy, scenario)}});
+    return style.said({translatable("%1 % of%2"), {percent, multipleUnit(Measure::energy, scenario)}});
 }
 
 std::string multipleText(const Output& output, double value, const Blow& blow, const ReadingStyle& style) {
@@ -59,10 +58,8 @@ std::string stringPlaceText(const StringPeak& largest, const Blow& blow, const R
     if (!(peak.stress > 0)) return {};
     const Message section = sectionWords(blow.scenario.drillString)[largest.section];
     const std::string time = style.quantity(peak.time, Quantity::time, 4);
-    if (peak.place == 0)
-        return style.said(
-            {translatable("drillwave::Message", "in %1, at its rear end, at %2"), {section, time}});
-    return style.said({translatable("drillwave::Message", "in %1, %2 from its rear end, at %3"),
+    if (peak.place == 0) return style.said({translatable("in %1, at its rear end, at %2"), {section, time}});
+    return style.said({translatable("in %1, %2 from its rear end, at %3"),
                        {section, style.quantity(peak.place, Quantity::length, 4), time}});
 }
 
@@ -98,42 +95,30 @@ void addStringScales(const Blow& blow, const Add& add) {
     const DrillString& drill = blow.scenario.drillString;
     const Scales& scales = blow.scales;
     const ChainProperties string = stringProperties(drill);
-    add("β", translatable("drillwave::Message", "stiffness k t₀/Z"), blow.groups.beta, Quantity::ratio);
-    add("γ", translatable("drillwave::Message", "elasticity of the rock"), blow.groups.gamma,
-        Quantity::ratio);
-    add("τ", translatable("drillwave::Message", "transit time of the string over t₀"), blow.groups.tau,
-        Quantity::ratio);
-    add("δ", translatable("drillwave::Message", "gap d/d₀"), blow.groups.delta, Quantity::ratio);
+    add("β", translatable("stiffness k t₀/Z"), blow.groups.beta, Quantity::ratio);
+    add("γ", translatable("elasticity of the rock"), blow.groups.gamma, Quantity::ratio);
+    add("τ", translatable("transit time of the string over t₀"), blow.groups.tau, Quantity::ratio);
+    add("δ", translatable("gap d/d₀"), blow.groups.delta, Quantity::ratio);
     if (isForced(blow.scenario)) {
-        add("t₀", translatable("drillwave::Message", "duration of the blow"), scales.time, Quantity::time);
-        add("I₀", translatable("drillwave::Message", "impulse of the blow"), scales.impulse,
-            Quantity::impulse);
-        add("W₀", translatable("drillwave::Message", "energy I₀²/(2 m), m of the string"), scales.energy,
-            Quantity::energy);
-        add("F₀", translatable("drillwave::Message", "mean force I₀/t₀"), scales.force, Quantity::force);
-        add("F₀/A", translatable("drillwave::Message", "its stress in the rod"), scales.stress,
-            Quantity::stress);
-        add("d₀", translatable("drillwave::Message", "displacement 2 I₀/Z, Z of the rod"), scales.penetration,
-            Quantity::length);
+        add("t₀", translatable("duration of the blow"), scales.time, Quantity::time);
+        add("I₀", translatable("impulse of the blow"), scales.impulse, Quantity::impulse);
+        add("W₀", translatable("energy I₀²/(2 m), m of the string"), scales.energy, Quantity::energy);
+        add("F₀", translatable("mean force I₀/t₀"), scales.force, Quantity::force);
+        add("F₀/A", translatable("its stress in the rod"), scales.stress, Quantity::stress);
+        add("d₀", translatable("displacement 2 I₀/Z, Z of the rod"), scales.penetration, Quantity::length);
     } else {
         const ChainProperties hammer = hammerProperties(drill);
-        add("t₀", translatable("drillwave::Message", "twice the transit time of the hammer"), scales.time,
-            Quantity::time);
-        add("p₀", translatable("drillwave::Message", "momentum of the hammer"), scales.impulse,
-            Quantity::impulse);
-        add("E₀", translatable("drillwave::Message", "energy of the hammer"), scales.energy,
-            Quantity::energy);
-        add("F₀", translatable("drillwave::Message", "force Z v₀/2, Z of the rod"), scales.force,
-            Quantity::force);
-        add("F₀/A", translatable("drillwave::Message", "its stress in the rod"), scales.stress,
-            Quantity::stress);
-        add("d₀", translatable("drillwave::Message", "displacement v₀ t₀"), scales.penetration,
-            Quantity::length);
-        add("m", translatable("drillwave::Message", "mass of the hammer"), hammer.mass, Quantity::mass);
-        add("", translatable("drillwave::Message", "length of the hammer"), hammer.length, Quantity::length);
+        add("t₀", translatable("twice the transit time of the hammer"), scales.time, Quantity::time);
+        add("p₀", translatable("momentum of the hammer"), scales.impulse, Quantity::impulse);
+        add("E₀", translatable("energy of the hammer"), scales.energy, Quantity::energy);
+        add("F₀", translatable("force Z v₀/2, Z of the rod"), scales.force, Quantity::force);
+        add("F₀/A", translatable("its stress in the rod"), scales.stress, Quantity::stress);
+        add("d₀", translatable("displacement v₀ t₀"), scales.penetration, Quantity::length);
+        add("m", translatable("mass of the hammer"), hammer.mass, Quantity::mass);
+        add("", translatable("length of the hammer"), hammer.length, Quantity::length);
     }
-    add("", translatable("drillwave::Message", "mass of the string"), string.mass, Quantity::mass);
-    add("", translatable("drillwave::Message", "length of the string"), string.length, Quantity::length);
+    add("", translatable("mass of the string"), string.mass, Quantity::mass);
+    add("", translatable("length of the string"), string.length, Quantity::length);
 }
 
 }  // namespace
@@ -186,9 +171,9 @@ std::string siText(const Output& output, double value, const Blow& blow, const R
 std::string placeText(const RodForce& found, const Blow& blow, const ReadingStyle& style) {
     if (!(found.size > 0)) return {};
     if (!isDimensional(blow))
-        return style.said({translatable("drillwave::Message", "at x/L = %1, t = %2 t₀"),
+        return style.said({translatable("at x/L = %1, t = %2 t₀"),
                            {style.number(found.section, 4), style.number(found.time, reportDigits)}});
-    return style.said({translatable("drillwave::Message", "%1 from the hammer, at %2"),
+    return style.said({translatable("%1 from the hammer, at %2"),
                        {style.quantity(found.section * blow.scales.length, Quantity::length, 4),
                         style.quantity(found.time * blow.scales.time, Quantity::time, 4)}});
 }
@@ -211,23 +196,22 @@ std::vector<ReportRow> scaleRows(const Blow& blow, const ReadingStyle& style) {
         addStringScales(blow, add);
         return rows;
     }
-    add("β", translatable("drillwave::Message", "stiffness k/k₀, k₀ = Z/t₀"), groups.beta, Quantity::ratio);
-    add("γ", translatable("drillwave::Message", "elasticity of the rock"), groups.gamma, Quantity::ratio);
-    add("τ", translatable("drillwave::Message", "transit time T/t₀"), groups.tau, Quantity::ratio);
-    add("δ", translatable("drillwave::Message", "gap d/d₀, d₀ = 2 I₀/Z"), groups.delta, Quantity::ratio);
+    add("β", translatable("stiffness k/k₀, k₀ = Z/t₀"), groups.beta, Quantity::ratio);
+    add("γ", translatable("elasticity of the rock"), groups.gamma, Quantity::ratio);
+    add("τ", translatable("transit time T/t₀"), groups.tau, Quantity::ratio);
+    add("δ", translatable("gap d/d₀, d₀ = 2 I₀/Z"), groups.delta, Quantity::ratio);
     if (!isDimensional(blow)) return rows;
     const Scales& scales = blow.scales;
     const RodProperties rod = propertiesOf(blow.scenario.rod);
-    add("t₀", translatable("drillwave::Message", "duration of the blow"), scales.time, Quantity::time);
-    add("I₀", translatable("drillwave::Message", "impulse of the blow"), scales.impulse, Quantity::impulse);
-    add("F₀", translatable("drillwave::Message", "mean force I₀/t₀"), scales.force, Quantity::force);
-    add("F₀/A", translatable("drillwave::Message", "its stress"), scales.stress, Quantity::stress);
-    add("d₀", translatable("drillwave::Message", "displacement 2 I₀/Z"), scales.penetration,
-        Quantity::length);
-    add("W₀", translatable("drillwave::Message", "energy I₀²/(2 m)"), scales.energy, Quantity::energy);
-    add("T", translatable("drillwave::Message", "transit time L/c"), rod.transitTime, Quantity::time);
-    add("c", translatable("drillwave::Message", "wave speed √(E/ρ)"), rod.waveSpeed, Quantity::velocity);
-    add("m", translatable("drillwave::Message", "mass of the rod"), rod.mass, Quantity::mass);
+    add("t₀", translatable("duration of the blow"), scales.time, Quantity::time);
+    add("I₀", translatable("impulse of the blow"), scales.impulse, Quantity::impulse);
+    add("F₀", translatable("mean force I₀/t₀"), scales.force, Quantity::force);
+    add("F₀/A", translatable("its stress"), scales.stress, Quantity::stress);
+    add("d₀", translatable("displacement 2 I₀/Z"), scales.penetration, Quantity::length);
+    add("W₀", translatable("energy I₀²/(2 m)"), scales.energy, Quantity::energy);
+    add("T", translatable("transit time L/c"), rod.transitTime, Quantity::time);
+    add("c", translatable("wave speed √(E/ρ)"), rod.waveSpeed, Quantity::velocity);
+    add("m", translatable("mass of the rod"), rod.mass, Quantity::mass);
     return rows;
 }
 

@@ -20,8 +20,7 @@ std::string groupsLine(const Scenario& scenario, const ReadingStyle& style) {
     std::string line = "  beta " + style.number(groups.beta) + "  gamma " + style.number(groups.gamma) +
                        "  tau " + style.number(groups.tau) + "  delta " + style.number(groups.delta);
     if (followsFromGroups(scenario))
-        line += "  " + style.said({translatable("drillwave::Message", "pulse %1"),
-                                   {style.name(name(scenario.pulse.shape))}});
+        line += "  " + style.said({translatable("pulse %1"), {style.name(name(scenario.pulse.shape))}});
     return line + "\n";
 }
 
@@ -40,13 +39,11 @@ std::string cornersText(const Scenario& scenario, const ReadingStyle& style) {
     std::string text;
     for (std::size_t i = 0; i < std::min(enough, corners.size()); ++i)
         text += (i == 0 ? "" : ", ") +
-                style.said({i == 0 ? translatable("drillwave::Message", "slope %1 k from %2")
-                                   : translatable("drillwave::Message", "%1 k from %2"),
+                style.said({i == 0 ? translatable("slope %1 k from %2") : translatable("%1 k from %2"),
                             {style.number(corners[i].slope),
                              lawQuantity(scenario, corners[i].force, Quantity::force, style)}});
     if (corners.size() > enough)
-        text += ", " + style.said({translatable("drillwave::Message", "and %1 more"),
-                                   {std::to_string(corners.size() - enough)}});
+        text += ", " + style.said({translatable("and %1 more"), {std::to_string(corners.size() - enough)}});
     return text;
 }
 
@@ -61,10 +58,8 @@ std::string lawLine(const Scenario& scenario, const ReadingStyle& style) {
                        lawQuantity(scenario, *inFormOf(scenario, row)->value(scenario), row.quantity, style);
     if (!rock.corners.empty()) numbers += " " + cornersText(scenario, style);
     if (numbers.empty()) return numbers;
-    return "  " +
-           style.said(
-               {translatable("drillwave::Message", "rock: %1,"), {Message::ofTable(phrase(rock.law))}}) +
-           numbers + "\n";
+    return "  " + style.said({translatable("rock: %1,"), {Message::ofTable(phrase(rock.law))}}) + numbers +
+           "\n";
 }
 
 std::string headingOf(const Scenario& scenario, const ReadingStyle& style) {

@@ -28,7 +28,7 @@ void readMethod(std::string_view line, ResultRemarks& remarks) {
     if (method == methodOfStrings) return;  // there is no choice
     remarks.problem = methodProblem(method);
     if (!remarks.problem.isEmpty()) {
-        remarks.problem = {translatable("drillwave::Message", "was solved by method %1 (%2)"),
+        remarks.problem = {translatable("was solved by method %1 (%2)"),
                            {shortened(method), remarks.problem}};
         return;
     }
@@ -39,7 +39,7 @@ void readMethod(std::string_view line, ResultRemarks& remarks) {
         const std::size_t length = words.ends_with(unit) ? words.size() - unit.size() : 0;
         const std::optional<int> segments = segmentsIn(words.substr(0, length));
         if (!segments)
-            remarks.problem = {translatable("drillwave::Message", "was solved by a lattice of `%1` (%2)"),
+            remarks.problem = {translatable("was solved by a lattice of `%1` (%2)"),
                                {shortened(words), segmentsProblem()}};
         choice.lattice.segments = segments.value_or(choice.lattice.segments);
     }

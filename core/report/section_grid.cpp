@@ -25,7 +25,7 @@ std::string placeCell(double place, const ReadingStyle& style) {
 
 std::string stressCell(const StressPeak& peak, const ReadingStyle& style) {
     if (peak.stress == 0) return style.number(0);
-    return style.said({translatable("drillwave::Message", "%1 at %2, %3"),
+    return style.said({translatable("%1 at %2, %3"),
                        {style.quantity(peak.stress, Quantity::stress, 4), placeCell(peak.place, style),
                         style.quantity(peak.time, Quantity::time, 4)}});
 }
@@ -41,31 +41,30 @@ TextGrid energyGrid(const Blow& blow, const ReadingStyle& style) {
         const char *output, *label;
         bool whereAny = false;  ///< only where there is some of it
     };
-    constexpr Line lines[] = {
-        {"rock_work", translatable("drillwave::Message", "in the rock")},
-        {"hammer_rebound_energy", translatable("drillwave::Message", "hammer moving back")},
-        {"hammer_wave_energy", translatable("drillwave::Message", "waves in the hammer")},
-        {"rebound_energy", translatable("drillwave::Message", "string moving back")},
-        {"residual_wave_energy", translatable("drillwave::Message", "waves in the string")},
-        {"joint_loss", translatable("drillwave::Message", "lost in joints"), true},
-        {"rod_loss", translatable("drillwave::Message", "lost in sections"), true},
-        {"face_energy", translatable("drillwave::Message", "between the faces"), true}};
+    constexpr Line lines[] = {{"rock_work", translatable("in the rock")},
+                              {"hammer_rebound_energy", translatable("hammer moving back")},
+                              {"hammer_wave_energy", translatable("waves in the hammer")},
+                              {"rebound_energy", translatable("string moving back")},
+                              {"residual_wave_energy", translatable("waves in the string")},
+                              {"joint_loss", translatable("lost in joints"), true},
+                              {"rod_loss", translatable("lost in sections"), true},
+                              {"face_energy", translatable("between the faces"), true}};
     const ImpactSummary& summary = blow.summary;
     TextGrid grid(CellAlignment::left);
     const double unit = blow.drivenEnergy() * blow.scales.energy;
     const auto add = [&](const std::string& label, double share) {
         grid.add({label, percent(share, style), style.quantity(share * unit, Quantity::energy, 4)});
     };
-    add(style.said(isForced(blow.scenario) ? translatable("drillwave::Message", "work of the force")
-                                           : translatable("drillwave::Message", "energy of the hammer")),
+    add(style.said(isForced(blow.scenario) ? translatable("work of the force")
+                                           : translatable("energy of the hammer")),
         1);
     for (const Line& line : lines) {
         const std::optional<double> share = findOutput(line.output)->value({summary, blow.scenario});
         if (share && (!line.whereAny || *share > 0)) add("  " + style.said(line.label), *share);
     }
-    grid.add({style.said(translatable("drillwave::Message", "balance errors")),
+    grid.add({style.said(translatable("balance errors")),
               style.said(
-                  {translatable("drillwave::Message", "%1 of the momentum, %2 of the energy"),
+                  {translatable("%1 of the momentum, %2 of the energy"),
                    {style.number(summary.momentumResidual, 2), style.number(summary.energy.residual, 2)}})});
     return grid;
 }
@@ -81,13 +80,12 @@ TextGrid sectionGrid(const Blow& blow, const ReadingStyle& style) {
         std::ranges::any_of(sections, [](const Section* s) { return s->fatigueStrength.has_value(); });
     TextGrid grid(CellAlignment::left);
     const bool hasAfter = hasStressesAfter(blow.impact);
-    std::vector<const char*> titles{translatable("drillwave::Message", "section"),
-                                    translatable("drillwave::Message", "compression"),
-                                    translatable("drillwave::Message", "tension")};
-    if (hasAfter) titles.push_back(translatable("drillwave::Message", "tension after"));
-    if (hasYield) titles.push_back(translatable("drillwave::Message", "of yield"));
-    if (hasFatigue) titles.push_back(translatable("drillwave::Message", "of fatigue"));
-    titles.push_back(translatable("drillwave::Message", "joint reflects"));
+    std::vector<const char*> titles{translatable("section"), translatable("compression"),
+                                    translatable("tension")};
+    if (hasAfter) titles.push_back(translatable("tension after"));
+    if (hasYield) titles.push_back(translatable("of yield"));
+    if (hasFatigue) titles.push_back(translatable("of fatigue"));
+    titles.push_back(translatable("joint reflects"));
     grid.addTitles(titles, style);
     const std::size_t ofHammer = drill.hammer.sections.size();
     const std::vector<Message> words = sectionWords(drill);

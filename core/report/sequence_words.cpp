@@ -39,13 +39,13 @@ std::string percentText(double share, const ReadingStyle& style) {
 const char* reasonWords(UnresolvedReason reason) {
     switch (reason) {
         case UnresolvedReason::noWaveLoss:
-            return translatable("drillwave::Message", "no wave loss is defined");
+            return translatable("no wave loss is defined");
         case UnresolvedReason::irregular:
-            return translatable("drillwave::Message", "the motion is irregular");
+            return translatable("the motion is irregular");
         case UnresolvedReason::fewBlows:
-            return translatable("drillwave::Message", "only few blows were followed");
+            return translatable("only few blows were followed");
         case UnresolvedReason::lengthsRounded:
-            return translatable("drillwave::Message", "the lengths are no whole number of cells");
+            return translatable("the lengths are no whole number of cells");
     }
     return "";
 }
@@ -53,14 +53,12 @@ const char* reasonWords(UnresolvedReason reason) {
 const char* remedyWords(UnresolvedReason reason) {
     switch (reason) {
         case UnresolvedReason::noWaveLoss:
-            return translatable("drillwave::Message",
-                                "Give a wave loss (drill.wave_loss); 1 to 30 % of a round trip is usual.");
+            return translatable("Give a wave loss (drill.wave_loss); 1 to 30 % of a round trip is usual.");
         case UnresolvedReason::irregular:
         case UnresolvedReason::fewBlows:
-            return translatable("drillwave::Message", "More blows (drill.blows) lower the error.");
+            return translatable("More blows (drill.blows) lower the error.");
         case UnresolvedReason::lengthsRounded:
-            return translatable("drillwave::Message",
-                                "Smaller cells, or lengths with a common step, lower it.");
+            return translatable("Smaller cells, or lengths with a common step, lower it.");
     }
     return "";
 }
@@ -69,9 +67,8 @@ Message penetrationSentence(const Sequence& sequence, const ReadingStyle& style)
     const std::string penetration =
         withError(sequence.penetration.value, sequence.penetration.error, Quantity::length, style);
     const std::string rate = penetrationRateText(sequence.penetrationRate, style);
-    if (!sequence.singleBlowShare)
-        return {translatable("drillwave::Message", "%1 per blow, %2."), {penetration, rate}};
-    return {translatable("drillwave::Message", "%1 per blow, %2: %3 of a single blow from rest."),
+    if (!sequence.singleBlowShare) return {translatable("%1 per blow, %2."), {penetration, rate}};
+    return {translatable("%1 per blow, %2: %3 of a single blow from rest."),
             {penetration, rate, percentText(sequence.singleBlowShare->value, style)}};
 }
 
@@ -79,10 +76,8 @@ Message penetrationSentence(const Sequence& sequence, const ReadingStyle& style)
 Message pushedBackSentence(const DrillingResult& result, const ReadingStyle& style) {
     const double mean = result.meanImpulse * result.units.impulse() * result.frequencyUsed;
     const double installed = feedForceOf(result.scenario)->effective();
-    if (!(installed < mean))
-        return translatable("drillwave::Message", "The machine is pushed back: its motion has no bound.");
-    return {translatable("drillwave::Message",
-                         "The feed of %1 is less than the mean force of the blows, %2: the machine is "
+    if (!(installed < mean)) return translatable("The machine is pushed back: its motion has no bound.");
+    return {translatable("The feed of %1 is less than the mean force of the blows, %2: the machine is "
                          "pushed back."),
             {style.quantity(installed, Quantity::force, 4), style.quantity(mean, Quantity::force, 4)}};
 }
@@ -90,7 +85,7 @@ Message pushedBackSentence(const DrillingResult& result, const ReadingStyle& sty
 /// "12 kN", behind "drill.gamma = " where the parameter is no feed force.
 Message settingOf(const DrillingScan& scan, double value, const ReadingStyle& style) {
     const std::string text = valueText(scan.axis, value, valueDigitsOfScan, style);
-    if (scan.axis.key() == feedKey) return {translatable("drillwave::Message", "A feed of %1"), {text}};
+    if (scan.axis.key() == feedKey) return {translatable("A feed of %1"), {text}};
     return {"%1 = %2", {std::string(scan.axis.key()), text}};
 }
 
@@ -114,7 +109,7 @@ Message equalSentence(const DrillingScan& scan, const ScanComparison& comparison
     const auto value = [&](std::size_t place) {
         return valueText(scan.axis, comparison.entries[place].at, valueDigitsOfScan, style);
     };
-    return {translatable("drillwave::Message", "From %1 to %2 the rate is the same within the errors."),
+    return {translatable("From %1 to %2 the rate is the same within the errors."),
             {value(first), value(last)}};
 }
 
@@ -130,24 +125,21 @@ std::string withError(double si, const std::optional<double>& error, Quantity qu
 }
 
 Message feedModelWords(const Scenario& scenario, const ReadingStyle& style) {
-    if (feedModelOf(scenario) == FeedModel::constantForce)
-        return translatable("drillwave::Message", "a constant force");
+    if (feedModelOf(scenario) == FeedModel::constantForce) return translatable("a constant force");
     const Drill& drill = scenario.drill;
     const std::string damping = style.quantity(drill.damperDamping.value_or(0), Quantity::damping, 4);
     const std::string stiffness = style.quantity(drill.damperStiffness.value_or(0), Quantity::stiffness, 4);
-    if (!(drill.damperStiffness.value_or(0) > 0))
-        return {translatable("drillwave::Message", "a dashpot of %1"), {damping}};
-    if (!(drill.damperDamping.value_or(0) > 0))
-        return {translatable("drillwave::Message", "a spring of %1"), {stiffness}};
-    return {translatable("drillwave::Message", "a dashpot of %1 and a spring of %2"), {damping, stiffness}};
+    if (!(drill.damperStiffness.value_or(0) > 0)) return {translatable("a dashpot of %1"), {damping}};
+    if (!(drill.damperDamping.value_or(0) > 0)) return {translatable("a spring of %1"), {stiffness}};
+    return {translatable("a dashpot of %1 and a spring of %2"), {damping, stiffness}};
 }
 
 std::vector<Message> sequenceSentences(const DrillingResult& result, const ReadingStyle& style) {
     switch (result.outcome) {
         case DrillingOutcome::notSolved:
-            return {{translatable("drillwave::Message", "Not solved: %1."), {result.reason}}};
+            return {{translatable("Not solved: %1."), {result.reason}}};
         case DrillingOutcome::stopped:
-            return {translatable("drillwave::Message", "Stopped before all blows were done.")};
+            return {translatable("Stopped before all blows were done.")};
         case DrillingOutcome::pushedBack:
             return {pushedBackSentence(result, style)};
         case DrillingOutcome::done:
@@ -157,16 +149,15 @@ std::vector<Message> sequenceSentences(const DrillingResult& result, const Readi
     if (!sequence) return {};
     std::vector<Message> sentences{penetrationSentence(*sequence, style)};
     if (sequence->unresolved) {
-        sentences.push_back({translatable("drillwave::Message",
-                                          "This mean is not resolved, its error is above %1, because %2."),
+        sentences.push_back({translatable("This mean is not resolved, its error is above %1, because %2."),
                              {percentText(resolvedShare, style), reasonWords(*sequence->unresolved)}});
         sentences.emplace_back(remedyWords(*sequence->unresolved));
     }
-    sentences.push_back({translatable("drillwave::Message", "The bit starts in contact at %1 of blows."),
+    sentences.push_back({translatable("The bit starts in contact at %1 of blows."),
                          {percentText(sequence->contactShare, style)}});
     sentences.push_back({feedModelOf(result.scenario) == FeedModel::damper
-                             ? translatable("drillwave::Message", "Feed modelled as %1 (assumed).")
-                             : translatable("drillwave::Message", "Feed modelled as %1."),
+                             ? translatable("Feed modelled as %1 (assumed).")
+                             : translatable("Feed modelled as %1."),
                          {feedModelWords(result.scenario, style)}});
     return sentences;
 }
@@ -182,17 +173,15 @@ std::vector<Message> scanSentences(const DrillingScan& scan, const std::optional
     std::vector<Message> sentences;
     if (comparison->unresolved) {
         const Sequence& unresolved = comparison->unresolved->sequence;
-        sentences.push_back(
-            {translatable("drillwave::Message", "The scan cannot resolve a difference: +- %1, because %2."),
-             {style.quantity(unresolved.penetration.error.value_or(0), Quantity::length, 2),
-              reasonWords(*unresolved.unresolved)}});
+        sentences.push_back({translatable("The scan cannot resolve a difference: +- %1, because %2."),
+                             {style.quantity(unresolved.penetration.error.value_or(0), Quantity::length, 2),
+                              reasonWords(*unresolved.unresolved)}});
         sentences.emplace_back(remedyWords(*unresolved.unresolved));
     } else if (comparison->entries.size() > 1 && !comparison->isAnyLower()) {
-        sentences.push_back(
-            {translatable("drillwave::Message", "All values give the same rate within the errors, %1."),
-             {penetrationRateText(comparison->best().sequence.penetrationRate, style)}});
+        sentences.push_back({translatable("All values give the same rate within the errors, %1."),
+                             {penetrationRateText(comparison->best().sequence.penetrationRate, style)}});
     } else {
-        sentences.push_back({translatable("drillwave::Message", "%1 gives the most, %2%3."),
+        sentences.push_back({translatable("%1 gives the most, %2%3."),
                              {settingOf(scan, comparison->best().at, style),
                               penetrationRateText(comparison->best().sequence.penetrationRate, style),
                               gainWords(*comparison, present, style)}});

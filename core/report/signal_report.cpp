@@ -16,15 +16,15 @@ namespace {
 const char* separatorWord(char separator) {
     switch (separator) {
         case '\t':
-            return translatable("drillwave::Message", "tab");
+            return translatable("tab");
         case ';':
-            return translatable("drillwave::Message", "semicolon");
+            return translatable("semicolon");
         case '|':
-            return translatable("drillwave::Message", "bar");
+            return translatable("bar");
         case ' ':
-            return translatable("drillwave::Message", "blanks");
+            return translatable("blanks");
         default:
-            return translatable("drillwave::Message", "comma");
+            return translatable("comma");
     }
 }
 
@@ -44,13 +44,13 @@ std::string timeUnitText(const SignalReading& reading) {
 const char* fromWord(FactSource source) {
     switch (source) {
         case FactSource::header:
-            return translatable("drillwave::Message", "from the table");
+            return translatable("from the table");
         case FactSource::option:
-            return translatable("drillwave::Message", "from the option");
+            return translatable("from the option");
         case FactSource::estimated:
-            return translatable("drillwave::Message", "an estimate");
+            return translatable("an estimate");
         case FactSource::assumed:
-            return translatable("drillwave::Message", "not stated");
+            return translatable("not stated");
     }
     return "";
 }
@@ -61,20 +61,17 @@ double stepOf(const Samples& samples) {
 
 const char* questionPattern(const std::string& question) {
     constexpr std::pair<std::string_view, const char*> patterns[] = {
-        {"unit", translatable("drillwave::Message",
-                              "In what unit is the signal? Volts also need --scale 50kN/V, or "
+        {"unit", translatable("In what unit is the signal? Volts also need --scale 50kN/V, or "
                               "--excitation, --gain, --bridge and --gauge-factor")},
-        {"rate", translatable("drillwave::Message", "What is the sampling rate?")},
-        {"time_unit", translatable("drillwave::Message", "In what unit are the times?")},
-        {"column", translatable("drillwave::Message", "Which column is the signal? Several could be")},
-        {"decimal",
-         translatable("drillwave::Message", "Is the sign in 1,234 a decimal sign or a group of thousands?")},
-        {"area", translatable("drillwave::Message", "What is the area of the bar at the gauge?")},
-        {"modulus", translatable("drillwave::Message", "What is Young's modulus of the bar?")},
-        {"bridge", translatable("drillwave::Message", "How many gauges of the bridge are active?")},
-        {"gauge_factor", translatable("drillwave::Message", "What is the gauge factor?")},
-        {"impedance",
-         translatable("drillwave::Message", "What is the impedance of the bar? Give it as 18kN s/m")}};
+        {"rate", translatable("What is the sampling rate?")},
+        {"time_unit", translatable("In what unit are the times?")},
+        {"column", translatable("Which column is the signal? Several could be")},
+        {"decimal", translatable("Is the sign in 1,234 a decimal sign or a group of thousands?")},
+        {"area", translatable("What is the area of the bar at the gauge?")},
+        {"modulus", translatable("What is Young's modulus of the bar?")},
+        {"bridge", translatable("How many gauges of the bridge are active?")},
+        {"gauge_factor", translatable("What is the gauge factor?")},
+        {"impedance", translatable("What is the impedance of the bar? Give it as 18kN s/m")}};
     for (const auto& [name, pattern] : patterns)
         if (name == question) return pattern;
     return "";
@@ -128,20 +125,18 @@ void addTime(FactLines& lines, const SignalReading& reading) {
     const SampleSource& source = reading.source;
     if (source.timeColumn) {
         const std::string unit = timeUnitText(reading);
-        const Message stamps = translatable("drillwave::Message", "times of day, as s since the first");
-        lines.add(translatable("drillwave::Message", "time"),
-                  {translatable("drillwave::Message", "column %1, %2, %3"),
-                   {columnName(reading, *source.timeColumn),
-                    reading.table.columns[*source.timeColumn].isStamp ? stamps
-                    : unit.empty() ? Message(translatable("drillwave::Message", "no unit"))
-                                   : Message(unit),
-                    fromWord(reading.timeFrom)}});
+        const Message stamps = translatable("times of day, as s since the first");
+        lines.add(translatable("time"), {translatable("column %1, %2, %3"),
+                                         {columnName(reading, *source.timeColumn),
+                                          reading.table.columns[*source.timeColumn].isStamp ? stamps
+                                          : unit.empty() ? Message(translatable("no unit"))
+                                                         : Message(unit),
+                                          fromWord(reading.timeFrom)}});
         return;
     }
-    lines.add(translatable("drillwave::Message", "time"),
-              {translatable("drillwave::Message", "evenly spaced, %1, %2"),
-               {reading.rate ? Message(rateText(*reading.rate))
-                             : Message(translatable("drillwave::Message", "no rate")),
+    lines.add(translatable("time"),
+              {translatable("evenly spaced, %1, %2"),
+               {reading.rate ? Message(rateText(*reading.rate)) : Message(translatable("no rate")),
                 fromWord(reading.timeFrom)}});
 }
 
@@ -151,65 +146,53 @@ std::string signalText(const NamedReading& record, const ReadingStyle& style) {
     const SignalReading& reading = record.reading;
     FactLines lines(style);
     const RowFormat& format = reading.table.format;
-    lines.add(translatable("drillwave::Message", "format"),
-              {translatable("drillwave::Message", "%1, separator %2, decimal sign %3, samples from line %4"),
+    lines.add(translatable("format"),
+              {translatable("%1, separator %2, decimal sign %3, samples from line %4"),
                {std::string(name(reading.encoding)), separatorWord(format.separator),
                 std::string(format.decimal == DecimalSign::point ? "." : ","),
                 std::to_string(reading.table.firstLine)}});
     addTime(lines, reading);
-    lines.add(translatable("drillwave::Message", "signal"),
-              {translatable("drillwave::Message", "column %1, %2, %3"),
-               {columnName(reading, reading.source.valueColumn),
-                reading.unit ? Message(std::string(reading.unit->unit.name))
-                             : Message(translatable("drillwave::Message", "no unit")),
-                fromWord(reading.unitFrom)}});
+    lines.add(translatable("signal"), {translatable("column %1, %2, %3"),
+                                       {columnName(reading, reading.source.valueColumn),
+                                        reading.unit ? Message(std::string(reading.unit->unit.name))
+                                                     : Message(translatable("no unit")),
+                                        fromWord(reading.unitFrom)}});
     const Samples& samples = reading.samples;
     if (reading.isTimeKnown() || reading.rate)
-        lines.add(translatable("drillwave::Message", "samples"),
-                  {translatable("drillwave::Message", "%1, one in %2, from %3 on"),
-                   {std::to_string(samples.value.size()), timeText(stepOf(samples)),
-                    timeText(samples.time.front())}});
+        lines.add(translatable("samples"), {translatable("%1, one in %2, from %3 on"),
+                                            {std::to_string(samples.value.size()), timeText(stepOf(samples)),
+                                             timeText(samples.time.front())}});
     else
-        lines.add(translatable("drillwave::Message", "samples"),
-                  Message(std::to_string(samples.value.size())));
+        lines.add(translatable("samples"), Message(std::to_string(samples.value.size())));
     const std::string unit(reading.peakUnit());
-    lines.add(translatable("drillwave::Message", "peak"),
-              Message(rounded(reading.peak()) + (unit.empty() ? "" : " " + unit)));
+    lines.add(translatable("peak"), Message(rounded(reading.peak()) + (unit.empty() ? "" : " " + unit)));
     if (!reading.isOpen()) {
-        lines.add(translatable("drillwave::Message", "range"),
-                  {translatable("drillwave::Message", "%1 to %2"),
-                   {timeText(reading.range.from), timeText(reading.range.to)}});
-        lines.add(translatable("drillwave::Message", "impulse"),
-                  Message(rounded(reading.blow.impulse) + " N s"));
+        lines.add(translatable("range"),
+                  {translatable("%1 to %2"), {timeText(reading.range.from), timeText(reading.range.to)}});
+        lines.add(translatable("impulse"), Message(rounded(reading.blow.impulse) + " N s"));
     }
-    for (const SignalRemark& remark : reading.remarks)
-        lines.add(translatable("drillwave::Message", "remark"), remark.text);
+    for (const SignalRemark& remark : reading.remarks) lines.add(translatable("remark"), remark.text);
     for (const std::string& question : reading.questions)
-        lines.add(translatable("drillwave::Message", "question"),
-                  {translatable("drillwave::Message", "%1 (%2)"),
-                   {Message(questionPattern(question)), std::string(answerTo(question))}});
+        lines.add(
+            translatable("question"),
+            {translatable("%1 (%2)"), {Message(questionPattern(question)), std::string(answerTo(question))}});
     return record.file + "\n" + lines.text();
 }
 
 std::string signalSeriesText(std::span<const NamedReading> records, const ReadingStyle& style) {
     using Row = std::array<std::string, 9>;
     const auto said = [&](const char* pattern) { return style.said(Message(pattern)); };
-    std::vector<Row> rows{{said(translatable("drillwave::Message", "record")),
-                           said(translatable("drillwave::Message", "samples")),
-                           said(translatable("drillwave::Message", "rate")),
-                           said(translatable("drillwave::Message", "peak")),
-                           said(translatable("drillwave::Message", "impulse")),
-                           said(translatable("drillwave::Message", "offset")),
-                           said(translatable("drillwave::Message", "noise")),
-                           said(translatable("drillwave::Message", "remarks")),
-                           said(translatable("drillwave::Message", "questions"))}};
+    std::vector<Row> rows{
+        {said(translatable("record")), said(translatable("samples")), said(translatable("rate")),
+         said(translatable("peak")), said(translatable("impulse")), said(translatable("offset")),
+         said(translatable("noise")), said(translatable("remarks")), said(translatable("questions"))}};
     const auto share = [](double value) { return rounded(100 * value, 2) + " %"; };
     for (const NamedReading& record : records) {
         const SignalReading& reading = record.reading;
         Row& row = rows.emplace_back();
         row[0] = record.file;
         if (!reading.problem.isEmpty()) {
-            row[7] = said(translatable("drillwave::Message", "not read"));
+            row[7] = said(translatable("not read"));
             continue;
         }
         row[1] = std::to_string(reading.samples.value.size());

@@ -50,8 +50,7 @@ std::string describe(const StabilityRow& row, const ReadingStyle& style) {
 }
 
 std::string failuresOf(const StabilityRow& row, const ReadingStyle& style = plainStyle()) {
-    if (row.outcome != Outcome::rebounded)
-        return style.said({translatable("drillwave::Message", "not solved: %1"), {row.reason}});
+    if (row.outcome != Outcome::rebounded) return style.said({translatable("not solved: %1"), {row.reason}});
     std::string text;
     for (const Message& failure : row.failures) text += (text.empty() ? "" : "; ") + style.said(failure);
     return text;
@@ -120,12 +119,10 @@ std::string kindsText(const StabilityReport& report, const ReadingStyle& style) 
         const std::string words = style.said(title);
         return Column{words, std::max(least, columnsOf(words))};
     };
-    const std::array<Column, 6> columns{column(translatable("drillwave::Message", "kind of case"), 46),
-                                        column(translatable("drillwave::Message", "cases"), 6),
-                                        column(translatable("drillwave::Message", "passed"), 7),
-                                        column(translatable("drillwave::Message", "worst balance"), 14),
-                                        column(translatable("drillwave::Message", "continuity"), 12),
-                                        column(translatable("drillwave::Message", "pieces"), 10)};
+    const std::array<Column, 6> columns{
+        column(translatable("kind of case"), 46), column(translatable("cases"), 6),
+        column(translatable("passed"), 7),        column(translatable("worst balance"), 14),
+        column(translatable("continuity"), 12),   column(translatable("pieces"), 10)};
     const auto line = [&](const std::array<std::string, 6>& cells) {
         std::string text = leftAligned(cells[0], columns[0].width);
         for (std::size_t i = 1; i < cells.size(); ++i) text += " " + rightAligned(cells[i], columns[i].width);
@@ -149,37 +146,37 @@ struct Measured {
 };
 
 constexpr auto stabilityMeasures = std::to_array<Measured>({
-    {translatable("drillwave::Message", "momentum residual"),
+    {translatable("momentum residual"),
      [](const StabilityRow& r) { return std::optional<double>(std::abs(r.momentumResidual)); }, shortText,
      stabilityMarks.momentum},
-    {translatable("drillwave::Message", "energy residual"),
+    {translatable("energy residual"),
      [](const StabilityRow& r) { return std::optional<double>(std::abs(r.energyResidual)); }, shortText,
      stabilityMarks.energy},
-    {translatable("drillwave::Message", "pull of the rock"),
+    {translatable("pull of the rock"),
      [](const StabilityRow& r) {
          return r.leastForce ? std::optional<double>(-*r.leastForce) : std::optional<double>();
      },
      shortText, stabilityMarks.pull},
-    {translatable("drillwave::Message", "return after the end"),
-     [](const StabilityRow& r) { return r.reach; }, shortText, stabilityMarks.reach},
+    {translatable("return after the end"), [](const StabilityRow& r) { return r.reach; }, shortText,
+     stabilityMarks.reach},
     // of blows whose e has its digits; the others are let off by their stated error
-    {translatable("drillwave::Message", "change over 1e-10"),
+    {translatable("change over 1e-10"),
      [](const StabilityRow& r) {
          return r.corError < 1e-12 ? std::optional<double>(r.change) : std::optional<double>();
      },
      shortText, stabilityMarks.change},
-    {translatable("drillwave::Message", "distance from limit"),
-     [](const StabilityRow& r) { return r.limitDistance; }, twoDigits, stabilityMarks.limit},
-    {translatable("drillwave::Message", "distance from lattice"),
-     [](const StabilityRow& r) { return r.latticeDistance; }, twoDigits, stabilityMarks.lattice},
-    {translatable("drillwave::Message", "distance from long double"),
-     [](const StabilityRow& r) { return r.boundDistance; }, twoDigits, stabilityMarks.bound},
-    {translatable("drillwave::Message", "stated error"),
+    {translatable("distance from limit"), [](const StabilityRow& r) { return r.limitDistance; }, twoDigits,
+     stabilityMarks.limit},
+    {translatable("distance from lattice"), [](const StabilityRow& r) { return r.latticeDistance; },
+     twoDigits, stabilityMarks.lattice},
+    {translatable("distance from long double"), [](const StabilityRow& r) { return r.boundDistance; },
+     twoDigits, stabilityMarks.bound},
+    {translatable("stated error"),
      [](const StabilityRow& r) { return std::optional<double>(std::abs(r.corError)); }, shortText},
-    {translatable("drillwave::Message", "wave pieces"),
+    {translatable("wave pieces"),
      [](const StabilityRow& r) { return std::optional<double>(double(r.pieces)); }, wholeText},
-    {translatable("drillwave::Message", "seconds"),
-     [](const StabilityRow& r) { return std::optional<double>(r.seconds); }, twoDigits},
+    {translatable("seconds"), [](const StabilityRow& r) { return std::optional<double>(r.seconds); },
+     twoDigits},
 });
 
 const StabilityRow* worstBy(const Measured& measure, const StabilityReport& report) {
@@ -200,10 +197,8 @@ std::string worstText(const StabilityReport& report, const ReadingStyle& style) 
         return leftAligned(title, width + 2) + " " + rightAligned(worst, 8) + " " + rightAligned(mark, 8) +
                "  " + where + "\n";
     };
-    std::string text = "\n" + line(style.said(translatable("drillwave::Message", "column")),
-                                   style.said(translatable("drillwave::Message", "worst")),
-                                   style.said(translatable("drillwave::Message", "mark")),
-                                   style.said(translatable("drillwave::Message", "where")));
+    std::string text = "\n" + line(style.said(translatable("column")), style.said(translatable("worst")),
+                                   style.said(translatable("mark")), style.said(translatable("where")));
     for (const Measured& measure : stabilityMeasures)
         if (const StabilityRow* most = worstBy(measure, report))
             text += line("  " + style.said(measure.title), measure.shown(*measure.value(*most), style),
@@ -218,12 +213,12 @@ std::string stabilityText(const StabilityReport& report, const ReadingStyle& sty
     std::string text = kindsText(report, style) + worstText(report, style);
     for (const StabilityRow& row : report.rows)
         if (!row.passed())
-            text += style.said({translatable("drillwave::Message", "FAILED %1: %2"),
-                                {describe(row, style), failuresOf(row, style)}}) +
-                    "\n";
+            text +=
+                style.said({translatable("FAILED %1: %2"), {describe(row, style), failuresOf(row, style)}}) +
+                "\n";
     const std::size_t bad = report.failed() + report.notSolved();
     return text + "\n" +
-           style.said({translatable("drillwave::Message", "%1 cases: %2 passed, %3 failed, %4 not solved"),
+           style.said({translatable("%1 cases: %2 passed, %3 failed, %4 not solved"),
                        {std::to_string(report.rows.size()), std::to_string(report.rows.size() - bad),
                         std::to_string(report.failed()), std::to_string(report.notSolved())}}) +
            "\n";

@@ -13,13 +13,10 @@ namespace {
 
 const char* firstPattern(const StrengthUse& use) {
     if (use.of == StrengthUse::Strength::fatigue)
-        return translatable("drillwave::Message",
-                            "First to break: %1, by a tension of %2, %3 of its fatigue strength of %4.");
+        return translatable("First to break: %1, by a tension of %2, %3 of its fatigue strength of %4.");
     return use.isTension
-               ? translatable("drillwave::Message",
-                              "First to yield: %1, by a tension of %2, %3 of its yield strength of %4.")
-               : translatable("drillwave::Message",
-                              "First to yield: %1, by a compression of %2, %3 of its yield strength of %4.");
+               ? translatable("First to yield: %1, by a tension of %2, %3 of its yield strength of %4.")
+               : translatable("First to yield: %1, by a compression of %2, %3 of its yield strength of %4.");
 }
 
 }  // namespace
@@ -30,14 +27,12 @@ Message strengthSentence(const Scenario& scenario, const std::vector<SectionStre
     const std::vector<std::optional<StrengthUse>> uses = strengthUses(scenario, stresses);
     const std::optional<std::size_t> most = mostUsedSection(uses);
     if (!most)
-        return translatable("drillwave::Message",
-                            "No section has a strength: give `fatigue_strength` to see which breaks first.");
+        return translatable("No section has a strength: give `fatigue_strength` to see which breaks first.");
     const StrengthUse& use = *uses[*most];
     const auto stress = [&](double si) { return style.quantity(si, Quantity::stress, 4); };
     const Message first{
         firstPattern(use),
-        {hasSections(scenario) ? sectionWords(scenario.drillString)[*most]
-                               : Message(translatable("drillwave::Message", "the rod")),
+        {hasSections(scenario) ? sectionWords(scenario.drillString)[*most] : Message(translatable("the rod")),
          stress(use.peak.stress), style.number(100 * use.share(), 3) + " %", stress(use.strength)}};
     const std::size_t ofHammer = scenario.drillString.hammer.sections.size();
     const auto without = static_cast<std::uint64_t>(
@@ -45,9 +40,8 @@ Message strengthSentence(const Scenario& scenario, const std::vector<SectionStre
                    std::nullopt));
     if (without == 0) return first;
     return {"%1 %2",
-            {first,
-             counted(without, translatable("drillwave::Message", "%1 section of the string has no strength."),
-                     translatable("drillwave::Message", "%1 sections of the string have no strength."))}};
+            {first, counted(without, translatable("%1 section of the string has no strength."),
+                            translatable("%1 sections of the string have no strength."))}};
 }
 
 }  // namespace drillwave

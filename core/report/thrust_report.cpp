@@ -41,10 +41,8 @@ std::string shareText(double share, const ReadingStyle& style) {
 /// The effective force over the largest of the needs, and which that is; empty where no thrust is installed.
 Message marginSentence(const FeedEstimate& feed, const ReadingStyle& style) {
     if (!feed.largest().margin) return {};
-    return {feed.isOfAllGaps() ? translatable("drillwave::Message",
-                                              "Margin over the largest of the four required forces (%1): %2.")
-                               : translatable("drillwave::Message",
-                                              "Margin over the larger of the two required forces (%1): %2."),
+    return {feed.isOfAllGaps() ? translatable("Margin over the largest of the four required forces (%1): %2.")
+                               : translatable("Margin over the larger of the two required forces (%1): %2."),
             {labelOf(feed.largestCase()), style.signedPercent(*feed.largest().margin)}};
 }
 
@@ -61,7 +59,7 @@ std::vector<ThrustCase> knownCases(const ThrustAlong& along) {
 
 /// What comes how often, and what presses against it.
 std::string blowsText(const ThrustReport& report, const ReadingStyle& style) {
-    std::string text = style.said({translatable("drillwave::Message", "%1 of %2, n_b = %3"),
+    std::string text = style.said({translatable("%1 of %2, n_b = %3"),
                                    {hertz(*report.scenario.drill.blowFrequency, style),
                                     style.quantity(impulseOf(report), Quantity::impulse, 4),
                                     style.number(*roundTripsBetweenBlows(report.scenario), 4)}});
@@ -75,7 +73,7 @@ std::string alongTable(const ThrustAlong& along, const ReadingStyle& style) {
     std::vector<std::string> titles{along.axis.column().header};
     const std::vector<ThrustCase> cases = knownCases(along);
     for (const ThrustCase which : cases) titles.push_back(style.said(labelOf(which)));
-    titles.push_back(style.said(translatable("drillwave::Message", "feed")));
+    titles.push_back(style.said(translatable("feed")));
     grid.add(titles);
     for (const ThrustPoint& point : along.curve.points) {
         std::vector<std::string> cells{style.number(along.axis.unit->fromSi(point.value), valueDigits)};
@@ -141,12 +139,9 @@ JsonObject alongJson(const ThrustAlong& along) {
 TextGrid needsGrid(const ThrustReport& report, const ReadingStyle& style) {
     const bool isInstalled = report.scenario.drill.thrust.has_value();
     TextGrid grid;
-    std::vector<const char*> titles{translatable("drillwave::Message", "case"), "e",
-                                    translatable("drillwave::Message", "required"),
-                                    translatable("drillwave::Message", "return in time")};
-    if (isInstalled)
-        titles.insert(titles.end(), {translatable("drillwave::Message", "margin"),
-                                     translatable("drillwave::Message", "covered up to")});
+    std::vector<const char*> titles{translatable("case"), "e", translatable("required"),
+                                    translatable("return in time")};
+    if (isInstalled) titles.insert(titles.end(), {translatable("margin"), translatable("covered up to")});
     grid.addTitles(titles, style);
     for (const ThrustCase which : thrustCases) {
         const ThrustNeed& need = report.study.need(which);
@@ -167,15 +162,15 @@ std::vector<Message> thrustSentences(const Scenario& scenario, const FeedEstimat
     const std::optional<FeedState> state = feed.state();
     // What covers every gap covers each in this rock.
     if (shareCovered && (state == FeedState::belowRequired || state == FeedState::requiredAtThisGap))
-        sentences.push_back({translatable("drillwave::Message", "It covers %1 of all gaps in this rock."),
-                             {shareText(*shareCovered, style)}});
+        sentences.push_back(
+            {translatable("It covers %1 of all gaps in this rock."), {shareText(*shareCovered, style)}});
     if (Message margin = marginSentence(feed, style); !margin.isEmpty())
         sentences.push_back(std::move(margin));
     if (!feed.gapsHavePeriod)
-        sentences.emplace_back(translatable("drillwave::Message",
-                                            "The impulse of a blow is that of the hammer's face. The gaps of "
-                                            "a drill string have no period, so neither a share of them nor "
-                                            "the worst one is known."));
+        sentences.emplace_back(
+            translatable("The impulse of a blow is that of the hammer's face. The gaps of "
+                         "a drill string have no period, so neither a share of them nor "
+                         "the worst one is known."));
     return sentences;
 }
 

@@ -135,8 +135,7 @@ bool CaseRecords::nextRecord(CsvRecord& record) {
         return true;
     }
     if (!findBehindEmptyRows()) return false;
-    record.problem =
-        translatable("drillwave::Message", "a row without values stands between the cases; delete it");
+    record.problem = translatable("a row without values stands between the cases; delete it");
     return true;
 }
 

@@ -20,12 +20,12 @@ Message setSeparator(SignalOptions& options, std::string_view text) {
             options.separator = separator;
             return {};
         }
-    return translatable("drillwave::Message", "must be one of tab, semicolon, comma, bar, blank");
+    return translatable("must be one of tab, semicolon, comma, bar, blank");
 }
 
 Message setDecimal(SignalOptions& options, std::string_view text) {
     if (text != "point" && text != "comma" && text != "." && text != ",")
-        return translatable("drillwave::Message", "must be point or comma");
+        return translatable("must be point or comma");
     options.decimal = text == "point" || text == "." ? DecimalSign::point : DecimalSign::comma;
     return {};
 }
@@ -40,16 +40,13 @@ Message setFirstLine(SignalOptions& options, std::string_view text) {
 
 Message setEncoding(SignalOptions& options, std::string_view text) {
     const std::optional<TextEncoding> found = findEncoding(text);
-    if (!found)
-        return translatable("drillwave::Message",
-                            "must be one of utf-8, windows-1252, latin-1, utf-16le, utf-16be");
+    if (!found) return translatable("must be one of utf-8, windows-1252, latin-1, utf-16le, utf-16be");
     options.encoding = *found;
     return {};
 }
 
 Message setColumn(std::string& column, std::string_view text) {
-    if (trimmed(text).empty())
-        return translatable("drillwave::Message", "must be the name of a column, or its number from 1");
+    if (trimmed(text).empty()) return translatable("must be the name of a column, or its number from 1");
     column = trimmed(text);
     return {};
 }
@@ -57,8 +54,7 @@ Message setColumn(std::string& column, std::string_view text) {
 Message setTimeUnit(SignalOptions& options, std::string_view text) {
     options.timeUnit = findTimeUnit(text);
     if (options.timeUnit) return {};
-    return {translatable("drillwave::Message", "must be a unit of time, one of %1"),
-            {unitList(Quantity::time)}};
+    return {translatable("must be a unit of time, one of %1"), {unitList(Quantity::time)}};
 }
 
 Message setUnit(SignalOptions& options, std::string_view text) {
@@ -69,7 +65,7 @@ Message setUnit(SignalOptions& options, std::string_view text) {
                                   SignalKind::voltage, SignalKind::stress, SignalKind::velocity})
         for (const SignalUnit& unit : signalUnits(kind))
             list += (list.empty() ? "" : ", ") + std::string(unit.name);
-    return {translatable("drillwave::Message", "must be a unit of a signal, one of %1"), {list}};
+    return {translatable("must be a unit of a signal, one of %1"), {list}};
 }
 
 /// A quantity above 0, a bare number where there is a unit for it.
@@ -77,7 +73,7 @@ Message setPositive(std::optional<double>& value, std::string_view text, Quantit
                     BareNumber bare = BareNumber::refused) {
     const TypedQuantity typed = parseQuantity(text, quantity, bare, findUnit(quantity, unit));
     if (!typed.valid()) return typed.problem;
-    if (!(typed.si > 0)) return translatable("drillwave::Message", "must be above 0");
+    if (!(typed.si > 0)) return translatable("must be above 0");
     value = typed.si;
     return {};
 }
@@ -122,12 +118,10 @@ Message setTime(std::optional<double>& time, std::string_view text) {
 Message setZero(SignalOptions& options, std::string_view text) {
     const std::size_t colon = text.find(':');
     std::optional<double> from, to;
-    if (colon == std::string_view::npos)
-        return translatable("drillwave::Message", "must be two times A:B, as in -50us:-10us");
+    if (colon == std::string_view::npos) return translatable("must be two times A:B, as in -50us:-10us");
     if (const Message problem = setTime(from, text.substr(0, colon)); !problem.isEmpty()) return problem;
     if (const Message problem = setTime(to, text.substr(colon + 1)); !problem.isEmpty()) return problem;
-    if (!(*from < *to))
-        return translatable("drillwave::Message", "the first time must be before the second one");
+    if (!(*from < *to)) return translatable("the first time must be before the second one");
     options.zero = {*from, *to};
     return {};
 }
@@ -135,13 +129,11 @@ Message setZero(SignalOptions& options, std::string_view text) {
 Message setScale(SignalOptions& options, std::string_view text) {
     options.scale = parseScale(text);
     if (options.scale) return {};
-    return translatable("drillwave::Message",
-                        "must be a factor that is not 0, or a force per unit: 2.5, 50kN/V, 18kN s/m");
+    return translatable("must be a factor that is not 0, or a force per unit: 2.5, 50kN/V, 18kN s/m");
 }
 
 Message setRows(SignalOptions& options, std::string_view text) {
-    if (text != "refuse" && text != "skip")
-        return translatable("drillwave::Message", "must be refuse or skip");
+    if (text != "refuse" && text != "skip") return translatable("must be refuse or skip");
     options.wrongRows = text == "skip" ? WrongRows::skipped : WrongRows::refused;
     return {};
 }

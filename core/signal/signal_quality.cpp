@@ -253,50 +253,41 @@ SignalQuality signalQuality(const Samples& samples) {
 std::vector<SignalRemark> qualityRemarks(const SignalQuality& quality, const Samples& samples) {
     std::vector<SignalRemark> remarks;
     if (quality.isClipped)
-        remarks.push_back(
-            {"clipped",
-             {translatable("drillwave::Message", "%1 equal samples at the largest value, %2: clipped?"),
-              {std::to_string(quality.flatSamples), rounded(quality.flatTop)}}});
+        remarks.push_back({"clipped",
+                           {translatable("%1 equal samples at the largest value, %2: clipped?"),
+                            {std::to_string(quality.flatSamples), rounded(quality.flatTop)}}});
     if (quality.offset && std::abs(*quality.offset) > muchOffset)
         remarks.push_back(
             {"offset",
-             {translatable("drillwave::Message",
-                           "before the blow the record is at %1 of its peak: set the zero line"),
+             {translatable("before the blow the record is at %1 of its peak: set the zero line"),
               {percent(*quality.offset)}}});
     if (quality.drift && std::abs(*quality.drift) > muchDrift)
         remarks.push_back(
             {"drift",
-             {translatable("drillwave::Message", "the zero line drifts by %1 of the peak per ms"),
-              {percent(*quality.drift)}}});
+             {translatable("the zero line drifts by %1 of the peak per ms"), {percent(*quality.drift)}}});
     if (quality.isQuantised)
         remarks.push_back(
             {"quantised",
              {translatable(
-                  "drillwave::Message",
                   "the recorder has steps of %1 of the peak, and the noise is smaller: use a smaller range"),
               {percent(quality.step)}}});
     if (quality.hasJitter)
-        remarks.push_back(
-            {"jitter",
-             {translatable("drillwave::Message", "steps of time differ from the usual step by up to %1"),
-              {percent(quality.jitter)}}});
+        remarks.push_back({"jitter",
+                           {translatable("steps of time differ from the usual step by up to %1"),
+                            {percent(quality.jitter)}}});
     if (quality.blows > 1)
         remarks.push_back({"several_blows",
-                           {translatable("drillwave::Message",
-                                         "the record holds %1 blows: choose one by its range of time"),
+                           {translatable("the record holds %1 blows: choose one by its range of time"),
                             {std::to_string(quality.blows)}}});
     if (quality.gaugeDifference && *quality.gaugeDifference > muchBending)
         remarks.push_back(
             {"opposite_gauges",
              {translatable(
-                  "drillwave::Message",
                   "opposite gauges differ: half their difference is %1 of the peak (rms); is the bar bent or "
                   "a gauge loose?"),
               {percent(*quality.gaugeDifference)}}});
     if (quality.gap > 0 && samples.skipped == 0)
-        remarks.push_back(
-            {"gap",
-             {translatable("drillwave::Message", "the times have a gap of %1"), {timeText(quality.gap)}}});
+        remarks.push_back({"gap", {translatable("the times have a gap of %1"), {timeText(quality.gap)}}});
     return remarks;
 }
 

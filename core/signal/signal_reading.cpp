@@ -59,8 +59,7 @@ class SignalReader {
     bool detect() {
         TextLines text(m_in, m_options.encoding);
         if (const std::string_view what = knownFormat(text.beginning()); !what.empty())
-            return fail(
-                {translatable("drillwave::Message", "this is no table: it is %1"), {Message::ofTable(what)}});
+            return fail({translatable("this is no table: it is %1"), {Message::ofTable(what)}});
         rewind(m_in);
         std::vector<std::string> lines = firstLines(m_in, headLines, m_options.encoding);
         rewind(m_in);
@@ -74,15 +73,13 @@ class SignalReader {
             m_reading.table = detectTable(lines, RowFormat{',', DecimalSign::point});
             m_reading.table.hasRows = true;
             remark("rows",
-                   translatable("drillwave::Message",
-                                "each channel is a row: the table is turned, lines count its columns"));
+                   translatable("each channel is a row: the table is turned, lines count its columns"));
         }
         m_reading.encoding = m_options.encoding;
         if (lines.empty()) return fail(unreadable());
         if (!m_reading.table.hasSamples())
             return fail(
-                {translatable("drillwave::Message",
-                              "no line of numbers is found in the first %1 lines; is it a table of samples? "
+                {translatable("no line of numbers is found in the first %1 lines; is it a table of samples? "
                               "Give --separator, --decimal or --first-line"),
                  {std::to_string(lines.size())}});
         m_reading.encoding = encodingOf();
@@ -106,9 +103,8 @@ class SignalReader {
         text.next(line);
         rewind(m_in);
         if (!text.problem().empty())
-            return {translatable("drillwave::Message", "line %1: %2"),
-                    {std::to_string(text.number()), text.problem()}};
-        return translatable("drillwave::Message", "the file is empty");
+            return {translatable("line %1: %2"), {std::to_string(text.number()), text.problem()}};
+        return translatable("the file is empty");
     }
 
     DetectedTable tableOf(const std::vector<std::string>& lines) const {
@@ -147,8 +143,7 @@ class SignalReader {
         for (std::size_t i = 0; i < std::min<std::size_t>(columns.size(), 12); ++i)
             list += (i ? ", " : "") + std::to_string(i + 1) +
                     (columns[i].name.empty() ? std::string() : " `" + shortened(columns[i].name) + "`");
-        problem = {translatable("drillwave::Message", "there is no column `%1`; there are: %2"),
-                   {shortened(wanted), list}};
+        problem = {translatable("there is no column `%1`; there are: %2"), {shortened(wanted), list}};
         return std::nullopt;
     }
 
@@ -189,8 +184,7 @@ class SignalReader {
         }
         if (source.timeColumn == source.valueColumn)
             return fail(
-                {translatable("drillwave::Message",
-                              "column %1 cannot be time and signal; choose another by --signal-column"),
+                {translatable("column %1 cannot be time and signal; choose another by --signal-column"),
                  {std::to_string(source.valueColumn + 1)}},
                 true);
         if (m_reading.table.isDecimalOpen) ask("decimal");
@@ -238,8 +232,8 @@ class SignalReader {
         if (m_reading.samples.estimatedRate) {
             // The times are too coarse: even ones from the first to the last, to be confirmed.
             const Samples coarse = std::move(m_reading.samples);
-            remark("times_repeat", {translatable("drillwave::Message", "line %1: %2"),
-                                    {std::to_string(coarse.problemLine), coarse.problem}});
+            remark("times_repeat",
+                   {translatable("line %1: %2"), {std::to_string(coarse.problemLine), coarse.problem}});
             source.timeColumn = {};
             source.start = coarse.firstTime;
             source.interval = 1 / *coarse.estimatedRate;
@@ -258,9 +252,8 @@ class SignalReader {
                           samples.problem.find("rows can be skipped") != std::string::npos;
         Message text(samples.problem);
         if (samples.problemLine > 0)
-            text = {translatable("drillwave::Message", "line %1: %2"),
-                    {std::to_string(samples.problemLine), text}};
-        if (hint) text = {translatable("drillwave::Message", "%1 (--rows skip)"), {text}};
+            text = {translatable("line %1: %2"), {std::to_string(samples.problemLine), text}};
+        if (hint) text = {translatable("%1 (--rows skip)"), {text}};
         return fail(std::move(text));
     }
 
@@ -269,16 +262,13 @@ class SignalReader {
     void remarkOnRows() {
         const Samples& samples = m_reading.samples;
         if (samples.hasNulTail)
-            remark("nul_tail", translatable("drillwave::Message",
-                                            "NUL bytes end the table: the recorder did not fill its file"));
+            remark("nul_tail", translatable("NUL bytes end the table: the recorder did not fill its file"));
         if (samples.skipped == 0) return;
-        remark("skipped_rows", {translatable("drillwave::Message",
-                                             "%1 rows without a number are skipped, the first is line %2"),
+        remark("skipped_rows", {translatable("%1 rows without a number are skipped, the first is line %2"),
                                 {std::to_string(samples.skipped), std::to_string(samples.firstSkipped)}});
         if (samples.overloads > 0)
-            remark("overload",
-                   {translatable("drillwave::Message", "%1 of them say that the recorder was overloaded"),
-                    {std::to_string(samples.overloads)}});
+            remark("overload", {translatable("%1 of them say that the recorder was overloaded"),
+                                {std::to_string(samples.overloads)}});
     }
 
     void chooseUnit() {
@@ -379,7 +369,6 @@ class SignalReader {
             skippedEnd > m_reading.range.from && samples.skippedTime > 0)
             remark("gap_at_peak",
                    {translatable(
-                        "drillwave::Message",
                         "skipped rows leave a gap of %1 in the blow, from %2 on: straight lines cross it"),
                     {inHandyUnit(samples.skippedTime, Quantity::time, 4),
                      inHandyUnit(samples.skippedAt, Quantity::time, 6)}});
@@ -395,7 +384,7 @@ class SignalReader {
                 ++count;
             }
         if (count == 0)
-            fail({translatable("drillwave::Message", "no sample lies between the times of --zero, %1 and %2"),
+            fail({translatable("no sample lies between the times of --zero, %1 and %2"),
                   {inHandyUnit(from, Quantity::time), inHandyUnit(to, Quantity::time)}},
                  true);
         return count == 0 ? 0 : static_cast<double>(sum) / static_cast<double>(count);

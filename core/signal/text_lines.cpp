@@ -253,45 +253,40 @@ std::string_view knownFormat(std::string_view beginning) {
     if (beginning.starts_with("PK\3\4"))
         return beginning.find("xl/") != std::string_view::npos ||
                        beginning.find("[Content_Types].xml") != std::string_view::npos
-                   ? translatable("drillwave::Message", "an Excel workbook (.xlsx); save the sheet as CSV")
+                   ? translatable("an Excel workbook (.xlsx); save the sheet as CSV")
                : beginning.find("opendocument.spreadsheet") != std::string_view::npos
-                   ? translatable("drillwave::Message",
-                                  "an OpenDocument spreadsheet (.ods); save the sheet as CSV")
-                   : translatable("drillwave::Message", "a zip archive; unpack it first");
+                   ? translatable("an OpenDocument spreadsheet (.ods); save the sheet as CSV")
+                   : translatable("a zip archive; unpack it first");
     struct Signature {
         std::string_view bytes;
         std::string_view what;
     };
     static const Signature signatures[] = {
-        {"\x1F\x8B"sv, translatable("drillwave::Message", "compressed by gzip; unpack it first")},
-        {"BZh"sv, translatable("drillwave::Message", "compressed by bzip2; unpack it first")},
+        {"\x1F\x8B"sv, translatable("compressed by gzip; unpack it first")},
+        {"BZh"sv, translatable("compressed by bzip2; unpack it first")},
         {"\xFD"
          "7zXZ"sv,
-         translatable("drillwave::Message", "compressed by xz; unpack it first")},
-        {"7z\xBC\xAF"sv, translatable("drillwave::Message", "a 7-Zip archive; unpack it first")},
-        {"\x28\xB5\x2F\xFD"sv, translatable("drillwave::Message", "compressed by zstd; unpack it first")},
-        {"\xD0\xCF\x11\xE0"sv,
-         translatable("drillwave::Message", "an old Excel workbook (.xls); save the sheet as CSV")},
-        {"\x09\x08\x10\x00"sv,
-         translatable("drillwave::Message", "an old Excel workbook (.xls); save the sheet as CSV")},
-        {"\x89HDF"sv, translatable("drillwave::Message",
-                                   "an HDF5 file (MATLAB 7.3 also writes it); export the channels as CSV")},
-        {"MATLAB 5.0"sv, translatable("drillwave::Message", "a MATLAB file; export the channels as CSV")},
-        {"TDSm"sv, translatable("drillwave::Message", "a TDMS file; export the channels as CSV")},
-        {"\x93NUMPY"sv, translatable("drillwave::Message", "a NumPy array; write it by numpy.savetxt")},
-        {"PAR1"sv, translatable("drillwave::Message", "a Parquet file; export the columns as CSV")},
-        {"SQLite format 3"sv,
-         translatable("drillwave::Message", "an SQLite database; export a table as CSV")},
-        {"%PDF"sv, translatable("drillwave::Message", "a PDF document, not a table")},
-        {"{\\rtf"sv, translatable("drillwave::Message", "a document in RTF; save it as plain text")},
-        {"\x89PNG"sv, translatable("drillwave::Message", "a picture, not a table")},
-        {"\xFF\xD8\xFF"sv, translatable("drillwave::Message", "a picture, not a table")},
-        {"RIFF"sv, translatable("drillwave::Message", "a sound or video file (RIFF); export samples as CSV")},
-        {"\xFF\xFE\0\0"sv, translatable("drillwave::Message", "text in UTF-32; save it as UTF-8")},
-        {"\0\0\xFE\xFF"sv, translatable("drillwave::Message", "text in UTF-32; save it as UTF-8")},
-        {"<?xml"sv, translatable("drillwave::Message", "an XML document; save the sheet as CSV")},
-        {"<html"sv, translatable("drillwave::Message", "a web page; save the table as CSV")},
-        {"<!DOCTYPE"sv, translatable("drillwave::Message", "a web page; save the table as CSV")},
+         translatable("compressed by xz; unpack it first")},
+        {"7z\xBC\xAF"sv, translatable("a 7-Zip archive; unpack it first")},
+        {"\x28\xB5\x2F\xFD"sv, translatable("compressed by zstd; unpack it first")},
+        {"\xD0\xCF\x11\xE0"sv, translatable("an old Excel workbook (.xls); save the sheet as CSV")},
+        {"\x09\x08\x10\x00"sv, translatable("an old Excel workbook (.xls); save the sheet as CSV")},
+        {"\x89HDF"sv, translatable("an HDF5 file (MATLAB 7.3 also writes it); export the channels as CSV")},
+        {"MATLAB 5.0"sv, translatable("a MATLAB file; export the channels as CSV")},
+        {"TDSm"sv, translatable("a TDMS file; export the channels as CSV")},
+        {"\x93NUMPY"sv, translatable("a NumPy array; write it by numpy.savetxt")},
+        {"PAR1"sv, translatable("a Parquet file; export the columns as CSV")},
+        {"SQLite format 3"sv, translatable("an SQLite database; export a table as CSV")},
+        {"%PDF"sv, translatable("a PDF document, not a table")},
+        {"{\\rtf"sv, translatable("a document in RTF; save it as plain text")},
+        {"\x89PNG"sv, translatable("a picture, not a table")},
+        {"\xFF\xD8\xFF"sv, translatable("a picture, not a table")},
+        {"RIFF"sv, translatable("a sound or video file (RIFF); export samples as CSV")},
+        {"\xFF\xFE\0\0"sv, translatable("text in UTF-32; save it as UTF-8")},
+        {"\0\0\xFE\xFF"sv, translatable("text in UTF-32; save it as UTF-8")},
+        {"<?xml"sv, translatable("an XML document; save the sheet as CSV")},
+        {"<html"sv, translatable("a web page; save the table as CSV")},
+        {"<!DOCTYPE"sv, translatable("a web page; save the table as CSV")},
     };
     for (const Signature& signature : signatures)
         if (beginning.starts_with(signature.bytes)) return signature.what;

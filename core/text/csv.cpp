@@ -20,8 +20,7 @@ class CellScanner {
             quotedPart(text);
         }
         while (!atCellEnd()) {
-            if (m_wasQuoted && m_problem.isEmpty())
-                m_problem = translatable("drillwave::Message", "text follows a closing quote");
+            if (m_wasQuoted && m_problem.isEmpty()) m_problem = translatable("text follows a closing quote");
             take(text);
         }
         m_wasQuoted = false;
@@ -53,7 +52,7 @@ class CellScanner {
         while (true) {
             const int c = m_in.sgetc();
             if (c == endOfInput) {
-                m_problem = translatable("drillwave::Message", "a quote is not closed");
+                m_problem = translatable("a quote is not closed");
                 return;
             }
             if (c == '"') {
@@ -68,7 +67,7 @@ class CellScanner {
     void take(std::string& text) {
         const int c = m_in.sbumpc();
         if (m_budget == 0) {
-            if (m_problem.isEmpty()) m_problem = translatable("drillwave::Message", "the record is too long");
+            if (m_problem.isEmpty()) m_problem = translatable("the record is too long");
             return;
         }
         --m_budget;
@@ -173,7 +172,7 @@ bool CsvReader::next(CsvRecord& record) {
             record.cells.push_back(scanner.cell());
             // A cell costs more than its bytes: a line of a million commas is refused as well.
             if (record.cells.size() > m_maximumRecordBytes / 16) {
-                record.problem = translatable("drillwave::Message", "the record has too many cells");
+                record.problem = translatable("the record has too many cells");
                 record.cells.clear();
                 skipLine(in);
                 ++m_nextLine;

@@ -47,7 +47,7 @@ std::optional<Number> wholeNumberIn(std::string_view text) {
 /// "must be a whole number from 1 to 9", the reason where it is another.
 template <std::integral Number>
 Message wholeNumberProblem(Number low, Number high) {
-    return {translatable("drillwave::Message", "must be a whole number from %1 to %2"),
+    return {translatable("must be a whole number from %1 to %2"),
             {std::to_string(low), std::to_string(high)}};
 }
 

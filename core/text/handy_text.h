@@ -39,7 +39,7 @@ class ReadingStyle {
     /// Whether values that a file gives stand in a table as the file has them.
     virtual bool keepsUnitsOfFile() const { return true; }
     /// Over a column of values with their units.
-    virtual Message unitsTitle() const { return translatable("drillwave::Message", "in SI"); }
+    virtual Message unitsTitle() const { return translatable("in SI"); }
     /// The pattern of a Message in the language of the reader.
     virtual std::string patternFor(const std::string& english) const { return english; }
     /// That language, ISO 639.

@@ -36,9 +36,9 @@ struct Message {
     std::string said(const std::function<std::string(const std::string& pattern)>& say) const;
 };
 
-/// The pattern; `context` is "drillwave::Message". By it the catalogues of the window find what there is to
-/// translate.
-constexpr const char* translatable(const char* /*context*/, const char* pattern) {
+/// Returns the pattern, and marks it for the catalogues of the window, which have it in the context
+/// "drillwave::Message".
+constexpr const char* translatable(const char* pattern) {
     return pattern;
 }
 

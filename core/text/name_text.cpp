@@ -70,15 +70,13 @@ void appendPrintable(std::string& printed, std::string_view utf8, std::string_vi
 }  // namespace
 
 Message lineProblem(std::string_view text) {
-    if (!isUtf8(text)) return translatable("drillwave::Message", "must be UTF-8");
+    if (!isUtf8(text)) return translatable("must be UTF-8");
     for (std::size_t at = 0; at < text.size();) {
         const auto [code, length] = characterAt(text, at);
-        if (code == '\n' || code == '\r') return translatable("drillwave::Message", "must be one line");
-        if (isOf(controls, code))
-            return translatable("drillwave::Message", "must have no control characters");
+        if (code == '\n' || code == '\r') return translatable("must be one line");
+        if (isOf(controls, code)) return translatable("must have no control characters");
         if (isOf(turning, code))
-            return translatable("drillwave::Message",
-                                "must have no characters that turn the direction of reading");
+            return translatable("must have no characters that turn the direction of reading");
         at += length;
     }
     return {};
@@ -91,7 +89,7 @@ Message nameProblem(std::string_view text) {
         if (isLetter(code)) return {};
         at += length;
     }
-    return translatable("drillwave::Message", "must have a letter");
+    return translatable("must have a letter");
 }
 
 namespace {

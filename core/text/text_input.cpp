@@ -29,12 +29,9 @@ std::size_t sequenceLength(std::string_view text, std::size_t at) {
 std::string_view controlProblem(std::string_view text, std::size_t at) {
     const unsigned char c = byteAt(text, at);
     if (c == '\r')
-        return byteAt(text, at + 1) == '\n'
-                   ? ""
-                   : translatable("drillwave::Message", "a carriage return without a line feed");
+        return byteAt(text, at + 1) == '\n' ? "" : translatable("a carriage return without a line feed");
     if (c == '\n' || c == '\t' || (c >= 0x20 && c != 0x7F)) return "";
-    return c == 0 ? translatable("drillwave::Message", "a NUL byte")
-                  : translatable("drillwave::Message", "a control character");
+    return c == 0 ? translatable("a NUL byte") : translatable("a control character");
 }
 
 }  // namespace
@@ -42,7 +39,7 @@ std::string_view controlProblem(std::string_view text, std::size_t at) {
 TextProblem checkText(std::string_view text) {
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t length = sequenceLength(text, at);
-        if (length == 0) return {at, translatable("drillwave::Message", "a byte that is not UTF-8")};
+        if (length == 0) return {at, translatable("a byte that is not UTF-8")};
         const std::string_view control = length == 1 ? controlProblem(text, at) : "";
         if (!control.empty()) return {at, std::string(control)};
         at += length;

@@ -151,17 +151,15 @@ bool isNotFinite(std::string_view text) {
 
 Message missingUnit(std::string_view number, Quantity quantity, const Unit* example) {
     const std::string_view unit = (example ? *example : unitsOf(quantity).front()).name;
-    return {
-        translatable("drillwave::Message", "has no unit: write for example `%1 %2`; units that would do: %3"),
-        {shortened(number), std::string(unit), unitList(quantity)}};
+    return {translatable("has no unit: write for example `%1 %2`; units that would do: %3"),
+            {shortened(number), std::string(unit), unitList(quantity)}};
 }
 
 Message unknownUnit(std::string_view unit, Quantity quantity) {
-    if (unit.front() == ',')
-        return translatable("drillwave::Message", "a decimal comma is not read here: write a decimal point");
+    if (unit.front() == ',') return translatable("a decimal comma is not read here: write a decimal point");
     if (quantity == Quantity::ratio)
-        return {translatable("drillwave::Message", "must be a plain number, %1 is too much"), {quoted(unit)}};
-    return {translatable("drillwave::Message", "unit %1 is not known here; units that would do: %2"),
+        return {translatable("must be a plain number, %1 is too much"), {quoted(unit)}};
+    return {translatable("unit %1 is not known here; units that would do: %2"),
             {quoted(unit), unitList(quantity)}};
 }
 
@@ -278,11 +276,11 @@ TypedQuantity parseQuantity(std::string_view text, Quantity quantity, BareNumber
     std::string plain;
     if (hasWideCharacters(text)) text = plain = withPlainSigns(text);
     text = trimmed(text);
-    if (text.empty()) return refused(translatable("drillwave::Message", "is empty"));
+    if (text.empty()) return refused(translatable("is empty"));
     const std::size_t length = numberLength(text);
     if (length == 0)
-        return refused(isNotFinite(text) ? translatable("drillwave::Message", "must be a finite number")
-                                         : translatable("drillwave::Message", "is not a number"));
+        return refused(isNotFinite(text) ? translatable("must be a finite number")
+                                         : translatable("is not a number"));
     const std::string_view number = text.substr(0, length);
     const std::string_view unitName = trimmed(text.substr(length));
 
@@ -296,8 +294,7 @@ TypedQuantity parseQuantity(std::string_view text, Quantity quantity, BareNumber
     const std::optional<double> value = scaledNumber(number, unit->decimalExponent.value_or(0));
     const double si = !value ? HUGE_VAL : unit->decimalExponent ? *value : unit->toSi(*value);
     if (!std::isfinite(si))
-        return refused(
-            translatable("drillwave::Message", "is too large or too small for a number of double precision"));
+        return refused(translatable("is too large or too small for a number of double precision"));
     return {si, unit, {}};
 }
 

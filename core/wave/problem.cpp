@@ -78,7 +78,6 @@ std::string_view rodRefusal(const Problem& problem) {
     const UniformSection plain{.transitTime = problem.sections.front().transitTime};
     if (problem.isForced() && problem.sections.size() == 1 && problem.sections.front() == plain) return {};
     return translatable(
-        "drillwave::Message",
         "a hammer that strikes, several sections, masses and losses are not for this method, which "
         "follows a force on a uniform rod");
 }

@@ -31,15 +31,14 @@ std::string pathOf(std::string_view key) {
 void readTexts(SectionReader& reader, const YamlEntry& entry, std::string_view key,
                std::vector<std::string>& texts) {
     if (entry.value->kind != YamlKind::sequence)
-        return reader.problems().reportKey(
-            entry.place(), pathOf(key),
-            translatable("drillwave::Message", "must be a list of texts, each after a `-`"));
+        return reader.problems().reportKey(entry.place(), pathOf(key),
+                                           translatable("must be a list of texts, each after a `-`"));
     for (const YamlNode& item : entry.value->children) {
         if (item.kind == YamlKind::scalar && !item.text.empty())
             texts.push_back(item.text);
         else
             reader.problems().reportKey(item.offset, pathOf(key),
-                                        translatable("drillwave::Message", "has an item that is no text"));
+                                        translatable("has an item that is no text"));
     }
 }
 
@@ -49,7 +48,7 @@ void readTruth(SectionReader& reader, const YamlEntry& entry, std::string_view k
         value = text == "true";
     else
         reader.problems().reportValue(entry.place(), pathOf(key), text,
-                                      translatable("drillwave::Message", "must be true or false"));
+                                      translatable("must be true or false"));
 }
 
 void readCount(SectionReader& reader, const YamlEntry& entry, std::string_view key, std::uint64_t least,
@@ -59,7 +58,7 @@ void readCount(SectionReader& reader, const YamlEntry& entry, std::string_view k
     if (value && *value >= least && *value <= most) return;
     value.reset();
     reader.problems().reportValue(entry.place(), pathOf(key), text,
-                                  {translatable("drillwave::Message", "must be a whole number from %1 to %2"),
+                                  {translatable("must be a whole number from %1 to %2"),
                                    {std::to_string(least), std::to_string(most)}});
 }
 

@@ -8,7 +8,7 @@ namespace drillwave {
 namespace {
 
 constexpr const char* cornersExample =
-    translatable("drillwave::Message", "must be a list of corners: `- {force: 90 kN, slope: 0.35}`");
+    translatable("must be a list of corners: `- {force: 90 kN, slope: 0.35}`");
 
 /// "bit_rock.corners.2", from 1 as in keys.
 std::string pathOf(std::size_t place) {
@@ -28,9 +28,8 @@ void readCorner(SectionReader& reader, const YamlNode& item, std::size_t place) 
         const auto found = entries.find(field);
         if (found == entries.end()) {
             if (!reader.isThere(entries, path, field))
-                reader.reportMissing(
-                    path, field,
-                    translatable("drillwave::Message", "is missing: a corner has a force and a slope"));
+                reader.reportMissing(path, field,
+                                     translatable("is missing: a corner has a force and a slope"));
             continue;
         }
         reader.setPlace(joinedKey(path, field), found->second.place());
@@ -50,9 +49,9 @@ bool readLaw(SectionReader& reader, const YamlEntries& entries) {
     if (law)
         reader.scenario().bitRock.law = *law;
     else
-        reader.problems().reportValue(entry.place(), rockLawKey, entry.value->text,
-                                      {translatable("drillwave::Message", "must be one of %1"),
-                                       {findWordParameter(rockLawKey)->list()}});
+        reader.problems().reportValue(
+            entry.place(), rockLawKey, entry.value->text,
+            {translatable("must be one of %1"), {findWordParameter(rockLawKey)->list()}});
     return law.has_value();
 }
 
@@ -63,17 +62,15 @@ void readCorners(SectionReader& reader, const YamlEntries& entries) {
         if (has && !reader.isThere(entries, "bit_rock", cornersKey))
             reader.reportMissing(
                 "bit_rock", cornersKey,
-                translatable("drillwave::Message",
-                             "is missing: write for example `corners: [{force: 90 kN, slope: 0.35}]`"));
+                translatable("is missing: write for example `corners: [{force: 90 kN, slope: 0.35}]`"));
         return;
     }
     const YamlEntry& entry = found->second;
     const std::string path = joinedKey("bit_rock", cornersKey);
     reader.setPlace(path, entry.place());
     if (!has) {
-        reader.problems().reportKey(
-            entry.key->offset, path,
-            translatable("drillwave::Message", "only a law with corners has it; write `law: corners`"));
+        reader.problems().reportKey(entry.key->offset, path,
+                                    translatable("only a law with corners has it; write `law: corners`"));
         return;
     }
     if (entry.value->kind != YamlKind::sequence || entry.value->children.empty()) {
@@ -82,10 +79,9 @@ void readCorners(SectionReader& reader, const YamlEntries& entries) {
     }
     const std::vector<YamlNode>& items = entry.value->children;
     if (items.size() > mostRockCorners) {
-        reader.problems().reportKey(
-            entry.place(), path,
-            {translatable("drillwave::Message", "has %1 corners, at most %2 are possible"),
-             {std::to_string(items.size()), std::to_string(mostRockCorners)}});
+        reader.problems().reportKey(entry.place(), path,
+                                    {translatable("has %1 corners, at most %2 are possible"),
+                                     {std::to_string(items.size()), std::to_string(mostRockCorners)}});
         return;
     }
     for (std::size_t i = 0; i < items.size(); ++i) readCorner(reader, items[i], i + 1);

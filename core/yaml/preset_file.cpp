@@ -20,8 +20,7 @@ namespace {
 PresetFile parsePresets(std::string_view text, const std::string& source) {
     if (const TextProblem problem = checkText(text); !problem.reason.empty())
         refuse(ScenarioError::Kind::unreadable, text, source, problem.offset,
-               {translatable("drillwave::Message", "is not a text file: it holds %1"),
-                {Message::ofTable(problem.reason)}});
+               {translatable("is not a text file: it holds %1"), {Message::ofTable(problem.reason)}});
     const YamlTree tree = parseYaml(text);
     if (!tree.problem.text.isEmpty())
         refuse(tree.problem.isYaml ? ScenarioError::Kind::invalid : ScenarioError::Kind::unreadable, text,
@@ -38,9 +37,8 @@ PresetFile parsePresets(std::string_view text, const std::string& source) {
 PresetFile loadPresets(const std::string& path) {
     const FileBytes file = readFile(path, maximumPresetBytes);
     if (!file.problem.isEmpty())
-        throw ScenarioError(
-            ScenarioError::Kind::unreadable, path,
-            {{"", {translatable("drillwave::Message", "the file of presets %1"), {file.problem}}}});
+        throw ScenarioError(ScenarioError::Kind::unreadable, path,
+                            {{"", {translatable("the file of presets %1"), {file.problem}}}});
     return parsePresets(file.bytes, path);
 }
 

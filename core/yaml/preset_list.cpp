@@ -8,18 +8,16 @@ namespace drillwave {
 void PresetList::readItems(const YamlNode& list, const std::function<void(const YamlNode&)>& read) {
     if (list.kind != YamlKind::sequence) {
         if (list.kind != YamlKind::null)
-            m_reader.problems().reportKey(
-                list.offset, m_key,
-                translatable("drillwave::Message", "must be a list of presets, `- name: …`"));
+            m_reader.problems().reportKey(list.offset, m_key,
+                                          translatable("must be a list of presets, `- name: …`"));
         return;
     }
     for (const YamlNode& item : list.children)
         if (item.kind == YamlKind::map)
             read(item);
         else
-            m_reader.problems().reportKey(
-                item.offset, m_key,
-                translatable("drillwave::Message", "each preset must begin with `name: …`"));
+            m_reader.problems().reportKey(item.offset, m_key,
+                                          translatable("each preset must begin with `name: …`"));
 }
 
 std::string PresetList::textOf(const YamlEntries& entries, const YamlNode& item, std::string_view key,
@@ -32,8 +30,7 @@ std::string PresetList::textOf(const YamlEntries& entries, const YamlNode& item,
     }
     const YamlNode& value = *found->second.value;
     if (value.kind != YamlKind::scalar || value.text.empty()) {
-        m_reader.problems().reportKey(found->second.place(), path,
-                                      translatable("drillwave::Message", "must be text"));
+        m_reader.problems().reportKey(found->second.place(), path, translatable("must be text"));
         return {};
     }
     const Message problem = nameProblem(value.text);
@@ -45,9 +42,8 @@ std::string PresetList::textOf(const YamlEntries& entries, const YamlNode& item,
 std::string PresetList::nameOf(const YamlEntries& entries, const YamlNode& item) {
     std::string name = textOf(entries, item, "name");
     if (!name.empty() && !m_names.insert(name).second)
-        m_reader.problems().reportValue(
-            entries.at("name").place(), joinedKey(m_key, "name"), name,
-            translatable("drillwave::Message", "is the name of another preset too"));
+        m_reader.problems().reportValue(entries.at("name").place(), joinedKey(m_key, "name"), name,
+                                        translatable("is the name of another preset too"));
     return name;
 }
 

@@ -21,7 +21,7 @@ class PresetList {
     void readItems(const YamlNode& list, const std::function<void(const YamlNode&)>& read);
     /// The text of a key that an item must have; empty where it is none that can be shown.
     std::string textOf(const YamlEntries& entries, const YamlNode& item, std::string_view key,
-                       const char* missing = translatable("drillwave::Message", "is missing"));
+                       const char* missing = translatable("is missing"));
     /// Its name, which no item before has.
     std::string nameOf(const YamlEntries& entries, const YamlNode& item);
 

@@ -35,9 +35,8 @@ std::vector<Preset> PresetReader::read(const YamlNode& root) {
         {"hammers", "pulse", PresetKind::hammer, {"blow_frequency"}, {"shape"}},
         {"rocks", "bit_rock", PresetKind::rock, {}, {lawKey, cornersKey}}};
     if (root.kind != YamlKind::map) {
-        m_reader.problems().reportKey(
-            root.offset, formatKey,
-            translatable("drillwave::Message", "the file must begin with `drillwave_presets: 1`"));
+        m_reader.problems().reportKey(root.offset, formatKey,
+                                      translatable("the file must begin with `drillwave_presets: 1`"));
         return {};
     }
     if (!readFormat(root)) return {};
@@ -55,14 +54,14 @@ bool PresetReader::readFormat(const YamlNode& root) {
     if (root.children.empty() || itemOf(root, 0).text != formatKey) {
         m_reader.problems().reportKey(
             root.offset, formatKey,
-            translatable("drillwave::Message", "is missing: the first line must be `drillwave_presets: 1`"));
+            translatable("is missing: the first line must be `drillwave_presets: 1`"));
         return true;
     }
     const YamlNode& value = itemOf(root, 1);
     if (value.text == std::to_string(presetFormat)) return true;
-    m_reader.problems().reportValue(value.offset, formatKey, value.text,
-                                    {translatable("drillwave::Message", "this program reads the format %1"),
-                                     {std::to_string(presetFormat)}});
+    m_reader.problems().reportValue(
+        value.offset, formatKey, value.text,
+        {translatable("this program reads the format %1"), {std::to_string(presetFormat)}});
     return false;
 }
 
@@ -104,13 +103,11 @@ YamlEntries PresetReader::valuesOf(const YamlEntries& entries, const Section& se
         if (const Message problem = isPair ? nameProblem(itemOf(pair, 1).text) : Message();
             !problem.isEmpty())
             m_reader.problems().reportValue(itemOf(pair, 1).offset, joinedKey(section.section, key),
-                                            itemOf(pair, 1).text,
-                                            {translatable("drillwave::Message", "the source %1"), {problem}});
+                                            itemOf(pair, 1).text, {translatable("the source %1"), {problem}});
         if (!isPair)
             m_reader.problems().reportKey(
                 entry.place(), joinedKey(section.section, key),
-                translatable("drillwave::Message",
-                             "must be [value, source], the source being `assumed` where there is none"));
+                translatable("must be [value, source], the source being `assumed` where there is none"));
     }
     return values;
 }
@@ -134,9 +131,8 @@ bool PresetReader::readShape(Preset& preset, const YamlEntries& values, const Ya
     const YamlNode& value = *found->second.value;
     const std::optional<PulseShape> shape = findPulseShape(value.text);
     if (!shape || shape == PulseShape::table || shape == PulseShape::rigidBody) {
-        m_reader.problems().reportValue(
-            found->second.place(), pulseShapeKey, value.text,
-            translatable("drillwave::Message", "must be a shape of a hammer blow that needs no table"));
+        m_reader.problems().reportValue(found->second.place(), pulseShapeKey, value.text,
+                                        translatable("must be a shape of a hammer blow that needs no table"));
         return false;
     }
     preset.shape = m_reader.scenario().pulse.shape = *shape;
@@ -194,9 +190,8 @@ void PresetReader::requireKeys(const Preset& preset, const YamlEntries& entries,
             m_reader.requireOneOf(entries, "rod", "diameter", "area");
             if (entries.contains("diameter")) m_reader.require(entries, *findParameter("rod.bore"));
             if (entries.contains("area") && entries.contains("bore"))
-                m_reader.problems().reportKey(
-                    item.offset, "rod.bore",
-                    translatable("drillwave::Message", "goes with a diameter, not with an area"));
+                m_reader.problems().reportKey(item.offset, "rod.bore",
+                                              translatable("goes with a diameter, not with an area"));
             break;
         case PresetKind::hammer:
             m_reader.requireShape(entries);

@@ -47,11 +47,10 @@ std::vector<InputProblem> ProblemList::take() {
     std::ranges::stable_sort(m_problems, {}, place);
     if (m_leftOut > 0) {
         const InputProblem& last = m_problems.back();
-        m_problems.push_back(
-            {"",
-             {translatable("drillwave::Message", "and %1 more problems"), {std::to_string(m_leftOut)}},
-             last.line,
-             last.column});
+        m_problems.push_back({"",
+                              {translatable("and %1 more problems"), {std::to_string(m_leftOut)}},
+                              last.line,
+                              last.column});
     }
     return std::move(m_problems);
 }

@@ -24,9 +24,8 @@ std::optional<PulseShape> readShape(SectionReader& reader, const YamlEntries& en
     if (shape)
         reader.scenario().pulse.shape = *shape;
     else
-        reader.problems().reportValue(
-            entry.place(), pulseShapeKey, entry.value->text,
-            {translatable("drillwave::Message", "must be one of %1"), {pulseShapeList()}});
+        reader.problems().reportValue(entry.place(), pulseShapeKey, entry.value->text,
+                                      {translatable("must be one of %1"), {pulseShapeList()}});
     return shape;
 }
 
@@ -35,8 +34,7 @@ void refuseTableKeys(SectionReader& reader, const YamlEntries& entries, PulseSha
         if (const auto found = entries.find(key); found != entries.end())
             reader.problems().reportKey(
                 found->second.key->offset, joinedKey("pulse", key),
-                {translatable("drillwave::Message", "only a table has it, the shape is %1"),
-                 {std::string(name(shape))}});
+                {translatable("only a table has it, the shape is %1"), {std::string(name(shape))}});
 }
 
 bool readCoordinate(SectionReader& reader, const YamlNode& node, Quantity quantity, std::string_view unit,
@@ -57,8 +55,7 @@ bool readPoint(SectionReader& reader, const YamlNode& item, TablePoint& point) {
         const std::string_view example = hasUnits(reader.scenario()) ? "[200 us, 255 kN]" : "[0.5, 1]";
         reader.problems().reportKey(
             item.offset, "pulse.points",
-            {translatable("drillwave::Message", "each point must be [time, force], as in %1"),
-             {std::string(example)}});
+            {translatable("each point must be [time, force], as in %1"), {std::string(example)}});
         return false;
     }
     const bool time = readCoordinate(reader, parts[0], Quantity::time, "us", point.time);
@@ -70,7 +67,7 @@ void readPoints(SectionReader& reader, const YamlEntry& entry) {
     reader.setPlace("pulse.points", entry.place());
     if (entry.value->kind != YamlKind::sequence) {
         reader.problems().reportKey(entry.place(), "pulse.points",
-                                    translatable("drillwave::Message", "must be a list of [time, force]"));
+                                    translatable("must be a list of [time, force]"));
         return;
     }
     std::vector<TablePoint> points;
@@ -88,7 +85,7 @@ bool readTableFile(SectionReader& reader, const YamlEntry& entry, const TableSou
     const std::string& file = entry.value->text;
     if (entry.value->kind != YamlKind::scalar || file.empty()) {
         reader.problems().reportKey(entry.place(), "pulse.file",
-                                    translatable("drillwave::Message", "must be the name of a CSV file"));
+                                    translatable("must be the name of a CSV file"));
         return false;
     }
     Pulse& pulse = reader.scenario().pulse;

@@ -27,7 +27,7 @@ class TableReader {
         std::istringstream in(bytes);
         const std::vector<std::string> lines = firstLines(in, headLines);
         if (std::ranges::all_of(lines, [](const std::string& line) { return isPassedOver(line, ','); })) {
-            report(1, {translatable("drillwave::Message", "holds no header `%1`"), {expectedHeader()}});
+            report(1, {translatable("holds no header `%1`"), {expectedHeader()}});
             return std::move(m_table);
         }
         const DetectedTable table = detectTable(lines);
@@ -53,12 +53,11 @@ class TableReader {
     /// Says why no columns of samples are found.
     void refuse(const std::string& bytes, const std::string& firstLine) {
         if (bytes.find('\0') != std::string::npos)
-            report(1, translatable("drillwave::Message", "is not text"));
+            report(1, translatable("is not text"));
         else if (firstLine == expectedHeader())
-            report(2, translatable("drillwave::Message", "two rows of numbers are needed below the header"));
+            report(2, translatable("two rows of numbers are needed below the header"));
         else
-            report(m_headerLine, {translatable("drillwave::Message", "the header must be %1"),
-                                  {"`" + expectedHeader() + "`"}});
+            report(m_headerLine, {translatable("the header must be %1"), {"`" + expectedHeader() + "`"}});
     }
 
     /// Returns whether both units are known; reports what is missing.
@@ -66,14 +65,12 @@ class TableReader {
         m_guess = guessedSource(table);
         if (table.hasRows) {
             report(1, translatable(
-                          "drillwave::Message",
                           "each channel is a row; write `drillwave signal FILE -o blow.csv` and take that"));
             return false;
         }
         if (table.isDecimalOpen) {
             report(m_headerLine,
-                   translatable("drillwave::Message",
-                                "1,234 can be a number with decimals or a thousand: write one number with "
+                   translatable("1,234 can be a number with decimals or a thousand: write one number with "
                                 "another count of decimals, such as 0,5 or 0.5"));
             return false;
         }
@@ -86,8 +83,7 @@ class TableReader {
             return false;
         if (m_guess.rivals > 0 && force.name != "force") {
             report(m_headerLine,
-                   {translatable("drillwave::Message",
-                                 "several columns could be the force, %1 is one; leave the others out"),
+                   {translatable("several columns could be the force, %1 is one; leave the others out"),
                     {"`" + shortened(force.name) + "`"}});
             return false;
         }
@@ -106,8 +102,7 @@ class TableReader {
         else if (m_guess.unit->kind != SignalKind::force)
             report(
                 m_headerLine,
-                {translatable("drillwave::Message",
-                              "%1 is no force; `--signal FILE` and the import make one of strains and volts"),
+                {translatable("%1 is no force; `--signal FILE` and the import make one of strains and volts"),
                  {heading(force)}});
         if (!m_table.problems.empty()) return false;
         m_forceUnit = m_guess.unit->unit.factor;
@@ -115,15 +110,14 @@ class TableReader {
     }
 
     void needUnit(const TableColumn& column, const std::string& units) {
-        report(m_headerLine, {translatable("drillwave::Message", "%1 (needs a unit in brackets, one of %2)"),
-                              {heading(column), units}});
+        report(m_headerLine,
+               {translatable("%1 (needs a unit in brackets, one of %2)"), {heading(column), units}});
     }
 
     bool refuseUnits(const TableColumn& time, const TableColumn& force) {
         for (const TableColumn& column : {time, force})
             if (!column.unit.empty())
-                report(m_headerLine, {translatable("drillwave::Message",
-                                                   "%1 (must have no unit in a dimensionless scenario)"),
+                report(m_headerLine, {translatable("%1 (must have no unit in a dimensionless scenario)"),
                                       {heading(column)}});
         m_guess.source.timeUnit = 1;
         return m_table.problems.empty();
@@ -161,20 +155,16 @@ PulseTable readPulseTable(const std::string& path, const std::string& source, Sc
     PulseTable table;
     table.unreadable = true;
     if (!file.problem.isEmpty()) {
-        table.problems.push_back({"pulse.file",
-                                  {translatable("drillwave::Message", "the pulse table %1"), {file.problem}},
-                                  0,
-                                  0,
-                                  source});
+        table.problems.push_back(
+            {"pulse.file", {translatable("the pulse table %1"), {file.problem}}, 0, 0, source});
         return table;
     }
     if (const std::string_view what = knownFormat(file.bytes); !what.empty()) {
-        table.problems.push_back(
-            {"pulse.file",
-             {translatable("drillwave::Message", "this is no table: it is %1"), {Message::ofTable(what)}},
-             1,
-             1,
-             source});
+        table.problems.push_back({"pulse.file",
+                                  {translatable("this is no table: it is %1"), {Message::ofTable(what)}},
+                                  1,
+                                  1,
+                                  source});
         return table;
     }
     return TableReader(source, form).read(file.bytes);

@@ -34,8 +34,8 @@ class RecorderReader {
 
     RecorderFile read() {
         if (const TextProblem problem = checkText(m_text); !problem.reason.empty())
-            report(problem.offset, {translatable("drillwave::Message", "is not a text file: it holds %1"),
-                                    {Message::ofTable(problem.reason)}});
+            report(problem.offset,
+                   {translatable("is not a text file: it holds %1"), {Message::ofTable(problem.reason)}});
         if (!m_file.problems.empty()) return std::move(m_file);
         const YamlTree tree = parseYaml(m_text);
         if (!tree.problem.text.isEmpty()) {
@@ -57,15 +57,13 @@ class RecorderReader {
         const std::string* format = root.textOf(recorderKey);
         if (root.kind != YamlKind::map || !format || wholeNumberIn<int>(*format) != recorderFormat)
             return report(
-                0, translatable("drillwave::Message",
-                                "is no file of recorders; it must begin with `drillwave_recorders: 1`"));
+                0, translatable("is no file of recorders; it must begin with `drillwave_recorders: 1`"));
         for (std::size_t i = 0; i + 1 < root.children.size(); i += 2) {
             const YamlNode& key = root.children[i];
             if (key.text == recorderKey) continue;
             if (key.text != "recorders")
                 report(key.offset,
-                       {translatable("drillwave::Message", "`%1` is not a known key; only `recorders` is"),
-                        {shortened(key.text)}});
+                       {translatable("`%1` is not a known key; only `recorders` is"), {shortened(key.text)}});
             else
                 readRecorders(root.children[i + 1]);
         }
@@ -74,8 +72,7 @@ class RecorderReader {
     void readRecorders(const YamlNode& map) {
         if (map.kind == YamlKind::null) return;
         if (map.kind != YamlKind::map)
-            return report(map.offset,
-                          translatable("drillwave::Message", "must be names of recorders with settings"));
+            return report(map.offset, translatable("must be names of recorders with settings"));
         for (std::size_t i = 0; i + 1 < map.children.size(); i += 2)
             readRecorder(map.children[i], map.children[i + 1]);
     }
@@ -83,8 +80,7 @@ class RecorderReader {
     void readRecorder(const YamlNode& key, const YamlNode& map) {
         Recorder recorder{key.text, {}};
         if (map.kind != YamlKind::map && map.kind != YamlKind::null)
-            return report(map.offset,
-                          translatable("drillwave::Message", "must be settings, each `option: value`"));
+            return report(map.offset, translatable("must be settings, each `option: value`"));
         SignalOptions checked;
         for (std::size_t i = 0; i + 1 < map.children.size(); i += 2) {
             const YamlNode& name = map.children[i];
@@ -92,8 +88,7 @@ class RecorderReader {
             const SignalOption* option = findSignalOption(name.text);
             if (!option) {
                 report(name.offset,
-                       {translatable("drillwave::Message", "`%1` is no option of drillwave signal"),
-                        {shortened(name.text)}});
+                       {translatable("`%1` is no option of drillwave signal"), {shortened(name.text)}});
                 continue;
             }
             // A switch is there or not.
@@ -104,8 +99,8 @@ class RecorderReader {
                 recorder.settings.emplace_back(name.text, value.text);
         }
         if (findRecorder(m_file.recorders, recorder.name))
-            report(key.offset, {translatable("drillwave::Message", "the recorder `%1` is there twice"),
-                                {shortened(recorder.name)}});
+            report(key.offset,
+                   {translatable("the recorder `%1` is there twice"), {shortened(recorder.name)}});
         m_file.recorders.push_back(std::move(recorder));
     }
 
@@ -159,9 +154,7 @@ RecorderFile loadRecorders(const std::string& path) {
     if (!std::filesystem::exists(path, error)) return {};
     const FileBytes file = readFile(path, maximumRecorderBytes);
     if (file.problem.isEmpty()) return parseRecorders(file.bytes, path);
-    return {{},
-            {about(path, {translatable("drillwave::Message", "the file of recorders %1"), {file.problem}})},
-            true};
+    return {{}, {about(path, {translatable("the file of recorders %1"), {file.problem}})}, true};
 }
 
 Message saveRecorders(const std::string& path, const std::vector<Recorder>& recorders) {
@@ -172,7 +165,7 @@ Message saveRecorders(const std::string& path, const std::vector<Recorder>& reco
     if (!failure) failure = file.write(recorderText(recorders));
     if (!failure) failure = file.commit();
     if (!failure) return {};
-    return {translatable("drillwave::Message", "%1: cannot be written: %2"), {path, failure.reason}};
+    return {translatable("%1: cannot be written: %2"), {path, failure.reason}};
 }
 
 Message applyRecorder(const Recorder& recorder, SignalOptions& options) {

@@ -70,16 +70,15 @@ std::vector<std::string> ScenarioError::lines() const {
 ScenarioDocument loadScenario(const std::string& path) {
     const FileBytes file = readFile(path, maximumScenarioBytes);
     if (!file.problem.isEmpty())
-        throw ScenarioError(
-            ScenarioError::Kind::unreadable, path,
-            {{"", {translatable("drillwave::Message", "the scenario file %1"), {file.problem}}}});
+        throw ScenarioError(ScenarioError::Kind::unreadable, path,
+                            {{"", {translatable("the scenario file %1"), {file.problem}}}});
     return parseScenario(file.bytes, path);
 }
 
 ScenarioDocument parseScenario(std::string_view text, const std::string& source) {
     if (text.size() > maximumScenarioBytes)
         throw ScenarioError(ScenarioError::Kind::unreadable, source,
-                            {{"", translatable("drillwave::Message", "the scenario is larger than 1 MiB")}});
+                            {{"", translatable("the scenario is larger than 1 MiB")}});
     ReadScenario read = readScenario(text, source);
     if (!read.problems.empty())
         throw ScenarioError(read.unreadable ? ScenarioError::Kind::unreadable : ScenarioError::Kind::invalid,
@@ -106,8 +105,7 @@ std::string writeScenario(const ScenarioDocument& document) {
         throw ScenarioError(
             ScenarioError::Kind::invalid, document.source,
             {{"pulse.points",
-              translatable("drillwave::Message",
-                           "the scenario is larger than 1 MiB, which no file may be; keep the "
+              translatable("the scenario is larger than 1 MiB, which no file may be; keep the "
                            "points of a table in a CSV file")}});
     return text;
 }

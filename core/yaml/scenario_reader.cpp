@@ -56,13 +56,12 @@ std::optional<int> readFormat(SectionReader& reader, const YamlNode& root) {
     if (at >= children.size()) {
         problems.reportKey(
             root.offset, "drillwave",
-            {translatable("drillwave::Message", "is missing: the first line must be `drillwave: %1`"),
-             {std::to_string(likely)}});
+            {translatable("is missing: the first line must be `drillwave: %1`"), {std::to_string(likely)}});
         return likely;
     }
     if (at > 0)
         problems.reportKey(children[at].offset, "drillwave",
-                           translatable("drillwave::Message", "must be the first key of the file"));
+                           translatable("must be the first key of the file"));
 
     const YamlEntry entry{&children[at], &children[at + 1]};
     const std::string& text = entry.value->text;
@@ -72,8 +71,7 @@ std::optional<int> readFormat(SectionReader& reader, const YamlNode& root) {
     if (whole && (number.ec == std::errc::result_out_of_range || format > newestFormat) &&
         text.front() != '-') {
         problems.reportValue(entry.place(), "drillwave", text,
-                             {translatable("drillwave::Message",
-                                           "this file says drillwave: %1; this program reads up to %2, use a "
+                             {translatable("this file says drillwave: %1; this program reads up to %2, use a "
                                            "newer one"),
                               {text.substr(0, 20), std::to_string(newestFormat)}});
         return std::nullopt;
@@ -81,8 +79,7 @@ std::optional<int> readFormat(SectionReader& reader, const YamlNode& root) {
     for (const int known : {rodFormat, stringFormat})
         if (text == std::to_string(known)) return known;
     problems.reportValue(entry.place(), "drillwave", text,
-                         {translatable("drillwave::Message",
-                                       "the format number must be %1 for a uniform rod or %2 for a drill "
+                         {translatable("the format number must be %1 for a uniform rod or %2 for a drill "
                                        "string"),
                           {std::to_string(rodFormat), std::to_string(stringFormat)}});
     return likely;
@@ -92,8 +89,7 @@ void readTitle(SectionReader& reader, const YamlEntries& file) {
     const auto found = file.find("title");
     if (found == file.end() || found->second.value->kind == YamlKind::null) return;
     if (found->second.value->kind != YamlKind::scalar)
-        reader.problems().reportKey(found->second.place(), "title",
-                                    translatable("drillwave::Message", "must be text"));
+        reader.problems().reportKey(found->second.place(), "title", translatable("must be text"));
     reader.scenario().title = found->second.value->text;
 }
 
@@ -107,13 +103,11 @@ bool checkKeysOfFormat(SectionReader& reader, const YamlEntries& file, int forma
     };
     if (format == rodFormat)
         refuse(stringKeys,
-               translatable("drillwave::Message",
-                            "belongs to a drill string: a file that has it begins with `drillwave: 2`"));
+               translatable("belongs to a drill string: a file that has it begins with `drillwave: 2`"));
     else
         refuse(
             rodKeys,
-            translatable("drillwave::Message",
-                         "belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill "
+            translatable("belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill "
                          "string has `string` in place of `rod`, and `hammer` or `pulse`"));
     const auto isThere = [&](std::string_view key) { return file.contains(key); };
     return !std::ranges::any_of(keysOf(format == rodFormat ? stringFormat : rodFormat), isThere) ||
@@ -121,7 +115,7 @@ bool checkKeysOfFormat(SectionReader& reader, const YamlEntries& file, int forma
 }
 
 constexpr const char* notBesideGroups =
-    translatable("drillwave::Message", "cannot stand beside `dimensionless`: give one or the other");
+    translatable("cannot stand beside `dimensionless`: give one or the other");
 
 /// All that `bit_rock` may say there is the loading curve.
 void readLawBesideGroups(SectionReader& reader, const YamlEntries& file) {
@@ -170,9 +164,8 @@ void readRod(SectionReader& reader, const YamlEntries& file) {
     reader.requireParameters(*entries, "rod");
     const auto bore = entries->find("bore");
     if (entries->contains("area") && !entries->contains("diameter") && bore != entries->end())
-        reader.problems().reportKey(
-            bore->second.key->offset, "rod.bore",
-            translatable("drillwave::Message", "goes with a diameter, not with an area"));
+        reader.problems().reportKey(bore->second.key->offset, "rod.bore",
+                                    translatable("goes with a diameter, not with an area"));
 }
 
 void readBitRock(SectionReader& reader, const YamlEntries& file) {
@@ -193,9 +186,9 @@ void readIndexing(SectionReader& reader, const YamlEntries& entries) {
     if (const std::optional<RockIndexing> indexing = findRockIndexing(entry.value->text))
         reader.scenario().drill.indexing = *indexing;
     else
-        reader.problems().reportValue(entry.place(), rockIndexingKey, entry.value->text,
-                                      {translatable("drillwave::Message", "must be one of %1"),
-                                       {findWordParameter(rockIndexingKey)->list()}});
+        reader.problems().reportValue(
+            entry.place(), rockIndexingKey, entry.value->text,
+            {translatable("must be one of %1"), {findWordParameter(rockIndexingKey)->list()}});
 }
 
 void readDrill(SectionReader& reader, const YamlEntries& file) {
@@ -281,11 +274,11 @@ ReadScenario unreadableText(InputProblem problem) {
 ReadScenario readScenario(std::string_view text, const std::string& source, const TablePoints* tablePoints) {
     if (const TextProblem problem = checkText(text); !problem.reason.empty()) {
         const TextPosition at = positionOf(text, problem.offset);
-        return unreadableText({"",
-                               {translatable("drillwave::Message", "is not a text file: it holds %1"),
-                                {Message::ofTable(problem.reason)}},
-                               at.line,
-                               at.column});
+        return unreadableText(
+            {"",
+             {translatable("is not a text file: it holds %1"), {Message::ofTable(problem.reason)}},
+             at.line,
+             at.column});
     }
     const YamlTree tree = parseYaml(text);
     if (!tree.problem.text.isEmpty()) {
@@ -295,15 +288,14 @@ ReadScenario readScenario(std::string_view text, const std::string& source, cons
         return result;
     }
     if (tree.root.kind == YamlKind::null)
-        return unreadableText({"", translatable("drillwave::Message", "the file is empty"), 1, 1});
+        return unreadableText({"", translatable("the file is empty"), 1, 1});
 
     SectionReader reader(text);
     ReadScenario result;
     if (tree.root.kind != YamlKind::map)
         reader.problems().reportKey(
             tree.root.offset, "drillwave",
-            translatable("drillwave::Message",
-                         "the file must be lines of `key: value`, the first `drillwave: 1`"));
+            translatable("the file must be lines of `key: value`, the first `drillwave: 1`"));
     else if (const std::optional<int> format = readFormat(reader, tree.root))
         result.unreadable = readScenario(reader, tree.root, *format, {source, tablePoints}, result.design);
     result.problems = reader.problems().take();

@@ -64,8 +64,7 @@ class ListReader {
             const std::size_t place = found == entries.end() ? item.offset : found->second.place();
             m_reader.problems().reportKey(
                 place, key("sections"),
-                translatable("drillwave::Message",
-                             "must be a list of sections: `- {length: 300 mm, diameter: 50 mm}`"));
+                translatable("must be a list of sections: `- {length: 300 mm, diameter: 50 mm}`"));
             return;
         }
         const bool wasGood = m_reader.problems().empty();

@@ -25,7 +25,7 @@ std::string pathOf(const Parameter& parameter) {
 Message example(const Parameter& parameter) {
     const std::optional<double> value = parameter.value(Scenario());
     if (!value) return {};
-    return {translatable("drillwave::Message", ": write for example `%1`"),
+    return {translatable(": write for example `%1`"),
             {std::string(parameter.localKey()) + ": " +
              formatQuantity(*value, parameter.quantity, parameter.displayUnit())}};
 }
@@ -52,12 +52,10 @@ YamlEntries SectionReader::entriesOf(const YamlNode& map, std::string_view secti
             m_problems.reportKey(
                 key.offset, path,
                 near.empty()
-                    ? Message(translatable("drillwave::Message", "is not a known key; known here: %1"),
-                              {listOf(known)})
-                    : Message(translatable("drillwave::Message", "is not a known key, did you mean `%1`?"),
-                              {std::string(near)}));
+                    ? Message(translatable("is not a known key; known here: %1"), {listOf(known)})
+                    : Message(translatable("is not a known key, did you mean `%1`?"), {std::string(near)}));
         } else if (!entries.try_emplace(key.text, YamlEntry{&key, &map.children[i + 1]}).second) {
-            m_problems.reportKey(key.offset, path, translatable("drillwave::Message", "is given twice"));
+            m_problems.reportKey(key.offset, path, translatable("is given twice"));
         }
     }
     return entries;
@@ -68,16 +66,14 @@ std::optional<YamlEntries> SectionReader::section(const YamlEntries& file, std::
                                                   std::vector<std::string_view> moreKeys) {
     const auto found = file.find(name);
     if (found == file.end()) {
-        if (!m_mistyped.contains(name))
-            reportMissing("", name, translatable("drillwave::Message", "is missing"));
+        if (!m_mistyped.contains(name)) reportMissing("", name, translatable("is missing"));
         return std::nullopt;
     }
     const YamlEntry& entry = found->second;
     setPlace(name, entry.key->offset);
     if (entry.value->kind == YamlKind::null) return YamlEntries();
     if (entry.value->kind != YamlKind::map) {
-        m_problems.reportKey(entry.place(), name,
-                             translatable("drillwave::Message", "must be a section of `key: value` lines"));
+        m_problems.reportKey(entry.place(), name, translatable("must be a section of `key: value` lines"));
         return std::nullopt;
     }
     for (const Parameter& parameter : parameters())
@@ -105,11 +101,10 @@ void SectionReader::readNumber(const Parameter& parameter, const YamlEntry& entr
     if (path.empty()) path = pathOf(parameter);
     setPlace(parameter.key, entry.place());
     if (value.kind != YamlKind::scalar) {
-        m_problems.reportKey(
-            entry.place(), path,
-            {value.kind == YamlKind::null ? translatable("drillwave::Message", "has no value%1")
-                                          : translatable("drillwave::Message", "must be one value%1"),
-             {example(parameter)}});
+        m_problems.reportKey(entry.place(), path,
+                             {value.kind == YamlKind::null ? translatable("has no value%1")
+                                                           : translatable("must be one value%1"),
+                              {example(parameter)}});
         return;
     }
     const TypedQuantity typed =
@@ -123,14 +118,13 @@ void SectionReader::readNumber(const Parameter& parameter, const YamlEntry& entr
 
 void SectionReader::requireShape(const YamlEntries& entries) {
     if (!isThere(entries, "pulse", "shape"))
-        reportMissing("pulse", "shape",
-                      {translatable("drillwave::Message", "is missing, one of %1"), {pulseShapeList()}});
+        reportMissing("pulse", "shape", {translatable("is missing, one of %1"), {pulseShapeList()}});
 }
 
 void SectionReader::require(const YamlEntries& entries, const Parameter& parameter) {
     if (!isThere(entries, parameter.fileSection(), parameter.localKey()))
         reportMissing(parameter.fileSection(), parameter.localKey(),
-                      {translatable("drillwave::Message", "is missing%1"), {example(parameter)}});
+                      {translatable("is missing%1"), {example(parameter)}});
 }
 
 void SectionReader::requireParameters(const YamlEntries& entries, std::string_view group) {
@@ -152,14 +146,11 @@ void SectionReader::requireOneOf(const YamlEntries& entries, std::string_view se
     const auto second = entries.find(other);
     const bool both = entries.contains(one) && second != entries.end();
     if (!isThere(entries, section, one) && !isThere(entries, section, other))
-        reportMissing(
-            section, one,
-            {translatable("drillwave::Message", "is missing: give it or %1"), {joinedKey(section, other)}});
+        reportMissing(section, one, {translatable("is missing: give it or %1"), {joinedKey(section, other)}});
     if (both)
         m_problems.reportKey(
             second->second.key->offset, joinedKey(section, other),
-            {translatable("drillwave::Message", "cannot stand beside %1: give one or the other"),
-             {joinedKey(section, one)}});
+            {translatable("cannot stand beside %1: give one or the other"), {joinedKey(section, one)}});
 }
 
 bool SectionReader::isThere(const YamlEntries& entries, std::string_view section,

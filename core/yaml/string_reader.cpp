@@ -14,11 +14,10 @@ namespace {
 
 using Chain = SectionAddress::Chain;
 
-constexpr const char* stringExample = translatable(
-    "drillwave::Message", "must be a list of sections: `- {name: rod, length: 3660 mm, diameter: 39 mm}`");
+constexpr const char* stringExample =
+    translatable("must be a list of sections: `- {name: rod, length: 3660 mm, diameter: 39 mm}`");
 
-constexpr const char* sectionExample =
-    translatable("drillwave::Message", "must be a section: `{length: 300 mm, diameter: 50 mm}`");
+constexpr const char* sectionExample = translatable("must be a section: `{length: 300 mm, diameter: 50 mm}`");
 
 /// One section, the place of whose keys is that of `path`: "string.3".
 class SectionOfFile {
@@ -47,11 +46,9 @@ class SectionOfFile {
         if (found == entries.end() || found->second.value->kind == YamlKind::null) return;
         const YamlEntry& entry = found->second;
         m_reader.setPlace(key("name"), entry.place());
-        const Message reason = entry.value->kind != YamlKind::scalar
-                                   ? translatable("drillwave::Message", "must be text")
+        const Message reason = entry.value->kind != YamlKind::scalar ? translatable("must be text")
                                : entry.value->text.empty()
-                                   ? translatable("drillwave::Message",
-                                                  "is empty; a section without a name is written without it")
+                                   ? translatable("is empty; a section without a name is written without it")
                                    : sectionNameProblem(entry.value->text);
         if (reason.isEmpty())
             m_section.name = entry.value->text;
@@ -65,10 +62,9 @@ class SectionOfFile {
         const YamlEntry& entry = found->second;
         m_reader.setPlace(key("preset"), entry.place());
         const Message reason =
-            entry.value->kind != YamlKind::scalar ? translatable("drillwave::Message", "must be text")
+            entry.value->kind != YamlKind::scalar ? translatable("must be text")
             : entry.value->text.empty()
-                ? translatable("drillwave::Message",
-                               "is empty; a section that is from no preset is written without it")
+                ? translatable("is empty; a section that is from no preset is written without it")
                 : drillwave::nameProblem(entry.value->text);
         if (reason.isEmpty())
             m_section.preset = entry.value->text;
@@ -80,9 +76,8 @@ class SectionOfFile {
         m_reader.setPlace(key(field.key), entry.place());
         const YamlNode& value = *entry.value;
         if (value.kind != YamlKind::scalar) {
-            const char* what = value.kind == YamlKind::null
-                                   ? translatable("drillwave::Message", "has no value")
-                                   : translatable("drillwave::Message", "must be one value");
+            const char* what = value.kind == YamlKind::null ? translatable("has no value")
+                                                            : translatable("must be one value");
             m_reader.problems().reportKey(entry.place(), key(field.key), what);
             return;
         }
@@ -97,19 +92,18 @@ class SectionOfFile {
 
     void require(const YamlEntries& entries) {
         if (!m_reader.isThere(entries, m_path, "length"))
-            m_reader.reportMissing(
-                m_path, "length",
-                translatable("drillwave::Message", "is missing: write for example `length: 3660 mm`"));
+            m_reader.reportMissing(m_path, "length",
+                                   translatable("is missing: write for example `length: 3660 mm`"));
         m_reader.requireOneOf(entries, m_path, "diameter", "area");
         for (const SectionField& field : sectionFields()) {
             const auto found = entries.find(field.key);
             if (found == entries.end() || field.with == SectionField::With::both) continue;
             const bool ofArea = field.with == SectionField::With::area;
             if (entries.contains("diameter") == ofArea && entries.contains("area") != ofArea)
-                m_reader.problems().reportKey(
-                    found->second.key->offset, key(field.key),
-                    ofArea ? translatable("drillwave::Message", "goes with an area, not with a diameter")
-                           : translatable("drillwave::Message", "goes with a diameter, not with an area"));
+                m_reader.problems().reportKey(found->second.key->offset, key(field.key),
+                                              ofArea
+                                                  ? translatable("goes with an area, not with a diameter")
+                                                  : translatable("goes with a diameter, not with an area"));
         }
     }
 
@@ -133,11 +127,10 @@ std::vector<Section> readSections(SectionReader& reader, const YamlNode& list, C
             reader.problems().reportKey(item.offset, path, sectionExample);
             sections.emplace_back();
         } else if (isRepeat(item)) {
-            reader.problems().reportKey(
-                item.offset, path,
-                chain == Chain::hammer
-                    ? translatable("drillwave::Message", "a hammer has no repeats; write its sections out")
-                    : translatable("drillwave::Message", "a repeat cannot stand inside another one"));
+            reader.problems().reportKey(item.offset, path,
+                                        chain == Chain::hammer
+                                            ? translatable("a hammer has no repeats; write its sections out")
+                                            : translatable("a repeat cannot stand inside another one"));
             sections.emplace_back();
         } else {
             sections.push_back(SectionOfFile(reader, path).read(item));
@@ -170,7 +163,7 @@ class StringReader {
         const auto found = file.find("string");
         if (found == file.end()) {
             if (!m_reader.isThere(file, "", "string"))
-                m_reader.reportMissing("", "string", translatable("drillwave::Message", "is missing"));
+                m_reader.reportMissing("", "string", translatable("is missing"));
             return;
         }
         const YamlEntry& entry = found->second;
@@ -180,18 +173,16 @@ class StringReader {
             return;
         }
         if (entry.value->children.empty())
-            m_reader.problems().reportKey(
-                entry.place(), "string",
-                translatable("drillwave::Message", "must have at least one section"));
+            m_reader.problems().reportKey(entry.place(), "string",
+                                          translatable("must have at least one section"));
         for (const YamlNode& item : entry.value->children) {
             if (m_place > maximumSections) break;
             readPart(item);
         }
         if (m_place > maximumSections)
-            m_reader.problems().reportKey(
-                entry.key->offset, "string",
-                {translatable("drillwave::Message", "has more than %1 sections, its repeats written out"),
-                 {std::to_string(maximumSections)}});
+            m_reader.problems().reportKey(entry.key->offset, "string",
+                                          {translatable("has more than %1 sections, its repeats written out"),
+                                           {std::to_string(maximumSections)}});
     }
 
   private:
@@ -204,15 +195,14 @@ class StringReader {
             m_string.hammer.restrike = *restrike;
         else
             m_reader.problems().reportValue(entry.place(), restrikeKey, entry.value->text,
-                                            translatable("drillwave::Message", "must be true or false"));
+                                            translatable("must be true or false"));
     }
 
     void readHammerSections(const YamlEntries& entries) {
         const auto found = entries.find("sections");
         if (found == entries.end()) {
             if (!m_reader.isThere(entries, "hammer", "sections"))
-                m_reader.reportMissing("hammer", "sections",
-                                       translatable("drillwave::Message", "is missing"));
+                m_reader.reportMissing("hammer", "sections", translatable("is missing"));
             return;
         }
         const YamlEntry& entry = found->second;
@@ -220,12 +210,10 @@ class StringReader {
         if (entry.value->kind != YamlKind::sequence)
             m_reader.problems().reportKey(
                 entry.place(), "hammer.sections",
-                translatable("drillwave::Message",
-                             "must be a list of sections: `- {length: 300 mm, diameter: 50 mm}`"));
+                translatable("must be a list of sections: `- {length: 300 mm, diameter: 50 mm}`"));
         else if (entry.value->children.empty())
-            m_reader.problems().reportKey(
-                entry.place(), "hammer.sections",
-                translatable("drillwave::Message", "must have at least one section"));
+            m_reader.problems().reportKey(entry.place(), "hammer.sections",
+                                          translatable("must have at least one section"));
         else
             m_string.hammer.sections = readSections(m_reader, *entry.value, Chain::hammer, 0);
     }
@@ -242,8 +230,7 @@ class StringReader {
         else
             m_reader.problems().reportKey(
                 item.offset, path,
-                translatable("drillwave::Message",
-                             "must be a section, `{name: rod, length: 3660 mm, diameter: 39 mm}`, or "
+                translatable("must be a section, `{name: rod, length: 3660 mm, diameter: 39 mm}`, or "
                              "`{repeat: 3, of: […]}`"));
         part.sections.resize(1);  // those behind it keep their places
         ++m_place;
@@ -260,12 +247,10 @@ class StringReader {
         if (const auto found = entries.find("of"); found == entries.end()) {
             if (!m_reader.isThere(entries, path, "of"))
                 m_reader.reportMissing(path, "of",
-                                       translatable("drillwave::Message",
-                                                    "is missing: the list of the sections that come again"));
+                                       translatable("is missing: the list of the sections that come again"));
         } else if (found->second.value->kind != YamlKind::sequence || found->second.value->children.empty()) {
-            m_reader.problems().reportKey(
-                found->second.place(), joinedKey(path, "of"),
-                translatable("drillwave::Message", "must be a list of at least one section"));
+            m_reader.problems().reportKey(found->second.place(), joinedKey(path, "of"),
+                                          translatable("must be a list of at least one section"));
         } else {
             part.sections = readSections(m_reader, *found->second.value, Chain::string, m_place);
         }
@@ -279,9 +264,8 @@ class StringReader {
         const auto found = entries.find("repeat");
         if (found == entries.end()) {
             if (!m_reader.isThere(entries, path, "repeat"))
-                m_reader.reportMissing(
-                    path, "repeat",
-                    translatable("drillwave::Message", "is missing: write for example `repeat: 3`"));
+                m_reader.reportMissing(path, "repeat",
+                                       translatable("is missing: write for example `repeat: 3`"));
             return 1;
         }
         const YamlEntry& entry = found->second;
@@ -323,8 +307,7 @@ void readDrillString(SectionReader& reader, const YamlEntries& file) {
     if (const auto pulse = file.find("pulse"); pulse != file.end() && file.contains("hammer"))
         reader.problems().reportKey(
             pulse->second.key->offset, "pulse",
-            translatable("drillwave::Message",
-                         "stands beside `hammer`: keep one, a hammer of sections or a force in its place"));
+            translatable("stands beside `hammer`: keep one, a hammer of sections or a force in its place"));
     string.readString(file);
     // At the top level, beside the sections.
     reader.readParameters(file, "", SectionReader::Applicability::checked);

@@ -55,8 +55,7 @@ std::size_t tabInIndentation(std::string_view text, std::size_t place) {
 }
 
 Message tooDeep() {
-    return {translatable("drillwave::Message", "more than %1 levels of nesting are not accepted"),
-            {std::to_string(maximumDepth)}};
+    return {translatable("more than %1 levels of nesting are not accepted"), {std::to_string(maximumDepth)}};
 }
 
 /// The parser's words; it may quote half a character.
@@ -80,8 +79,7 @@ class TreeBuilder final : public YAML::EventHandler {
         add(node(YamlKind::null, mark, "", anchor));
     }
     void OnAlias(const YAML::Mark& mark, YAML::anchor_t) override {
-        refuse(mark, translatable("drillwave::Message",
-                                  "an alias (*) is not accepted here: write the value itself"));
+        refuse(mark, translatable("an alias (*) is not accepted here: write the value itself"));
     }
     void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
                   const std::string& value) override {
@@ -125,21 +123,16 @@ class TreeBuilder final : public YAML::EventHandler {
 
     YamlNode node(YamlKind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
         if (anchor != 0)
-            refuse(mark, translatable("drillwave::Message",
-                                      "an anchor (&) is not accepted here: write the value itself"));
+            refuse(mark, translatable("an anchor (&) is not accepted here: write the value itself"));
         const std::size_t offset = offsetOf(mark);
         // A plain scalar has the tag "?", a quoted one "!", as has one with an explicit "!".
         const bool quoted = tag == "!" && offset < m_text.size() && m_text[offset] != '!';
         if (!tag.empty() && tag != "?" && !quoted)
-            refuse(mark, translatable("drillwave::Message",
-                                      "a tag (!) is not accepted here: write the value alone"));
+            refuse(mark, translatable("a tag (!) is not accepted here: write the value alone"));
         if (quoted && (m_text[offset] == '"' || m_text[offset] == '\'') && !isClosed(offset))
             throw Refusal{
-                {offset,
-                 translatable("drillwave::Message", "not YAML: the quote that begins here is not closed"),
-                 false}};
-        if (++m_count > maximumNodes)
-            refuse(mark, translatable("drillwave::Message", "there are too many values from here on"));
+                {offset, translatable("not YAML: the quote that begins here is not closed"), false}};
+        if (++m_count > maximumNodes) refuse(mark, translatable("there are too many values from here on"));
         YamlNode result;
         result.kind = kind;
         result.offset = static_cast<std::uint32_t>(offset);
@@ -235,14 +228,11 @@ YamlTree parseYaml(std::string_view text) {
         const std::size_t position = error.mark.pos < 0 ? 0 : static_cast<std::size_t>(error.mark.pos);
         const std::size_t offset = std::min(position + byteOrderMarkLength(text), text.size());
         if (const std::size_t tab = tabInIndentation(text, offset); tab != std::string_view::npos) {
-            tree.problem = {tab,
-                            translatable("drillwave::Message",
-                                         "not YAML: this line is indented by a tab; indent it by blanks"),
-                            false};
+            tree.problem = {
+                tab, translatable("not YAML: this line is indented by a tab; indent it by blanks"), false};
             return tree;
         }
-        tree.problem = {
-            offset, {translatable("drillwave::Message", "not YAML: %1"), {asciiOnly(error.msg)}}, false};
+        tree.problem = {offset, {translatable("not YAML: %1"), {asciiOnly(error.msg)}}, false};
     }
     return tree;
 }

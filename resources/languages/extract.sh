@@ -10,5 +10,11 @@ work=$3
 shift 3
 cd "$(dirname "$0")/../.."
 "$list" >"$work/core_texts.cpp"
-"$lupdate" -locations none -no-obsolete -tr-function-alias QT_TRANSLATE_NOOP+=translatable -I . \
-    ui core app resources/languages/qt_texts.h "$work/core_texts.cpp" -ts "$@"
+# A text outside of a class has no context of its own: copies of the sources name it.
+rm -rf "$work/sources"
+mkdir "$work/sources"
+cp -r core app ui "$work/sources"
+find "$work/sources" -name '*.cpp' -o -name '*.h' |
+    xargs sed -i -E 's/\btranslatable\(("|$)/translatable("drillwave::Message", \1/g'
+"$lupdate" -locations none -no-obsolete -tr-function-alias QT_TRANSLATE_NOOP+=translatable -I "$work/sources" \
+    "$work/sources" resources/languages/qt_texts.h "$work/core_texts.cpp" -ts "$@"

@@ -70,8 +70,8 @@ ReadUnit LocalStyle::unitOf(std::optional<UnitKind> kind, double si, Quantity qu
 }
 
 Message LocalStyle::unitsTitle() const {
-    if (!m_chosen.empty()) return translatable("drillwave::Message", "with its unit");
-    if (m_system == UnitSystem::us) return translatable("drillwave::Message", "in US units");
+    if (!m_chosen.empty()) return translatable("with its unit");
+    if (m_system == UnitSystem::us) return translatable("in US units");
     return ReadingStyle::unitsTitle();
 }
 

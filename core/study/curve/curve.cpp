@@ -57,7 +57,6 @@ std::vector<Message> problemsOf(const CurveQuestion& question) {
         if (column.output->needsThrustStudy())
             problems.emplace_back(
                 translatable(
-                    "drillwave::Message",
                     "%1 takes a study of all gaps at every point; `drillwave thrust --along` has it"),
                 std::vector<Message>{std::string(column.output->name)});
     if (Message problem = familyProblem(question); !problem.isEmpty()) problems.push_back(std::move(problem));
@@ -67,12 +66,12 @@ std::vector<Message> problemsOf(const CurveQuestion& question) {
 
 Message goalProblem(const CurveQuestion& question) {
     if (!question.goal || question.columns.size() == 1) return {};
-    return translatable("drillwave::Message", "a goal is a value of one output; choose one output");
+    return translatable("a goal is a value of one output; choose one output");
 }
 
 Message familyProblem(const CurveQuestion& question) {
     if (!question.family || question.family->count <= maximumCurveLines) return {};
-    return {translatable("drillwave::Message", "a family has at most %1 lines, this one %2"),
+    return {translatable("a family has at most %1 lines, this one %2"),
             {std::to_string(maximumCurveLines), std::to_string(question.family->count)}};
 }
 

@@ -31,10 +31,10 @@ constexpr long blowsOfStringCell = 40;
 constexpr long leastStringBlows = 150;
 /// A kink is bracketed by half of so many.
 constexpr std::uint64_t blowsOfKink = 80;
-constexpr const char* notSmooth = translatable("drillwave::Message", "not smooth within the work permitted");
-constexpr const char* isRounding = translatable("drillwave::Message", "an error, which has no smooth course");
+constexpr const char* notSmooth = translatable("not smooth within the work permitted");
+constexpr const char* isRounding = translatable("an error, which has no smooth course");
 constexpr const char* isOfManyBlows =
-    translatable("drillwave::Message", "of many blows, which need not be smooth: straight between points");
+    translatable("of many blows, which need not be smooth: straight between points");
 
 bool isRatio(Measure measure) {
     return measure == Measure::number || measure == Measure::share || measure == Measure::energy ||

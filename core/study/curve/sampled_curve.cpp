@@ -140,8 +140,7 @@ CurveLine lineThrough(const CurveQuestion& question, std::size_t number, const S
                 output.unsolved.push_back({line.points[i], line.points[i + 1],
                                            *(reasons[i]->isEmpty() ? reasons[i + 1] : reasons[i])});
         }
-        output.grid = {{question.along.start, question.along.stop,
-                        translatable("drillwave::Message", "solved point by point")}};
+        output.grid = {{question.along.start, question.along.stop, translatable("solved point by point")}};
         addExtremes(output, line.points, line.values[c]);
     }
     return line;

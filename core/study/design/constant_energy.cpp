@@ -42,11 +42,9 @@ KeptParameter energyParameter(const Scenario& scenario) {
 
 Message keepEnergyProblem(const Scenario& scenario) {
     if (!hasUnits(scenario))
-        return translatable("drillwave::Message",
-                            "a scenario given by its groups has no energy to keep; leave it out");
+        return translatable("a scenario given by its groups has no energy to keep; leave it out");
     if (!energyParameter(scenario))
-        return translatable("drillwave::Message",
-                            "a blow of given points has neither impulse nor velocity to scale; leave it out");
+        return translatable("a blow of given points has neither impulse nor velocity to scale; leave it out");
     return {};
 }
 

@@ -39,27 +39,22 @@ void checkCounts(const DesignStudy& study, Lines& lines) {
     };
     const std::size_t drawn = study.draws ? study.draws->parameters.size() : 0;
     if (study.dimensions() == 0)
-        lines.usage(translatable("drillwave::Message",
-                                 "nothing is uncertain; give --uncertain KEY=LOW:HIGH or --draws FILE.csv"));
+        lines.usage(translatable("nothing is uncertain; give --uncertain KEY=LOW:HIGH or --draws FILE.csv"));
     most(study.uncertain.size() + drawn, mostUncertain,
-         translatable("drillwave::Message", "at most %1 uncertain parameters, these are %2"));
-    most(study.choices.size(), mostChoices,
-         translatable("drillwave::Message", "at most %1 choices, these are %2"));
-    most(study.aims.size(), mostAims, translatable("drillwave::Message", "at most %1 aims, these are %2"));
+         translatable("at most %1 uncertain parameters, these are %2"));
+    most(study.choices.size(), mostChoices, translatable("at most %1 choices, these are %2"));
+    most(study.aims.size(), mostAims, translatable("at most %1 aims, these are %2"));
     const std::uint64_t designs = study.designCount();
     if (designs == 0 || designs > mostDesigns)
         lines.usage(
             {designs == 0
                  ? translatable(
-                       "drillwave::Message",
                        "at most %1 designs, the choices make more than can be counted; give fewer values")
-                 : translatable("drillwave::Message",
-                                "at most %1 designs, the choices make %2; give fewer values"),
+                 : translatable("at most %1 designs, the choices make %2; give fewer values"),
              {std::to_string(mostDesigns), std::to_string(designs)}});
     else if (designs * study.samples > mostDesignSolves)
         lines.usage(
-            {translatable("drillwave::Message",
-                          "at most %1 blows, %2 designs at %3 samples are more; take fewer"),
+            {translatable("at most %1 blows, %2 designs at %3 samples are more; take fewer"),
              {std::to_string(mostDesignSolves), std::to_string(designs), std::to_string(study.samples)}});
 }
 
@@ -104,15 +99,13 @@ void checkKeys(const DesignStudy& study, const std::vector<NamedKey>& unread, Li
             if (problem.isEmpty()) continue;
             const bool areChosenPresets = one.isChosen && other.isChosen && one.choice != other.choice;
             if (one.key != other.key || areChosenPresets)
-                lines.invalid({translatable("drillwave::Message", "%1 and %2 %3; leave out one of them"),
+                lines.invalid({translatable("%1 and %2 %3; leave out one of them"),
                                {nameOf(one), nameOf(other), problem}});
             else if (one.isChosen == other.isChosen)
-                lines.invalid(
-                    {translatable("drillwave::Message", "%1 is given twice; give it once"), {one.key}});
+                lines.invalid({translatable("%1 is given twice; give it once"), {one.key}});
             else
                 lines.invalid(
-                    {translatable("drillwave::Message",
-                                  "%1 is chosen and uncertain: only +-P% about the choice can be both"),
+                    {translatable("%1 is chosen and uncertain: only +-P% about the choice can be both"),
                      {one.key}});
         }
     if (!study.keepsEnergy) return;
@@ -120,8 +113,7 @@ void checkKeys(const DesignStudy& study, const std::vector<NamedKey>& unread, Li
     const KeptParameter scaled = energyParameter(study.base);
     const auto refuse = [&](const std::string& choice) {
         lines.invalid(
-            {translatable("drillwave::Message",
-                          "keeping the energy sets %1, and so does the choice of %2; leave out one of them"),
+            {translatable("keeping the energy sets %1, and so does the choice of %2; leave out one of them"),
              {std::string(scaled->key), choice}});
     };
     if (!scaled) return;
@@ -135,12 +127,10 @@ void checkKeys(const DesignStudy& study, const std::vector<NamedKey>& unread, Li
 void checkOutputs(const DesignStudy& study, Lines& lines) {
     for (const OutputColumn& column : study.columns()) {
         if (column.output->needsThrustStudy())
-            lines.invalid(translatable("drillwave::Message",
-                                       "thrust_margin is a study of all gaps by itself; aim at thrust"));
+            lines.invalid(translatable("thrust_margin is a study of all gaps by itself; aim at thrust"));
         else if (column.output->needsDrilling())
             lines.invalid(
-                {translatable("drillwave::Message",
-                              "%1 is a march of many blows by itself; `drillwave drill` and sweeps have it"),
+                {translatable("%1 is a march of many blows by itself; `drillwave drill` and sweeps have it"),
                  {std::string(column.output->name)}});
         else
             lines.invalid(columnProblem({&column, 1}, study.base));
@@ -160,7 +150,7 @@ Message at(const DesignStudy& study, std::uint64_t design, const Message& proble
         places =
             joined(std::move(places), "%1, %2", {"%1 = %2", {std::string(study.choices[i].key()), text}});
     }
-    return {translatable("drillwave::Message", "at %1: %2"), {places, problem}};
+    return {translatable("at %1: %2"), {places, problem}};
 }
 
 /// A design must be a scenario, and take each uncertain number alone and all together at both ends: all

@@ -40,16 +40,13 @@ bool isPresetName(std::string_view name, const PresetFile& file) {
 }
 
 Message unsuitable(PresetPart part, const Scenario& scenario) {
-    if (part == PresetPart::bit)
-        return translatable("drillwave::Message", "is no bit; give the preset of a bit");
-    if (part == PresetPart::rod)
-        return translatable("drillwave::Message", "is no rod; give the preset of a rod");
+    if (part == PresetPart::bit) return translatable("is no bit; give the preset of a bit");
+    if (part == PresetPart::rod) return translatable("is no rod; give the preset of a rod");
     return isString(scenario)
-               ? translatable("drillwave::Message",
-                              "does not fit a drill string, whose hammer is followed too; give the preset of "
-                              "a piston")
+               ? translatable(
+                     "does not fit a drill string, whose hammer is followed too; give the preset of "
+                     "a piston")
                : translatable(
-                     "drillwave::Message",
                      "does not fit a uniform rod, whose hammer is a force; give the preset of a hammer");
 }
 
@@ -129,21 +126,16 @@ struct OutputStatistic {
 OutputStatistic readStatistic(std::string_view word) {
     const std::size_t at = word.find('@');
     if (at == std::string_view::npos)
-        return {{},
-                {},
-                {translatable("drillwave::Message", "`%1` needs OUTPUT@STATISTIC, as efficiency@q05"),
-                 {shortened(word)}}};
+        return {{}, {}, {translatable("`%1` needs OUTPUT@STATISTIC, as efficiency@q05"), {shortened(word)}}};
     const OutputChoice output = chooseOutputs(word.substr(0, at), OutputUnits::dimensionless);
     if (!output.problem.isEmpty()) return {{}, {}, output.problem};
-    if (output.all)
-        return {{}, {}, translatable("drillwave::Message", "`all` are several outputs; name one")};
+    if (output.all) return {{}, {}, translatable("`all` are several outputs; name one")};
     const std::string_view statistic = trimmed(word.substr(at + 1));
     const std::optional<Statistic> found = findStatistic(statistic);
     if (!found)
         return {{},
                 {},
-                {translatable("drillwave::Message",
-                              "`%1` is not a statistic; choose from mean, q01 to q99, min, max, nominal"),
+                {translatable("`%1` is not a statistic; choose from mean, q01 to q99, min, max, nominal"),
                  {shortened(statistic)}}};
     return {output.columns.front().output, *found, {}};
 }
@@ -169,8 +161,7 @@ bool beginsAsAim(std::string_view text) {
 }
 
 ParsedAim parseAim(std::string_view text) {
-    if (!beginsAsAim(text))
-        return {{}, translatable("drillwave::Message", "needs max:OUTPUT@STATISTIC or min:OUTPUT@STATISTIC")};
+    if (!beginsAsAim(text)) return {{}, translatable("needs max:OUTPUT@STATISTIC or min:OUTPUT@STATISTIC")};
     OutputStatistic read = readStatistic(text.substr(4));
     return {{text.starts_with("max") ? Sense::largest : Sense::least, read.output, read.statistic},
             std::move(read.problem)};
@@ -178,8 +169,7 @@ ParsedAim parseAim(std::string_view text) {
 
 ParsedLimit parseLimit(std::string_view text, bool atMost, const Scenario& scenario) {
     const std::size_t equals = text.find('=');
-    if (equals == std::string_view::npos)
-        return {{}, true, translatable("drillwave::Message", "needs OUTPUT@STATISTIC=VALUE")};
+    if (equals == std::string_view::npos) return {{}, true, translatable("needs OUTPUT@STATISTIC=VALUE")};
     OutputStatistic read = readStatistic(trimmed(text.substr(0, equals)));
     if (!read.problem.isEmpty()) return {{}, true, std::move(read.problem)};
     const bool inUnit = hasUnits(scenario) || read.output->isOnlySi();

@@ -16,10 +16,10 @@ constexpr std::size_t mostMessages = 20;
 
 void readHeader(const TableHeader& header, const std::string& place, ReadDraws& read) {
     for (const HeaderRemark& problem : header.problems)
-        read.invalid.push_back(about(place, problem.column > 0
-                                                ? Message(translatable("drillwave::Message", "column %1 %2"),
-                                                          {std::to_string(problem.column), problem.text})
-                                                : problem.text));
+        read.invalid.push_back(about(
+            place, problem.column > 0
+                       ? Message(translatable("column %1 %2"), {std::to_string(problem.column), problem.text})
+                       : problem.text));
     if (!read.invalid.empty()) return;
     for (const CaseColumn& column : header.columns) {
         if (column.kind == CaseColumn::Kind::parameter && !column.parameter->rules.wholeNumber) {
@@ -29,15 +29,13 @@ void readHeader(const TableHeader& header, const std::string& place, ReadDraws& 
         const bool isKnown = column.kind != CaseColumn::Kind::other;
         read.invalid.push_back(about(
             place, {isKnown ? translatable(
-                                  "drillwave::Message",
                                   "column `%1` is no number that can be uncertain; leave it out of the draws")
-                            : translatable("drillwave::Message",
-                                           "column `%1` is not a parameter; leave it out of the draws"),
+                            : translatable("column `%1` is not a parameter; leave it out of the draws"),
                     {shortened(column.text)}}));
     }
     if (const auto pair = header.assignments().rivals(); pair && read.invalid.empty())
         read.invalid.push_back(
-            about(place, {translatable("drillwave::Message", "%1 and %2 %3; leave out one of them"),
+            about(place, {translatable("%1 and %2 %3; leave out one of them"),
                           {std::string(header.columns[pair->one].key()),
                            std::string(header.columns[pair->other].key()), pair->problem}}));
     read.draws.columns.resize(read.draws.parameters.size());
@@ -48,8 +46,7 @@ void readCell(const CaseColumn& column, const std::string& cell, const std::stri
     const Parameter& parameter = *column.parameter;
     if (trimmed(cell).empty()) {
         read.unreadable.push_back(
-            about(place, {translatable("drillwave::Message",
-                                       "the cell of %1 is missing; every draw needs a value of every key"),
+            about(place, {translatable("the cell of %1 is missing; every draw needs a value of every key"),
                           {std::string(parameter.key)}}));
         return;
     }
@@ -68,8 +65,8 @@ ReadDraws readDraws(std::istream& table, const std::string& source) {
     CaseRecords reader(table);
     CsvRecord record;
     if (!reader.next(record)) {
-        read.unreadable.push_back(about(
-            source, translatable("drillwave::Message", "has no header; write the keys into the first row")));
+        read.unreadable.push_back(
+            about(source, translatable("has no header; write the keys into the first row")));
         return read;
     }
     const auto place = [&] { return source + ":" + std::to_string(reader.line()); };
@@ -88,15 +85,14 @@ ReadDraws readDraws(std::istream& table, const std::string& source) {
             readCell(header.columns[i], record.cells[i], place() + ":" + std::to_string(i + 1), read,
                      values[i]);
         if (read.draws.rows() == mostDraws) {
-            read.unreadable.push_back(
-                about(source, {translatable("drillwave::Message", "has more than %1 rows; leave some out"),
-                               {std::to_string(mostDraws)}}));
+            read.unreadable.push_back(about(source, {translatable("has more than %1 rows; leave some out"),
+                                                     {std::to_string(mostDraws)}}));
             break;
         }
         for (std::size_t i = 0; i < values.size(); ++i) read.draws.columns[i].push_back(values[i]);
     }
     if (read.unreadable.empty() && read.invalid.empty() && read.draws.rows() == 0)
-        read.unreadable.push_back(about(source, translatable("drillwave::Message", "has no rows of draws")));
+        read.unreadable.push_back(about(source, translatable("has no rows of draws")));
     return read;
 }
 

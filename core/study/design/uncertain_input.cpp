@@ -18,22 +18,19 @@ namespace {
 Message rangeRefusal(const UncertainInput& input, std::string_view text) {
     const Parameter& parameter = *input.parameter;
     const auto refuse = [&](const Message& reason) { return refusedValue(parameter.key, text, reason); };
-    if (input.low == input.high)
-        return refuse(translatable("drillwave::Message", "has no width; give LOW below HIGH"));
-    if (!(input.low < input.high))
-        return refuse(translatable("drillwave::Message", "is upside down; give LOW below HIGH"));
+    if (input.low == input.high) return refuse(translatable("has no width; give LOW below HIGH"));
+    if (!(input.low < input.high)) return refuse(translatable("is upside down; give LOW below HIGH"));
     for (const double end : {input.low, input.high})
         if (const Message problem = rangeProblem(parameter, end); !problem.isEmpty()) return refuse(problem);
     if (input.low <= 0 && input.kind == DistributionKind::log)
-        return refuse(translatable("drillwave::Message", "must begin above 0 where it is `log`"));
+        return refuse(translatable("must begin above 0 where it is `log`"));
     if (input.low <= 0 && input.kind == DistributionKind::lognormal)
-        return refuse(translatable("drillwave::Message", "must begin above 0 where it is `lognormal`"));
+        return refuse(translatable("must begin above 0 where it is `lognormal`"));
     if (input.kind != DistributionKind::normal || !parameter.hard.lowOpen) return {};
     const double mean = (input.low + input.high) / 2;
     const double deviation = (input.high - input.low) / (2 * normalHalfWidth);
     return mean - normalCut * deviation <= parameter.hard.low
-               ? refuse({translatable("drillwave::Message",
-                                      "reaches %1, where there is no answer; use lognormal"),
+               ? refuse({translatable("reaches %1, where there is no answer; use lognormal"),
                          {formatNumber(parameter.hard.low)}})
                : Message();
 }
@@ -59,7 +56,7 @@ Message readPercent(UncertainInput& input, std::string_view text) {
         return {};
     }
     return refusedValue(input.parameter->key, text,
-                        translatable("drillwave::Message", "needs a number above 0 of per cent, as +-5%"));
+                        translatable("needs a number above 0 of per cent, as +-5%"));
 }
 
 Message readValues(ParsedUncertain& parsed, std::string_view text) {
@@ -75,8 +72,7 @@ Message readValues(ParsedUncertain& parsed, std::string_view text) {
     }
     parsed.isMistyped = true;
     if (parts.size() < 2 || parts.size() > 3)
-        return {translatable("drillwave::Message",
-                             "%1 needs LOW:HIGH, LOW:HIGH:log, :normal or :lognormal, or +-P%"),
+        return {translatable("%1 needs LOW:HIGH, LOW:HIGH:log, :normal or :lognormal, or +-P%"),
                 {std::string(input.parameter->key)}};
     if (parts.size() == 3) {
         using enum DistributionKind;
@@ -86,7 +82,6 @@ Message readValues(ParsedUncertain& parsed, std::string_view text) {
         if (found == kinds.end())
             return {
                 translatable(
-                    "drillwave::Message",
                     "`%1` behind the range of %2 is not known; choose from uniform, log, normal, lognormal"),
                 {shortened(parts[2]), std::string(input.parameter->key)}};
         input.kind = *found;
@@ -101,20 +96,17 @@ Message read(ParsedUncertain& parsed, std::string_view text) {
     const std::size_t equals = text.find('=');
     if (equals == std::string_view::npos) {
         parsed.isMistyped = true;
-        return {translatable("drillwave::Message",
-                             "`%1` is no range: write KEY=LOW:HIGH, KEY=LOW:HIGH:log or KEY=+-P%"),
+        return {translatable("`%1` is no range: write KEY=LOW:HIGH, KEY=LOW:HIGH:log or KEY=+-P%"),
                 {shortened(text)}};
     }
     const std::string_view key = trimmed(text.substr(0, equals));
     parsed.input.parameter = findParameter(key);
     if (key == pulseShapeKey || key == restrikeKey || key == "bit_rock.law")
-        return {translatable("drillwave::Message",
-                             "%1 is no number and cannot be uncertain; choose among several by --choose"),
+        return {translatable("%1 is no number and cannot be uncertain; choose among several by --choose"),
                 {std::string(key)}};
     if (!parsed.input.parameter) return notAParameter(key);
     if (parsed.input.parameter->rules.wholeNumber)
         return {translatable(
-                    "drillwave::Message",
                     "%1 takes whole numbers alone and cannot be uncertain; choose among several by --choose"),
                 {std::string(key)}};
     return readValues(parsed, text.substr(equals + 1));
@@ -133,18 +125,16 @@ Distribution UncertainInput::in(const Scenario& design) const {
 Message UncertainInput::problemIn(const Scenario& design) const {
     const std::string key(parameter->key);
     if (const Message why = whyNotApplicable(*parameter, design); !why.isEmpty())
-        return {translatable("drillwave::Message", "%1 has no meaning here: %2"), {key, why}};
+        return {translatable("%1 has no meaning here: %2"), {key, why}};
     if (kind != DistributionKind::percent) return {};
     const std::optional<double> value = parameter->value(design);
     if (!value || *value == 0)
-        return {
-            value ? translatable("drillwave::Message", "%1 = +-%2% (the scenario has 0 there; give LOW:HIGH)")
-                  : translatable("drillwave::Message",
-                                 "%1 = +-%2% (the scenario has no value there; give LOW:HIGH)"),
-            {key, formatNumber(percent)}};
+        return {value ? translatable("%1 = +-%2% (the scenario has 0 there; give LOW:HIGH)")
+                      : translatable("%1 = +-%2% (the scenario has no value there; give LOW:HIGH)"),
+                {key, formatNumber(percent)}};
     for (const double share : {1 - percent / 100, 1 + percent / 100})
         if (const Message problem = rangeProblem(*parameter, *value * share); !problem.isEmpty())
-            return {translatable("drillwave::Message", "%1 = +-%2% of %3 (%4)"),
+            return {translatable("%1 = +-%2% of %3 (%4)"),
                     {key, formatNumber(percent),
                      formatQuantity(*value, parameter->quantity, parameter->displayUnit()), problem}};
     return {};

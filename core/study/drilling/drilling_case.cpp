@@ -44,7 +44,7 @@ std::vector<Message> drillingRefusals(const Scenario& scenario, const DrillingSe
     std::vector<Message> problems = drillProblems(scenario, {settings.blows, settings.settle});
     const auto add = [&](const char* what, long value, long least, long most) {
         if (value < least || value > most)
-            problems.emplace_back(translatable("drillwave::Message", "%1 must be from %2 to %3, not %4"),
+            problems.emplace_back(translatable("%1 must be from %2 to %3, not %4"),
                                   std::vector<Message>{what, std::to_string(least), std::to_string(most),
                                                        std::to_string(value)});
     };

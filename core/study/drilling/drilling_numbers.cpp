@@ -52,12 +52,11 @@ Message whyNoStatistics(const DrillingResult& result) {
         case DrillingOutcome::done:
             return {};
         case DrillingOutcome::pushedBack:
-            return translatable("drillwave::Message",
-                                "the machine is pushed back: no motion that is bounded");
+            return translatable("the machine is pushed back: no motion that is bounded");
         case DrillingOutcome::notSolved:
             return result.reason;
         case DrillingOutcome::stopped:
-            return translatable("drillwave::Message", "it was stopped");
+            return translatable("it was stopped");
     }
     return {};
 }

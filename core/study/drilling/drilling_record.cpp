@@ -120,8 +120,7 @@ Message memoryProblem(const DrillingProblem& problem, const DrillingGrid& grid) 
     for (const double trip : grid.roundTrips)
         kept += std::ceil(trip) * static_cast<double>(grid.cuts.count());
     if (kept <= mostKeptCells) return {};
-    return {translatable("drillwave::Message",
-                         "the waves on the way through it take %1 wave cells at once, more than the %2 "
+    return {translatable("the waves on the way through it take %1 wave cells at once, more than the %2 "
                          "permitted; a longer blow, a shorter string or fewer --cells take less"),
             {rounded(kept, 2), rounded(mostKeptCells, 2)}};
 }
@@ -130,8 +129,7 @@ Message workProblem(const DrillingMarch& march, long blows, double mostWork) {
     const double all = march.work() / static_cast<double>(march.blows()) * static_cast<double>(blows);
     if (march.work() < std::min(judgedWork, mostWork) || all <= mostWork) return {};
     return {
-        translatable("drillwave::Message",
-                     "its blows would take %1 wave cells, more than the %2 permitted: bit and rock meet and "
+        translatable("its blows would take %1 wave cells, more than the %2 permitted: bit and rock meet and "
                      "part very often; a larger gamma, fewer blows or a higher frequency take less"),
         {rounded(all, 2), rounded(mostWork, 2)}};
 }

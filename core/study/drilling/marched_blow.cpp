@@ -104,7 +104,7 @@ Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, lon
     Blow blow;
     std::vector<Message> refusals = drillingRefusals(scenario, settings);
     if (number < 1 || number > settings.blows)
-        refusals.emplace_back(translatable("drillwave::Message", "there is no blow %1 of %2"),
+        refusals.emplace_back(translatable("there is no blow %1 of %2"),
                               std::vector<Message>{std::to_string(number), std::to_string(settings.blows)});
     blow.impact.reason = inOneLine(std::move(refusals));
     if (!blow.impact.reason.isEmpty()) return blow;
@@ -118,7 +118,7 @@ Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, lon
 
     Message problem = memoryProblem(mesh.problem, mesh.grid);
     if (problem.isEmpty() && mesh.grid.work(mesh.problem) * static_cast<double>(number) > mostWork)
-        problem = translatable("drillwave::Message", "its blows need more wave cells than permitted");
+        problem = translatable("its blows need more wave cells than permitted");
     if (!problem.isEmpty()) {
         blow.impact = Impact::unsolved(std::move(problem));
         return blow;
@@ -135,8 +135,8 @@ Blow marchedBlow(const Scenario& scenario, const DrillingSettings& settings, lon
         blow.impact =
             Impact::unsolved(Message::ofTable(march.trouble().empty() ? "stopped" : march.trouble()));
     } else if (!kept.waves) {
-        blow.impact = Impact::unsolved(
-            translatable("drillwave::Message", "its waves are more than can be kept"), Hindrance::histories);
+        blow.impact =
+            Impact::unsolved(translatable("its waves are more than can be kept"), Hindrance::histories);
     } else {
         blow.marched->rememberedForce = kept.rememberedForce;
         blow.problem.gap = -kept.place * lawUnitOfPenetration;

@@ -128,8 +128,7 @@ GapCurve gapCurve(const Problem& problem, double start, Detail detail, std::stop
     curve.periodStart = gapPeriodStart(problem);
     if (!std::isfinite(curve.periodStart)) {
         curve.reason =
-            translatable("drillwave::Message",
-                         "the hammer still pushes when its wave has returned more often than is followed");
+            translatable("the hammer still pushes when its wave has returned more often than is followed");
         return curve;
     }
     curve.start = std::min(std::floor(start), curve.periodStart);

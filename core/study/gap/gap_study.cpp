@@ -13,15 +13,13 @@ namespace drillwave {
 Message gapProblem(const Scenario& scenario, const std::optional<NormalGap>& normal) {
     if (Message problem = invalidity(scenario); !problem.isEmpty()) return problem;
     if (!gapHasPeriod(scenario))
-        return translatable("drillwave::Message",
-                            "all gaps can be studied only for uniform rods (`drillwave: 1`)");
+        return translatable("all gaps can be studied only for uniform rods (`drillwave: 1`)");
     const auto isGap = [](const NormalGap& gap) {
         return gap.mean >= 0 && std::isfinite(gap.mean) && gap.deviation >= NormalGap::leastDeviation &&
                gap.deviation <= NormalGap::mostDeviation;
     };
     if (!normal || isGap(*normal)) return {};
-    return {translatable("drillwave::Message",
-                         "a normal gap needs a mean of at least 0 and a deviation from %1 to %2 [d0]"),
+    return {translatable("a normal gap needs a mean of at least 0 and a deviation from %1 to %2 [d0]"),
             {formatNumber(NormalGap::leastDeviation), formatNumber(NormalGap::mostDeviation)}};
 }
 

@@ -51,9 +51,8 @@ class Surveyor {
             const double y = edge.isAlongX ? m_nodes.y(edge.j) : place;
             finding.reason = m_point.solve(x, y, sample.value, stop);
             if (finding.reason.isEmpty() && std::isnan(sample.value))
-                finding.reason = m_point.lack().isEmpty()
-                                     ? translatable("drillwave::Message", "it has no such output")
-                                     : m_point.lack();
+                finding.reason =
+                    m_point.lack().isEmpty() ? translatable("it has no such output") : m_point.lack();
             isIrregular |= m_point.isIrregular();
             if (!finding.reason.isEmpty()) return 0.0;  // ends the search
             (sample.value < m_level ? m_below : m_above) = sample;

@@ -118,13 +118,11 @@ std::vector<Message> problemsOf(const MapStudy& study) {
     for (const SweepAxis& axis : {study.x, study.y})
         if (!isRange(axis))
             problems.emplace_back(
-                translatable("drillwave::Message",
-                             "the axis %1 of a map needs START:STOP:COUNT or START:STOP:COUNT:log"),
+                translatable("the axis %1 of a map needs START:STOP:COUNT or START:STOP:COUNT:log"),
                 std::vector<Message>{std::string(axis.key())});
     if (problems.empty() && study.x.count > maximumMapPoints / study.y.count)
         problems.emplace_back(
             translatable(
-                "drillwave::Message",
                 "the map has more than %1 points; take fewer, or `drillwave sweep`, which keeps none"),
             std::vector<Message>{std::to_string(maximumMapPoints)});
     if (!problems.empty()) return problems;

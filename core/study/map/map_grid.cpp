@@ -87,9 +87,8 @@ void MapGrid::set(std::size_t column, std::size_t row, double value) {
 void MapGrid::fail(std::size_t column, std::size_t row, const Message& reason) {
     const bool isKnown = std::ranges::find(m_failures, reason, &RowFailure::reason) != m_failures.end();
     const bool isFull = m_failures.size() + 1 >= maximumMapReasons;
-    const std::size_t place = addFailure(
-        m_failures,
-        {isKnown || !isFull ? reason : Message(translatable("drillwave::Message", "other reasons")), 1});
+    const std::size_t place =
+        addFailure(m_failures, {isKnown || !isFull ? reason : Message(translatable("other reasons")), 1});
     put(column, row, static_cast<Cell>(firstReason + place));
 }
 

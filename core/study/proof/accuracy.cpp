@@ -194,8 +194,7 @@ class Study {
 /// Why there is nothing to compare.
 Message refusalOf(const Scenario& scenario, const std::vector<int>& ladder) {
     if (Message problem = invalidity(scenario); !problem.isEmpty()) return problem;
-    if (isString(scenario))
-        return translatable("drillwave::Message", "the lattices of the paper solve only uniform rods");
+    if (isString(scenario)) return translatable("the lattices of the paper solve only uniform rods");
     const bool isInRange = std::ranges::all_of(
         ladder, [](int segments) { return segments >= minimumSegments && segments <= maximumSegments; });
     if (isInRange && std::ranges::is_sorted(ladder)) return {};

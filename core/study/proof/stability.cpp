@@ -29,11 +29,11 @@ void require(StabilityRow& row, bool holds, const char* what, double value) {
 /// The momentum that the rock took and the one that the waves carry were summed apart; so were the energies.
 void checkBalances(StabilityRow& row, const Impact& impact) {
     row.momentumResidual = 1 - impact.impulse - impact.finalMomentum;
-    require(row, std::abs(row.momentumResidual) <= marks.momentum,
-            translatable("drillwave::Message", "momentum residual %1"), row.momentumResidual);
+    require(row, std::abs(row.momentumResidual) <= marks.momentum, translatable("momentum residual %1"),
+            row.momentumResidual);
     row.energyResidual = impact.energyResidual();
-    require(row, std::abs(row.energyResidual) <= marks.energy,
-            translatable("drillwave::Message", "energy residual %1"), row.energyResidual);
+    require(row, std::abs(row.energyResidual) <= marks.energy, translatable("energy residual %1"),
+            row.energyResidual);
 }
 
 double leastForceOf(const Impact& impact) {
@@ -64,11 +64,10 @@ void checkHistories(StabilityRow& row, const Problem& problem, ExactSolver& solv
     if (row.pieces > mostRecorded) return;
     const Impact impact = solver.solve(problem, Detail::histories, stop);
     row.leastForce = leastForceOf(impact);
-    require(row, *row.leastForce >= -marks.pull,
-            translatable("drillwave::Message", "the rock pulls: F/Fmax %1"), *row.leastForce);
+    require(row, *row.leastForce >= -marks.pull, translatable("the rock pulls: F/Fmax %1"), *row.leastForce);
     row.reach = reachOf(impact);
     require(row, *row.reach <= marks.reach && impact.finalMomentum <= marks.momentum,
-            translatable("drillwave::Message", "not at its end: the front end returns by %1"), *row.reach);
+            translatable("not at its end: the front end returns by %1"), *row.reach);
 }
 
 constexpr double near = 1e-10;  // how far off neighbours are
@@ -93,8 +92,7 @@ void checkContinuity(StabilityRow& row, const Problem& problem, ExactSolver& sol
             impact.outcome == Outcome::rebounded ? std::abs(impact.cor - row.cor) : INFINITY;
         row.change = std::max(row.change, change);
     }
-    require(row, row.change <= changeMark(row),
-            translatable("drillwave::Message", "not continuous: e changes by %1"), row.change);
+    require(row, row.change <= changeMark(row), translatable("not continuous: e changes by %1"), row.change);
 }
 
 /// Rigid rock: e → 1 once the blow ends before it returns. Soft rock, reference case: e → √γ.
@@ -106,8 +104,8 @@ void checkLimits(StabilityRow& row, const Problem& problem) {
         row.limitDistance =
             std::abs(row.cor - std::sqrt(g.gamma)) / (10 * std::sqrt(g.beta * g.tau / g.gamma));
     if (row.limitDistance)
-        require(row, *row.limitDistance <= marks.limit,
-                translatable("drillwave::Message", "far from its limit by a factor %1"), *row.limitDistance);
+        require(row, *row.limitDistance <= marks.limit, translatable("far from its limit by a factor %1"),
+                *row.limitDistance);
 }
 
 /// The lattice shares no code with the exact solver; it is asked where its steps resolve the contact.
@@ -121,8 +119,8 @@ void checkLattice(StabilityRow& row, const Problem& problem, LatticeSolver& latt
     const Impact impact = lattice.solve(problem, Detail::cor, {.segments = latticeSegments}, stop);
     if (impact.outcome != Outcome::rebounded || !(impact.corError > 0)) return;
     row.latticeDistance = std::abs(impact.cor - row.cor) / (impact.corError + row.corError);
-    require(row, *row.latticeDistance <= marks.lattice,
-            translatable("drillwave::Message", "the lattice differs by estimates: %1"), *row.latticeDistance);
+    require(row, *row.latticeDistance <= marks.lattice, translatable("the lattice differs by estimates: %1"),
+            *row.latticeDistance);
 }
 
 /// The stated error, against more digits, which have an error of their own.
@@ -132,8 +130,7 @@ void checkBound(StabilityRow& row, const Problem& problem, const std::stop_token
     if (extended.outcome != Outcome::rebounded) return;
     row.boundDistance = std::abs(extended.cor - row.cor) / (row.corError + extended.corError);
     require(row, *row.boundDistance <= marks.bound,
-            translatable("drillwave::Message", "the stated error is exceeded by a factor %1"),
-            *row.boundDistance);
+            translatable("the stated error is exceeded by a factor %1"), *row.boundDistance);
 }
 
 StabilityRow check(const StabilityCase& stabilityCase, ExactSolver& solver, LatticeSolver& lattice,

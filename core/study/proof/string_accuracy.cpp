@@ -39,7 +39,7 @@ StringAccuracy measureStringAccuracy(const Scenario& scenario, const std::stop_t
     StringAccuracy accuracy;
     accuracy.reason = invalidity(scenario);
     if (accuracy.reason.isEmpty() && !isString(scenario))
-        accuracy.reason = translatable("drillwave::Message", "cells are of drill strings (`drillwave: 2`)");
+        accuracy.reason = translatable("cells are of drill strings (`drillwave: 2`)");
     if (!accuracy.reason.isEmpty()) return accuracy;
     NetworkSolver solver;
     // all on the same pieces of what is not uniform

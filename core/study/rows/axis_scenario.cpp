@@ -80,8 +80,7 @@ const Scenario& AxisScenario::set(std::span<const double> values) {
 std::optional<PointObstacle> AxisScenario::judge(std::span<const double> values) const {
     if (const auto pair = m_assignments.meeting(m_scenario)) {
         const std::string one(m_axes[pair->one].key()), other(m_axes[pair->other].key());
-        const Message reason{translatable("drillwave::Message", "%1 and %2 %3; vary one of them"),
-                             {one, other, pair->problem}};
+        const Message reason{translatable("%1 and %2 %3; vary one of them"), {one, other, pair->problem}};
         return PointObstacle{one, reason, reason};
     }
     if (const auto problems = validate(m_scenario); !problems.empty())

@@ -16,15 +16,13 @@ constexpr std::string_view allName = "all";
 Message unknownOutput(std::string_view name) {
     const std::vector<std::string_view> names = outputNames();
     const std::string_view near = nearestName(name, names);
-    if (name == allName)
-        return translatable("drillwave::Message", "`all` are all outputs already; give it alone");
+    if (name == allName) return translatable("`all` are all outputs already; give it alone");
     if (!near.empty())
-        return {translatable("drillwave::Message", "`%1` is not an output; did you mean `%2`?"),
+        return {translatable("`%1` is not an output; did you mean `%2`?"),
                 {shortened(name), std::string(near)}};
     std::string list(allName);
     for (const std::string_view known : names) list += ", " + std::string(known);
-    return {translatable("drillwave::Message", "`%1` is not an output; choose from %2"),
-            {shortened(name), list}};
+    return {translatable("`%1` is not an output; choose from %2"), {shortened(name), list}};
 }
 
 }  // namespace
@@ -56,10 +54,7 @@ OutputChoice chooseOutputs(std::string_view list, OutputUnits units) {
         const Output* output = findOutput(name);
         if (!output) return {{}, false, unknownOutput(name)};
         if (std::ranges::find(choice.columns, output, &OutputColumn::output) != choice.columns.end())
-            return {{},
-                    false,
-                    {translatable("drillwave::Message", "`%1` is given twice; give it once"),
-                     {std::string(name)}}};
+            return {{}, false, {translatable("`%1` is given twice; give it once"), {std::string(name)}}};
         choice.columns.push_back({output, units});
         if (comma == std::string_view::npos) return choice;
         list.remove_prefix(comma + 1);
@@ -107,9 +102,9 @@ Message columnProblem(std::span<const OutputColumn> columns, const Scenario& sce
     const bool dimensional = hasUnits(scenario);
     for (const OutputColumn& column : columns) {
         if (column.units == OutputUnits::si && !dimensional)
-            return translatable("drillwave::Message",
-                                "SI columns need a scenario in physical units; this one is given by its "
-                                "dimensionless groups");
+            return translatable(
+                "SI columns need a scenario in physical units; this one is given by its "
+                "dimensionless groups");
         if (Message problem = column.output->problem(scenario); !problem.isEmpty()) return problem;
     }
     return {};

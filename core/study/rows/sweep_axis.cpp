@@ -60,7 +60,7 @@ double between(double a, double b, double position, double last) {
 Message readCount(SweepAxis& axis, std::string_view text) {
     axis.count = wholeNumberIn<decltype(axis.count)>(text).value_or(0);
     if (axis.count >= 1 && axis.count <= maximumSweepPoints) return {};
-    return {translatable("drillwave::Message", "the count `%1` of %2 must be a whole number from 1 to %3"),
+    return {translatable("the count `%1` of %2 must be a whole number from 1 to %3"),
             {shortened(text), std::string(axis.key()), std::to_string(maximumSweepPoints)}};
 }
 
@@ -68,10 +68,8 @@ Message readCount(SweepAxis& axis, std::string_view text) {
 Message readEnds(ParsedAxis& parsed, const std::vector<std::string_view>& parts, std::size_t last) {
     SweepAxis& axis = parsed.axis;
     if (parts.size() == last + 2 && parts.back() != "log")
-        return {last == 1 ? translatable("drillwave::Message",
-                                         "`%1` behind the end of %2 is not known; only `log` may follow")
-                          : translatable("drillwave::Message",
-                                         "`%1` behind the count of %2 is not known; only `log` may follow"),
+        return {last == 1 ? translatable("`%1` behind the end of %2 is not known; only `log` may follow")
+                          : translatable("`%1` behind the count of %2 is not known; only `log` may follow"),
                 {shortened(parts.back()), std::string(axis.key())}};
     axis.kind = parts.size() == last + 2 ? SweepAxis::Kind::logarithmic : SweepAxis::Kind::linear;
     if (Message problem = readValue(parsed, parts[0], axis.start); !problem.isEmpty()) return problem;
@@ -81,8 +79,7 @@ Message readEnds(ParsedAxis& parsed, const std::vector<std::string_view>& parts,
 
 Message logarithmProblem(const SweepAxis& axis) {
     if (axis.kind != SweepAxis::Kind::logarithmic || (axis.start > 0 && axis.stop > 0)) return {};
-    return {translatable("drillwave::Message", "a logarithmic axis of %1 must begin and end above 0"),
-            {std::string(axis.key())}};
+    return {translatable("a logarithmic axis of %1 must begin and end above 0"), {std::string(axis.key())}};
 }
 
 /// Each value of the axis of a whole number must be one.
@@ -90,8 +87,7 @@ Message wholeNumberProblem(const SweepAxis& axis) {
     if (!axis.parameter->rules.wholeNumber) return {};
     const double most = axis.parameter->hard.high - axis.parameter->hard.low + 1;
     const Message advice{
-        translatable("drillwave::Message",
-                     "%1 takes whole numbers alone; give a COUNT that hits them, or a list A,B,C"),
+        translatable("%1 takes whole numbers alone; give a COUNT that hits them, or a list A,B,C"),
         {std::string(axis.key())}};
     if (static_cast<double>(axis.count) > most) return advice;
     for (std::uint64_t i = 0; i < axis.count; ++i)
@@ -114,8 +110,7 @@ Message readRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts
         return spacingProblem(axis);
     }
     if (parts.size() < 3 || parts.size() > 4)
-        return {translatable("drillwave::Message",
-                             "%1 needs START:STOP:COUNT, START:STOP:COUNT:log or a list A,B,C"),
+        return {translatable("%1 needs START:STOP:COUNT, START:STOP:COUNT:log or a list A,B,C"),
                 {std::string(axis.key())}};
     if (Message problem = readEnds(parsed, parts, 2); !problem.isEmpty()) return problem;
     if (Message problem = readCount(axis, parts[2]); !problem.isEmpty()) return problem;
@@ -123,13 +118,13 @@ Message readRange(ParsedAxis& parsed, const std::vector<std::string_view>& parts
 }
 
 Message followedForm(std::string_view key) {
-    return {translatable("drillwave::Message", "%1 needs START:STOP or START:STOP:log"), {std::string(key)}};
+    return {translatable("%1 needs START:STOP or START:STOP:log"), {std::string(key)}};
 }
 
 Message wordsProblem(const WordParameter& words) {
     return {words.key == pulseShapeKey
-                ? translatable("drillwave::Message", "%1 has no numbers to go along; make a family of shapes")
-                : translatable("drillwave::Message", "%1 has no numbers to go along; make a family of words"),
+                ? translatable("%1 has no numbers to go along; make a family of shapes")
+                : translatable("%1 has no numbers to go along; make a family of words"),
             {std::string(words.key)}};
 }
 
@@ -161,9 +156,7 @@ Message readWords(ParsedAxis& parsed, const std::vector<std::string_view>& items
         const auto found = std::ranges::find(words, item);
         if (found == words.end()) {
             parsed.kind = ParsedAxis::Kind::badValue;
-            return refusedValue(
-                axis.key(), item,
-                {translatable("drillwave::Message", "must be one of %1"), {axis.words->list()}});
+            return refusedValue(axis.key(), item, {translatable("must be one of %1"), {axis.words->list()}});
         }
         axis.list.push_back(static_cast<double>(found - words.begin()));
     }
@@ -180,9 +173,8 @@ Message readKey(ParsedAxis& parsed, std::string_view text, std::string_view& val
     parsed.axis.words = findWordParameter(key);
     if (parsed.axis.parameter || parsed.axis.words) return {};
     if (key == restrikeKey)
-        return {
-            translatable("drillwave::Message", "%1 is true or false, which is no axis; give it with --set"),
-            {std::string(key)}};
+        return {translatable("%1 is true or false, which is no axis; give it with --set"),
+                {std::string(key)}};
     return notAParameter(key);
 }
 
@@ -191,7 +183,6 @@ Message readAxis(ParsedAxis& parsed, std::string_view text, std::optional<std::u
     if (Message problem = readKey(
             parsed, text, values,
             translatable(
-                "drillwave::Message",
                 "`%1` is no axis: write KEY=START:STOP:COUNT, KEY=START:STOP:COUNT:log or KEY=A,B,C"));
         !problem.isEmpty())
         return problem;
@@ -205,8 +196,7 @@ Message readFollowedAxis(ParsedAxis& parsed, std::string_view text) {
     std::string_view values;
     if (Message problem =
             readKey(parsed, text, values,
-                    translatable("drillwave::Message",
-                                 "`%1` is no axis: write KEY=START:STOP or KEY=START:STOP:log"));
+                    translatable("`%1` is no axis: write KEY=START:STOP or KEY=START:STOP:log"));
         !problem.isEmpty())
         return problem;
     if (!parsed.axis.parameter) return wordsProblem(*parsed.axis.words);
@@ -253,9 +243,9 @@ Message SweepAxis::assign(Scenario& scenario, double value) const {
     }
     if (words) {
         const Message reason = words->assign(scenario, static_cast<std::size_t>(value));
-        return reason.isEmpty() ? reason
-                                : Message(translatable("drillwave::Message", "%1 has no meaning here: %2"),
-                                          {std::string(key()), reason});
+        return reason.isEmpty()
+                   ? reason
+                   : Message(translatable("%1 has no meaning here: %2"), {std::string(key()), reason});
     }
     const Message problem = assignNumber(scenario, *parameter, value);
     return problem.isEmpty() ? problem : Message("%1 %2", {std::string(key()), problem});
@@ -287,8 +277,7 @@ ParsedAxis parseRange(std::string_view text) {
 }
 
 Message mustRise(const SweepAxis& axis) {
-    return {translatable("drillwave::Message", "the range of %1 must end above its beginning"),
-            {std::string(axis.key())}};
+    return {translatable("the range of %1 must end above its beginning"), {std::string(axis.key())}};
 }
 
 Message followProblem(const SweepAxis& axis) {
@@ -297,16 +286,12 @@ Message followProblem(const SweepAxis& axis) {
     const std::string key(axis.key());
     if (!axis.parameter) return wordsProblem(*axis.words);
     if (axis.parameter->rules.wholeNumber)
-        return {translatable("drillwave::Message",
-                             "%1 has whole numbers alone; make a family of them, or sweep it"),
-                {key}};
+        return {translatable("%1 has whole numbers alone; make a family of them, or sweep it"), {key}};
     if (axis.kind != SweepAxis::Kind::linear && axis.kind != SweepAxis::Kind::logarithmic)
         return followedForm(key);
     if (!(axis.start < axis.stop)) return mustRise(axis);
     if (axis.stop - axis.start < narrowest * std::max(std::abs(axis.start), std::abs(axis.stop)))
-        return {translatable("drillwave::Message",
-                             "the range of %1 is too narrow: it must be at least 1e-4 of its end"),
-                {key}};
+        return {translatable("the range of %1 is too narrow: it must be at least 1e-4 of its end"), {key}};
     return logarithmProblem(axis);
 }
 

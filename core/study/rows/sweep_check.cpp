@@ -31,10 +31,9 @@ class ImpossibleCorners {
         // one bad combination explains the others of the same kind
         if (m_problems.size() >= enough || std::ranges::find(m_keys, obstacle.key) != m_keys.end()) return;
         m_keys.push_back(obstacle.key);
-        m_problems.push_back(obstacle.isMeaning
-                                 ? Message(translatable("drillwave::Message", "the axis %1"), {obstacle.text})
-                                 : Message(translatable("drillwave::Message", "at %1: %2"),
-                                           {pointText(m_axes, point), obstacle.text}));
+        m_problems.push_back(obstacle.isMeaning ? Message(translatable("the axis %1"), {obstacle.text})
+                                                : Message(translatable("at %1: %2"),
+                                                          {pointText(m_axes, point), obstacle.text}));
     }
 
     std::vector<Message> take() { return std::move(m_problems); }
@@ -71,20 +70,20 @@ std::vector<Message> problemsOf(const Sweep& sweep) {
         problems.emplace_back(pattern, std::move(places));
     };
     if (sweep.axes.empty() || sweep.columns.empty()) {
-        add(translatable("drillwave::Message", "a sweep needs at least one axis and one output"), {});
+        add(translatable("a sweep needs at least one axis and one output"), {});
         return problems;
     }
     if (sweep.axes.size() > maximumSweepAxes) {
-        add(translatable("drillwave::Message", "a sweep has at most %1 axes, this one %2"),
+        add(translatable("a sweep has at most %1 axes, this one %2"),
             {std::to_string(maximumSweepAxes), std::to_string(sweep.axes.size())});
         return problems;
     }
     if (const auto pair = assignmentsOf(sweep.axes).rivals())
-        add(translatable("drillwave::Message", "the axes %1 and %2 %3; vary one of them"),
+        add(translatable("the axes %1 and %2 %3; vary one of them"),
             {std::string(sweep.axes[pair->one].key()), std::string(sweep.axes[pair->other].key()),
              pair->problem});
     if (pointCount(sweep) == 0)
-        add(translatable("drillwave::Message", "the grid has more than %1 points; take fewer values"),
+        add(translatable("the grid has more than %1 points; take fewer values"),
             {std::to_string(maximumSweepPoints)});
     return problems.empty() ? cornerProblems(sweep) : problems;
 }

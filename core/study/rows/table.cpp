@@ -89,8 +89,7 @@ class TableRowMaker {
     /// Returns why the row could not be solved.
     Message solve(const CsvRecord& record, int line, std::span<double> outputs, const std::stop_token& stop) {
         if (const auto problems = m_assigner.assign(record, line); !problems.empty())
-            return {translatable("drillwave::Message", "the table has changed since it was checked: %1"),
-                    {problems.front()}};
+            return {translatable("the table has changed since it was checked: %1"), {problems.front()}};
         if (m_movesPulse) m_solver.setPulse(m_assigner.scenario());
         return m_solver.solve(m_assigner.scenario(), outputs, stop);
     }
@@ -125,8 +124,7 @@ TableHeader checkHeader(const Table& table, RowReader& reader, TableCheck& check
     CsvRecord record;
     if (!reader.header(record)) {
         check.problems.push_back(
-            about(table.source,
-                  translatable("drillwave::Message", "is empty; its first row must name parameters")));
+            about(table.source, translatable("is empty; its first row must name parameters")));
         return {};
     }
     const std::string place = table.source + ":" + std::to_string(reader.line());

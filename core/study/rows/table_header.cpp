@@ -59,12 +59,12 @@ std::optional<char> otherSeparator(std::string_view cell) {
 }
 
 const char* wrongSeparator(char separator) {
-    return separator == '\t' ? translatable("drillwave::Message",
-                                            "cells are separated by tabs, not by `,`; save the table with "
-                                            "`,` between them and `.` in numbers")
-                             : translatable("drillwave::Message",
-                                            "cells are separated by `;`, not by `,`; save the table with `,` "
-                                            "between them and `.` in numbers");
+    return separator == '\t' ? translatable(
+                                   "cells are separated by tabs, not by `,`; save the table with "
+                                   "`,` between them and `.` in numbers")
+                             : translatable(
+                                   "cells are separated by `;`, not by `,`; save the table with `,` "
+                                   "between them and `.` in numbers");
 }
 
 /// The beginning of keys that a name has, "rod.": nothing but a key of theirs is meant by it.
@@ -79,12 +79,10 @@ std::string_view groupOf(std::string_view name) {
 Message misspelt(std::string_view name, std::string_view group) {
     const std::string near = nearestKey(name), others = std::string(group) + "…";
     if (near.empty())
-        return {translatable("drillwave::Message",
-                             "`%1` is not a parameter; write a key that there is, or another name than `%2` "
+        return {translatable("`%1` is not a parameter; write a key that there is, or another name than `%2` "
                              "for a column that is only to be passed through"),
                 {shortened(name), others}};
-    return {translatable("drillwave::Message",
-                         "`%1` is not a parameter; did you mean `%2`, or another name than `%3` for a column "
+    return {translatable("`%1` is not a parameter; did you mean `%2`, or another name than `%3` for a column "
                          "that is only to be passed through?"),
             {shortened(name), near, others}};
 }
@@ -92,23 +90,19 @@ Message misspelt(std::string_view name, std::string_view group) {
 /// Why a column that is none of a parameter may not just be passed through; empty when it may.
 Message misnamed(std::string_view cell, std::string_view name) {
     if (const TextProblem problem = checkText(cell); !problem.reason.empty())
-        return {translatable("drillwave::Message", "has %1; save the table as CSV in UTF-8"),
-                {Message::ofTable(problem.reason)}};
+        return {translatable("has %1; save the table as CSV in UTF-8"), {Message::ofTable(problem.reason)}};
     if (const auto separator = otherSeparator(cell)) return wrongSeparator(*separator);
     if (name == restrikeKey)
-        return {translatable("drillwave::Message", "`%1` is no number; give it with --set for all rows"),
-                {std::string(name)}};
+        return {translatable("`%1` is no number; give it with --set for all rows"), {std::string(name)}};
     const std::string key = meantKey(name);
     if (const std::string_view group = groupOf(name); key.empty() && !group.empty())
         return misspelt(name, group);
     if (key.empty()) return {};
     const bool unitInParentheses = name.find('(') != std::string_view::npos;
     return {unitInParentheses
-                ? translatable("drillwave::Message",
-                               "`%1` is not a parameter; write `%2`, with its unit in square brackets, or "
+                ? translatable("`%1` is not a parameter; write `%2`, with its unit in square brackets, or "
                                "another name for a column that is only to be passed through")
-                : translatable("drillwave::Message",
-                               "`%1` is not a parameter; write `%2`, or another name for a column that is "
+                : translatable("`%1` is not a parameter; write `%2`, or another name for a column that is "
                                "only to be passed through"),
             {shortened(name), key}};
 }
@@ -116,10 +110,8 @@ Message misnamed(std::string_view cell, std::string_view name) {
 Message passedThrough(std::string_view name) {
     const std::string near = nearestKey(name);
     if (near.empty())
-        return {translatable("drillwave::Message", "`%1` is not a parameter and only passed through"),
-                {shortened(name)}};
-    return {translatable("drillwave::Message",
-                         "`%1` is not a parameter and only passed through; did you mean `%2`?"),
+        return {translatable("`%1` is not a parameter and only passed through"), {shortened(name)}};
+    return {translatable("`%1` is not a parameter and only passed through; did you mean `%2`?"),
             {shortened(name), near}};
 }
 
@@ -130,12 +122,11 @@ void readUnit(CaseColumn& column, std::string_view unit, std::size_t number, Tab
     if (column.unit) return;
     const std::string key(column.key());
     header.problems.push_back(
-        {number, quantity == Quantity::ratio
-                     ? Message(translatable("drillwave::Message", "%1 has no unit; write it without `[%2]`"),
-                               {key, shortened(unit)})
-                     : Message(translatable("drillwave::Message",
-                                            "%1: unit `%2` is not known here; units that would do: %3"),
-                               {key, shortened(unit), unitList(quantity)})});
+        {number,
+         quantity == Quantity::ratio
+             ? Message(translatable("%1 has no unit; write it without `[%2]`"), {key, shortened(unit)})
+             : Message(translatable("%1: unit `%2` is not known here; units that would do: %3"),
+                       {key, shortened(unit), unitList(quantity)})});
 }
 
 void checkTwice(const CaseColumn& column, std::size_t number, TableHeader& header) {
@@ -143,7 +134,7 @@ void checkTwice(const CaseColumn& column, std::size_t number, TableHeader& heade
     if (earlier == header.columns.end()) return;
     header.problems.push_back(
         {number,
-         {translatable("drillwave::Message", "sets %1 again, column %2 does already; keep one of them"),
+         {translatable("sets %1 again, column %2 does already; keep one of them"),
           {std::string(column.key()), std::to_string(earlier - header.columns.begin() + 1)}}});
 }
 
@@ -157,7 +148,6 @@ void judgeOther(std::string_view cell, std::size_t number, std::span<const Outpu
         header.warnings.push_back(
             {number,
              {translatable(
-                  "drillwave::Message",
                   "`%1` is passed through as it is; the column that is computed follows with the same name"),
               {shortened(trimmed(cell))}}});
     else if (!isOutput(name))
@@ -168,8 +158,7 @@ void checkSetsSomething(TableHeader& header) {
     const auto sets = [](const CaseColumn& column) { return column.kind != CaseColumn::Kind::other; };
     if (!header.problems.empty() || std::ranges::any_of(header.columns, sets)) return;
     header.problems.push_back(
-        {0, translatable("drillwave::Message",
-                         "no column names a parameter, so that every row would be the same blow; name some "
+        {0, translatable("no column names a parameter, so that every row would be the same blow; name some "
                          "in the first row, as `beta` or `rod.length [m]`")});
 }
 

@@ -18,8 +18,7 @@ Message textProblem(std::string_view cell) {
     if (std::ranges::all_of(cell, isPlain)) return {};
     const TextProblem problem = checkText(cell);
     if (problem.reason.empty()) return {};
-    return {translatable("drillwave::Message", "has %1; save the table in UTF-8"),
-            {Message::ofTable(problem.reason)}};
+    return {translatable("has %1; save the table in UTF-8"), {Message::ofTable(problem.reason)}};
 }
 
 /// A reader of the result takes the unit of the header for that of every cell.
@@ -32,15 +31,14 @@ Message unitProblem(const CaseColumn& column, std::string_view cell) {
     if (!typed.valid() || typed.unit == column.unit) return {};
     return refusedValue(
         column.key(), cell,
-        {translatable("drillwave::Message",
-                      "is in %1, the column in %2: write it in that, or the header without a unit"),
+        {translatable("is in %1, the column in %2: write it in that, or the header without a unit"),
          {std::string(typed.unit->name), std::string(column.unit->name)}});
 }
 
 }  // namespace
 
 Message cellCountProblem(std::size_t cells, std::size_t columns) {
-    return {translatable("drillwave::Message", "has %1 cells, the header has %2"),
+    return {translatable("has %1 cells, the header has %2"),
             {std::to_string(cells), std::to_string(columns)}};
 }
 
@@ -87,7 +85,7 @@ Message TableRowAssigner::assignCell(const CaseColumn& column, const std::string
 }
 
 Message TableRowAssigner::rivalText(const RivalPair& pair) const {
-    return {translatable("drillwave::Message", "%1 and %2 %3; leave one of the two cells empty"),
+    return {translatable("%1 and %2 %3; leave one of the two cells empty"),
             {std::string(m_header.columns[pair.other].key()), std::string(m_header.columns[pair.one].key()),
              pair.problem}};
 }

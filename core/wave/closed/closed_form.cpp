@@ -175,14 +175,12 @@ Message closedFormRefusal(const Problem& problem) {
     if (problem.force().shape != PulseShape::rectangular)
         add("pulse.shape = " + std::string(name(problem.force().shape)));
     if (problem.law.gamma != 1) add("gamma = " + formatNumber(problem.law.gamma));
-    if (!problem.law.isBilinear())
-        add(translatable("drillwave::Message", "a loading curve of more than one line"));
+    if (!problem.law.isBilinear()) add(translatable("a loading curve of more than one line"));
     if (std::abs(problem.gap - std::round(problem.gap)) > rounding * std::max(1.0, problem.gap))
         add("delta = " + formatNumber(problem.gap));
     if (problem.transitTime() < 0.5) add("tau = " + formatNumber(problem.transitTime()));
     if (found.isEmpty()) return found;
-    return {translatable("drillwave::Message",
-                         "the closed form is for a rectangular pulse, gamma = 1, a whole number as delta and "
+    return {translatable("the closed form is for a rectangular pulse, gamma = 1, a whole number as delta and "
                          "tau >= 0.5, not %1; use the exact method or the lattice"),
             {found}};
 }
@@ -194,7 +192,6 @@ Impact solveClosedForm(const Problem& problem, Detail detail) {
     const double beta = problem.law.beta;
     if (!overlapIsSmall(beta, problem.transitTime())) {
         impact.reason = translatable(
-            "drillwave::Message",
             "the reflections overlap, which the closed form neglects: the contact is not over when the third "
             "wave arrives; use the exact method or the lattice");
         return impact;

@@ -62,10 +62,9 @@ DrillingMarch::DrillingMarch(const DrillingProblem& problem, const DrillingGrid&
     m_lines.resize(count);
     m_arriving.resize(count);
     if (grid.shortSection()) {
-        m_trouble =
-            translatable("drillwave::Message",
-                         "a section is shorter than a cell of the march: take more cells (--cells), or "
-                         "leave the section out and give its mass to the section in front of it");
+        m_trouble = translatable(
+            "a section is shorter than a cell of the march: take more cells (--cells), or "
+            "leave the section out and give its mass to the section in front of it");
         return;
     }
     double passing = 1;  // amplitude that the joint in front of a section passes

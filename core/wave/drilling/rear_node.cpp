@@ -58,7 +58,6 @@ RearNode::RearNode(const Parts& parts, std::span<const double> widths)
     for (const double width : m_widths)
         if (m_fastest * width / mostOfRate > mostStretches)
             m_trouble = translatable(
-                "drillwave::Message",
                 "the damper, or the face of the hammer, is too stiff for the cells of the march");
     if (!m_trouble.empty()) return;
     for (const double width : m_widths) m_maps.push_back(pressingMap(width));
@@ -318,8 +317,7 @@ RearNode::Forces RearNode::follow(const Inputs& in) {
     SearchCount uncounted;
     for (int pieces = 0; from < 1 && m_trouble.empty(); ++pieces) {
         if (pieces == mostStretches) {
-            m_trouble = translatable("drillwave::Message",
-                                     "the damper, or the hammer, meets and leaves the rear end without end");
+            m_trouble = translatable("the damper, or the hammer, meets and leaves the rear end without end");
             break;
         }
         const Piece piece = nextPiece(in, from, 1);
@@ -327,8 +325,7 @@ RearNode::Forces RearNode::follow(const Inputs& in) {
         Event event = Event::none;
         const auto meet = [&](Event kind, const Series& c, int count) {
             const auto zero = firstZero(c.data(), count, end, uncounted);
-            if (zero.undecided)
-                m_trouble = translatable("drillwave::Message", "an event at the rear end cannot be placed");
+            if (zero.undecided) m_trouble = translatable("an event at the rear end cannot be placed");
             if (zero.found && (zero.u < end || event == Event::none)) end = zero.u, event = kind;
         };
         if (standing <= mostStanding) {

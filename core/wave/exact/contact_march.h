@@ -51,8 +51,7 @@ bool ContactMarch<Basis>::march() {
         else
             advanceContact();
         if (m_basis.failed()) return undecided();
-        if (!(m_force >= 0 || m_force < 0))
-            return fail(translatable("drillwave::Message", "the wave force overflowed"));
+        if (!(m_force >= 0 || m_force < 0)) return fail(translatable("the wave force overflowed"));
         if (isOver()) return true;
     }
 }

@@ -144,8 +144,7 @@ void ContactMarch<Basis>::summarise() {
     impact.finalMomentum = double(momentum);
     impact.finalEnergy = double(energy);
     if (!(std::abs(impact.energyResidual()) <= mostMissingEnergy))
-        fail(
-            translatable("drillwave::Message", "its energies do not balance, so that its numbers are wrong"));
+        fail(translatable("its energies do not balance, so that its numbers are wrong"));
 }
 
 }  // namespace drillwave

@@ -133,8 +133,7 @@ class ContactMarch {
     /// Whether the work must end, and why; cheap enough for every piece.
     bool isOver() {
         if (m_waves.size() > mostWaiting) return failAtLimit();
-        if (m_error > m_limits.error)
-            return fail(translatable("drillwave::Message", "its error would be larger than permitted"));
+        if (m_error > m_limits.error) return fail(translatable("its error would be larger than permitted"));
         return m_impact->pieces > m_nextLook && lookForEnd();
     }
     bool lookForEnd() {
@@ -151,7 +150,7 @@ class ContactMarch {
 
     /// What the basis cannot decide, or not represent.
     bool undecided() {
-        fail(translatable("drillwave::Message", "the order of two events hangs on rounding"));
+        fail(translatable("the order of two events hangs on rounding"));
         return false;
     }
 
@@ -159,12 +158,10 @@ class ContactMarch {
         const bool atMemory = m_mostPieces < m_limits.pieces;
         fail(atMemory
                  ? translatable(
-                       "drillwave::Message",
                        "its histories need more than 4 million wave pieces: each of very many "
                        "reflections leaves its mark; a stiffer rock, a larger gamma or a shorter blow "
                        "needs fewer")
-                 : translatable("drillwave::Message",
-                                "it needs more wave pieces than permitted: each of very many reflections "
+                 : translatable("it needs more wave pieces than permitted: each of very many reflections "
                                 "leaves its mark; a stiffer rock, a larger gamma or a shorter blow needs "
                                 "fewer"));
         m_impact->hindrance = atMemory ? Hindrance::histories : Hindrance::workLimit;

@@ -43,8 +43,7 @@ void refuseOverflow(Impact& impact) {
                            impact.finalEnergy};
     if (std::isfinite(impact.cor + impact.corError) && std::ranges::none_of(numbers, isBeyond)) return;
     impact.outcome = Outcome::notSolved;
-    impact.reason =
-        translatable("drillwave::Message", "its numbers are beyond the range of double precision");
+    impact.reason = translatable("its numbers are beyond the range of double precision");
 }
 
 }  // namespace

@@ -22,7 +22,6 @@ Impact softReference(const Problem& problem, Detail detail) {
     if (detail == Detail::histories) {
         impact.hindrance = Hindrance::histories;
         impact.reason = translatable(
-            "drillwave::Message",
             "its histories need more than 4 million wave pieces: the rock is so soft that the waves pass the "
             "rod millions of times in one contact; a stiffer rock needs fewer");
         return impact;

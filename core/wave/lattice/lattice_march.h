@@ -149,15 +149,13 @@ bool LatticeMarch<Waves>::isFeasible(const Problem& problem, int segments) {
     if (!(steepest <= 2)) {
         const double least =
             std::ceil(ContactLaw<>(problem.law).slopes().elastic * problem.transitTime() / 2);
-        fail({translatable("drillwave::Message",
-                           "a step of the lattice is too long for the rock: (beta/gamma) tau/N = %1 must not "
+        fail({translatable("a step of the lattice is too long for the rock: (beta/gamma) tau/N = %1 must not "
                            "exceed 2; it takes at least %2 segments"),
               {formatNumber(steepest), formatNumber(least)}});
         return false;
     }
     if (!(problem.force().end / m_duration + double(m_period) < mostSteps)) {
-        fail({translatable("drillwave::Message",
-                           "the lattice would need more than the permitted number of steps; use fewer than "
+        fail({translatable("the lattice would need more than the permitted number of steps; use fewer than "
                            "%1 segments, or the exact method"),
               {formatNumber(segments)}});
         return false;
@@ -220,8 +218,7 @@ void LatticeMarch<Waves>::noteChanges(double impulseBefore) {
         note(ContactEvent::separation, time);
         const double exchanged = impulse() - m_impulseAtContact;
         if (time - m_contactStart < m_duration && exchanged > negligibleImpulse)
-            fail({translatable("drillwave::Message",
-                               "a contact at time %1 is shorter than a step of the lattice; use more "
+            fail({translatable("a contact at time %1 is shorter than a step of the lattice; use more "
                                "segments or the exact method"),
                   {formatNumber(m_contactStart)}});
     }
@@ -256,7 +253,6 @@ void LatticeMarch<Waves>::decide() {
     finish();
     if (!touches && momentum > -uncertain)
         fail(translatable(
-            "drillwave::Message",
             "the momentum after a separation is zero within rounding: whether the rod returns is undecided"));
 }
 
@@ -300,15 +296,13 @@ void LatticeMarch<Waves>::countWork(const std::stop_token& stop) {
     const bool atMemory = m_history.pieces() > mostRecorded;
     if (double(m_step) > mostSteps || m_moves > mostMoves || atMemory) {
         fail(translatable(
-            "drillwave::Message",
             "the lattice needs more than the permitted number of steps; use fewer segments or the exact "
             "method"));
         if (atMemory) m_impact->hindrance = Hindrance::histories;
     }
     if (m_impact->events.size() > mostRecorded)
         fail(
-            translatable("drillwave::Message",
-                         "the lattice found more than the permitted number of events; use the exact method"));
+            translatable("the lattice found more than the permitted number of events; use the exact method"));
 }
 
 }  // namespace drillwave

@@ -71,9 +71,9 @@ Impact LatticeSolver::solve(const Problem& problem, Detail detail, const Lattice
         impact.reason =
             stop.stop_requested()
                 ? "stopped"
-                : translatable("drillwave::Message",
-                               "lattices of other step lengths find no solution, so that its error cannot be "
-                               "estimated; use more segments or the exact method");
+                : translatable(
+                      "lattices of other step lengths find no solution, so that its error cannot be "
+                      "estimated; use more segments or the exact method");
     }
     return impact;
 }

@@ -307,8 +307,7 @@ BitNode::LineEvent BitNode::nextEvent(const EventPiece& piece) {
     SearchCount uncounted;
     const auto meet = [&](const double* c, int count, ContactLine line, bool isCorner = false) {
         const auto zero = firstZero(c, count, event.zero.found ? event.zero.u : 1.0, uncounted);
-        if (zero.undecided)
-            m_trouble = translatable("drillwave::Message", "an event at the rock cannot be placed");
+        if (zero.undecided) m_trouble = translatable("an event at the rock cannot be placed");
         if (zero.found && (!event.zero.found || zero.u < event.zero.u)) event = {zero, line, isCorner};
     };
     const auto meetForce = [&](double force, bool isCorner) {
@@ -378,7 +377,6 @@ WaveCell BitNode::follow(const WaveCell& g, double width, double time, CutAt cut
     for (int pieces = 0; from < 1 && m_trouble.empty(); ++pieces, ++m_pieces) {
         if (pieces == mostPieces) {
             m_trouble = translatable(
-                "drillwave::Message",
                 "bit and rock meet and part, or a small bit mass swings, faster than can be followed");
             break;
         }

@@ -178,14 +178,12 @@ double balanceError(const Impact& impact) {
 std::string_view networkRefusal(const Problem& problem) {
     if (problem.isForced() && problem.force().isRigidBody())
         return translatable(
-            "drillwave::Message",
             "a rod that moves towards the rock as a whole is not for polynomial cells, which follow a "
             "force or a hammer");
     for (std::size_t j = 0; j < problem.hammerSections(); ++j)
         if (problem.sections[j].decay > 0 ||
             (j + 1 < problem.hammerSections() && problem.sections[j].loss > 0))
             return translatable(
-                "drillwave::Message",
                 "losses inside the hammer are not part of the model: give loss and attenuation to the "
                 "string only");
     const double mass = problem.sections.back().massAfter;
@@ -194,7 +192,6 @@ std::string_view networkRefusal(const Problem& problem) {
         const OscillationRates rates{problem.sections.back().impedance, mass, slope};
         if (rates.fastest() * roundTripOf(problem) > mostSwings)
             return translatable(
-                "drillwave::Message",
                 "the bit mass swings too fast on this rock to be followed: leave it out, it is too small "
                 "to matter, or give a softer rock");
     }
@@ -335,8 +332,7 @@ Impact NetworkSolver::Workspace::run(const NetworkSettings& settings, const std:
     Impact impact = m_march.run(settings.mostCells, stop);
     m_held = std::max(m_held, m_march.held());
     if (!impact.isSolved() || impact.balances()) return impact;
-    return Impact::unsolved(
-        translatable("drillwave::Message", "its energies do not balance, so that its numbers are wrong"));
+    return Impact::unsolved(translatable("its energies do not balance, so that its numbers are wrong"));
 }
 
 NetworkSolver::NetworkSolver() = default;

@@ -38,7 +38,7 @@ class TestLanguageStyle : public QObject {
     }
 
     void sentencesAreSaidWithTheirParts() {
-        const Message inner = translatable("drillwave::Message", "restitution e");
+        const Message inner = translatable("restitution e");
         QCOMPARE(styleOf(german).said({"%1: %2", {inner, std::string("beta")}}),
                  std::string("Stoßzahl e: beta"));
     }
