@@ -6,7 +6,6 @@
 
 #include "core/report/accuracy_columns.h"
 #include "core/report/report_text.h"
-#include "core/text/csv.h"
 #include "core/text/text_layout.h"
 
 namespace drillwave {
@@ -172,19 +171,21 @@ std::string accuracyJson(const JsonHead& head, const Accuracy& accuracy) {
 }
 
 std::string accuracyCsv(const Accuracy& accuracy) {
-    std::string csv = "method,waves,segments,outcome,reason,cor";
-    appendKeys(csv, accuracyColumns);
-    csv += "\n";
-    for (const AccuracyRow& row : accuracy.rows) {
-        const bool solved = row.outcome == Outcome::rebounded;
-        csv += std::string(name(row.choice.method)) + "," + std::string(wavesName(row)) + ",";
-        if (row.choice.method == Method::lattice) csv += std::to_string(row.choice.lattice.segments);
-        csv += std::string(solved ? ",rebounded," : ",not_solved,") + csvCell(row.reason.text()) + ",";
-        if (solved) appendNumber(csv, row.cor);
-        appendCells(csv, accuracyColumns, row, solved);
-        csv += "\n";
-    }
-    return csv;
+    std::vector<std::string> headers{"method", "waves", "segments", "outcome", "reason", "cor"};
+    appendKeys(headers, accuracyColumns);
+    return csvText({headers, accuracy.rows.size(), [&](std::size_t i) {
+                        const AccuracyRow& row = accuracy.rows[i];
+                        const bool solved = row.outcome == Outcome::rebounded;
+                        Cells cells{
+                            name(row.choice.method),
+                            wavesName(row),
+                            row.choice.method == Method::lattice ? Cell(row.choice.lattice.segments) : Cell(),
+                            solved ? "rebounded" : "not_solved",
+                            row.reason.text(),
+                            solved ? Cell(row.cor) : Cell()};
+                        appendCells(cells, accuracyColumns, row, solved);
+                        return cells;
+                    }});
 }
 
 std::string accuracyText(const Scenario& scenario, const StringAccuracy& accuracy,
@@ -221,15 +222,13 @@ std::string accuracyJson(const JsonHead& head, const StringAccuracy& accuracy) {
 }
 
 std::string accuracyCsv(const StringAccuracy& accuracy) {
-    std::string csv = "method";
-    appendKeys(csv, stringAccuracyColumns);
-    csv += "\n";
-    for (const StringAccuracyRow& row : accuracy.rows) {
-        csv += name(row.method);
-        appendCells(csv, stringAccuracyColumns, row);
-        csv += "\n";
-    }
-    return csv;
+    std::vector<std::string> headers{"method"};
+    appendKeys(headers, stringAccuracyColumns);
+    return csvText({headers, accuracy.rows.size(), [&](std::size_t row) {
+                        Cells cells{name(accuracy.rows[row].method)};
+                        appendCells(cells, stringAccuracyColumns, accuracy.rows[row]);
+                        return cells;
+                    }});
 }
 
 }  // namespace drillwave

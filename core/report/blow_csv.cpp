@@ -6,6 +6,7 @@
 
 #include "core/blow/blow_waves.h"
 #include "core/blow/outputs.h"
+#include "core/report/report_table.h"
 #include "core/report/result_remarks.h"
 #include "core/text/enum_names.h"
 #include "core/text/number_text.h"
@@ -84,19 +85,20 @@ std::string historiesCsv(const Blow& blow, const StringPlace& place, OutputUnits
     Scales scale = units == OutputUnits::si ? blow.scales : Scales{};
     // in which those of a rod are
     if (concerns(OutputOf::uniformRod, blow.scenario)) scale.velocity = scale.penetration / scale.time;
-    const auto row = [&](std::string& csv, const auto& appendCell) {
-        for (const HistoryColumn& column : historyTable) {
-            if (!concerns(column.of, blow.scenario)) continue;
-            if (&column != historyTable) csv += ',';
-            appendCell(column);
-        }
-        csv += '\n';
-    };
-    std::string csv;
-    row(csv, [&](const HistoryColumn& c) { csv += heading(c.name, c.quantity, units); });
-    for (const RodState& now : BlowWaves(blow).sampled(place))
-        row(csv, [&](const HistoryColumn& c) { appendNumber(csv, now.*c.value * scale.*c.scale); });
-    return csv;
+    std::vector<HistoryColumn> columns;
+    std::vector<std::string> headers;
+    for (const HistoryColumn& column : historyTable) {
+        if (!concerns(column.of, blow.scenario)) continue;
+        columns.push_back(column);
+        headers.push_back(heading(column.name, column.quantity, units));
+    }
+    const std::vector<RodState> states = BlowWaves(blow).sampled(place);
+    return csvText({headers, states.size(), [&](std::size_t row) {
+                        Cells cells;
+                        for (const HistoryColumn& column : columns)
+                            cells.push_back(states[row].*column.value * scale.*column.scale);
+                        return cells;
+                    }});
 }
 
 std::string historyColumns(const Scenario& scenario, const StringPlace& place, OutputUnits units) {
@@ -136,14 +138,11 @@ std::string historyColumns(const Scenario& scenario, const StringPlace& place, O
 
 std::string eventsCsv(const Impact& impact, OutputUnits units, const Scales& scales) {
     const double scale = units == OutputUnits::si ? scales.time : 1;
-    std::string csv = "kind," + heading("time", Quantity::time, units) + "\n";
-    for (const ImpactEvent& event : impact.events) {
-        csv += name(event.kind);
-        csv += ',';
-        appendNumber(csv, event.time * scale);
-        csv += '\n';
-    }
-    return csv;
+    return csvText(
+        {{"kind", heading("time", Quantity::time, units)}, impact.events.size(), [&](std::size_t row) {
+             const ImpactEvent& event = impact.events[row];
+             return Cells{name(event.kind), event.time * scale};
+         }});
 }
 
 std::string_view name(ContactEvent event) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/curve_csv.h"
 
-#include "core/text/number_text.h"
+#include "core/report/report_table.h"
 
 namespace drillwave {
 
@@ -14,28 +14,22 @@ std::uint64_t rowCount(const CurveStudy& study) {
 std::string curveCsv(const CurveStudy& study) {
     const CurveQuestion& question = study.question;
     const RowColumn along = question.along.column();
-    std::string csv;
-    if (question.family) csv += question.family->column().header + ",";
-    csv += along.header;
-    for (const OutputColumn& column : question.columns) csv += "," + column.header();
-    csv += '\n';
-    for (const CurveLine& line : study.lines) {
-        std::string family;
-        if (line.family) {
-            question.family->column().appendText(family, *line.family);
-            family += ',';
-        }
-        for (std::size_t i = 0; i < line.points.size(); ++i) {
-            csv += family;
-            along.appendText(csv, line.points[i]);
-            for (const std::vector<double>& values : line.values) {
-                csv += ',';
-                appendNumber(csv, values[i]);
-            }
-            csv += '\n';
-        }
-    }
-    return csv;
+    std::vector<std::string> headers{along.header};
+    if (question.family) headers.insert(headers.begin(), question.family->column().header);
+    for (const OutputColumn& column : question.columns) headers.push_back(column.header());
+    std::vector<std::pair<const CurveLine*, std::size_t>> points;
+    for (const CurveLine& line : study.lines)
+        for (std::size_t i = 0; i < line.points.size(); ++i) points.emplace_back(&line, i);
+    return csvText({headers, points.size(), [&](std::size_t row) {
+                        const auto [line, i] = points[row];
+                        Cells cells;
+                        if (question.family)
+                            cells.push_back(line->family ? question.family->column().cell(*line->family)
+                                                         : "");
+                        cells.push_back(along.cell(line->points[i]));
+                        for (const std::vector<double>& values : line->values) cells.push_back(values[i]);
+                        return cells;
+                    }});
 }
 
 }  // namespace drillwave

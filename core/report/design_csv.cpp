@@ -2,13 +2,13 @@
 #include "core/report/design_csv.h"
 
 #include <algorithm>
+#include <numeric>
 #include <variant>
 
 #include "core/model/parameter.h"
 #include "core/report/design_words.h"
+#include "core/report/report_table.h"
 #include "core/study/design/constant_energy.h"
-#include "core/text/csv.h"
-#include "core/text/number_text.h"
 #include "core/text/unit_heading.h"
 
 namespace drillwave {
@@ -32,12 +32,11 @@ std::string presetHeading(std::string_view key) {
 }
 
 /// Empty where the preset does not set it.
-std::string presetCell(const Preset& preset, std::string_view key) {
-    if (key == pulseShapeKey) return preset.shape ? std::string(name(*preset.shape)) : std::string();
-    std::string cell;
-    for (const PresetValue& value : preset.values)
-        if (value.parameter->key == key) appendNumber(cell, value.si);
-    return cell;
+Cell presetCell(const Preset& preset, std::string_view key) {
+    if (key == pulseShapeKey) return preset.shape ? Cell(name(*preset.shape)) : Cell();
+    const auto value = std::ranges::find(
+        preset.values, key, [](const PresetValue& each) { return std::string_view(each.parameter->key); });
+    return value == preset.values.end() ? Cell() : Cell(value->si);
 }
 
 /// What sets a design: its choices, and the parameter that keeps the energy. The keys of `without` are left
@@ -56,14 +55,13 @@ std::vector<std::string> designHeadings(const DesignStudy& study, const std::vec
     return headings;
 }
 
-std::vector<std::string> designCells(const DesignStudy& study, std::uint64_t design,
-                                     const std::vector<std::string>& without) {
-    std::vector<std::string> cells;
+Cells designCells(const DesignStudy& study, std::uint64_t design, const std::vector<std::string>& without) {
+    Cells cells;
     const auto isOut = [&](std::string_view key) { return std::ranges::find(without, key) != without.end(); };
     const std::vector<double> values = study.choice(design);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const SweepAxis& axis = study.choices[i];
-        if (!isOut(axis.key())) axis.column().appendText(cells.emplace_back(), values[i]);
+        if (!isOut(axis.key())) cells.push_back(axis.column().cell(values[i]));
         for (const std::string_view key : presetKeys(axis))
             if (!isOut(key))
                 cells.push_back(presetCell(
@@ -72,19 +70,8 @@ std::vector<std::string> designCells(const DesignStudy& study, std::uint64_t des
     if (!study.keepsEnergy || study.choices.empty()) return cells;
     const Scenario scenario = designScenario(study, design);
     const KeptParameter scaled = energyParameter(study.base);
-    if (!isOut(scaled->key)) appendNumber(cells.emplace_back(), *scaled->value(scenario));
+    if (!isOut(scaled->key)) cells.push_back(*scaled->value(scenario));
     return cells;
-}
-
-void addRow(std::string& csv, const std::vector<std::string>& cells) {
-    for (std::size_t i = 0; i < cells.size(); ++i) csv += (i == 0 ? "" : ",") + csvCell(cells[i]);
-    csv += '\n';
-}
-
-std::string numberCell(double value) {
-    std::string cell;
-    appendNumber(cell, value);
-    return cell;
 }
 
 std::string headed(const OutputColumn& column, const std::string& suffix) {
@@ -92,112 +79,110 @@ std::string headed(const OutputColumn& column, const std::string& suffix) {
     return withUnit(std::string(column.output->name) + "_" + suffix, column.hasUnit() ? &unit : nullptr);
 }
 
-std::string table(const DesignReport& report, bool paretoAlone) {
-    const DesignStudy& study = report.study;
-    const std::vector<OutputColumn> columns = study.columns();
-    std::vector<std::string> titles{"number"};
-    for (std::string& title : designHeadings(study, {})) titles.push_back(std::move(title));
-    titles.insert(titles.end(), {"feasible", "marginal"});
+std::vector<std::string> tableHeadings(const DesignStudy& study, const std::vector<OutputColumn>& columns) {
+    std::vector<std::string> headings{"number"};
+    append(headings, designHeadings(study, {}));
+    append(headings, {"feasible", "marginal"});
     for (const OutputColumn& column : columns) {
-        titles.push_back(headed(column, "nominal"));
+        headings.push_back(headed(column, "nominal"));
         for (const Statistic& statistic : study.statisticsOf(*column.output)) {
             if (statistic.kind == Statistic::Kind::nominal) continue;
-            titles.push_back(headed(column, statistic.name()));
-            if (statistic.hasError()) titles.push_back(headed(column, statistic.name() + "_error"));
+            headings.push_back(headed(column, statistic.name()));
+            if (statistic.hasError()) headings.push_back(headed(column, statistic.name() + "_error"));
         }
     }
-    titles.insert(titles.end(), {"pareto", "marks"});
-    std::string csv;
-    addRow(csv, titles);
-    const auto word = [](bool holds) { return std::string(holds ? "true" : "false"); };
+    append(headings, {"pareto", "marks"});
+    return headings;
+}
+
+/// Returns rows of the designs of those numbers.
+std::string table(const DesignReport& report, const std::vector<std::size_t>& numbers) {
+    const DesignStudy& study = report.study;
+    const std::vector<OutputColumn> columns = study.columns();
     const std::optional<std::size_t> present = presentDesign(study);
-    for (std::size_t d = 0; d < report.findings.designs.size(); ++d) {
-        if (paretoAlone && !report.findings.best.pareto[d]) continue;
-        const DesignSamples& design = report.findings.designs[d];
-        std::vector<std::string> cells{std::to_string(d + 1)};
-        for (std::string& cell : designCells(study, d, {})) cells.push_back(std::move(cell));
-        cells.push_back(word(report.findings.feasibility[d].feasible));
-        cells.push_back(word(report.findings.feasibility[d].marginal));
-        for (std::size_t c = 0; c < columns.size(); ++c) {
-            cells.push_back(numberCell(design.nominal[c]));
-            const std::vector<Statistic> asked = study.statisticsOf(*columns[c].output);
-            for (std::size_t s = 0; s < asked.size(); ++s) {
-                if (asked[s].kind == Statistic::Kind::nominal) continue;
-                cells.push_back(numberCell(design.statistics[c][s].value));
-                if (asked[s].hasError()) cells.push_back(numberCell(design.statistics[c][s].error()));
-            }
-        }
-        cells.push_back(word(report.findings.best.pareto[d]));
-        std::string marks;
-        for (const std::string_view mark : marksOf(report, d, present))
-            marks += (marks.empty() ? "" : " ") + std::string(mark);
-        cells.push_back(marks);
-        addRow(csv, cells);
-    }
-    return csv;
+    return csvText({tableHeadings(study, columns), numbers.size(), [&](std::size_t row) {
+                        const std::size_t d = numbers[row];
+                        const DesignSamples& design = report.findings.designs[d];
+                        Cells cells{d + 1};
+                        append(cells, designCells(study, d, {}));
+                        append(cells, {report.findings.feasibility[d].feasible,
+                                       report.findings.feasibility[d].marginal});
+                        for (std::size_t c = 0; c < columns.size(); ++c) {
+                            cells.push_back(design.nominal[c]);
+                            const std::vector<Statistic> asked = study.statisticsOf(*columns[c].output);
+                            for (std::size_t s = 0; s < asked.size(); ++s) {
+                                if (asked[s].kind == Statistic::Kind::nominal) continue;
+                                cells.push_back(design.statistics[c][s].value);
+                                if (asked[s].hasError()) cells.push_back(design.statistics[c][s].error());
+                            }
+                        }
+                        std::string marks;
+                        for (const std::string_view mark : marksOf(report, d, present))
+                            marks += (marks.empty() ? "" : " ") + std::string(mark);
+                        append(cells, {bool(report.findings.best.pareto[d]), marks});
+                        return cells;
+                    }});
 }
 
 }  // namespace
 
 std::string designsCsv(const DesignReport& report) {
-    return table(report, false);
+    std::vector<std::size_t> numbers(report.findings.designs.size());
+    std::iota(numbers.begin(), numbers.end(), std::size_t{0});
+    return table(report, numbers);
 }
 
 std::string paretoCsv(const DesignReport& report) {
-    return table(report, true);
+    std::vector<std::size_t> numbers;
+    for (std::size_t d = 0; d < report.findings.designs.size(); ++d)
+        if (report.findings.best.pareto[d]) numbers.push_back(d);
+    return table(report, numbers);
 }
 
 std::string sensitivityCsv(const DesignReport& report) {
-    std::string csv = "output,key,first,first_error,total,total_error\n";
-    for (std::size_t o = 0; o < report.findings.sensitivity.outputs.size(); ++o) {
-        const OutputSensitivity& output = report.findings.sensitivity.outputs[o];
-        for (std::size_t i = 0; i < report.study.dimensions(); ++i) {
-            const std::string key = i < report.study.uncertain.size()
-                                        ? std::string(report.study.uncertain[i].parameter->key)
-                                        : "draws";
-            std::vector<std::string> cells{std::string(report.findings.aimed[o]->name), key, "", "", "", ""};
-            if (!output.isConstant) {
-                const SobolIndex& index = output.indices[i];
-                cells[2] = numberCell(index.first.value);
-                cells[3] = numberCell(index.first.error);
-                cells[4] = numberCell(index.total.value);
-                cells[5] = numberCell(index.total.error);
-            }
-            addRow(csv, cells);
-        }
-    }
-    return csv;
+    const std::vector<OutputSensitivity>& outputs = report.findings.sensitivity.outputs;
+    const std::size_t inputs = report.study.dimensions();
+    return csvText(
+        {{"output", "key", "first", "first_error", "total", "total_error"},
+         outputs.size() * inputs,
+         [&](std::size_t row) {
+             const std::size_t o = row / inputs, i = row % inputs;
+             Cells cells{report.findings.aimed[o]->name,
+                         i < report.study.uncertain.size()
+                             ? std::string_view(report.study.uncertain[i].parameter->key)
+                             : "draws"};
+             if (outputs[o].isConstant) return cells;
+             const SobolIndex& index = outputs[o].indices[i];
+             append(cells, {index.first.value, index.first.error, index.total.value, index.total.error});
+             return cells;
+         }});
 }
 
 std::string worstCsv(const DesignReport& report) {
     const DesignStudy& study = report.study;
-    const std::vector<KeptParameter> parameters = study.scattered();
-    std::vector<std::string> keys, titles;
-    for (const KeptParameter& parameter : parameters) {
+    std::vector<std::string> keys, headings;
+    for (const KeptParameter& parameter : study.scattered()) {
         keys.emplace_back(parameter->key);
-        titles.push_back(heading(*parameter));
+        headings.push_back(heading(*parameter));
     }
-    for (std::string& title : designHeadings(study, keys)) titles.push_back(std::move(title));
-    titles.insert(titles.end(), {"aim", "sense", "value", "sampled", "searches", "agreeing"});
-    std::string csv;
-    addRow(csv, titles);
-    for (std::size_t a = 0; a < report.findings.worst.size(); ++a) {
-        const std::optional<WorstCase>& worst = report.findings.worst[a];
-        if (!worst) continue;
-        std::vector<std::string> cells;
-        for (std::size_t i = 0; i < study.uncertain.size(); ++i) cells.push_back(numberCell(worst->at[i]));
-        if (study.draws)
-            for (const std::vector<double>& column : study.draws->columns)
-                cells.push_back(numberCell(column[static_cast<std::size_t>(worst->at.back())]));
-        for (std::string& cell : designCells(study, *report.findings.best.robust, keys))
-            cells.push_back(std::move(cell));
-        const bool isLargest = study.aims[a].sense == Sense::largest;
-        cells.insert(cells.end(), {study.aims[a].name(), isLargest ? "min" : "max", numberCell(worst->value),
-                                   numberCell(worst->sampled), std::to_string(worst->searches),
-                                   std::to_string(worst->agreeing)});
-        addRow(csv, cells);
-    }
-    return csv;
+    append(headings, designHeadings(study, keys));
+    append(headings, {"aim", "sense", "value", "sampled", "searches", "agreeing"});
+    std::vector<std::size_t> aims;
+    for (std::size_t a = 0; a < report.findings.worst.size(); ++a)
+        if (report.findings.worst[a]) aims.push_back(a);
+    return csvText({headings, aims.size(), [&](std::size_t row) {
+                        const auto& aim = study.aims[aims[row]];
+                        const WorstCase& worst = *report.findings.worst[aims[row]];
+                        Cells cells;
+                        for (std::size_t i = 0; i < study.uncertain.size(); ++i) cells.push_back(worst.at[i]);
+                        if (study.draws)
+                            for (const std::vector<double>& column : study.draws->columns)
+                                cells.push_back(column[static_cast<std::size_t>(worst.at.back())]);
+                        append(cells, designCells(study, *report.findings.best.robust, keys));
+                        append(cells, {aim.name(), aim.sense == Sense::largest ? "min" : "max", worst.value,
+                                       worst.sampled, worst.searches, worst.agreeing});
+                        return cells;
+                    }});
 }
 
 }  // namespace drillwave

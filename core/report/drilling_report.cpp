@@ -11,6 +11,7 @@
 #include "core/report/feed_json.h"
 #include "core/report/feed_words.h"
 #include "core/report/json_value.h"
+#include "core/report/report_table.h"
 #include "core/report/report_text.h"
 #include "core/report/sequence_words.h"
 #include "core/study/drilling/drilling_numbers.h"
@@ -229,20 +230,17 @@ std::vector<std::string> drillingHeaders(const DrillingResult& result, OutputUni
 
 std::string drillingCsv(const DrillingReport& report, OutputUnits units) {
     const DrillingResult& result = report.result;
-    std::string csv = scenarioHeader(report.scenarioText) + "blow";
-    for (const std::string& header : drillingHeaders(result, units)) csv += "," + header;
-    csv += "\n";
-    long number = 0;
-    for (const DrillingBlow& blow : result.blows) {
-        csv += std::to_string(++number);
-        for (const BlowQuantity& column : blowColumns) {
-            csv += ',';
-            const double value = scaleOf(column.measure, result).value(blow.*column.value, units);
-            if (std::isfinite(value)) appendNumber(csv, value);
-        }
-        csv += '\n';
-    }
-    return csv;
+    std::vector<std::string> headers{"blow"};
+    append(headers, drillingHeaders(result, units));
+    return scenarioHeader(report.scenarioText) +
+           csvText(
+               {headers, result.blows.size(), [&](std::size_t row) {
+                    Cells cells{row + 1};
+                    for (const BlowQuantity& column : blowColumns)
+                        cells.push_back(
+                            scaleOf(column.measure, result).value(result.blows[row].*column.value, units));
+                    return cells;
+                }});
 }
 
 std::string drillingHistoriesCsv(const DrillingReport& report, OutputUnits units) {
@@ -259,21 +257,20 @@ std::string drillingHistoriesCsv(const DrillingReport& report, OutputUnits units
                                          {"damper_force", force, &DrillingInstant::damperForce},
                                          {"machine_place", length, &DrillingInstant::bodyPlace}};
     const DrillingResult& result = report.result;
-    std::string csv = scenarioHeader(report.scenarioText);
-    for (const Column& column : columns) {
-        const Quantity quantity = scaleOf(column.measure, result).quantity;
-        if (&column != columns) csv += ',';
-        csv += withUnit(column.name, units == OutputUnits::si ? &unitsOf(quantity).front() : nullptr);
-    }
-    csv += '\n';
-    for (const DrillingInstant& instant : result.instants) {
-        for (const Column& column : columns) {
-            if (&column != columns) csv += ',';
-            appendNumber(csv, scaleOf(column.measure, result).value(instant.*column.value, units));
-        }
-        csv += '\n';
-    }
-    return csv;
+    std::vector<std::string> headers;
+    for (const Column& column : columns)
+        headers.push_back(withUnit(
+            column.name,
+            units == OutputUnits::si ? &unitsOf(scaleOf(column.measure, result).quantity).front() : nullptr));
+    return scenarioHeader(report.scenarioText) +
+           csvText(
+               {headers, result.instants.size(), [&](std::size_t row) {
+                    Cells cells;
+                    for (const Column& column : columns)
+                        cells.push_back(
+                            scaleOf(column.measure, result).value(result.instants[row].*column.value, units));
+                    return cells;
+                }});
 }
 
 }  // namespace drillwave

@@ -8,6 +8,7 @@
 #include "core/report/curve_text.h"
 #include "core/report/feed_json.h"
 #include "core/report/json_value.h"
+#include "core/report/report_table.h"
 #include "core/report/report_text.h"
 #include "core/report/sequence_words.h"
 #include "core/study/drilling/drilling_numbers.h"
@@ -110,39 +111,34 @@ std::string drillingScanCsv(const DrillingScanReport& report, OutputUnits units)
     const DrillingScan& scan = report.scan;
     const std::vector<OutputColumn> columns = drillingScanColumns(units);
     const RowColumn axis = scan.axis.column();
-    std::string csv = scenarioHeader(report.scenarioText) + axis.header + ",start";
-    for (const OutputColumn& column : columns) csv += "," + column.header();
-    csv += "\n";
-    for (const DrillingScanPoint& point : scan.points) {
-        axis.appendText(csv, point.value);
-        csv += std::string(",") + nameOf(point.start);
-        for (const std::optional<double>& value : valuesOf(columns, point.result)) {
-            csv += ',';
-            if (value) appendNumber(csv, *value);
-        }
-        csv += '\n';
-    }
-    return csv;
+    std::vector<std::string> headers{axis.header, "start"};
+    for (const OutputColumn& column : columns) headers.push_back(column.header());
+    return scenarioHeader(report.scenarioText) +
+           csvText({headers, scan.points.size(), [&](std::size_t row) {
+                        const DrillingScanPoint& point = scan.points[row];
+                        Cells cells{axis.cell(point.value), nameOf(point.start)};
+                        for (const std::optional<double>& value : valuesOf(columns, point.result))
+                            cells.push_back(value);
+                        return cells;
+                    }});
 }
 
 std::string drillingGapsCsv(const DrillingScanReport& report, OutputUnits units) {
     const DrillingScan& scan = report.scan;
     const RowColumn axis = scan.axis.column();
     const Unit* unit = units == OutputUnits::si ? &unitsOf(Quantity::length).front() : nullptr;
-    std::string csv =
-        scenarioHeader(report.scenarioText) + axis.header + ",start," + withUnit("gap", unit) + "\n";
-    for (const DrillingScanPoint& point : scan.points) {
-        if (!point.result.statistics) continue;
-        const auto settle = static_cast<std::size_t>(scan.settings.settle);
-        for (std::size_t i = settle; i < point.result.blows.size(); ++i) {
-            axis.appendText(csv, point.value);
-            csv += std::string(",") + nameOf(point.start) + ",";
-            appendNumber(
-                csv, scaleOf(DrillingMeasure::length, point.result).value(point.result.blows[i].gap, units));
-            csv += '\n';
-        }
-    }
-    return csv;
+    std::vector<std::pair<const DrillingScanPoint*, std::size_t>> blows;
+    for (const DrillingScanPoint& point : scan.points)
+        if (point.result.statistics)
+            for (auto i = static_cast<std::size_t>(scan.settings.settle); i < point.result.blows.size(); ++i)
+                blows.emplace_back(&point, i);
+    return scenarioHeader(report.scenarioText) +
+           csvText({{axis.header, "start", withUnit("gap", unit)}, blows.size(), [&](std::size_t row) {
+                        const auto& [point, blow] = blows[row];
+                        return Cells{axis.cell(point->value), nameOf(point->start),
+                                     scaleOf(DrillingMeasure::length, point->result)
+                                         .value(point->result.blows[blow].gap, units)};
+                    }});
 }
 
 std::string drillingScanText(const DrillingScanReport& report, OutputUnits units, const ReadingStyle& style) {

@@ -3,6 +3,7 @@
 
 #include "core/model/scales.h"
 #include "core/report/json_value.h"
+#include "core/report/report_table.h"
 #include "core/text/enum_names.h"
 #include "core/text/handy_text.h"
 #include "core/text/number_text.h"
@@ -120,20 +121,18 @@ std::string gapJson(const GapReport& report) {
 std::string gapCsv(const GapReport& report, OutputUnits units) {
     const bool si = units == OutputUnits::si;
     const Scales scales = si ? scalesOf(report.scenario) : Scales{};
-    std::string csv = si ? "bit_rock.gap [m]" : "delta";
+    const std::vector<double> gaps = sampleGaps(report.curve);
+    ReportTable table{
+        .headers = {si ? "bit_rock.gap [m]" : "delta"}, .rows = gaps.size(), .cellsOf = [&](std::size_t row) {
+            Cells cells{gaps[row] * scales.penetration};
+            for (const NamedOutput& named : namedOutputs)
+                cells.push_back((report.curve.value(named.output, gaps[row]) + named.plus) *
+                                findOutput(named.name)->scale(scales));
+            return cells;
+        }};
     for (const NamedOutput& named : namedOutputs)
-        csv += "," + OutputColumn{findOutput(named.name), units}.header();
-    csv += '\n';
-    for (const double gap : sampleGaps(report.curve)) {
-        appendNumber(csv, gap * scales.penetration);
-        for (const NamedOutput& named : namedOutputs) {
-            csv += ',';
-            const double scale = findOutput(named.name)->scale(scales);
-            appendNumber(csv, (report.curve.value(named.output, gap) + named.plus) * scale);
-        }
-        csv += '\n';
-    }
-    return csv;
+        table.headers.push_back(OutputColumn{findOutput(named.name), units}.header());
+    return csvText(table);
 }
 
 }  // namespace drillwave

@@ -5,6 +5,7 @@
 #include <span>
 
 #include "core/report/curve_text.h"
+#include "core/report/report_table.h"
 #include "core/report/report_text.h"
 #include "core/text/number_text.h"
 
@@ -165,31 +166,26 @@ JsonObject goalJson(const GoalAnswer& answer) {
 std::string goalCsv(const CurveStudy& study) {
     const CurveQuestion& question = study.question;
     const RowColumn along = question.along.column();
-    std::string csv(goalCsvBegin);
-    if (question.family) csv += question.family->column().header + ",";
-    csv += along.header + ",place_error," + question.columns.front().header() + ",value_error,value_after\n";
+    std::vector<std::string> headers{"goal", "kind", "direction"};  // goalCsvBegin
+    if (question.family) headers.push_back(question.family->column().header);
+    append(headers,
+           {along.header, "place_error", question.columns.front().header(), "value_error", "value_after"});
+    std::vector<std::pair<const CurveLine*, const GoalPlace*>> places;
     for (const CurveLine& line : study.lines)
-        for (const GoalPlace& place : line.goal->places) {
-            appendNumber(csv, *question.goal);
-            csv += "," + std::string(name(place.kind)) + ",";
-            if (place.isPassed()) csv += place.rising ? "rising" : "falling";
-            csv += ',';
-            if (line.family) {
-                question.family->column().appendText(csv, *line.family);
-                csv += ',';
-            }
-            along.appendText(csv, place.x.value);
-            csv += ',';
-            appendNumber(csv, question.along.unit->fromSi(place.x.error));
-            csv += ',';
-            appendNumber(csv, place.value.value);
-            csv += ',';
-            appendNumber(csv, place.value.error);
-            csv += ',';
-            if (isOnlyEnclosed(place)) appendNumber(csv, place.valueAfter);
-            csv += '\n';
-        }
-    return csv;
+        for (const GoalPlace& place : line.goal->places) places.emplace_back(&line, &place);
+    return csvText({headers, places.size(), [&](std::size_t row) {
+                        const auto& [line, place] = places[row];
+                        Cells cells{*question.goal, name(place->kind),
+                                    !place->isPassed() ? ""
+                                    : place->rising    ? "rising"
+                                                       : "falling"};
+                        if (line->family) cells.push_back(question.family->column().cell(*line->family));
+                        append(cells,
+                               {along.cell(place->x.value), question.along.unit->fromSi(place->x.error),
+                                place->value.value, place->value.error,
+                                isOnlyEnclosed(*place) ? Cell(place->valueAfter) : Cell()});
+                        return cells;
+                    }});
 }
 
 }  // namespace drillwave

@@ -2,6 +2,7 @@
 #include "core/report/map_report.h"
 
 #include "core/report/json_value.h"
+#include "core/report/report_table.h"
 #include "core/report/report_text.h"
 #include "core/text/message_list.h"
 #include "core/text/number_text.h"
@@ -182,28 +183,30 @@ std::string mapJson(const MapReport& report) {
 
 std::string contoursCsv(const MapReport& report) {
     const RowColumn x = report.study.x.column(), y = report.study.y.column();
-    std::string csv = std::string(contoursCsvBegin) + x.header + "," + y.header + "," +
-                      report.study.output.header() + ",residual,jump_width\n";
+    struct Place {
+        double level;
+        std::uint64_t line;
+        const ContourPoint* point;
+    };
+    std::vector<Place> places;
     std::uint64_t number = 0;
     for (const Contour& contour : report.contours)
         for (const ContourLine& line : contour.lines) {
             ++number;
-            for (const ContourPoint& point : line) {
-                appendNumber(csv, contour.level);
-                csv += "," + std::to_string(number) + ",";
-                x.appendText(csv, point.x);
-                csv += ',';
-                y.appendText(csv, point.y);
-                for (const double value : {point.value, point.residual}) {
-                    csv += ',';
-                    appendNumber(csv, value);
-                }
-                csv += ',';
-                if (point.isJump()) appendNumber(csv, point.jumpWidth);
-                csv += '\n';
-            }
+            for (const ContourPoint& point : line) places.push_back({contour.level, number, &point});
         }
-    return csv;
+    std::vector<std::string> headers{"level", "line"};  // contoursCsvBegin
+    append(headers, {x.header, y.header, report.study.output.header(), "residual", "jump_width"});
+    return csvText({headers, places.size(), [&](std::size_t row) {
+                        const auto& [level, line, point] = places[row];
+                        return Cells{level,
+                                     line,
+                                     x.cell(point->x),
+                                     y.cell(point->y),
+                                     point->value,
+                                     point->residual,
+                                     point->isJump() ? Cell(point->jumpWidth) : Cell()};
+                    }});
 }
 
 }  // namespace drillwave

@@ -8,7 +8,6 @@
 
 #include "core/model/version.h"
 #include "core/report/study_column.h"
-#include "core/text/csv.h"
 #include "core/text/handy_text.h"
 #include "core/text/json.h"
 #include "core/text/number_text.h"
@@ -238,17 +237,19 @@ std::string stabilityJson(const StabilityReport& report, double runTime) {
 }
 
 std::string stabilityCsv(const StabilityReport& report) {
-    std::string csv = "case,pulse.shape,beta,gamma,tau,delta";
-    appendKeys(csv, stabilityColumns);
-    csv += ",failures\n";
-    for (const StabilityRow& row : report.rows) {
-        const Groups& g = row.stabilityCase.groups;
-        csv += csvCell(row.stabilityCase.name) + "," + std::string(name(row.stabilityCase.shape));
-        for (const double group : {g.beta, g.gamma, g.tau, g.delta}) csv += "," + formatNumber(group);
-        appendCells(csv, stabilityColumns, row, row.outcome == Outcome::rebounded);
-        csv += "," + csvCell(failuresOf(row)) + "\n";
-    }
-    return csv;
+    std::vector<std::string> headers{"case", "pulse.shape", "beta", "gamma", "tau", "delta"};
+    appendKeys(headers, stabilityColumns);
+    headers.emplace_back("failures");
+    return csvText(
+        {headers, report.rows.size(), [&](std::size_t i) {
+             const StabilityRow& row = report.rows[i];
+             const Groups& g = row.stabilityCase.groups;
+             Cells cells{
+                 row.stabilityCase.name, name(row.stabilityCase.shape), g.beta, g.gamma, g.tau, g.delta};
+             appendCells(cells, stabilityColumns, row, row.outcome == Outcome::rebounded);
+             cells.push_back(failuresOf(row));
+             return cells;
+         }});
 }
 
 }  // namespace drillwave

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/report/report_table.h"
 #include "core/text/handy_text.h"
 #include "core/text/json.h"
 #include "core/text/number_text.h"
@@ -45,20 +46,17 @@ std::vector<std::string> withCells(std::string first, const auto& columns, const
     return cells;
 }
 
-/// Each behind a comma.
-void appendKeys(std::string& csv, const auto& columns) {
-    for (const auto& column : columns) csv.append(",").append(column.key);
+/// Appends the headers of the columns in CSV.
+void appendKeys(std::vector<std::string>& headers, const auto& columns) {
+    for (const auto& column : columns) headers.emplace_back(column.key);
 }
 
-/// Likewise; empty where there is no number, as all are of what was not solved.
-void appendCells(std::string& csv, const auto& columns, const auto& row, bool isSolved = true) {
-    for (const auto& column : columns) {
-        csv += ',';
-        if (isSolved) appendNumber(csv, column.value(row));
-    }
+/// Appends the cells of a row; empty where there is no number, as all are of what was not solved.
+void appendCells(Cells& cells, const auto& columns, const auto& row, bool isSolved = true) {
+    for (const auto& column : columns) cells.push_back(isSolved ? Cell(column.value(row)) : Cell());
 }
 
-/// Likewise; null.
+/// Adds members to a row in JSON, null where there is no number.
 void addMembers(JsonObject& object, const auto& columns, const auto& row, bool isSolved = true) {
     for (const auto& column : columns) object[column.key] = isSolved ? Json(column.value(row)) : Json();
 }

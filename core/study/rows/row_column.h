@@ -28,6 +28,12 @@ struct RowColumn {
     /// Appends a number as people and files have it, in the unit of the header but without it; it reads back
     /// as the same number. Nothing for no number.
     void appendText(std::string& cell, double number) const;
+    /// Returns that text.
+    std::string cell(double number) const {
+        std::string text;
+        appendText(text, number);
+        return text;
+    }
 };
 
 /// All columns of a run of rows.

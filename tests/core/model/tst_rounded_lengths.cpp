@@ -32,7 +32,7 @@ class TestRoundedLengths : public QObject {
         for (StringPart& part : drill.parts)
             if (part.group) part.repeat = 5;
         const auto hasWaves = [](const Scenario& each) {
-            return solveBlow(each, {}, Detail::histories).impact.waves != nullptr;
+            return !solveBlow(each, {}, Detail::histories).impact.wavesDifference;
         };
         QVERIFY(!hasWaves(scenario));
         drill = withRoundedLengths(drill);

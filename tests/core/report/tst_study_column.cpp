@@ -32,7 +32,7 @@ class TestStudyColumn : public QObject {
   private slots:
     void peopleReadWhatHasATitle();
     void programsReadEveryColumn();
-    void whatWasNotSolvedHasNoNumbers();
+    void cellsAreWrittenSoThatTheyReadBack();
 };
 
 void TestStudyColumn::peopleReadWhatHasATitle() {
@@ -45,22 +45,33 @@ void TestStudyColumn::peopleReadWhatHasATitle() {
 }
 
 void TestStudyColumn::programsReadEveryColumn() {
-    std::string csv = "method";
-    appendKeys(csv, columns);
-    QCOMPARE(csv, std::string("method,error_cor,hidden,median_s"));
-    std::string row;
-    appendCells(row, columns, Row{0.5, none});
-    QCOMPARE(row, std::string(",0.5,3,"));
+    std::vector<std::string> headers{"method"};
+    appendKeys(headers, columns);
+    const auto csv = [&](bool isSolved) {
+        return csvText({headers, 1, [&](std::size_t) {
+                            Cells cells{"exact"};
+                            appendCells(cells, columns, Row{0.5, none}, isSolved);
+                            return cells;
+                        }});
+    };
+    QCOMPARE(csv(true), std::string("method,error_cor,hidden,median_s\nexact,0.5,3,\n"));
+    QCOMPARE(csv(false), std::string("method,error_cor,hidden,median_s\nexact,,,\n"));
     JsonObject object;
     addMembers(object, columns, Row{0.5, none});
     QCOMPARE(Json(object).text(),
              std::string("{\n    \"error_cor\": 0.5,\n    \"hidden\": 3,\n    \"median_s\": null\n}\n"));
 }
 
-void TestStudyColumn::whatWasNotSolvedHasNoNumbers() {
-    std::string row;
-    appendCells(row, columns, Row{0.5, 1}, false);
-    QCOMPARE(row, std::string(",,,"));
+/// Words with commas, quotes or line ends are quoted; what is no finite number is nothing.
+void TestStudyColumn::cellsAreWrittenSoThatTheyReadBack() {
+    const double infinite = std::numeric_limits<double>::infinity();
+    const std::vector<Cells> rows{{1.5, 7, true, "hex, 25 mm"},
+                                  {none, infinite, Cell(), "a \"b\""},
+                                  {std::optional<double>(), std::optional(0.1)}};
+    QCOMPARE(
+        csvText({{"a", "b [mm, in]", "c", "d"}, rows.size(), [&](std::size_t row) { return rows[row]; }}),
+        std::string("a,\"b [mm, in]\",c,d\n1.5,7,true,\"hex, 25 mm\"\n,,,\"a \"\"b\"\"\"\n,0.1,,\n"));
+    QCOMPARE(csvText({{"a"}, 0, {}}), std::string("a\n"));
 }
 
 QTEST_GUILESS_MAIN(TestStudyColumn)

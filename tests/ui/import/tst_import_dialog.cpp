@@ -6,6 +6,7 @@
 #include <QPushButton>
 #include <QSpinBox>
 #include <QTest>
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 
@@ -398,19 +399,26 @@ void TestImportDialog::fieldFilesAreReadAsByCommand_data() {
             QTest::addRow("%s", qPrintable(file)) << folder.filePath(file);
 }
 
-/// The dialog takes what the command takes without options, with the same impulse, and nothing else.
+/// The dialog takes what the command takes without options, with the same impulse, and nothing else, but that
+/// it shows which column it takes and has the bar of the scenario, and that channels in rows are read by the
+/// command only, which its message names.
 void TestImportDialog::fieldFilesAreReadAsByCommand() {
     QFETCH(QString, path);
     std::ifstream in(path.toStdString(), std::ios::binary);
     const SignalReading reading = readSignal(in, {});
-    const bool isRead = reading.problem.isEmpty() && !reading.isOpen();
+    const bool isAnswered = std::ranges::all_of(reading.questions, [](const std::string& question) {
+        return question == "signal_column" || question == "area" || question == "modulus";
+    });
+    const bool isRead = reading.problem.isEmpty() && isAnswered && !reading.table.hasRows;
     ImportDialog& dialog = open(path, ImportUse::blow);
     settle(dialog);
     QCOMPARE(control<QPushButton>(dialog, "take").isEnabled(), isRead);
     if (!isRead) {
         QVERIFY(!message(dialog).isEmpty());
+        QVERIFY(!reading.table.hasRows || message(dialog).contains(QStringLiteral("drillwave signal")));
         return;
     }
+    if (reading.isOpen()) return;
     QVERIFY2(dialog.result() != nullptr, qPrintable(message(dialog)));
     QVERIFY2(
         std::abs(dialog.result()->impulse / reading.blow.impulse - 1) < 1e-3,
