@@ -407,7 +407,7 @@ void TestImportDialog::fieldFilesAreReadAsByCommand() {
     std::ifstream in(path.toStdString(), std::ios::binary);
     const SignalReading reading = readSignal(in, {});
     const bool isAnswered = std::ranges::all_of(reading.questions, [](const std::string& question) {
-        return question == "signal_column" || question == "area" || question == "modulus";
+        return question == "column" || question == "area" || question == "modulus";
     });
     const bool isRead = reading.problem.isEmpty() && isAnswered && !reading.table.hasRows;
     ImportDialog& dialog = open(path, ImportUse::blow);

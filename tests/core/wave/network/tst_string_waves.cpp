@@ -192,7 +192,8 @@ class TestStringWaves : public QObject {
         QCOMPARE(impact.outcome, Outcome::endTime);
         QVERIFY(impact.waves);
         QVERIFY(impact.wavesDifference);
-        QVERIFY(*impact.wavesDifference < 1e-3);
+        // cells as long as 40 blows need make the steep parts less steep
+        QVERIFY2(*impact.wavesDifference < 0.03, QByteArray::number(*impact.wavesDifference));
         QVERIFY(std::abs(impact.waves->end() / impact.endTime - 1) < 1e-3);
         NetworkSettings whole;
         whole.wants.histories = true;
