@@ -6,6 +6,7 @@
 #include "app/command.h"
 #include "app/interruption.h"
 #include "app/method_options.h"
+#include "app/output_file.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/row_options.h"
@@ -110,6 +111,7 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     arguments.checkOnePrinted();
+    checkAboutFiles(arguments, {"decimal-comma"}, "DIR");
     const std::vector<int> ladder = ladderOf(arguments);
     const std::string directory = arguments.value("o").value_or(std::string());
     const StudyPlots plots = StudyPlots::inFolder(arguments, "accuracy");
@@ -130,7 +132,7 @@ ExitCode runAccuracy(const Arguments& arguments, const Drawing* drawing) {
     AccuracyFiles files = measure(arguments, document, ladder, plots, drawing, interruption);
     files.csv.insert(0, scenarioHeader(completeScenarioText(document)));
     if (directory == "-") {
-        printText(files.csv);
+        printText(inCsvSigns(files.csv));
         return ExitCode::done;
     }
     if (inFolder) {
@@ -162,7 +164,8 @@ const Command& accuracyCommand() {
              {"json", "", "print one JSON object in place of the table"},
              {"o", "DIR", "also write accuracy.csv into DIR; - prints it instead of the table"},
              plotsOptionSpec(),
-             {"force", "", "overwrite an existing file"}}),
+             {"force", "", "overwrite an existing file"},
+             decimalCommaSpec()}),
         .leastOperands = 1,
         .mostOperands = 1,
         .draws = asksForPlots,

@@ -6,13 +6,13 @@
 #include "app/axis_argument.h"
 #include "app/command.h"
 #include "app/method_options.h"
+#include "app/output_file.h"
 #include "app/progress_bar.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
 #include "core/numeric/run_time.h"
-#include "core/report/curve_csv.h"
-#include "core/report/curve_json.h"
+#include "core/report/curve_report.h"
 #include "core/report/curve_text.h"
 #include "core/report/goal_report.h"
 #include "core/text/decimal_text.h"
@@ -145,8 +145,7 @@ void checkSolved(const CurveStudy& study, const std::string& path, long workLimi
 ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const bool writesFile = arguments.has("o");
-    if (arguments.has("force") && !writesFile)
-        throw CommandError(ExitCode::usage, translatable("--force is about the file of -o; add -o FILE.csv"));
+    checkAboutFiles(arguments, {"force", "decimal-comma"}, "FILE.csv");
     arguments.checkOnePrinted();
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const ScenarioInput input = loadScenarioInput(path, arguments);
@@ -195,7 +194,8 @@ std::vector<OptionSpec> curveOptions() {
               "also write points of the lines, with FILE.csv.yaml beside it, places of the goal into "
               "FILE_goal.csv; - prints the points instead"},
              plotsOptionSpec(),
-             {"force", "", "overwrite existing files"}})
+             {"force", "", "overwrite existing files"},
+             decimalCommaSpec()})
         options.push_back(option);
     return options;
 }

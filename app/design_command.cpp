@@ -7,6 +7,7 @@
 #include "app/command.h"
 #include "app/design_options.h"
 #include "app/interruption.h"
+#include "app/output_file.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/row_options.h"
@@ -15,9 +16,7 @@
 #include "core/archive/result_scenario.h"
 #include "core/archive/study_files.h"
 #include "core/numeric/run_time.h"
-#include "core/report/design_csv.h"
-#include "core/report/design_json.h"
-#include "core/report/design_text.h"
+#include "core/report/design_report.h"
 #include "core/report/design_words.h"
 
 namespace drillwave {
@@ -106,8 +105,7 @@ ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
     const std::string path = fileOf(arguments);
     const std::optional<std::string> folder = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
-    if (arguments.has("force") && !folder)
-        throw CommandError(ExitCode::usage, translatable("--force is about the files of -o; add -o DIR"));
+    checkAboutFiles(arguments, {"force", "decimal-comma"}, "DIR");
     if (folder == "-")
         throw CommandError(ExitCode::usage,
                            translatable("-o - names no folder for the files; add -o DIR, or --json, which "
@@ -196,7 +194,8 @@ const Command& designCommand() {
              {"json", "", "print one JSON object in place of the tables"},
              {"o", "DIR", "also write tables, the best design and the JSON object into DIR"},
              plotsOptionSpec(),
-             {"force", "", "overwrite existing files"}}),
+             {"force", "", "overwrite existing files"},
+             decimalCommaSpec()}),
         .leastOperands = 1,
         .mostOperands = mostAims + 2,
         .draws = asksForPlots,

@@ -9,6 +9,7 @@
 #include "app/drill_rows.h"
 #include "app/drill_scan.h"
 #include "app/interruption.h"
+#include "app/output_file.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/row_options.h"
@@ -17,7 +18,6 @@
 #include "core/archive/result_scenario.h"
 #include "core/archive/study_files.h"
 #include "core/report/drilling_report.h"
-#include "core/report/drilling_text.h"
 #include "core/study/thrust/thrust_margins.h"
 
 namespace drillwave {
@@ -67,9 +67,7 @@ ExitCode runDrill(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const std::optional<std::string> out = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
-    if (arguments.has("force") && !out && !arguments.has("gaps"))
-        throw CommandError(ExitCode::usage,
-                           translatable("--force is about the files of -o; add -o FILE.csv or -o DIR"));
+    if (!arguments.has("gaps")) checkAboutFiles(arguments, {"force", "decimal-comma"}, "FILE.csv (or DIR)");
     arguments.checkOnePrinted();
     if (arguments.has("gaps") && !arguments.has("scan"))
         throw CommandError(ExitCode::usage,
@@ -167,7 +165,8 @@ const Command& drillCommand() {
               "also write a row for every blow, with FILE.csv.yaml beside, or all files into DIR; - prints "
               "the rows"},
              plotsOptionSpec(),
-             {"force", "", "overwrite existing files"}}),
+             {"force", "", "overwrite existing files"},
+             decimalCommaSpec()}),
         .leastOperands = 1,
         .mostOperands = 1,
         .draws = asksForPlots,

@@ -6,6 +6,7 @@
 
 #include "app/command.h"
 #include "app/interruption.h"
+#include "app/output_file.h"
 #include "app/output_folder.h"
 #include "app/study_plots.h"
 #include "core/archive/study_files.h"
@@ -77,7 +78,7 @@ ExitCode runFigures(const Arguments& arguments, const Drawing* drawing) {
     const std::vector<Discrepancy> numbers = discrepancies(interruption.token());
     interruption.check();
     if (*directory == "-") {
-        printText(discrepanciesCsv(numbers));
+        printText(inCsvSigns(discrepanciesCsv(numbers)));
         return ExitCode::done;
     }
     const std::vector<Figure> figures = paperFigures(interruption.token());
@@ -106,7 +107,8 @@ const Command& figuresCommand() {
             "and with k0 = Z/t0, as it defines it.",
         .options = {{"o", "DIR", "where to write; - prints discrepancies.csv alone"},
                     {"plots", "png,svg,pdf", "formats of the figures, png,svg if not given"},
-                    {"force", "", "overwrite existing files"}},
+                    {"force", "", "overwrite existing files"},
+                    decimalCommaSpec()},
         .leastOperands = 0,
         .mostOperands = 0,
         .draws = [](const Arguments& arguments) { return arguments.value("o").value_or("-") != "-"; },

@@ -11,8 +11,7 @@
 #include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/report/blow_csv.h"
-#include "core/report/gap_json.h"
-#include "core/report/gap_text.h"
+#include "core/report/gap_report.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
@@ -71,13 +70,10 @@ ExitCode runGap(const Arguments& arguments, const Drawing* drawing) {
     const std::string& path = arguments.operands().front();
     const std::optional<std::string> csvPath = arguments.value("o");
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
-    if (arguments.has("force") && !csvPath)
-        throw CommandError(ExitCode::usage, translatable("--force is about the file of -o; add -o FILE.csv"));
+    checkAboutFiles(arguments, {"force", "si", "decimal-comma"}, "FILE.csv");
     arguments.checkOnePrinted();
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const OutputUnits units = arguments.has("si") ? OutputUnits::si : OutputUnits::dimensionless;
-    if (arguments.has("si") && !csvPath)
-        throw CommandError(ExitCode::usage, translatable("--si is about the file of -o; add -o FILE.csv"));
     const ScenarioDocument document = loadScenarioArgument(path, arguments);
     if (!gapHasPeriod(document.scenario))
         throw CommandError(
@@ -135,7 +131,8 @@ const Command& gapCommand() {
              {"o", "FILE.csv", "also write the results along the gap; - prints them instead of the table"},
              {"si", "", "with -o, columns in SI, with units in the header"},
              plotsOptionSpec(),
-             {"force", "", "overwrite an existing file"}}),
+             {"force", "", "overwrite an existing file"},
+             decimalCommaSpec()}),
         .leastOperands = 1,
         .mostOperands = 1,
         .draws = asksForPlots,

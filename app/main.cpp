@@ -24,6 +24,7 @@
 #include "app/help_topic.h"
 #include "app/interruption.h"
 #include "app/language_option.h"
+#include "app/output_file.h"
 #include "core/manual/chapter.h"
 #include "core/model/version.h"
 #include "core/text/decimal_text.h"
@@ -106,6 +107,7 @@ int runCommand(const Command& command, std::span<const std::string> words, const
     const Arguments arguments = parseArguments(command, words, language);
     const std::unique_ptr<const Drawing> drawing =
         command.draws(arguments) ? startDrawing(argc, argv, language) : nullptr;
+    useCsvSigns(arguments);
     return static_cast<int>(command.run(arguments, drawing.get()));
 }
 

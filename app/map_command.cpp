@@ -8,6 +8,7 @@
 #include "app/axis_argument.h"
 #include "app/command.h"
 #include "app/method_options.h"
+#include "app/output_file.h"
 #include "app/progress_bar.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
@@ -225,7 +226,8 @@ std::vector<OptionSpec> mapOptions() {
               "also write the points, with FILE.csv.yaml beside, contours into FILE_contours.csv; - prints "
               "the points instead"},
              plotsOptionSpec(),
-             {"force", "", "overwrite existing files"}})
+             {"force", "", "overwrite existing files"},
+             decimalCommaSpec()})
         options.push_back(option);
     return options;
 }

@@ -19,6 +19,9 @@ namespace drillwave {
 
 namespace {
 
+/// Signs of the CSV of this run of the program.
+CsvSigns csvSigns = CsvSigns::pointAndComma;
+
 constexpr const char* standardOutput = translatable("standard output");
 
 bool isStandardOutput(const std::string& path) {
@@ -43,6 +46,32 @@ std::string nameOf(const std::string& path) {
 }
 
 }  // namespace
+
+void checkAboutFiles(const Arguments& arguments, std::initializer_list<const char*> options,
+                     const char* output) {
+    if (arguments.has("o")) return;
+    for (const char* option : options)
+        if (arguments.has(option))
+            throw CommandError(ExitCode::usage,
+                               Message(translatable("%1 is about files; add -o %2 to say where they go"),
+                                       {std::string("--") + option, std::string(output)}));
+}
+
+OptionSpec decimalCommaSpec() {
+    return {"decimal-comma", "", "CSV with semicolons and decimal commas"};
+}
+
+void useCsvSigns(const Arguments& arguments) {
+    csvSigns = arguments.has("decimal-comma") ? CsvSigns::commaAndSemicolon : CsvSigns::pointAndComma;
+}
+
+std::string inCsvSigns(std::string_view csv) {
+    return CsvInSigns(csvSigns).text(csv);
+}
+
+std::string bytesInSigns(const NamedFile& file) {
+    return file.name.ends_with(".csv") ? inCsvSigns(file.bytes) : file.bytes;
+}
 
 bool isStream(const std::string& path) {
     return isStandardOutput(path) || isDevice(path);
@@ -89,7 +118,7 @@ void checkOutput(const std::string& path, Overwrite overwrite, LeftBeside leftBe
 }
 
 OutputFile::OutputFile(const std::string& path, Overwrite overwrite, LeftBeside leftBeside)
-    : m_path(path), m_overwrite(overwrite), m_leftBeside(leftBeside) {
+    : m_path(path), m_overwrite(overwrite), m_leftBeside(leftBeside), m_csv(csvSigns) {
     checkOutput(path, overwrite, leftBeside);
     if (isStandardOutput(path)) {
         checkStandardOutput();
@@ -109,6 +138,7 @@ OutputFile::OutputFile(const std::string& path, Overwrite overwrite, const KeptR
       m_overwrite(overwrite),
       m_leftBeside(studyFilesThere),
       m_file(std::make_unique<WholeFile>(path)),
+      m_csv(csvSigns),
       m_sum(kept.done().sum) {
     checkOutput(path, overwrite);
     check(m_file->openKept(kept.path(), m_sum.bytes));
@@ -119,6 +149,11 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::write(std::string_view text) {
+    std::string rewritten;
+    if (csvSigns != CsvSigns::pointAndComma) {
+        rewritten = m_csv.text(text);
+        text = rewritten;
+    }
     if (m_file)
         check(m_file->write(text));
     else if (m_device >= 0)
@@ -130,6 +165,7 @@ void OutputFile::write(std::string_view text) {
 
 void OutputFile::add(NamedFile beside) {
     assert(m_file);
+    beside.bytes = bytesInSigns(beside);
     m_beside.push_back(std::move(beside));
 }
 

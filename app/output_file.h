@@ -8,17 +8,33 @@
 #include <string_view>
 #include <vector>
 
+#include "app/arguments.h"
 #include "core/archive/kept_rows.h"
 #include "core/archive/study_files.h"
 #include "core/disk/file_sum.h"
 #include "core/disk/whole_file.h"
 #include "core/disk/whole_folder.h"
+#include "core/text/csv.h"
 
 namespace drillwave {
 
 class Interruption;
 
 enum class Overwrite { refused, allowed };
+
+/// Throws CommandError (usage) where one of the options is given and not -o, whose files it is about;
+/// `output` is what is to be added, "FILE.csv".
+void checkAboutFiles(const Arguments& arguments, std::initializer_list<const char*> options,
+                     const char* output);
+
+/// --decimal-comma, for the options of a command that writes CSV.
+OptionSpec decimalCommaSpec();
+/// Has all CSV of this run of the program written as that option says.
+void useCsvSigns(const Arguments& arguments);
+/// Returns whole CSV in the signs of this run.
+std::string inCsvSigns(std::string_view csv);
+/// Returns the bytes of a file, CSV in the signs of this run.
+std::string bytesInSigns(const NamedFile& file);
 
 /// Names of what an earlier run left in the folder beside a file.
 using LeftBeside = std::vector<std::string> (*)(const std::string& folder, const std::string& file);
@@ -52,6 +68,7 @@ class OutputFile {
     OutputFile(const OutputFile&) = delete;
     OutputFile& operator=(const OutputFile&) = delete;
 
+    /// Writes whole lines where the file is CSV.
     void write(std::string_view text);
     /// Size and checksum of all that was written, the kept rows included.
     const FileSum& sum() const { return m_sum; }
@@ -71,6 +88,7 @@ class OutputFile {
     Overwrite m_overwrite;
     LeftBeside m_leftBeside;
     std::unique_ptr<WholeFile> m_file;  // none for streams
+    CsvInSigns m_csv;                   // signs of this run
     FileSum m_sum;
     std::vector<NamedFile> m_beside;
     int m_device = -1;

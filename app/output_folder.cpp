@@ -32,8 +32,10 @@ void writeFolder(const std::string& path, const FolderFiles& files, Overwrite ov
              {lock}},
             interruption ? interruption->style() : plainStyle());
     };
+    FolderFiles rewritten = files;
+    for (NamedFile& file : rewritten.files) file.bytes = bytesInSigns(file);
     const FolderEnd end = writeWholeFolder(
-        path, files, existing, interruption ? interruption->token() : std::stop_token(), onLongWait);
+        path, rewritten, existing, interruption ? interruption->token() : std::stop_token(), onLongWait);
     if (end.isWritten()) {
         if (interruption) interruption->ignoreFromNowOn();
         return;

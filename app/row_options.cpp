@@ -141,7 +141,8 @@ std::vector<OptionSpec> rowOptionSpecs() {
              resumeOptionSpec(),
              {"o", "FILE.csv",
               "where to write, with FILE.csv.yaml beside it; - is standard output, as without"},
-             {"force", "", "overwrite existing files"}})
+             {"force", "", "overwrite existing files"},
+             decimalCommaSpec()})
         options.push_back(option);
     return options;
 }
@@ -176,7 +177,19 @@ std::string outputHelp(const ReadingStyle& style) {
     return help;
 }
 
+/// Parts are joined, and rows kept, with points and commas.
+void checkDecimalComma(const Arguments& arguments) {
+    if (!arguments.has("decimal-comma")) return;
+    for (const char* option : {"shard", "resume"})
+        if (arguments.has(option))
+            throw CommandError(ExitCode::usage,
+                               Message(translatable("%1 needs rows with points and commas; leave out "
+                                                    "--decimal-comma"),
+                                       {std::string("--") + option}));
+}
+
 RowOptions rowOptions(const Arguments& arguments, const std::optional<MethodChoice>& method) {
+    checkDecimalComma(arguments);
     OutputChoice outputs = outputsOf(arguments);
     if (arguments.has("resume")) checkResumes(arguments);
     return {.columns = std::move(outputs.columns),

@@ -5,6 +5,7 @@
 #include "app/command.h"
 #include "app/interruption.h"
 #include "app/method_options.h"
+#include "app/output_file.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/row_options.h"
@@ -42,12 +43,7 @@ RunFiles filesOf(const Arguments& arguments) {
         files.units = OutputUnits::dimensionless;
     }
     files.plots = plotFormats(arguments);
-    if (files.directory.empty())
-        for (const char* option : {"plots", "si", "dimensionless", "force"})
-            if (arguments.has(option))
-                throw CommandError(ExitCode::usage,
-                                   Message(translatable("%1 is about files; add -o %2 to say where they go"),
-                                           {std::string("--") + option, std::string("DIR")}));
+    checkAboutFiles(arguments, {"plots", "si", "dimensionless", "force", "decimal-comma"}, "DIR");
     return files;
 }
 
@@ -143,7 +139,7 @@ std::vector<OptionSpec> runOptions() {
           OptionSpec{"plots", "png,svg,pdf", "with -o, also plots in these formats"},
           OptionSpec{"si", "", "with -o, CSV columns in SI, as they are where the scenario has units"},
           OptionSpec{"dimensionless", "", "with -o, CSV columns dimensionless all the same"},
-          OptionSpec{"force", "", "overwrite existing files"}})
+          OptionSpec{"force", "", "overwrite existing files"}, decimalCommaSpec()})
         options.push_back(option);
     return options;
 }

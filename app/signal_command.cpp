@@ -32,18 +32,12 @@ void writeSignal(const Arguments& arguments, const NamedReading& record, Overwri
     const std::string path = *arguments.value("o");
     checkOutputIsNone(path, arguments.operands());
     OutputFile file(path, overwrite);
-    file.write(signalCsv(record.reading, arguments.has("decimal-comma") ? CsvSigns::commaAndSemicolon
-                                                                        : CsvSigns::pointAndComma));
+    file.write(signalCsv(record.reading));
     file.commit();
 }
 
 void checkSignalOptions(const Arguments& arguments) {
-    if (!arguments.has("o"))
-        for (const char* option : {"force", "decimal-comma"})
-            if (arguments.has(option))
-                throw CommandError(ExitCode::usage,
-                                   Message(translatable("%1 is about the file of -o; add -o FILE.csv"),
-                                           {std::string("--") + option}));
+    checkAboutFiles(arguments, {"force", "decimal-comma"}, "FILE.csv");
     if (arguments.has("o") && arguments.operands().size() > 1)
         throw CommandError(ExitCode::usage, translatable("-o takes one record; give one FILE"));
     arguments.checkOnePrinted();
@@ -117,7 +111,7 @@ const Command& signalCommand() {
                 specs.push_back({"save-recorder", "NAME", "keep these options under a name for --recorder"});
                 specs.push_back({"json", "", "Print JSON, of several FILEs an array"});
                 specs.push_back({"o", "FILE.csv", "Write the signal as read: time [us],force [kN]"});
-                specs.push_back({"decimal-comma", "", "Write semicolons and decimal commas"});
+                specs.push_back(decimalCommaSpec());
                 specs.push_back({"force", "", "Overwrite FILE.csv"});
                 return specs;
             }(),

@@ -2,6 +2,7 @@
 // drillwave stability
 #include "app/command.h"
 #include "app/interruption.h"
+#include "app/output_file.h"
 #include "app/output_folder.h"
 #include "app/progress_bar.h"
 #include "app/study_plots.h"
@@ -37,7 +38,7 @@ ExitCode runStability(const Arguments& arguments, const Drawing* drawing) {
     const double runTime = watch.seconds();
     interruption.check();
     if (directory == "-") {
-        printText(stabilityCsv(report));
+        printText(inCsvSigns(stabilityCsv(report)));
         return endOf(report);
     }
     if (inFolder) {
@@ -75,7 +76,8 @@ const Command& stabilityCommand() {
         .options = {{"json", "", "print one JSON object with all cases"},
                     {"o", "DIR", "write stability.csv into this folder; - prints it instead of the summary"},
                     plotsOptionSpec(),
-                    {"force", "", "overwrite an existing file"}},
+                    {"force", "", "overwrite an existing file"},
+                    decimalCommaSpec()},
         .leastOperands = 0,
         .mostOperands = 0,
         .draws = asksForPlots,

@@ -102,8 +102,7 @@ ExitCode runThrust(const Arguments& arguments, const Drawing* drawing) {
     if (csvPath && !axis)
         throw CommandError(ExitCode::usage,
                            translatable("-o writes the table of --along; add --along KEY=START:STOP"));
-    if (arguments.has("force") && !csvPath)
-        throw CommandError(ExitCode::usage, translatable("--force is about the file of -o; add -o FILE.csv"));
+    checkAboutFiles(arguments, {"force", "decimal-comma"}, "FILE.csv");
     arguments.checkOnePrinted();
     const StudyPlots plots = StudyPlots::besideFile(arguments);
     const int jobs = jobsOf(arguments);
@@ -189,7 +188,8 @@ const Command& thrustCommand() {
                                     {"json", "", "print one JSON object in place of the tables"},
                                     {"o", "FILE.csv", "also write the table of --along; - prints it instead"},
                                     plotsOptionSpec(),
-                                    {"force", "", "overwrite an existing file"}}),
+                                    {"force", "", "overwrite an existing file"},
+                                    decimalCommaSpec()}),
         .leastOperands = 1,
         .mostOperands = 1,
         .draws = asksForPlots,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/archive/study_files.h"
 
+#include <algorithm>
 #include <filesystem>
 
 #include "core/archive/picture_formats.h"
@@ -36,6 +37,13 @@ bool bears(const std::string& path, std::string_view mark) {
     return start.find(mark) != std::string::npos || start.find(inTwoBytes(mark)) != std::string::npos;
 }
 
+/// Returns whether CSV begins with these headers, whatever its separator is.
+bool beginsAs(const std::string& path, std::string_view headers) {
+    std::string start = startOf(path).substr(0, headers.size());
+    std::ranges::replace(start, ';', ',');
+    return start == headers;
+}
+
 bool isReportPage(const std::string& path) {
     return !reportRecord(startOf(path)).empty();
 }
@@ -66,9 +74,8 @@ std::vector<std::string> studyFilesThere(const std::string& folder, const std::s
         if (isThere(path) && isOurs(path)) names.push_back(name);
     };
     add(recordName(file), [](const std::string& path) { return startOf(path).starts_with(rowRecordKey); });
-    add(contoursName(file),
-        [](const std::string& path) { return startOf(path).starts_with(contoursCsvBegin); });
-    add(goalName(file), [](const std::string& path) { return startOf(path).starts_with(goalCsvBegin); });
+    add(contoursName(file), [](const std::string& path) { return beginsAs(path, contoursCsvBegin); });
+    add(goalName(file), [](const std::string& path) { return beginsAs(path, goalCsvBegin); });
     const std::vector<std::string> pictures = picturesThere(folder, studyStem(file), studyPictureMark);
     names.insert(names.end(), pictures.begin(), pictures.end());
     return names;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/report/design_json.h"
+#include "core/report/design_report.h"
 
 #include <cmath>
 

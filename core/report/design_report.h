@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A study of designs with all that is reported about it.
+// A study of designs with what is reported about it: text, JSON and CSV.
 #pragma once
 
 #include <string>
 
 #include "core/study/design/design_study.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
@@ -15,5 +16,21 @@ struct DesignReport {
     std::string scenarioText;  ///< gives the same base again
     double runTime = 0;        ///< [s]
 };
+
+/// Returns what was varied, the best designs, ties, Pareto set, indices, worst cases and remarks, in this
+/// order.
+std::string designText(const DesignReport& report, const ReadingStyle& style = plainStyle());
+
+/// Returns one JSON object, SI or dimensionless as the scenario is.
+std::string designJson(const DesignReport& report);
+
+/// Return a row for each design, or for those of the Pareto set only. The columns of the choices, and what
+/// keeps the energy, set a design again.
+std::string designsCsv(const DesignReport& report);
+std::string paretoCsv(const DesignReport& report);
+/// A row for each output and uncertain number.
+std::string sensitivityCsv(const DesignReport& report);
+/// A row for each aim, its keys first: a table of cases of the base.
+std::string worstCsv(const DesignReport& report);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What reports of a sequence of blows have in common: columns, units, sentences.
+// Sequences of blows with what is reported about them: columns, units, sentences, text, JSON and CSV.
 #pragma once
 
 #include <optional>
@@ -55,5 +55,10 @@ std::vector<std::string> drillingHeaders(const DrillingResult& result, OutputUni
 std::string drillingCsv(const DrillingReport& report, OutputUnits units);
 /// The blows that are told in full, instant by instant.
 std::string drillingHistoriesCsv(const DrillingReport& report, OutputUnits units);
+
+/// Returns statements on the feed, spreads of gap, penetration, impulse and force, whether the motion
+/// repeats, energy and balances, alerts.
+std::string drillingText(const DrillingReport& report, OutputUnits units,
+                         const ReadingStyle& style = plainStyle());
 
 }  // namespace drillwave

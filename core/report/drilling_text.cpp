@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/report/drilling_text.h"
+#include "core/report/drilling_report.h"
 
 #include <algorithm>
 #include <cmath>

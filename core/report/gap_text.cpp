@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/report/gap_text.h"
+#include "core/report/gap_report.h"
 
 #include <algorithm>
 

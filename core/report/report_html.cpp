@@ -10,7 +10,7 @@
 #include "core/model/version.h"
 #include "core/report/alert_words.h"
 #include "core/report/feed_words.h"
-#include "core/report/gap_text.h"
+#include "core/report/gap_report.h"
 #include "core/report/html_text.h"
 #include "core/report/paper_text.h"
 #include "core/report/report_numbers.h"

@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 
+#include "core/report/report_table.h"
 #include "core/signal/signal_option.h"
 #include "core/text/text_layout.h"
 #include "core/text/units.h"
@@ -263,21 +264,16 @@ JsonObject signalJson(const NamedReading& record) {
         {"remarks", jsonArray(codesOf(reading))}};
 }
 
-std::string signalCsv(const SignalReading& reading, CsvSigns signs) {
-    const bool commas = signs == CsvSigns::commaAndSemicolon;
-    std::string text = commas ? "time [us];force [kN]\n" : "time [us],force [kN]\n";
+std::string signalCsv(const SignalReading& reading) {
     const double start = reading.blow.start - reading.blow.points.front().time;
     const Unit& us = *findUnit(Quantity::time, "us");
     const Unit& kN = *findUnit(Quantity::force, "kN");
     constexpr int digits = 12;  // what shifting the times adds is rounded away
-    for (const TablePoint& point : reading.blow.points) {
-        std::string line = rounded(us.fromSi(start + point.time), digits);
-        line += commas ? ';' : ',';
-        line += formatNumber(kN.fromSi(point.force));
-        if (commas) std::ranges::replace(line, '.', ',');
-        text += line + "\n";
-    }
-    return text;
+    const auto& points = reading.blow.points;
+    return csvText({{"time [us]", "force [kN]"}, points.size(), [&](std::size_t row) {
+                        return Cells{rounded(us.fromSi(start + points[row].time), digits),
+                                     formatNumber(kN.fromSi(points[row].force))};
+                    }});
 }
 
 }  // namespace drillwave

@@ -26,9 +26,7 @@ std::string signalSeriesText(std::span<const NamedReading> records, const Readin
 /// The object of one record.
 JsonObject signalJson(const NamedReading& record);
 
-enum class CsvSigns { pointAndComma, commaAndSemicolon };
-
-/// "time [us],force [kN]", or with semicolons and decimal commas. Requires a reading without questions.
-std::string signalCsv(const SignalReading& reading, CsvSigns signs);
+/// Returns the blow as CSV, "time [us],force [kN]". Requires a reading without questions.
+std::string signalCsv(const SignalReading& reading);
 
 }  // namespace drillwave

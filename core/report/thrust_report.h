@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What blows require of the feed, with all that is reported about it: text and JSON.
+// What blows require of the feed, with all that is reported about it: text, JSON and CSV.
 #pragma once
 
 #include <optional>
@@ -9,11 +9,18 @@
 
 #include "core/model/scenario.h"
 #include "core/report/report_text.h"
-#include "core/report/thrust_csv.h"
+#include "core/study/rows/sweep_axis.h"
+#include "core/study/thrust/thrust_curve.h"
 #include "core/study/thrust/thrust_study.h"
 #include "core/text/message.h"
 
 namespace drillwave {
+
+/// A parameter, its values, and the needs at each.
+struct ThrustAlong {
+    SweepAxis axis;
+    ThrustCurve curve;
+};
 
 /// All that is reported.
 struct ThrustReport {
@@ -39,5 +46,18 @@ std::string thrustText(const ThrustReport& report, const ReadingStyle& style = p
 
 /// One JSON object, SI.
 std::string thrustJson(const ThrustReport& report);
+
+/// Points of a range for which no number was given.
+inline constexpr std::uint64_t customaryThrustPoints = 101;
+/// Points that may be asked for.
+inline constexpr std::uint64_t mostThrustPoints = 10'000;
+
+/// All values of the axis, SI.
+std::vector<double> valuesOf(const SweepAxis& axis);
+
+/// One row for each point: the parameter in the unit of its axis; of each case f I0 (1+e) and, `_undamped`,
+/// f I0 (1+2e) [N]; then the effective force, the margin over the largest need, the gap at the blow by the e
+/// of the blow [m], n_b and the verdict. Where something is not known, its cell is empty.
+std::string thrustCsv(const ThrustAlong& along);
 
 }  // namespace drillwave

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/text/csv.h"
 
+#include <algorithm>
+#include <charconv>
+
 namespace drillwave {
 namespace {
 
@@ -133,6 +136,51 @@ std::string csvCell(std::string_view text) {
     std::string quoted = "\"";
     for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
     return quoted + "\"";
+}
+
+namespace {
+
+/// Takes the first cell off the text, with its quotes.
+std::string_view takeCell(std::string_view& text) {
+    bool isQuoted = false;  // a doubled quote ends the quotation and begins it again
+    std::size_t end = 0;
+    for (; end < text.size() && (isQuoted || (text[end] != ',' && text[end] != '\n')); ++end)
+        if (text[end] == '"') isQuoted = !isQuoted;
+    const std::string_view cell = text.substr(0, end);
+    text.remove_prefix(end);
+    return cell;
+}
+
+bool isNumber(std::string_view cell) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(cell.data(), cell.data() + cell.size(), number);
+    return error == std::errc() && end == cell.data() + cell.size();
+}
+
+}  // namespace
+
+std::string CsvInSigns::text(std::string_view lines) {
+    if (m_signs == CsvSigns::pointAndComma) return std::string(lines);
+    std::string rewritten;
+    while (!lines.empty()) {
+        if (!m_isBehindHeader && lines.starts_with('#')) {
+            const std::size_t end = std::min(lines.find('\n'), lines.size() - 1) + 1;
+            rewritten += lines.substr(0, end);
+            lines.remove_prefix(end);
+            continue;
+        }
+        const std::string_view cell = takeCell(lines);
+        const std::size_t begin = rewritten.size();
+        const bool isToBeQuoted = cell.find(';') != cell.npos && !cell.starts_with('"');
+        rewritten += isToBeQuoted ? '"' + std::string(cell) + '"' : std::string(cell);
+        if (isNumber(cell))
+            std::replace(rewritten.begin() + std::ptrdiff_t(begin), rewritten.end(), '.', ',');
+        if (lines.empty()) break;
+        m_isBehindHeader |= lines.front() == '\n';
+        rewritten += lines.front() == ',' ? ';' : lines.front();
+        lines.remove_prefix(1);
+    }
+    return rewritten;
 }
 
 CsvReader::CsvReader(std::istream& in, std::size_t maximumRecordBytes, char separator)

@@ -15,6 +15,23 @@ namespace drillwave {
 /// A cell quoted where RFC 4180 needs it.
 std::string csvCell(std::string_view text);
 
+/// Separator and decimal sign: "," and ".", or ";" and "," as spreadsheets of many countries read them.
+enum class CsvSigns { pointAndComma, commaAndSemicolon };
+
+/// Rewrites CSV in other signs, piece by piece. Words stay as they are; lines that begin with '#' do so
+/// before the header.
+class CsvInSigns {
+  public:
+    explicit CsvInSigns(CsvSigns signs) : m_signs(signs) {}
+
+    /// Returns whole lines, with ',' and '.', in the signs.
+    std::string text(std::string_view lines);
+
+  private:
+    CsvSigns m_signs;
+    bool m_isBehindHeader = false;
+};
+
 /// One record without the line end, split into unquoted cells; empty `problem` when well formed.
 struct CsvRecord {
     std::vector<std::string> cells;

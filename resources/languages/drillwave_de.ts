@@ -9509,10 +9509,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>keine Anzeige für das Fenster; `drillwave run FILE` nehmen (siehe --help), oder `drillwave -platform offscreen`</translation>
     </message>
     <message>
-        <source>--force is about the files of -o; add -o FILE.csv or -o DIR</source>
-        <translation>--force gilt für die Dateien von -o; -o FILE.csv oder -o DIR hinzufügen</translation>
-    </message>
-    <message>
         <source>--gaps is about a scan; add --scan KEY=START:STOP:COUNT</source>
         <translation>--gaps gilt für einen Durchlauf; --scan KEY=START:STOP:COUNT hinzufügen</translation>
     </message>
@@ -9599,10 +9595,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>--gap-mean needs --gap-deviation, how far gaps scatter about it</source>
         <translation>--gap-mean braucht --gap-deviation, das angibt, wie weit Spalte darum streuen</translation>
-    </message>
-    <message>
-        <source>--si is about the file of -o; add -o FILE.csv</source>
-        <translation>--si gilt für die Datei von -o; -o FILE.csv hinzufügen</translation>
     </message>
     <message>
         <source>is a drill string, and this command solves uniform rods alone (`drillwave: 1`); `drillwave curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap</source>
@@ -11353,10 +11345,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>kein YAML: Diese Zeile ist mit einem Tabulator eingerückt; rücken Sie sie mit Leerzeichen ein</translation>
     </message>
     <message>
-        <source>%1 is about the file of -o; add -o FILE.csv</source>
-        <translation>%1 betrifft die Datei von -o; fügen Sie -o FILE.csv hinzu</translation>
-    </message>
-    <message>
         <source>-o takes one record; give one FILE</source>
         <translation>-o nimmt eine Aufzeichnung; geben Sie eine FILE an</translation>
     </message>
@@ -11567,6 +11555,10 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>%1, but a small disturbance grows</source>
         <translation>%1, aber eine kleine Störung wächst</translation>
+    </message>
+    <message>
+        <source>%1 needs rows with points and commas; leave out --decimal-comma</source>
+        <translation>%1 braucht Zeilen mit Punkten und Kommas; --decimal-comma weglassen</translation>
     </message>
 </context>
 <context>
@@ -15478,12 +15470,12 @@ Befehle, die ein Szenario nehmen, nehmen mit --signal FILE und denselben Optione
         <translation>Das Signal wie gelesen schreiben: time [us],force [kN]</translation>
     </message>
     <message>
-        <source>Write semicolons and decimal commas</source>
-        <translation>Semikolons und Dezimalkommas schreiben</translation>
-    </message>
-    <message>
         <source>Overwrite FILE.csv</source>
         <translation>FILE.csv überschreiben</translation>
+    </message>
+    <message>
+        <source>CSV with semicolons and decimal commas</source>
+        <translation>CSV mit Semikolons und Dezimalkommas</translation>
     </message>
 </context>
 </TS>

@@ -9509,10 +9509,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>ingen bildskärm att öppna fönstret på; använd `drillwave run FILE` (se --help) eller `drillwave -platform offscreen`</translation>
     </message>
     <message>
-        <source>--force is about the files of -o; add -o FILE.csv or -o DIR</source>
-        <translation>--force gäller filerna från -o; lägg till -o FILE.csv eller -o DIR</translation>
-    </message>
-    <message>
         <source>--gaps is about a scan; add --scan KEY=START:STOP:COUNT</source>
         <translation>--gaps gäller ett svep; lägg till --scan KEY=START:STOP:COUNT</translation>
     </message>
@@ -9599,10 +9595,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>--gap-mean needs --gap-deviation, how far gaps scatter about it</source>
         <translation>--gap-mean behöver --gap-deviation, hur mycket spalterna sprider sig kring medelvärdet</translation>
-    </message>
-    <message>
-        <source>--si is about the file of -o; add -o FILE.csv</source>
-        <translation>--si gäller filen från -o; lägg till -o FILE.csv</translation>
     </message>
     <message>
         <source>is a drill string, and this command solves uniform rods alone (`drillwave: 1`); `drillwave curve FILE --along bit_rock.gap=0mm:2mm` follows a string along its gap</source>
@@ -11353,10 +11345,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>inte YAML: raden är indragen med en tabb; dra in den med blanksteg</translation>
     </message>
     <message>
-        <source>%1 is about the file of -o; add -o FILE.csv</source>
-        <translation>%1 gäller filen för -o; lägg till -o FILE.csv</translation>
-    </message>
-    <message>
         <source>-o takes one record; give one FILE</source>
         <translation>-o tar en mätning; ange en FILE</translation>
     </message>
@@ -11567,6 +11555,10 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>%1, but a small disturbance grows</source>
         <translation>%1, men en liten störning växer</translation>
+    </message>
+    <message>
+        <source>%1 needs rows with points and commas; leave out --decimal-comma</source>
+        <translation>%1 kräver rader med punkter och kommatecken; utelämna --decimal-comma</translation>
     </message>
 </context>
 <context>
@@ -15468,12 +15460,12 @@ Kommandon som tar ett scenario tar ett slag från en mätning med --signal FILE 
         <translation>skriv signalen som den lästes: time [us],force [kN]</translation>
     </message>
     <message>
-        <source>Write semicolons and decimal commas</source>
-        <translation>skriv semikolon och decimalkomma</translation>
-    </message>
-    <message>
         <source>Overwrite FILE.csv</source>
         <translation>skriv över FILE.csv</translation>
+    </message>
+    <message>
+        <source>CSV with semicolons and decimal commas</source>
+        <translation>CSV med semikolon och decimalkomma</translation>
     </message>
 </context>
 </TS>

@@ -263,7 +263,8 @@ void TestCurves::whatIsWrongIsSaid_data() {
     add("downwards below zero by ratios", {"--along", "delta=1:0:log"}, 2, "must begin and end above 0");
     add("a goal on standard output", {"--along", "beta=1:2", "--goal", "1", "-o", "-"}, 2,
         "--goal has no place");
-    add("force without a file", {"--along", "beta=1:2", "--force"}, 2, "--force is about the file of -o");
+    add("force without a file", {"--along", "beta=1:2", "--force"}, 2,
+        "--force is about files; add -o FILE.csv");
 }
 
 void TestCurves::whatIsWrongIsSaid() {

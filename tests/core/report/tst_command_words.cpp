@@ -7,7 +7,7 @@
 #include "core/report/accuracy_report.h"
 #include "core/report/blow_text.h"
 #include "core/report/curve_text.h"
-#include "core/report/gap_text.h"
+#include "core/report/gap_report.h"
 #include "core/report/stability_report.h"
 #include "core/study/thrust/thrust_margins.h"
 #include "core/text/language_style.h"

@@ -3,9 +3,9 @@
 // every number has the decimal sign of the language.
 #include <QTest>
 
-#include "core/report/design_text.h"
+#include "core/report/design_report.h"
+#include "core/report/drilling_report.h"
 #include "core/report/drilling_scan_report.h"
-#include "core/report/drilling_text.h"
 #include "core/report/map_report.h"
 #include "core/report/thrust_report.h"
 #include "core/yaml/examples.h"

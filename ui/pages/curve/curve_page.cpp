@@ -10,7 +10,7 @@
 #include "core/model/section_choice.h"
 #include "core/model/section_parameter.h"
 #include "core/numeric/available_threads.h"
-#include "core/report/curve_csv.h"
+#include "core/report/curve_report.h"
 #include "ui/form/choice_box.h"
 #include "ui/pages/curve/curve_plot.h"
 #include "ui/pages/curve/goal_field.h"

@@ -12,7 +12,7 @@
 #include "core/archive/result_scenario.h"
 #include "core/model/blow_traits.h"
 #include "core/model/scales.h"
-#include "core/report/design_csv.h"
+#include "core/report/design_report.h"
 #include "core/report/design_words.h"
 #include "core/study/design/constant_energy.h"
 #include "core/study/design/design_texts.h"

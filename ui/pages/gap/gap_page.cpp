@@ -7,7 +7,7 @@
 #include "core/archive/result_scenario.h"
 #include "core/model/blow_traits.h"
 #include "core/report/blow_csv.h"
-#include "core/report/gap_json.h"
+#include "core/report/gap_report.h"
 #include "ui/form/choice_box.h"
 #include "ui/pages/gap/gap_plot.h"
 #include "ui/pages/gap/scatter_fields.h"

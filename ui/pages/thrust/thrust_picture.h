@@ -8,7 +8,7 @@
 #include <array>
 #include <optional>
 
-#include "core/report/thrust_csv.h"
+#include "core/report/thrust_report.h"
 #include "ui/plot/graph_data.h"
 
 namespace drillwave {

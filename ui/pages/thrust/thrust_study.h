@@ -4,7 +4,7 @@
 
 #include <memory>
 
-#include "core/report/thrust_csv.h"
+#include "core/report/thrust_report.h"
 #include "ui/job/study_job.h"
 #include "ui/pages/study/study_range.h"
 

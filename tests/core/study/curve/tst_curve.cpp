@@ -6,7 +6,7 @@
 #include <random>
 
 #include "core/model/parameter_text.h"
-#include "core/report/curve_csv.h"
+#include "core/report/curve_report.h"
 #include "core/study/curve/curve.h"
 #include "core/study/curve/curve_sampler.h"
 #include "core/text/units.h"

@@ -11,8 +11,7 @@
 #include <sstream>
 
 #include "core/model/parameter.h"
-#include "core/report/design_json.h"
-#include "core/report/design_text.h"
+#include "core/report/design_report.h"
 #include "core/report/design_words.h"
 #include "core/study/design/constant_energy.h"
 #include "core/study/design/design_check.h"

@@ -11,7 +11,7 @@
 #include <QTest>
 
 #include "core/model/section_choice.h"
-#include "core/report/curve_csv.h"
+#include "core/report/curve_report.h"
 #include "core/yaml/examples.h"
 #include "tests/support/curve_page_fixture.h"
 #include "ui/pages/curve/curve_page.h"
