@@ -12,9 +12,13 @@ StudyActivity::StudyActivity(QObject* parent) : QObject(parent) {
     });
 }
 
-void StudyActivity::startTime() {
+void StudyActivity::endTime() {
     m_isOutOfTime = false;
     m_time.stop();
+}
+
+void StudyActivity::startTime() {
+    endTime();
     if (m_limit.count() > 0) m_time.start(m_limit);
 }
 

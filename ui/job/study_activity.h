@@ -57,6 +57,8 @@ class StudyActivity : public QObject {
   protected:
     /// Begins the time of a study that starts.
     void startTime();
+    /// Lets a study that is resumed take the time it needs.
+    void endTime();
 
     StudyState m_state = StudyState::idle;
     StudyProgress m_progress;

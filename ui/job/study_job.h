@@ -90,7 +90,9 @@ void StudyJob<Value>::submit(Study study) {
 
 template <class Value>
 void StudyJob<Value>::resume() {
-    if (m_state == StudyState::stopped) start();
+    if (m_state != StudyState::stopped) return;
+    endTime();
+    start();
 }
 
 template <class Value>

@@ -53,6 +53,7 @@ class TestStudyJob : public QObject {
     void whatAnEarlierStudyShowsIsNotCurrent();
     void aCancelledStudyKeepsWhatItHasShown();
     void aStudyStopsWhenItsTimeIsOverUnlessItIsResumed();
+    void aStudyResumedEarlyHasNoTimeLimit();
     void aStudyAfterACancelGetsItsValue();
     void whatAStudyThrowsIsItsProblem();
     void aLongStudyIsStoppedWhenANewerOneWaits();
@@ -222,6 +223,23 @@ void TestStudyJob::aStudyStopsWhenItsTimeIsOverUnlessItIsResumed() {
     QVERIFY(!job.isOutOfTime());
     job.cancel();
     QVERIFY(!job.isOutOfTime());
+}
+
+/// Cancelled before its time is over and resumed: what was left of the time does not count any more.
+void TestStudyJob::aStudyResumedEarlyHasNoTimeLimit() {
+    CurveJob job;
+    job.setTimeLimit(std::chrono::milliseconds(200));
+    std::atomic<int> runs = 0;
+    job.submit([&runs](const StudyFeed<Curve>& feed) {
+        if (++runs == 1) untilStopped(feed.stop);
+        QTest::qSleep(400);  // longer than what is left of the time
+        return fine(1);
+    });
+    QTRY_COMPARE(runs.load(), 1);
+    job.cancel();
+    job.resume();
+    QTRY_COMPARE(job.state(), StudyState::finished);
+    QCOMPARE(runs.load(), 2);
 }
 
 void TestStudyJob::aStudyAfterACancelGetsItsValue() {

@@ -68,7 +68,7 @@ class TestStringPage : public QObject, private WindowFixture {
     void adaptersGoToTheShankAndBitsToTheRock();
     void aSectionIsReplacedByAPreset();
     void thePageSaysWhatTheStringIsAndWhatBreaksFirst();
-    void aPageWithoutWavesOffersToRoundTheLengths();
+    void aPageOfThinnedWavesOffersToRoundTheLengths();
     void aRowIsDraggedToItsPlace();
     void aClickInTheDrawingSelectsTheRow();
     void theDrawingIsToScale();
@@ -581,7 +581,7 @@ void TestStringPage::thePageSaysWhatTheStringIsAndWhatBreaksFirst() {
     QVERIFY2(words().startsWith(QStringLiteral("4 rods, 3 couplings, ")), qPrintable(words()));
 }
 
-void TestStringPage::aPageWithoutWavesOffersToRoundTheLengths() {
+void TestStringPage::aPageOfThinnedWavesOffersToRoundTheLengths() {
     part<PageTabs>(window()).setCurrentWidget(&part<BlowPage>(window()));
     settle();
     auto& notice = part<WavesNotice>(window());
@@ -591,13 +591,14 @@ void TestStringPage::aPageWithoutWavesOffersToRoundTheLengths() {
     scenario.drillString.parts[1].repeat = 5;
     QCOMPARE(document().useScenario(scenario, QStringLiteral("odd")), QString());
     settle();
-    QVERIFY(!window().shown()->impact.waves);
+    QVERIFY(window().shown()->impact.waves);
+    QVERIFY(window().shown()->impact.wavesDifference);
     QVERIFY(!notice.isHidden());
     QVERIFY2(notice.text().contains(QStringLiteral("hammer 1: 0.517")), qPrintable(notice.text()));
     notice.findChild<QPushButton*>(QStringLiteral("roundLengths"))->click();
     settle();
     QVERIFY(notice.isHidden());
-    QVERIFY(window().shown()->impact.waves);
+    QVERIFY(!window().shown()->impact.wavesDifference);
     QCOMPARE(undoText(), QStringLiteral("round the lengths"));
 }
 
