@@ -3,6 +3,7 @@
 
 #include <filesystem>
 
+#include "app/output_file.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "core/archive/study_files.h"
@@ -19,7 +20,7 @@ void checkDrillRows(const std::string& file, const Arguments& arguments, const S
 }
 
 NamedFile drillRecordBeside(const std::string& file, RowRecord record, std::string_view rows) {
-    record.file = sumOf(rows);
+    record.file = sumOf(inCsvSigns(rows));  // as the file is written
     return {recordName(std::filesystem::path(file).filename().string()), recordText(record)};
 }
 

@@ -6,6 +6,7 @@
 #include <QTemporaryDir>
 #include <sstream>
 
+#include "core/disk/file_sum.h"
 #include "core/text/csv.h"
 #include "tests/support/files.h"
 #include "tests/support/program.h"
@@ -49,6 +50,7 @@ class TestDecimalComma : public QObject {
     void everyTableIsTheSameInOtherSigns_data();
     void everyTableIsTheSameInOtherSigns();
     void partsAndKeptRowsHavePoints();
+    void recordsAreOfTheFileAsWritten();
     void withoutAFileItIsRefused();
     void signsOfTextsAreRewrittenPieceByPiece();
 };
@@ -106,6 +108,17 @@ void TestDecimalComma::partsAndKeptRowsHavePoints() {
         QCOMPARE(refused.exitCode, 2);
         QVERIFY2(refused.error.contains("leave out --decimal-comma"), refused.error.constData());
     }
+}
+
+/// A record has the checksum of the file beside it, whatever its signs are.
+void TestDecimalComma::recordsAreOfTheFileAsWritten() {
+    const QTemporaryDir folder;
+    const QString out = folder.filePath("blows.csv");
+    const Finished finished =
+        run({"drill", "t38_medium_rock", "--blows", "20", "--settle", "5", "--decimal-comma", "-o", out});
+    QCOMPARE(finished.exitCode, 0);
+    const std::string sum = "crc32: \"" + sumOf(read(out).toStdString()).checksum() + "\"";
+    QVERIFY2(read(out + ".yaml").contains(sum.c_str()), read(out + ".yaml"));
 }
 
 void TestDecimalComma::withoutAFileItIsRefused() {
