@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command.h"
 
-#include <array>
 #include <filesystem>
 
 #include "app/output_file.h"
+#include "app/study_command.h"
 #include "core/disk/whole_file.h"
+#include "core/report/study.h"
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
@@ -21,11 +22,20 @@ bool isLinkToFile(const std::string& path) {
 }  // namespace
 
 std::span<const Command* const> commands() {
-    static const std::array all{
-        &runCommand(),      &sweepCommand(),    &tableCommand(),   &curveCommand(),    &mapCommand(),
-        &joinCommand(),     &gapCommand(),      &drillCommand(),   &thrustCommand(),   &designCommand(),
-        &signalCommand(),   &reportCommand(),   &figuresCommand(), &accuracyCommand(), &stabilityCommand(),
-        &validateCommand(), &examplesCommand(), &presetsCommand()};
+    static const std::vector<Command> ofStudies = [] {
+        std::vector<Command> made;
+        for (const Study* study : studies()) made.push_back(studyCommand(*study));
+        return made;
+    }();
+    static const std::vector<const Command*> all = [] {
+        std::vector<const Command*> list{&runCommand(),   &sweepCommand(), &tableCommand(),
+                                         &curveCommand(), &mapCommand(),   &joinCommand()};
+        for (const Command& command : ofStudies) list.push_back(&command);
+        list.insert(list.end(), {&drillCommand(), &thrustCommand(), &designCommand(), &signalCommand(),
+                                 &reportCommand(), &figuresCommand(), &accuracyCommand(), &stabilityCommand(),
+                                 &validateCommand(), &examplesCommand(), &presetsCommand()});
+        return list;
+    }();
     return all;
 }
 

@@ -2,6 +2,7 @@
 // The subcommands of the program.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -26,7 +27,7 @@ struct Command {
     /// Whether these arguments ask for pictures.
     bool (*draws)(const Arguments&);
     /// Does the work; there is a drawing where the arguments ask for one. Throws CommandError.
-    ExitCode (*run)(const Arguments&, const Drawing* drawing);
+    std::function<ExitCode(const Arguments&, const Drawing* drawing)> run;
 };
 
 const Command& runCommand();
@@ -35,7 +36,6 @@ const Command& tableCommand();
 const Command& curveCommand();
 const Command& mapCommand();
 const Command& drillCommand();
-const Command& gapCommand();
 const Command& thrustCommand();
 const Command& designCommand();
 const Command& signalCommand();

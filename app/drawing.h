@@ -22,19 +22,19 @@ struct CurveReport;
 struct DesignReport;
 struct DrillingReport;
 struct DrillingScanReport;
-struct GapReport;
 struct MapReport;
 struct StabilityReport;
 struct StringAccuracy;
 struct SweepRows;
 struct ThrustReport;
+class StudyAnswer;
 
 /// What a study has found. One that can be drawn has its line here, and its drawStudy() in
 /// ui/export/study_pictures.h.
 using StudyValue =
     std::variant<const Accuracy*, const StabilityReport*, const CurveReport*, const DesignReport*,
-                 const DrillingReport*, const DrillingScanReport*, const GapReport*, const MapReport*,
-                 const StringAccuracy*, const SweepRows*, const ThrustReport*>;
+                 const DrillingReport*, const DrillingScanReport*, const MapReport*, const StringAccuracy*,
+                 const StudyAnswer*, const SweepRows*, const ThrustReport*>;
 
 /// Draws in the language of the command, numbers too; what it draws with is another program's matter
 /// (desktop.h). All of them throw CommandError (unwritable output) where something could not be drawn, and

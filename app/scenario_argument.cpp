@@ -132,10 +132,10 @@ void printRemark(const Message& remark, const ReadingStyle& style) {
     std::fprintf(stderr, "%s\n", printable(style.said(remark)).c_str());
 }
 
-std::vector<OptionSpec> scenarioOptions(std::initializer_list<OptionSpec> own) {
+std::vector<OptionSpec> scenarioOptions(const std::vector<OptionSpec>& own) {
     std::vector<OptionSpec> options{setOption};
     for (const OptionSpec& option : presetOptionSpecs()) options.push_back(option);
-    options.insert(options.end(), own);
+    options.insert(options.end(), own.begin(), own.end());
     for (const OptionSpec& option : recordOptionSpecs()) options.push_back(option);
     return options;
 }

@@ -2,7 +2,6 @@
 // The scenario that a command line names.
 #pragma once
 
-#include <initializer_list>
 #include <span>
 #include <string>
 #include <string_view>
@@ -19,7 +18,7 @@ inline constexpr OptionSpec setOption{"set", "KEY=VALUE", "change parameters, e.
                                       OptionSpec::Times::list};
 
 /// The options of a command that takes a scenario: --set and the presets, then those of its own.
-std::vector<OptionSpec> scenarioOptions(std::initializer_list<OptionSpec> own = {});
+std::vector<OptionSpec> scenarioOptions(const std::vector<OptionSpec>& own = {});
 
 /// What FILE may be, for the help.
 inline constexpr std::string_view scenarioOperandHelp =

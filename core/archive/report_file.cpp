@@ -305,7 +305,6 @@ BlowReport reportOn(const ScenarioDocument& document, const std::stop_token& sto
     report.inputs = inputsOf(document.scenario, report.scenarioText);
     report.sections = sectionsOf(document.scenario, report.scenarioText);
     if (report.thrust) report.thrust->scenarioText = report.scenarioText;
-    if (report.gap) report.gap->scenarioText = report.scenarioText;
     return report;
 }
 

@@ -61,9 +61,9 @@ void addThrust(BlowReport& report, const std::stop_token& stop, const GapProgres
 }
 
 void addGap(BlowReport& report, const std::stop_token& stop, const GapProgress& progress) {
-    GapReport gap = studyGap(report.blow.scenario, std::nullopt, stop, progress, mostPiecesInPassing);
+    GapStudy gap = studyGap(report.blow.scenario, std::nullopt, stop, progress, mostPiecesInPassing);
     if (!gap.curve.dependsOnGap)
-        report.gapProblem = gap.periodRemark();
+        report.gapProblem = periodRemark(gap);
     else if (gap.curve.isComplete())
         report.gap = std::move(gap);
     else if (gap.curve.reason == tooManyPieces)

@@ -65,7 +65,7 @@ struct BlowReport {
     std::vector<Message> recordRemarks = {};    ///< on the quality of a measured blow
     std::vector<ReportInput> inputs;            ///< in the order of a file
     std::vector<ReportSection> sections;        ///< of hammer and string, likewise; none of a uniform rod
-    std::optional<GapReport> gap;               ///< where e depends on the gap and is known at all gaps
+    std::optional<GapStudy> gap;                ///< where e depends on the gap and is known at all gaps
     Message gapProblem;                         ///< why not, in a sentence, else empty; empty of a string
     std::optional<ThrustReport> thrust;         ///< with study and curve, where blows have a frequency
     Message thrustProblem;                      ///< why not, likewise

@@ -10,7 +10,8 @@
 
 namespace drillwave {
 
-Message GapReport::periodRemark(const ReadingStyle& style) const {
+Message periodRemark(const GapStudy& study, const ReadingStyle& style) {
+    const GapCurve& curve = study.curve;
     if (!curve.dependsOnGap)
         return translatable(
             "The reference case does not depend on the gap: it only shifts the time of contact.");
@@ -67,14 +68,14 @@ JsonObject uniformJson(const GapStatistics& statistics) {
     return object;
 }
 
-Json normalJson(const GapReport& report) {
-    if (!report.normal) return Json();
-    JsonObject object{{"mean", report.normal->mean},
-                      {"deviation", report.normal->deviation},
+Json normalJson(const GapStudy& study) {
+    if (!study.normal) return Json();
+    JsonObject object{{"mean", study.normal->mean},
+                      {"deviation", study.normal->deviation},
                       {"cut_off_below", 0},
-                      {"share_above_one", json(*report.statistics.normalShareAboveOne)}};
+                      {"share_above_one", json(*study.statistics.normalShareAboveOne)}};
     for (const NamedOutput& named : namedOutputs)
-        object[named.name] = json(*report.statistics.of(named.output).normal, named.plus);
+        object[named.name] = json(*study.statistics.of(named.output).normal, named.plus);
     return object;
 }
 
@@ -100,44 +101,44 @@ JsonArray kinksJson(const GapStatistics& statistics) {
 
 }  // namespace
 
-std::string gapJson(const GapReport& report) {
+std::string gapJson(const GapStudy& study, const std::string& scenarioText) {
     JsonObject units;
-    if (hasUnits(report.scenario))
+    if (hasUnits(study.scenario))
         units = {{"gap", unitJson(Quantity::length)},
                  {"impulse", unitJson(Quantity::impulse)},
                  {"peak_force", unitJson(Quantity::force)}};
-    JsonObject object = headJson({.scenario = report.scenario,
-                                  .scenarioText = report.scenarioText,
+    JsonObject object = headJson({.scenario = study.scenario,
+                                  .scenarioText = scenarioText,
                                   .method = MethodChoice{},
                                   .units = units,
-                                  .runTime = report.runTime});
-    object["depends_on_gap"] = report.curve.dependsOnGap;
-    object["period"] = JsonObject{{"start", report.curve.periodStart}, {"end", report.curve.end}};
-    object["remark"] = report.periodRemark().text();
-    object["uniform"] = uniformJson(report.statistics);
-    object["normal"] = normalJson(report);
-    object["crossings"] = crossingsJson(report.statistics);
-    object["kinks"] = kinksJson(report.statistics);
-    object["solves"] = report.curve.solves;
-    object["solver_error"] = report.curve.solverError;
-    object["unsolved"] = report.curve.unsolved;
-    if (hasUnits(report.scenario)) {
-        const Scales scales = scalesOf(report.scenario);
+                                  .runTime = study.runTime});
+    object["depends_on_gap"] = study.curve.dependsOnGap;
+    object["period"] = JsonObject{{"start", study.curve.periodStart}, {"end", study.curve.end}};
+    object["remark"] = periodRemark(study).text();
+    object["uniform"] = uniformJson(study.statistics);
+    object["normal"] = normalJson(study);
+    object["crossings"] = crossingsJson(study.statistics);
+    object["kinks"] = kinksJson(study.statistics);
+    object["solves"] = study.curve.solves;
+    object["solver_error"] = study.curve.solverError;
+    object["unsolved"] = study.curve.unsolved;
+    if (hasUnits(study.scenario)) {
+        const Scales scales = scalesOf(study.scenario);
         object["si_scales"] = JsonObject{
             {"gap", scales.penetration}, {"impulse", scales.impulse}, {"peak_force", scales.force}};
     }
     return Json(object).text();
 }
 
-std::string gapCsv(const GapReport& report, OutputUnits units) {
+std::string gapCsv(const GapStudy& study, OutputUnits units) {
     const bool si = units == OutputUnits::si;
-    const Scales scales = si ? scalesOf(report.scenario) : Scales{};
-    const std::vector<double> gaps = sampleGaps(report.curve);
+    const Scales scales = si ? scalesOf(study.scenario) : Scales{};
+    const std::vector<double> gaps = sampleGaps(study.curve);
     ReportTable table{
         .headers = {si ? "bit_rock.gap [m]" : "delta"}, .rows = gaps.size(), .cellsOf = [&](std::size_t row) {
             Cells cells{gaps[row] * scales.penetration};
             for (const NamedOutput& named : namedOutputs)
-                cells.push_back((report.curve.value(named.output, gaps[row]) + named.plus) *
+                cells.push_back((study.curve.value(named.output, gaps[row]) + named.plus) *
                                 findOutput(named.name)->scale(scales));
             return cells;
         }};

@@ -85,8 +85,8 @@ void addSpread(GapTable& table, const SpreadOf& spread, const ReadingStyle& styl
                   [&](GapOutput output) { return spread(output).quantiles[i].value; });
 }
 
-void fill(GapTable& table, const GapReport& report, const ReadingStyle& style) {
-    const GapStatistics& statistics = report.statistics;
+void fill(GapTable& table, const GapStudy& study, const ReadingStyle& style) {
+    const GapStatistics& statistics = study.statistics;
     table.addHeading(translatable("all gaps alike"));
     table.add(translatable("smallest"),
               [&](GapOutput output) { return statistics.of(output).least.value.value; });
@@ -96,10 +96,10 @@ void fill(GapTable& table, const GapReport& report, const ReadingStyle& style) {
     table.addGaps([&](GapOutput output) -> const GapExtreme& { return statistics.of(output).largest; });
     addSpread(
         table, [&](GapOutput output) -> const GapSpread& { return statistics.of(output).uniform; }, style);
-    if (report.normal) {
+    if (study.normal) {
         table.addBlankLine();
         table.addHeading({translatable("gap %1 +- %2"),
-                          {table.gap(report.normal->mean), table.gap(report.normal->deviation)}});
+                          {table.gap(study.normal->mean), table.gap(study.normal->deviation)}});
         addSpread(
             table, [&](GapOutput output) -> const GapSpread& { return *statistics.of(output).normal; },
             style);
@@ -110,11 +110,11 @@ std::string shareOfGaps(double share, const ReadingStyle& style) {
     return style.number(share * 100, 5) + " %";
 }
 
-std::string superRebounds(const GapReport& report, const GapTable& table, const ReadingStyle& style) {
-    const GapStatistics& statistics = report.statistics;
+std::string superRebounds(const GapStudy& study, const GapTable& table, const ReadingStyle& style) {
+    const GapStatistics& statistics = study.statistics;
     std::string text = style.said(
         {translatable("e > 1 at %1 of all gaps"), {shareOfGaps(statistics.shareAboveOne.value, style)}});
-    if (report.normal)
+    if (study.normal)
         text += style.said({translatable(", %1 of the scattered ones"),
                             {shareOfGaps(statistics.normalShareAboveOne->value, style)}});
     for (const GapCrossing& crossing : statistics.crossings)
@@ -125,9 +125,9 @@ std::string superRebounds(const GapReport& report, const GapTable& table, const 
     return text;
 }
 
-std::string kinks(const GapReport& report, const GapTable& table, const ReadingStyle& style) {
+std::string kinks(const GapStudy& study, const GapTable& table, const ReadingStyle& style) {
     std::string text;
-    for (const GapKink& kink : report.statistics.kinks)
+    for (const GapKink& kink : study.statistics.kinks)
         text +=
             (text.empty() ? "" : ", ") + style.said({translatable("%1 (slope %2 to %3 per d0)"),
                                                      {table.gap(kink.gap), style.number(kink.slopeBefore, 3),
@@ -152,40 +152,40 @@ double largestError(const GapStatistics& statistics) {
 
 }  // namespace
 
-TextGrid gapGrid(const GapReport& report, const ReadingStyle& style) {
-    GapTable table(report.scenario, style);
-    fill(table, report, style);
+TextGrid gapGrid(const GapStudy& study, const ReadingStyle& style) {
+    GapTable table(study.scenario, style);
+    fill(table, study, style);
     return table.grid();
 }
 
-std::vector<std::string> gapRemarks(const GapReport& report, const ReadingStyle& style) {
-    const GapTable table(report.scenario, style);
-    std::vector<std::string> remarks{superRebounds(report, table, style)};
-    if (std::string places = kinks(report, table, style); !places.empty())
+std::vector<std::string> gapRemarks(const GapStudy& study, const ReadingStyle& style) {
+    const GapTable table(study.scenario, style);
+    std::vector<std::string> remarks{superRebounds(study, table, style)};
+    if (std::string places = kinks(study, table, style); !places.empty())
         remarks.push_back(std::move(places));
-    if (report.normal)
+    if (study.normal)
         remarks.push_back(style.said(
             translatable("The scattered gap is a normal distribution cut off at no gap: mean and deviation "
                          "are those before the cut.")));
-    remarks.push_back(style.said(
-        {report.curve.solves == 1 ? translatable("Errors below %1, from %2 blow")
-                                  : translatable("Errors below %1, from %2 blows"),
-         {style.number(largestError(report.statistics), 2), std::to_string(report.curve.solves)}}));
+    remarks.push_back(
+        style.said({study.curve.solves == 1 ? translatable("Errors below %1, from %2 blow")
+                                            : translatable("Errors below %1, from %2 blows"),
+                    {style.number(largestError(study.statistics), 2), std::to_string(study.curve.solves)}}));
     return remarks;
 }
 
-std::string gapText(const GapReport& report, const ReadingStyle& style) {
+std::string gapText(const GapStudy& study, const ReadingStyle& style) {
     const auto line = [&](const Message& words) { return "  " + style.said(words) + "\n"; };
-    std::string text = headingOf(report.scenario, style);
-    if (report.curve.dependsOnGap)
-        text += line(hasUnits(report.scenario) ? Message(translatable("The gap has a period of d0 = %1."),
-                                                         {GapTable(report.scenario, style).gap(1)})
-                                               : translatable("The gap has a period of d0."));
-    if (const Message remark = report.periodRemark(style); !remark.isEmpty()) text += line(remark);
-    text += "\n" + gapGrid(report, style).text() + "\n";
-    std::vector<std::string> remarks = gapRemarks(report, style);
+    std::string text = headingOf(study.scenario, style);
+    if (study.curve.dependsOnGap)
+        text += line(hasUnits(study.scenario) ? Message(translatable("The gap has a period of d0 = %1."),
+                                                        {GapTable(study.scenario, style).gap(1)})
+                                              : translatable("The gap has a period of d0."));
+    if (const Message remark = periodRemark(study, style); !remark.isEmpty()) text += line(remark);
+    text += "\n" + gapGrid(study, style).text() + "\n";
+    std::vector<std::string> remarks = gapRemarks(study, style);
     remarks.back() = style.said(
-        {translatable("%1 in %2."), {remarks.back(), style.quantity(report.runTime, Quantity::time, 3)}});
+        {translatable("%1 in %2."), {remarks.back(), style.quantity(study.runTime, Quantity::time, 3)}});
     for (const std::string& remark : remarks) text += "  " + remark + "\n";
     return text;
 }

@@ -379,7 +379,7 @@ class Page {
         if (!gapHasPeriod(blow().scenario)) return {};
         std::string html = heading(translatable("All gaps between bit and rock"));
         if (!m_report.gap) return html + paragraph(sentence(said(m_report.gapProblem)));
-        if (const Message remark = m_report.gap->periodRemark(m_style); !remark.isEmpty())
+        if (const Message remark = periodRemark(*m_report.gap, m_style); !remark.isEmpty())
             html += paragraph(remark);
         html += tableOf("gap", htmlRows(gapGrid(*m_report.gap, m_style).rows()));
         for (const std::string& remark : gapRemarks(*m_report.gap, m_style))

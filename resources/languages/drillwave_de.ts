@@ -3097,26 +3097,6 @@ Trotzdem löschen?</translation>
         <translation>Stoßzahl e</translation>
     </message>
     <message>
-        <source>peak force Fm</source>
-        <translation>Spitzenkraft Fm</translation>
-    </message>
-    <message>
-        <source>efficiency</source>
-        <translation>Wirkungsgrad</translation>
-    </message>
-    <message>
-        <source>The mean gap must be from 0 to %1 d₀.</source>
-        <translation>Der mittlere Spalt muss zwischen 0 und %1 d₀ liegen.</translation>
-    </message>
-    <message>
-        <source>The deviation of the gap must be from %1 to %2 d₀.</source>
-        <translation>Die Standardabweichung des Spalts muss zwischen %1 und %2 d₀ liegen.</translation>
-    </message>
-    <message>
-        <source>Not solved at all gaps: %1</source>
-        <translation>Nicht bei allen Spalten gelöst: %1</translation>
-    </message>
-    <message>
         <source>not solved yet</source>
         <translation>noch nicht gelöst</translation>
     </message>
@@ -4996,6 +4976,17 @@ Gezeigt wird der Wert davor.</translation>
     </message>
 </context>
 <context>
+    <name>drillwave::FigurePage</name>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+    <message>
+        <source>Which result is shown</source>
+        <translation>Welches Ergebnis gezeigt wird</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::FileLines</name>
     <message>
         <source>First lines of the file</source>
@@ -5302,104 +5293,6 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
     <message>
         <source>Rod, force and duration of a physical scenario with the same groups</source>
         <translation>Stange, Kraft und Dauer eines physikalischen Szenarios mit denselben Kennzahlen</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::GapPage</name>
-    <message>
-        <source>Result over the gap, and how its values are distributed</source>
-        <translation>Ergebnis über dem Spalt, und wie seine Werte verteilt sind</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Ergebnis</translation>
-    </message>
-    <message>
-        <source>Which result is shown</source>
-        <translation>Welches Ergebnis gezeigt wird</translation>
-    </message>
-    <message>
-        <source>COR–gap is of uniform rods, whose results repeat over the gap; those of a drill string do not, and Efficiency–stiffness shows them over the gap point by point.</source>
-        <translation>e–Spalt ist für gleichförmige Stangen, deren Ergebnisse sich über dem Spalt wiederholen; die eines Bohrstrangs tun das nicht, und Wirkungsgrad–Steifigkeit zeigt sie über dem Spalt Punkt für Punkt.</translation>
-    </message>
-    <message>
-        <source>A first look; the curve follows.</source>
-        <translation>Ein erster Blick; die Kurve folgt.</translation>
-    </message>
-    <message>
-        <source>d₀</source>
-        <translation>d₀</translation>
-    </message>
-    <message>
-        <source>d₀ = %1</source>
-        <translation>d₀ = %1</translation>
-    </message>
-    <message>
-        <source>COR–gap</source>
-        <translation>e–Spalt</translation>
-    </message>
-    <message>
-        <source>Results repeat with every %1 of gap. A click on the curve takes over the gap there, with Shift it pins it.</source>
-        <translation>Ergebnisse wiederholen sich mit jedem %1 Spalt. Ein Klick auf die Kurve übernimmt den Spalt dort, mit Umschalt heftet er ihn an.</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::GapPlot</name>
-    <message>
-        <source>share in a band</source>
-        <translation>Anteil in einem Band</translation>
-    </message>
-    <message>
-        <source>share below</source>
-        <translation>Anteil darunter</translation>
-    </message>
-    <message>
-        <source>in a band [%]</source>
-        <translation>in einem Band [%]</translation>
-    </message>
-    <message>
-        <source>below [%]</source>
-        <translation>darunter [%]</translation>
-    </message>
-    <message>
-        <source>super rebound, e &gt; 1</source>
-        <translation>Überrückprall, e &gt; 1</translation>
-    </message>
-    <message>
-        <source>gap d</source>
-        <translation>Spalt d</translation>
-    </message>
-    <message>
-        <source>δ = gap / d₀</source>
-        <translation>δ = Spalt / d₀</translation>
-    </message>
-    <message>
-        <source>5 %</source>
-        <translation>5 %</translation>
-    </message>
-    <message>
-        <source>mean</source>
-        <translation>Mittel</translation>
-    </message>
-    <message>
-        <source>95 %</source>
-        <translation>95 %</translation>
-    </message>
-    <message>
-        <source>scattered gap: mean %1, 5–95 % %2…%3</source>
-        <translation>gestreuter Spalt: Mittel %1, 5–95 % %2…%3</translation>
-    </message>
-    <message>
-        <source>all gaps: mean %1, 5–95 % %2…%3</source>
-        <translation>alle Spalte: Mittel %1, 5–95&#xa0;% %2…%3</translation>
-    </message>
-    <message>
-        <source> · e &gt; 1 at %1 of gaps</source>
-        <translation> · e &gt; 1 bei %1 der Spalte</translation>
-    </message>
-    <message>
-        <source> · thrust for 95 % of gaps %1</source>
-        <translation> · 95&#xa0;%-Andruck %1</translation>
     </message>
 </context>
 <context>
@@ -9605,10 +9498,6 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>--si: %1 ist durch dimensionslose Kennzahlen gegeben und hat keine SI-Einheiten</translation>
     </message>
     <message>
-        <source>%1: could not be solved at all gaps: %2</source>
-        <translation>%1: konnte nicht bei allen Spalten gelöst werden: %2</translation>
-    </message>
-    <message>
         <source>Usage: drillwave %1 [OPTION]…
 </source>
         <translation>Aufruf: drillwave %1 [OPTION]…
@@ -11560,6 +11449,122 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>%1 needs rows with points and commas; leave out --decimal-comma</source>
         <translation>%1 braucht Zeilen mit Punkten und Kommas; --decimal-comma weglassen</translation>
     </message>
+    <message>
+        <source>could not be solved at all gaps: %1</source>
+        <translation>konnte nicht bei allen Spalten gelöst werden: %1</translation>
+    </message>
+    <message>
+        <source>Results repeat with every d₀ of gap.</source>
+        <translation>Ergebnisse wiederholen sich mit jedem d₀ Spalt.</translation>
+    </message>
+    <message>
+        <source>Results repeat with every d₀ = %1 of gap.</source>
+        <translation>Ergebnisse wiederholen sich mit jedem d₀ = %1 Spalt.</translation>
+    </message>
+    <message>
+        <source>How the gap scatters</source>
+        <translation>Wie der Spalt streut</translation>
+    </message>
+    <message>
+        <source>Nobody controls the gap at the rig: all gaps of a period alike, or a normal distribution cut off at no gap</source>
+        <translation>Niemand regelt den Spalt am Bohrgerät: alle Spalte einer Periode gleich, oder eine Normalverteilung, abgeschnitten bei keinem Spalt</translation>
+    </message>
+    <message>
+        <source>all equally likely</source>
+        <translation>alle gleich wahrscheinlich</translation>
+    </message>
+    <message>
+        <source>mean ± deviation</source>
+        <translation>Mittel ± Standardabw.</translation>
+    </message>
+    <message>
+        <source>COR–gap</source>
+        <translation>e–Spalt</translation>
+    </message>
+    <message>
+        <source>Result over the gap, and how its values are distributed</source>
+        <translation>Ergebnis über dem Spalt, und wie seine Werte verteilt sind</translation>
+    </message>
+    <message>
+        <source>mean of the gap</source>
+        <translation>Mittel des Spalts</translation>
+    </message>
+    <message>
+        <source>standard deviation of the gap</source>
+        <translation>Standardabweichung des Spalts</translation>
+    </message>
+    <message>
+        <source>COR e</source>
+        <translation>Stoßzahl e</translation>
+    </message>
+    <message>
+        <source>peak force Fm</source>
+        <translation>Spitzenkraft Fm</translation>
+    </message>
+    <message>
+        <source>A first look; the curve follows.</source>
+        <translation>Ein erster Blick; die Kurve folgt.</translation>
+    </message>
+    <message>
+        <source>A click on the curve takes over the gap there, with Shift it pins it.</source>
+        <translation>Ein Klick auf die Kurve übernimmt den Spalt dort, mit Umschalt heftet er ihn an.</translation>
+    </message>
+    <message>
+        <source>COR–gap is of uniform rods, whose results repeat over the gap; those of a drill string do not, and Efficiency–stiffness shows them over the gap point by point.</source>
+        <translation>e–Spalt ist für gleichförmige Stangen, deren Ergebnisse sich über dem Spalt wiederholen; die eines Bohrstrangs tun das nicht, und Wirkungsgrad–Steifigkeit zeigt sie über dem Spalt Punkt für Punkt.</translation>
+    </message>
+    <message>
+        <source>gap d</source>
+        <translation>Spalt d</translation>
+    </message>
+    <message>
+        <source>δ = gap / d₀</source>
+        <translation>δ = Spalt / d₀</translation>
+    </message>
+    <message>
+        <source>in a band [%]</source>
+        <translation>in einem Band [%]</translation>
+    </message>
+    <message>
+        <source>below [%]</source>
+        <translation>darunter [%]</translation>
+    </message>
+    <message>
+        <source>share in a band</source>
+        <translation>Anteil in einem Band</translation>
+    </message>
+    <message>
+        <source>share below</source>
+        <translation>Anteil darunter</translation>
+    </message>
+    <message>
+        <source>super rebound, e &gt; 1</source>
+        <translation>Überrückprall, e &gt; 1</translation>
+    </message>
+    <message>
+        <source>5 %</source>
+        <translation>5 %</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>scattered gap: mean %1, 5–95 % %2…%3</source>
+        <translation>gestreuter Spalt: Mittel %1, 5–95 % %2…%3</translation>
+    </message>
+    <message>
+        <source>all gaps: mean %1, 5–95 % %2…%3</source>
+        <translation>alle Spalte: Mittel %1, 5–95&#xa0;% %2…%3</translation>
+    </message>
+    <message>
+        <source>e &gt; 1 at %1 of gaps</source>
+        <translation>e &gt; 1 bei %1 der Spalte</translation>
+    </message>
+    <message>
+        <source>thrust for 95 % of gaps %1</source>
+        <translation>95 %-Andruck %1</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -11596,6 +11601,13 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>&amp;Copy</source>
         <translation>&amp;Kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::OptionFields</name>
+    <message>
+        <source>%1, unit</source>
+        <translation>%1, Einheit</translation>
     </message>
 </context>
 <context>
@@ -13039,45 +13051,6 @@ in %4</translation>
     <message>
         <source>from contact [%]</source>
         <translation>aus dem Kontakt [%]</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::ScatterFields</name>
-    <message>
-        <source>gap</source>
-        <translation>Spalt</translation>
-    </message>
-    <message>
-        <source>How the gap scatters</source>
-        <translation>Wie der Spalt streut</translation>
-    </message>
-    <message>
-        <source>Nobody controls the gap at the rig: all gaps of a period alike, or a normal distribution cut off at no gap</source>
-        <translation>Niemand regelt den Spalt am Bohrgerät: alle Spalte einer Periode gleich, oder eine Normalverteilung, abgeschnitten bei keinem Spalt</translation>
-    </message>
-    <message>
-        <source>all equally likely</source>
-        <translation>alle gleich wahrscheinlich</translation>
-    </message>
-    <message>
-        <source>mean ± deviation</source>
-        <translation>Mittel ± Standardabw.</translation>
-    </message>
-    <message>
-        <source>mean</source>
-        <translation>Mittel</translation>
-    </message>
-    <message>
-        <source>standard deviation of the gap</source>
-        <translation>Standardabweichung des Spalts</translation>
-    </message>
-    <message>
-        <source>%1 of the gap</source>
-        <translation>%1 des Spalts</translation>
-    </message>
-    <message>
-        <source>%1, unit</source>
-        <translation>%1, Einheit</translation>
     </message>
 </context>
 <context>
@@ -14837,10 +14810,6 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
 --gap-deviation, auch für einen normalverteilten Spalt (bei null abgeschnitten).</translation>
     </message>
     <message>
-        <source>mean of the scattered gap, as 0.5mm or, in d0, 0.2; that of FILE if not given</source>
-        <translation>Mittel des gestreuten Spalts, wie 0.5mm oder, in d0, 0.2; ohne Angabe der von FILE</translation>
-    </message>
-    <message>
         <source>standard deviation of the scattered gap</source>
         <translation>Standardabweichung des gestreuten Spalts</translation>
     </message>
@@ -15476,6 +15445,14 @@ Befehle, die ein Szenario nehmen, nehmen mit --signal FILE und denselben Optione
     <message>
         <source>CSV with semicolons and decimal commas</source>
         <translation>CSV mit Semikolons und Dezimalkommas</translation>
+    </message>
+    <message>
+        <source>mean of the scattered gap, as 0.5mm or, in d0, 0.2 (default: the gap of FILE)</source>
+        <translation>Mittel des gestreuten Spalts, wie 0.5mm oder, in d0, 0.2 (Vorgabe: der Spalt von FILE)</translation>
+    </message>
+    <message>
+        <source>print one JSON object instead of the table</source>
+        <translation>ein JSON-Objekt anstelle der Tabelle ausgeben</translation>
     </message>
 </context>
 </TS>

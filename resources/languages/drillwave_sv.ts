@@ -3097,26 +3097,6 @@ Ta bort ändå?</translation>
         <translation>studstal e</translation>
     </message>
     <message>
-        <source>peak force Fm</source>
-        <translation>toppkraft Fm</translation>
-    </message>
-    <message>
-        <source>efficiency</source>
-        <translation>verkningsgrad</translation>
-    </message>
-    <message>
-        <source>The mean gap must be from 0 to %1 d₀.</source>
-        <translation>Medelspalten måste ligga mellan 0 och %1 d₀.</translation>
-    </message>
-    <message>
-        <source>The deviation of the gap must be from %1 to %2 d₀.</source>
-        <translation>Spaltens standardavvikelse måste ligga mellan %1 och %2 d₀.</translation>
-    </message>
-    <message>
-        <source>Not solved at all gaps: %1</source>
-        <translation>Inte löst för alla spalter: %1</translation>
-    </message>
-    <message>
         <source>not solved yet</source>
         <translation>ännu inte löst</translation>
     </message>
@@ -4996,6 +4976,17 @@ Det som visas gäller värdet dessförinnan.</translation>
     </message>
 </context>
 <context>
+    <name>drillwave::FigurePage</name>
+    <message>
+        <source>Result</source>
+        <translation>Resultat</translation>
+    </message>
+    <message>
+        <source>Which result is shown</source>
+        <translation>Vilket resultat som visas</translation>
+    </message>
+</context>
+<context>
     <name>drillwave::FileLines</name>
     <message>
         <source>First lines of the file</source>
@@ -5302,104 +5293,6 @@ Att spara skriver över det som det programmet har skrivit.</translation>
     <message>
         <source>Rod, force and duration of a physical scenario with the same groups</source>
         <translation>Stång, kraft och varaktighet för ett fysikaliskt scenario med samma dimensionslösa tal</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::GapPage</name>
-    <message>
-        <source>Result over the gap, and how its values are distributed</source>
-        <translation>Resultat över spalten, och hur dess värden fördelar sig</translation>
-    </message>
-    <message>
-        <source>Result</source>
-        <translation>Resultat</translation>
-    </message>
-    <message>
-        <source>Which result is shown</source>
-        <translation>Vilket resultat som visas</translation>
-    </message>
-    <message>
-        <source>COR–gap is of uniform rods, whose results repeat over the gap; those of a drill string do not, and Efficiency–stiffness shows them over the gap point by point.</source>
-        <translation>e–spalt gäller likformiga stänger, vars resultat upprepas över spalten; en borrsträngs resultat gör inte det, och Verkningsgrad–styvhet visar dem över spalten punkt för punkt.</translation>
-    </message>
-    <message>
-        <source>A first look; the curve follows.</source>
-        <translation>En första blick; kurvan följer.</translation>
-    </message>
-    <message>
-        <source>d₀</source>
-        <translation>d₀</translation>
-    </message>
-    <message>
-        <source>d₀ = %1</source>
-        <translation>d₀ = %1</translation>
-    </message>
-    <message>
-        <source>COR–gap</source>
-        <translation>e–spalt</translation>
-    </message>
-    <message>
-        <source>Results repeat with every %1 of gap. A click on the curve takes over the gap there, with Shift it pins it.</source>
-        <translation>Resultaten upprepas med varje %1 spalt. Ett klick på kurvan tar över spalten där, med Skift fäster det den.</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::GapPlot</name>
-    <message>
-        <source>share in a band</source>
-        <translation>andel i ett band</translation>
-    </message>
-    <message>
-        <source>share below</source>
-        <translation>andel under</translation>
-    </message>
-    <message>
-        <source>in a band [%]</source>
-        <translation>i ett band [%]</translation>
-    </message>
-    <message>
-        <source>below [%]</source>
-        <translation>under [%]</translation>
-    </message>
-    <message>
-        <source>super rebound, e &gt; 1</source>
-        <translation>superstuds, e &gt; 1</translation>
-    </message>
-    <message>
-        <source>gap d</source>
-        <translation>spalt d</translation>
-    </message>
-    <message>
-        <source>δ = gap / d₀</source>
-        <translation>δ = spalt / d₀</translation>
-    </message>
-    <message>
-        <source>5 %</source>
-        <translation>5 %</translation>
-    </message>
-    <message>
-        <source>mean</source>
-        <translation>medel</translation>
-    </message>
-    <message>
-        <source>95 %</source>
-        <translation>95 %</translation>
-    </message>
-    <message>
-        <source>scattered gap: mean %1, 5–95 % %2…%3</source>
-        <translation>spridd spalt: medel %1, 5–95 % %2…%3</translation>
-    </message>
-    <message>
-        <source>all gaps: mean %1, 5–95 % %2…%3</source>
-        <translation>alla spalter: medel %1, 5–95&#xa0;% %2…%3</translation>
-    </message>
-    <message>
-        <source> · e &gt; 1 at %1 of gaps</source>
-        <translation> · e &gt; 1 vid %1 av spalterna</translation>
-    </message>
-    <message>
-        <source> · thrust for 95 % of gaps %1</source>
-        <translation> · 95&#xa0;%-matningskraft %1</translation>
     </message>
 </context>
 <context>
@@ -9605,10 +9498,6 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>--si: %1 är givet av sina dimensionslösa tal och har inga SI-enheter</translation>
     </message>
     <message>
-        <source>%1: could not be solved at all gaps: %2</source>
-        <translation>%1: kunde inte lösas vid alla spalter: %2</translation>
-    </message>
-    <message>
         <source>Usage: drillwave %1 [OPTION]…
 </source>
         <translation>Användning: drillwave %1 [OPTION]…
@@ -11560,6 +11449,122 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>%1 needs rows with points and commas; leave out --decimal-comma</source>
         <translation>%1 kräver rader med punkter och kommatecken; utelämna --decimal-comma</translation>
     </message>
+    <message>
+        <source>could not be solved at all gaps: %1</source>
+        <translation>kunde inte lösas vid alla spalter: %1</translation>
+    </message>
+    <message>
+        <source>Results repeat with every d₀ of gap.</source>
+        <translation>Resultaten upprepas med varje d₀ spalt.</translation>
+    </message>
+    <message>
+        <source>Results repeat with every d₀ = %1 of gap.</source>
+        <translation>Resultaten upprepas med varje d₀ = %1 spalt.</translation>
+    </message>
+    <message>
+        <source>How the gap scatters</source>
+        <translation>Hur spalten sprider</translation>
+    </message>
+    <message>
+        <source>Nobody controls the gap at the rig: all gaps of a period alike, or a normal distribution cut off at no gap</source>
+        <translation>Ingen styr spalten på riggen: alla spalter i en period lika, eller en normalfördelning avskuren vid ingen spalt</translation>
+    </message>
+    <message>
+        <source>all equally likely</source>
+        <translation>alla lika sannolika</translation>
+    </message>
+    <message>
+        <source>mean ± deviation</source>
+        <translation>medel ± standardavv.</translation>
+    </message>
+    <message>
+        <source>COR–gap</source>
+        <translation>e–spalt</translation>
+    </message>
+    <message>
+        <source>Result over the gap, and how its values are distributed</source>
+        <translation>Resultat över spalten, och hur dess värden fördelar sig</translation>
+    </message>
+    <message>
+        <source>mean of the gap</source>
+        <translation>spaltens medelvärde</translation>
+    </message>
+    <message>
+        <source>standard deviation of the gap</source>
+        <translation>spaltens standardavvikelse</translation>
+    </message>
+    <message>
+        <source>COR e</source>
+        <translation>studstal e</translation>
+    </message>
+    <message>
+        <source>peak force Fm</source>
+        <translation>toppkraft Fm</translation>
+    </message>
+    <message>
+        <source>A first look; the curve follows.</source>
+        <translation>En första blick; kurvan följer.</translation>
+    </message>
+    <message>
+        <source>A click on the curve takes over the gap there, with Shift it pins it.</source>
+        <translation>Ett klick på kurvan tar över spalten där, med Skift fäster det den.</translation>
+    </message>
+    <message>
+        <source>COR–gap is of uniform rods, whose results repeat over the gap; those of a drill string do not, and Efficiency–stiffness shows them over the gap point by point.</source>
+        <translation>e–spalt gäller likformiga stänger, vars resultat upprepas över spalten; en borrsträngs resultat gör inte det, och Verkningsgrad–styvhet visar dem över spalten punkt för punkt.</translation>
+    </message>
+    <message>
+        <source>gap d</source>
+        <translation>spalt d</translation>
+    </message>
+    <message>
+        <source>δ = gap / d₀</source>
+        <translation>δ = spalt / d₀</translation>
+    </message>
+    <message>
+        <source>in a band [%]</source>
+        <translation>i ett band [%]</translation>
+    </message>
+    <message>
+        <source>below [%]</source>
+        <translation>under [%]</translation>
+    </message>
+    <message>
+        <source>share in a band</source>
+        <translation>andel i ett band</translation>
+    </message>
+    <message>
+        <source>share below</source>
+        <translation>andel under</translation>
+    </message>
+    <message>
+        <source>super rebound, e &gt; 1</source>
+        <translation>superstuds, e &gt; 1</translation>
+    </message>
+    <message>
+        <source>5 %</source>
+        <translation>5 %</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>scattered gap: mean %1, 5–95 % %2…%3</source>
+        <translation>spridd spalt: medel %1, 5–95 % %2…%3</translation>
+    </message>
+    <message>
+        <source>all gaps: mean %1, 5–95 % %2…%3</source>
+        <translation>alla spalter: medel %1, 5–95&#xa0;% %2…%3</translation>
+    </message>
+    <message>
+        <source>e &gt; 1 at %1 of gaps</source>
+        <translation>e &gt; 1 vid %1 av spalterna</translation>
+    </message>
+    <message>
+        <source>thrust for 95 % of gaps %1</source>
+        <translation>95 %-matningskraft %1</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -11596,6 +11601,13 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>&amp;Copy</source>
         <translation>&amp;Kopiera</translation>
+    </message>
+</context>
+<context>
+    <name>drillwave::OptionFields</name>
+    <message>
+        <source>%1, unit</source>
+        <translation>%1, enhet</translation>
     </message>
 </context>
 <context>
@@ -13039,45 +13051,6 @@ i %4</translation>
     <message>
         <source>from contact [%]</source>
         <translation>från kontakt [%]</translation>
-    </message>
-</context>
-<context>
-    <name>drillwave::ScatterFields</name>
-    <message>
-        <source>gap</source>
-        <translation>spalt</translation>
-    </message>
-    <message>
-        <source>How the gap scatters</source>
-        <translation>Hur spalten sprider</translation>
-    </message>
-    <message>
-        <source>Nobody controls the gap at the rig: all gaps of a period alike, or a normal distribution cut off at no gap</source>
-        <translation>Ingen styr spalten på riggen: alla spalter i en period lika, eller en normalfördelning avskuren vid ingen spalt</translation>
-    </message>
-    <message>
-        <source>all equally likely</source>
-        <translation>alla lika sannolika</translation>
-    </message>
-    <message>
-        <source>mean ± deviation</source>
-        <translation>medel ± standardavv.</translation>
-    </message>
-    <message>
-        <source>mean</source>
-        <translation>medel</translation>
-    </message>
-    <message>
-        <source>standard deviation of the gap</source>
-        <translation>spaltens standardavvikelse</translation>
-    </message>
-    <message>
-        <source>%1 of the gap</source>
-        <translation>%1 för spalten</translation>
-    </message>
-    <message>
-        <source>%1, unit</source>
-        <translation>%1, enhet</translation>
     </message>
 </context>
 <context>
@@ -14832,10 +14805,6 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
 (avskuren vid noll).</translation>
     </message>
     <message>
-        <source>mean of the scattered gap, as 0.5mm or, in d0, 0.2; that of FILE if not given</source>
-        <translation>den spridda spaltens medelvärde, t.ex. 0.5mm eller, i d0, 0.2; annars spalten i FILE</translation>
-    </message>
-    <message>
         <source>standard deviation of the scattered gap</source>
         <translation>den spridda spaltens standardavvikelse</translation>
     </message>
@@ -15466,6 +15435,14 @@ Kommandon som tar ett scenario tar ett slag från en mätning med --signal FILE 
     <message>
         <source>CSV with semicolons and decimal commas</source>
         <translation>CSV med semikolon och decimalkomma</translation>
+    </message>
+    <message>
+        <source>mean of the scattered gap, as 0.5mm or, in d0, 0.2 (default: the gap of FILE)</source>
+        <translation>den spridda spaltens medelvärde, t.ex. 0.5mm eller, i d0, 0.2 (standard: spalten i FILE)</translation>
+    </message>
+    <message>
+        <source>print one JSON object instead of the table</source>
+        <translation>skriv ut ett JSON-objekt i stället för tabellen</translation>
     </message>
 </context>
 </TS>

@@ -21,7 +21,7 @@
 #include "ui/job/solve_job.h"
 #include "ui/pages/design/design_page.h"
 #include "ui/pages/drilling/drilling_page.h"
-#include "ui/pages/gap/gap_page.h"
+#include "ui/pages/study/figure_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/map/map_plot.h"
 #include "ui/pages/plot_page.h"
@@ -83,7 +83,7 @@ void measurePage(MainWindow& window, const QString& name, int repeats) {
     auto* page = qobject_cast<PlotPage*>(window.findChild<PageTabs*>()->currentWidget());
     if (!page) return;  // a table
     // of a string it tells in words that there is nothing to draw
-    if (qobject_cast<GapPage*>(page) && isString(window.document().scenario())) return;
+    if (qobject_cast<FigurePage*>(page) && isString(window.document().scenario())) return;
     PaintWatch watch(window);
     page->plot()->installEventFilter(&watch);
     // Where the plot does not depend on the field, as a map does not on its own parameters, words do.

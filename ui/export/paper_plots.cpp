@@ -8,12 +8,12 @@
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/blow/measured_curves.h"
 #include "ui/pages/blow/measured_force.h"
-#include "ui/pages/gap/gap_plot.h"
 #include "ui/pages/rock/rock_plot.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/pages/string/string_sketch.h"
 #include "ui/pages/thrust/thrust_plot.h"
 #include "ui/pages/wave_picture/wave_picture_plot.h"
+#include "ui/plot/figure_frame.h"
 #include "ui/text/language.h"
 #include "ui/text/unit_choice.h"
 
@@ -100,9 +100,11 @@ PaperPlot wavePaperPlot(const Blow& blow, const PaperReader& reader) {
     return paperPlot<WavePicturePlot>(SolvedBlowPtr(std::move(solved)), {180, 110}, reader.locale);
 }
 
-PaperPlot gapPaperPlot(const GapReport& report, const PaperReader& reader) {
-    return paperPlot<GapPlot>(gapPicture(report, GapOutput::cor, reader.unitsFor(report.scenario)),
-                              {180, 110}, reader.locale);
+PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario, const PaperReader& reader) {
+    const FigureUnits units{reader.unitsFor(scenario), [&](const Parameter& parameter) -> const Unit& {
+                                return reader.unitFor(parameter);
+                            }};
+    return paperPlot<FigureFrame>(ShownFigure{figure, units}, {180, 110}, reader.locale);
 }
 
 PaperPlot thrustPaperPlot(const ThrustReport& report, const PaperReader& reader) {

@@ -7,7 +7,7 @@
 #include <stop_token>
 
 #include "core/blow/blow.h"
-#include "core/report/gap_report.h"
+#include "core/report/figure.h"
 #include "core/report/thrust_report.h"
 #include "core/signal/measured_signal.h"
 #include "ui/plot/plot_rendering.h"
@@ -72,8 +72,9 @@ PaperPlot rodPaperPlot(const Blow& blow, const std::stop_token& stop, const Pape
 PaperPlot stringPaperPlot(const Scenario& scenario, const PaperReader& reader = {});
 /// The force in the rod over place and time, of a blow solved likewise.
 PaperPlot wavePaperPlot(const Blow& blow, const PaperReader& reader = {});
-/// e over the gap and its distribution.
-PaperPlot gapPaperPlot(const GapReport& report, const PaperReader& reader = {});
+/// A figure about a scenario.
+PaperPlot figurePaperPlot(const StudyFigure& figure, const Scenario& scenario,
+                          const PaperReader& reader = {});
 /// The needs along a parameter, of a report that has them.
 PaperPlot thrustPaperPlot(const ThrustReport& report, const PaperReader& reader = {});
 

@@ -4,6 +4,7 @@
 #include <qcustomplot.h>
 
 #include "core/model/blow_traits.h"
+#include "core/report/gap_report.h"
 #include "ui/text/translation.h"
 
 namespace drillwave {
@@ -73,7 +74,8 @@ std::vector<ReportPlot> reportPlots(const BlowReport& report, const PaperReader&
             placed("gap",
                    tr("Restitution over one period of the gap between bit and rock, and how it is "
                       "distributed when all gaps are alike."),
-                   gapPaperPlot(*report.gap, reader), {180, 72}));
+                   figurePaperPlot(gapFigure(*report.gap, GapOutput::cor), report.blow.scenario, reader),
+                   {180, 72}));
     if (report.thrust && report.thrust->along)
         plots.push_back(placed("thrust",
                                tr("Needs of the thrust and the installed one over the blow frequency."),

@@ -75,8 +75,9 @@ Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order, 
     return drawn(paperPlot<DrillingPlot>(picture, {180, 80}, reader.locale), scan.base.title, order);
 }
 
-Pictures drawStudy(const GapReport& report, const PictureOrder& order, const PaperReader& reader) {
-    return drawn(gapPaperPlot(report, reader), report.scenario.title, order);
+Pictures drawStudy(const StudyAnswer& answer, const PictureOrder& order, const PaperReader& reader) {
+    return drawn(figurePaperPlot(answer.figure(0), answer.scenario(), reader), answer.scenario().title,
+                 order);
 }
 
 // The report outlives the picture.

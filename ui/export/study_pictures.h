@@ -26,7 +26,7 @@ Pictures drawStudy(const DrillingReport& report, const PictureOrder& order, cons
 /// Requires a parameter along the axis.
 Pictures drawStudy(const DrillingScanReport& report, const PictureOrder& order,
                    const PaperReader& reader = {});
-Pictures drawStudy(const GapReport& report, const PictureOrder& order, const PaperReader& reader = {});
+Pictures drawStudy(const StudyAnswer& answer, const PictureOrder& order, const PaperReader& reader = {});
 Pictures drawStudy(const MapReport& report, const PictureOrder& order, const PaperReader& reader = {});
 /// Of a report along a parameter.
 Pictures drawStudy(const ThrustReport& report, const PictureOrder& order, const PaperReader& reader = {});

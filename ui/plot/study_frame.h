@@ -31,7 +31,9 @@ class StudyFrame : public QObject {
     /// Where pinned runs are and, of a plot that has them, their curves; in units of the axes.
     void setRuns(const QVector<RunMark>& marks, const QVector<RunCurve>& curves = {});
     const QVector<RunMark>& runMarks() const { return m_runMarks->marks(); }
-    const QVector<QCPGraph*>& runCurves() const { return m_runCurves->graphs(); }
+    QVector<QCPGraph*> runCurves() const {
+        return m_runCurves ? m_runCurves->graphs() : QVector<QCPGraph*>();
+    }
     void setStyle(const PlotStyle& style);
     /// Everything in view.
     void fit();

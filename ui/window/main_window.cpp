@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/main_window.h"
+#include "core/report/study.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -26,11 +27,11 @@
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/design/design_page.h"
 #include "ui/pages/drilling/drilling_page.h"
-#include "ui/pages/gap/gap_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/rock/rock_page.h"
 #include "ui/pages/rod/rod_page.h"
 #include "ui/pages/string/string_page.h"
+#include "ui/pages/study/figure_page.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/wave_picture/wave_picture_page.h"
 #include "ui/result/alert_link.h"
@@ -130,12 +131,14 @@ MainWindow::MainWindow(std::unique_ptr<Questions> questions, std::unique_ptr<Sol
     m_pages->add(m_stringPage, PageGroup::thisBlow);
     m_curvePage = new CurvePage(m_document);
     m_pages->add(m_curvePage, PageGroup::studies);
-    auto* gap = new GapPage(m_document);
-    m_pages->add(gap, PageGroup::studies);
-    connect(gap, &Page::elsewhereRequested, this, [this] {
-        m_curvePage->varyGap();
-        m_pages->setCurrentWidget(m_curvePage);
-    });
+    for (const Study* study : studies()) {
+        auto* page = new FigurePage(*study, m_document);
+        m_pages->add(page, PageGroup::studies);
+        connect(page, &Page::elsewhereRequested, this, [this] {
+            m_curvePage->varyGap();
+            m_pages->setCurrentWidget(m_curvePage);
+        });
+    }
     m_pages->add(new MapPage(m_document), PageGroup::studies);
     m_pages->add(new ThrustPage(m_document), PageGroup::studies);
     auto* drilling = new DrillingPage(m_document);

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
+#include "core/blow/impact_summary.h"
 #include "core/model/blow_traits.h"
 #include "core/model/validation.h"
 #include "core/text/number_text.h"
+#include "core/wave/exact/exact_solver.h"
 
 namespace drillwave {
 
@@ -43,6 +46,37 @@ GapStudy studyGap(const Scenario& scenario, const std::optional<NormalGap>& norm
     if (study.curve.isComplete()) study.statistics = gapStatistics(study.curve, normal);
     study.runTime = std::chrono::duration<double>(Clock::now() - begin).count();
     return study;
+}
+
+void previewGaps(const Scenario& scenario, const std::stop_token& stop,
+                 const std::function<void(const std::vector<GapSample>&)>& show) {
+    constexpr long worthIt = 100'000;  // wave pieces of five blows: the whole curve takes seconds
+    constexpr int mostParts = 32;
+    Problem problem = problemOf(scenario);
+    const double start = gapPeriodStart(problem);
+    if (!std::isfinite(start)) return;
+    ExactSolver solver;
+    std::vector<GapSample> samples;
+    long pieces = 0;
+    const auto solve = [&](double gap) {
+        if (stop.stop_requested()) return;
+        problem.gap = gap;
+        const Impact impact = solver.solve(problem, Detail::events, stop);
+        pieces += impact.pieces;
+        if (!impact.isSolved()) return;
+        const ImpactSummary summary = summarize(impact, problem);
+        const GapSample sample{gap, {summary.cor, summary.peakForce, summary.energy.rockWork}};
+        samples.insert(std::ranges::upper_bound(samples, gap, {}, &GapSample::gap), sample);
+    };
+    solve(start);
+    solve(start + 1);
+    for (int parts = 2; parts <= mostParts; parts *= 2) {
+        for (int i = 1; i < parts; i += 2) solve(start + double(i) / parts);
+        if (stop.stop_requested()) return;
+        if (parts < 4) continue;
+        if (pieces < worthIt) return;
+        show(samples);
+    }
 }
 
 }  // namespace drillwave

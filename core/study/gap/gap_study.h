@@ -2,8 +2,11 @@
 // The results of a scenario over all gaps, and their statistics.
 #pragma once
 
+#include <array>
+#include <functional>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "core/model/scenario.h"
 #include "core/study/gap/gap_statistics.h"
@@ -27,5 +30,17 @@ Message gapProblem(const Scenario& scenario, const std::optional<NormalGap>& nor
 GapStudy studyGap(const Scenario& scenario, const std::optional<NormalGap>& normal,
                   const std::stop_token& stop = {}, const GapProgress& progress = {},
                   long mostPieces = anyNumberOfPieces);
+
+/// Outputs at one gap, in the order of GapOutput.
+struct GapSample {
+    double gap = 0;  ///< [d0]
+    std::array<double, gapOutputCount> values{};
+};
+
+/// Solves blows at 5, 9, 17 and 33 even gaps of the period and shows after each step all of them, ascending.
+/// Returns after the first five where these are solved so quickly that the whole curve takes a moment only,
+/// and after a stop.
+void previewGaps(const Scenario& scenario, const std::stop_token& stop,
+                 const std::function<void(const std::vector<GapSample>&)>& show);
 
 }  // namespace drillwave

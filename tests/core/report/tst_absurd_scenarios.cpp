@@ -307,8 +307,7 @@ Answer scanned(const Scenario& scenario) {
 Answer gaps(const Scenario& scenario) {
     const GapStudy study = studyGap(scenario, NormalGap{1, 0.3}, {}, {}, 300'000);
     if (!study.curve.isComplete()) return {false, study.curve.reason.text(), {}};
-    const GapReport report(study);
-    return {true, {}, {gapJson(report), gapText(report), gapCsv(report, OutputUnits::dimensionless)}};
+    return {true, {}, {gapJson(study, {}), gapText(study), gapCsv(study, OutputUnits::dimensionless)}};
 }
 
 Answer thrust(const Scenario& scenario) {

@@ -65,7 +65,7 @@ bool hasFeed(const Scenario& scenario) {
 }
 
 Told gap(const Scenario& scenario) {
-    const GapReport report = studyGap(scenario, NormalGap{.mean = 0.2, .deviation = 0.1});
+    const GapStudy report = studyGap(scenario, NormalGap{.mean = 0.2, .deviation = 0.1});
     return [report](const ReadingStyle& style) { return gapText(report, style); };
 }
 

@@ -3,6 +3,7 @@
 #include <QImage>
 #include <QTest>
 
+#include "core/report/gap_report.h"
 #include "core/study/proof/stability_cases.h"
 #include "ui/export/study_pictures.h"
 
@@ -10,8 +11,10 @@ using namespace drillwave;
 
 namespace {
 
-GapReport gap() {
-    return studyGap(Scenario(), NormalGap{0.5, 0.1});
+const StudyAnswer& gap() {
+    static const StudyAnswerPtr answer =
+        gapStudy().run({Scenario(), {{"gap-mean", "0.5 mm"}, {"gap-deviation", "0.1 mm"}}}, {});
+    return *answer;
 }
 
 StabilityReport stability() {
@@ -64,11 +67,10 @@ void TestStudyPictures::everyFormatIsDrawn() {
 }
 
 void TestStudyPictures::pngAndSvgAreTheSameBytesEveryTime() {
-    const GapReport report = gap();
     const PictureOrder order{"gap", {"png", "svg"}, {}};
-    const Pictures first = drawStudy(report, order);
+    const Pictures first = drawStudy(gap(), order);
     QLocale::setDefault(QLocale(QStringLiteral("de_DE")));
-    const Pictures second = drawStudy(report, order);
+    const Pictures second = drawStudy(gap(), order);
     for (std::size_t i = 0; i < 2; ++i) QVERIFY(first.files[i].bytes == second.files[i].bytes);
 }
 

@@ -6,16 +6,16 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/report/gap_report.h"
 #include "core/yaml/examples.h"
 #include "tests/support/window.h"
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/curve/curve_plot.h"
-#include "ui/pages/gap/gap_page.h"
-#include "ui/pages/gap/gap_plot.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/map/map_plot.h"
 #include "ui/pages/rod/rod_page.h"
 #include "ui/pages/rod/rod_plot.h"
+#include "ui/pages/study/figure_page.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/plot/plot_widget.h"
 
@@ -121,13 +121,13 @@ void TestPageKeys::onStiffnessAnotherCurveBringsItsFamily() {
 }
 
 void TestPageKeys::onTheGapThePointIsPinned() {
-    GapPage page(*m_document);
+    FigurePage page(gapStudy(), *m_document);
     show(page);
     press(page, Qt::Key_Return);
     for (int i = 0; i < 5; ++i) press(page, Qt::Key_Right, Qt::ShiftModifier);
     const double gap = place(page).x();
     QVERIFY(gap > 0);
-    QVERIFY(page.plot()->keyPoint().text().startsWith(page.gapPlot()->graph()->name()));
+    QVERIFY(page.plot()->keyPoint().text().startsWith(page.figureFrame().graph()->name()));
     QSignalSpy pins(&page, &Page::pinRequested);
     press(page, Qt::Key_Return, Qt::ShiftModifier);
     QCOMPARE(pins.count(), 1);

@@ -6,6 +6,7 @@
 #include <QTest>
 
 #include "core/blow/thrust.h"
+#include "core/report/gap_report.h"
 #include "core/wave/field/wave_field.h"
 #include "core/yaml/examples.h"
 #include "tests/support/window.h"
@@ -13,14 +14,13 @@
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/curve/curve_plot.h"
-#include "ui/pages/gap/gap_page.h"
-#include "ui/pages/gap/gap_plot.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/map/map_plot.h"
 #include "ui/pages/rock/rock_page.h"
 #include "ui/pages/rock/rock_plot.h"
 #include "ui/pages/rod/rod_page.h"
 #include "ui/pages/rod/rod_plot.h"
+#include "ui/pages/study/figure_page.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/pages/thrust/thrust_plot.h"
 #include "ui/pages/wave_picture/rod_profile.h"
@@ -445,12 +445,12 @@ void TestRunOverlays::withoutRunsThePictureHasItsRoom() {
 
 void TestRunOverlays::theGapHasTheCurveOfTheRunsScenario() {
     m_document->assign(*findParameter("bit_rock.stiffness"), 1e8, 0);
-    GapPage page(*m_document);
+    FigurePage page(gapStudy(), *m_document);
     show(page);
     present(page);
-    QTRY_COMPARE_WITH_TIMEOUT(page.gapPlot()->runCurves().size(), 2, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.figureFrame().runCurves().size(), 2, patience);
     for (const int number : {0, 1}) {
-        const QCPGraph* graph = page.gapPlot()->runCurves()[number];
+        const QCPGraph* graph = page.figureFrame().runCurves()[number];
         QVERIFY(graph->dataCount() > 200);
         const auto point = graph->data()->at(graph->dataCount() / 3);
         Scenario scenario = run(number).contents.scenario;
@@ -459,35 +459,35 @@ void TestRunOverlays::theGapHasTheCurveOfTheRunsScenario() {
         QVERIFY(std::abs(point->value - solveBlow(scenario, {}, Detail::cor).summary.cor) < 2e-10);
     }
     // The first repeats within the range of the present one, which has twice the impulse.
-    const QCPGraph* half = page.gapPlot()->runCurves()[0];
-    const QCPGraph* present = page.gapPlot()->graph();
+    const QCPGraph* half = page.figureFrame().runCurves()[0];
+    const QCPGraph* present = page.figureFrame().graph();
     bool found = false;
     QVERIFY(half->getKeyRange(found).upper > 0.99 * present->getKeyRange(found).upper);
 }
 
 void TestRunOverlays::curvesFarBelowSuperReboundHaveTheHeight() {
-    GapPage page(*m_document);
+    FigurePage page(gapStudy(), *m_document);
     page.show();
     present(page);
-    QTRY_COMPARE_WITH_TIMEOUT(page.gapPlot()->runCurves().size(), 2, patience);
-    const QCPAxis* values = page.gapPlot()->graph()->valueAxis();
+    QTRY_COMPARE_WITH_TIMEOUT(page.figureFrame().runCurves().size(), 2, patience);
+    const QCPAxis* values = page.figureFrame().graph()->valueAxis();
     const auto curve = [](double from, double to) {
         const GraphData data = GraphData::create();
         data->set({{0, from}, {1, to}}, true);
         return QVector<RunCurve>{{0, "A", data}};
     };
-    page.gapPlot()->setRuns({}, curve(0.2, 0.7));
+    page.figureFrame().setRuns({}, curve(0.2, 0.7));
     QVERIFY(0.5 > 0.75 * values->range().size());
-    page.gapPlot()->setRuns({}, curve(0.2, 0.95));
+    page.figureFrame().setRuns({}, curve(0.2, 0.95));
     QVERIFY(values->range().upper > 1);  // near to it, where it begins is in view
 }
 
 void TestRunOverlays::outOfSightNoGapIsStudied() {
-    GapPage page(*m_document);
+    FigurePage page(gapStudy(), *m_document);
     present(page);
     QCOMPARE(page.runStudies(), 0);
     page.show();
-    QTRY_COMPARE_WITH_TIMEOUT(page.gapPlot()->runCurves().size(), 2, patience);
+    QTRY_COMPARE_WITH_TIMEOUT(page.figureFrame().runCurves().size(), 2, patience);
     QCOMPARE(page.runStudies(), 1);
     page.hide();
     m_runs->setShown(0, false);
@@ -664,12 +664,12 @@ void TestRunOverlays::stiffnessAndThrustHaveTheirPoints() {
 }
 
 void TestRunOverlays::shiftAndAClickPin() {
-    GapPage page(*m_document);
+    FigurePage page(gapStudy(), *m_document);
     show(page);
     present(page);
     QTRY_COMPARE_WITH_TIMEOUT(page.activity()->state(), StudyState::finished, patience);
     QSignalSpy pins(&page, &Page::pinRequested);
-    const QCPGraph* graph = page.gapPlot()->graph();
+    const QCPGraph* graph = page.figureFrame().graph();
     const QPoint pixel(int(graph->keyAxis()->coordToPixel(1)),
                        int(graph->valueAxis()->coordToPixel(chordValue(*graph->data(), 1))));
     QTest::mouseClick(page.plot(), Qt::LeftButton, Qt::ShiftModifier, pixel);

@@ -18,7 +18,7 @@
 #include "ui/pages/compare/compare_page.h"
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/curve/curve_plot.h"
-#include "ui/pages/gap/gap_page.h"
+#include "ui/pages/study/figure_page.h"
 #include "ui/pages/string/string_page.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/thrust/thrust_page.h"
@@ -348,7 +348,7 @@ void TestPageTabs::theGapOfAStringIsVariedByOneClick() {
     auto& pages = part<PageTabs>(*window);
     const Example& example = *findExample("t38_string");
     QCOMPARE(window->document().startFrom(example.text, QStringLiteral("t38")), QString());
-    pages.choose(pages.indexOf(&part<GapPage>(*window)));
+    pages.choose(pages.indexOf(&studyPage(*window, "gap")));
     QTest::mouseClick(window->findChild<QPushButton*>("goThere"), Qt::LeftButton);
     auto& stiffness = part<CurvePage>(*window);
     QCOMPARE(pages.currentWidget(), &stiffness);
@@ -368,7 +368,7 @@ void TestPageTabs::aPageThatIsAbsentSaysWhereItsAnswerIs() {
     window->show();
     QVERIFY(QTest::qWaitForWindowActive(window.get()));
     auto& pages = part<PageTabs>(*window);
-    auto& gap = part<GapPage>(*window);
+    auto& gap = studyPage(*window, "gap");
     const auto& notice = part<ElsewhereNotice>(*window);
     const int tab = pages.strip()->indexOf(&gap);
     pages.setCurrentWidget(&gap);
@@ -418,7 +418,7 @@ void TestPageTabs::thrustIsAbsentWithoutUnits() {
     QVERIFY(pages.strip()->isTabVisible(tab));
     // A page that leads to its answer offers that again.
     for (QAction* action : part<StudyMenu>(*window).actions())
-        if (action->text() == part<GapPage>(*window).title()) action->trigger();
+        if (action->text() == studyPage(*window, "gap").title()) action->trigger();
     QVERIFY(goThere->isVisible());
 }
 

@@ -5,8 +5,7 @@
 
 #include "tests/support/window_fixture.h"
 #include "ui/job/study_activity.h"
-#include "ui/pages/gap/gap_page.h"
-#include "ui/pages/gap/gap_plot.h"
+#include "ui/pages/study/figure_page.h"
 #include "ui/plot/curve_reading.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/window/page_tabs.h"
@@ -25,13 +24,13 @@ class TestTakenNotice : public QObject, private WindowFixture {
 
 void TestTakenNotice::aTakenValueIsSaidAndTakenBack() {
     start();
-    auto& page = part<GapPage>(window());
+    auto& page = studyPage(window(), "gap");
     part<PageTabs>(window()).setCurrentWidget(&page);
     QTRY_VERIFY_WITH_TIMEOUT(page.activity()->state() == StudyState::finished, 60000);
     auto& notice = part<TakenNotice>(window());
     Document& document = window().document();
     const Scenario before = document.scenario();
-    const QCPGraph* curve = page.gapPlot()->graph();
+    const QCPGraph* curve = page.figureFrame().graph();
     const auto click = [&](double above) {
         page.plot()->replot();
         const QPointF on(curve->keyAxis()->coordToPixel(1),

@@ -10,7 +10,7 @@
 
 #include "core/model/preset.h"
 #include "ui/pages/curve/curve_study.h"
-#include "ui/pages/study/curve_marks.h"
+#include "ui/plot/curve_marks.h"
 #include "ui/plot/graph_data.h"
 
 namespace drillwave {

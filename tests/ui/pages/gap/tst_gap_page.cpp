@@ -5,15 +5,16 @@
 #include <QTest>
 #include <QToolButton>
 
+#include "core/report/gap_report.h"
 #include "core/wave/exact/exact_solver.h"
 #include "core/yaml/examples.h"
 #include "tests/support/program.h"
 #include "ui/form/quantity_field.h"
-#include "ui/pages/gap/gap_page.h"
-#include "ui/pages/gap/gap_plot.h"
+#include "ui/pages/study/figure_page.h"
 #include "ui/plot/curve_reading.h"
 #include "ui/plot/here_mark.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/text/shown_text.h"
 
 using namespace drillwave;
 
@@ -48,13 +49,13 @@ class TestGapPage : public QObject {
   private:
     void start(const char* example);
     bool isDone() const { return m_page->activity()->state() == StudyState::finished; }
-    QCPGraph* graph() const { return m_page->findChild<GapPlot*>()->graph(); }
+    QCPGraph* graph() const { return m_page->figureFrame().graph(); }
     HereMark* here() const { return m_page->findChild<HereMark*>(); }
     QByteArray exported() const { return m_page->exports().first().csv(); }
     void click(QPointF at);
 
     std::unique_ptr<Document> m_document;
-    std::unique_ptr<GapPage> m_page;
+    std::unique_ptr<FigurePage> m_page;
 };
 
 void TestGapPage::init() {
@@ -66,7 +67,7 @@ void TestGapPage::start(const char* name) {
     m_page.reset();
     m_document = std::make_unique<Document>();
     m_document->startFrom(findExample(name)->text, QString::fromLatin1(name));
-    m_page = std::make_unique<GapPage>(*m_document);
+    m_page = std::make_unique<FigurePage>(gapStudy(), *m_document);
     m_page->resize(900, 600);
 }
 
@@ -138,17 +139,17 @@ void TestGapPage::theCurveIsThatOfTheCommand() {
 void TestGapPage::aScatteredGapIsStudiedAsItIsTyped() {
     m_page->show();
     m_page->findChild<QComboBox*>("scatter")->setCurrentIndex(1);
-    auto* mean = m_page->findChild<QuantityField*>("mean");
+    auto* mean = m_page->findChild<QuantityField*>("gap-mean");
     QVERIFY(mean && mean->isVisible());
     mean->selectAll();
     QTest::keyClicks(mean, "1.5 mm");
-    auto* deviation = m_page->findChild<QuantityField*>("deviation");
+    auto* deviation = m_page->findChild<QuantityField*>("gap-deviation");
     deviation->selectAll();
     QTest::keyClicks(deviation, "300 um");
     QTRY_VERIFY(isDone());
     QVERIFY2(m_page->command().contains("--gap-mean '1.5 mm' --gap-deviation '0.3 mm'"),
              qPrintable(m_page->command()));
-    const QString summary = m_page->findChild<GapPlot*>()->textSummary();
+    const QString summary = m_page->figureFrame().textSummary();
     QVERIFY2(summary.startsWith("scattered gap"), qPrintable(summary));
     deviation->selectAll();
     QTest::keyClicks(deviation, "0 mm");
@@ -179,7 +180,7 @@ void TestGapPage::aClickOnTheDistributionTakesNothingOver() {
     QVERIFY(QTest::qWaitForWindowExposed(m_page.get()));
     m_page->plot()->replot();
     const QCPAxisRect* beside = m_page->plot()->axisRects().last();
-    QVERIFY(m_page->findChild<GapPlot*>()->isDistribution(beside));
+    QVERIFY(!m_page->figureFrame().targetIn(beside));
     QTest::mouseClick(m_page->plot(), Qt::LeftButton, {}, beside->rect().center());
     QCOMPARE(m_document->undoStack().count(), 0);
 }
@@ -208,7 +209,7 @@ void TestGapPage::aScatterThatCannotBeIsSaid() {
     start("paper_fig8_minimum");
     m_page->show();
     m_page->findChild<QComboBox*>("scatter")->setCurrentIndex(1);
-    auto* deviation = m_page->findChild<QuantityField*>("deviation");
+    auto* deviation = m_page->findChild<QuantityField*>("gap-deviation");
     deviation->selectAll();
     QTest::keyClicks(deviation, "101");
     QVERIFY(deviation->problem().contains("100"));
@@ -218,16 +219,16 @@ void TestGapPage::aScatterThatCannotBeIsSaid() {
 void TestGapPage::fieldsFollowTheFormOfTheScenario() {
     m_page->show();
     m_page->findChild<QComboBox*>("scatter")->setCurrentIndex(1);
-    QVERIFY(m_page->findChild<QuantityField*>("mean")->unitButton()->isVisible());
+    QVERIFY(m_page->findChild<QuantityField*>("gap-mean")->unitButton()->isVisible());
     // A page is no wider than its widest control, whatever is chosen.
     QVERIFY(m_page->minimumSizeHint().width() < 376);
     QVERIFY(m_document->startFrom(findExample("paper_fig4b")->text, "paper").isEmpty());
     QTRY_VERIFY(isDone());
-    auto* mean = m_page->findChild<QuantityField*>("mean");
+    auto* mean = m_page->findChild<QuantityField*>("gap-mean");
     QVERIFY(mean->isVisible() && !mean->unitButton());
-    QCOMPARE(*m_page->findChild<QuantityField*>("deviation")->value(), 0.1);
+    QCOMPARE(*m_page->findChild<QuantityField*>("gap-deviation")->value(), 0.1);
     m_page->findChild<QComboBox*>("scatter")->setCurrentIndex(0);
-    QVERIFY(!m_page->findChild<QuantityField*>("mean"));
+    QVERIFY(!m_page->findChild<QuantityField*>("gap-mean"));
     QTRY_VERIFY(isDone());
 }
 
@@ -241,31 +242,29 @@ void TestGapPage::aSlowCurveIsShownCoarseFirst() {
         points.push_back({200e-6 * i / count, 2e5 * std::sin(M_PI * i / count) * (1 + 0.1 * (i % 2))});
     scenario.pulse.tablePoints = points;
     std::stop_source stop;
-    std::vector<GapAnswer> shown;
-    const StudyFeed<GapAnswer> feed{stop.get_token(), [](StudyProgress) {},
-                                    [&](GapAnswer so) {
-                                        shown.push_back(std::move(so));
-                                        if (shown.size() == 2) stop.request_stop();
-                                    }};
-    answerGap(gapQuestion(scenario, {}), feed);
+    std::vector<StudyAnswerPtr> shown;
+    const StudyWork work{.stop = stop.get_token(), .show = [&](StudyAnswerPtr answer) {
+                             shown.push_back(std::move(answer));
+                             if (shown.size() == 2) stop.request_stop();
+                         }};
+    gapStudy().run(gapStudy().question(scenario, {}), work);
     QCOMPARE(shown.size(), std::size_t{2});
-    QCOMPARE(shown[0].samples.size(), std::size_t{5});
-    QCOMPARE(shown[1].samples.size(), std::size_t{9});
-    for (std::size_t i = 0; i < 9; ++i) QCOMPARE(shown[1].samples[i].gap, double(i) / 8);
+    const auto curve = [&](std::size_t i) { return shown[i]->figure(0).panels.front().series.front(); };
+    QCOMPARE(curve(0).x.size(), std::size_t{5});
+    QCOMPARE(curve(1).x.size(), std::size_t{9});
+    for (std::size_t i = 0; i < 9; ++i) QCOMPARE(curve(1).x[i], double(i) / 8);
     Problem problem = problemOf(scenario);
     problem.gap = 0.5;
-    QCOMPARE(shown[1].samples[4].values[0], ExactSolver().solve(problem, Detail::events).cor);
-    QVERIFY(!shown[1].isComplete());
-    const ShownUnits units = shownUnits(UnitSystem::si, scalesOf(scenario));
-    const GapPicture picture = gapPreview(shown[1].samples, GapOutput::cor, units);
-    QCOMPARE(picture.curve->size(), 9);
-    QVERIFY(picture.shares.isEmpty());
+    QCOMPARE(curve(1).y[4], ExactSolver().solve(problem, Detail::events).cor);
+    QVERIFY(!shown[1]->gap().isEmpty());
+    QVERIFY(shown[1]->figure(0).isPreview);
+    QVERIFY(shown[1]->figure(0).panels.back().series.front().x.empty());
 }
 
 void TestGapPage::aQuickCurveIsNotShownTwice() {
     int shown = 0;
-    const StudyFeed<GapAnswer> feed{{}, [](StudyProgress) {}, [&](const GapAnswer&) { ++shown; }};
-    QVERIFY(answerGap(gapQuestion(Scenario(), {}), feed).isComplete());
+    const StudyWork work{.show = [&](const StudyAnswerPtr&) { ++shown; }};
+    QVERIFY(gapStudy().run(gapStudy().question(Scenario(), {}), work)->gap().isEmpty());
     QCOMPARE(shown, 0);
 }
 

@@ -2,7 +2,7 @@
 // The words beside the marks of a curve: off its lines, and off the markers of other things.
 #include <QTest>
 
-#include "ui/pages/study/curve_marks.h"
+#include "ui/plot/curve_marks.h"
 
 using namespace drillwave;
 

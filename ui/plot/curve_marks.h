@@ -8,6 +8,7 @@
 #include <QPointF>
 #include <QVector>
 
+#include "core/report/figure.h"
 #include "ui/plot/plot_style.h"
 #include "ui/text/shown_units.h"
 
@@ -15,7 +16,8 @@ namespace drillwave {
 
 /// A place of a curve that is named.
 struct CurveMark {
-    enum class Kind { goal, extreme, crossing, kink } kind = Kind::kink;
+    using Kind = MarkKind;
+    Kind kind = Kind::kink;
     QPointF at;  ///< parameter and value as shown
     bool operator==(const CurveMark&) const = default;
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/pages/study/curve_marks.h"
+#include "ui/plot/curve_marks.h"
 
 #include <algorithm>
 #include <limits>

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Figures as data: what is drawn over which axes. Units, language, pens and colours belong to who draws it.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string_view>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/model/kept_parameter.h"
+#include "core/text/message.h"
+#include "core/text/units.h"
+
+namespace drillwave {
+
+/// A mere number, or a number of hundredths that is followed by "%".
+enum class PlainNumber { number, percent };
+
+/// Multiple of a characteristic quantity of the blow (theory §1): t0, F0, I0, d0, k0, W0, F0/A, L, v0.
+enum class BlowScale { time, force, impulse, penetration, stiffness, energy, stress, length, velocity };
+
+/// SI values of a quantity, most of them about as large as `size` [SI].
+struct SiValues {
+    Quantity quantity = Quantity::ratio;
+    double size = 1;
+};
+
+/// Quantity of the numbers of a figure. Values of a parameter are in SI.
+using FigureQuantity = std::variant<PlainNumber, BlowScale, SiValues, KeptParameter>;
+
+/// A click at a value of an axis sets `parameter` to `factor` times that value [SI].
+struct AxisTarget {
+    KeptParameter parameter;
+    double factor = 1;
+};
+
+struct FigureAxis {
+    Message title = {};
+    FigureQuantity quantity = PlainNumber::number;
+    bool isLogarithmic = false;
+    std::optional<std::pair<double, double>> range = {};  ///< fixed; else all values are in view
+    std::optional<AxisTarget> target = {};                ///< nothing: a click sets nothing
+};
+
+/// line: y over ascending x. path: through points in their order. area: the same, closed and filled.
+enum class SeriesKind { line, path, area };
+
+/// The pen and colour of a series.
+enum class SeriesRole { result, second, third, fourth };
+
+struct FigureSeries {
+    SeriesKind kind = SeriesKind::line;
+    SeriesRole role = SeriesRole::result;
+    Message legend = {};  ///< empty: it is not in the legend
+    std::vector<double> x = {};
+    std::vector<double> y = {};
+    bool isOnTop = false;                             ///< its x are those of the top axis
+    std::function<double(double x)> value = nullptr;  ///< of a line, y between its points; may be empty
+};
+
+/// Kind of a marked place of a curve.
+enum class MarkKind { goal, extreme, crossing, kink };
+
+struct FigureMark {
+    MarkKind kind = MarkKind::kink;
+    double x = 0;
+    double y = 0;
+};
+
+/// A value of y, drawn as a line through all panels of a row and named in the last one.
+struct FigureLevel {
+    Message name;
+    double y = 0;
+    bool isMain = false;  ///< stands out among the others
+};
+
+/// All values of y above `from`, shaded and named.
+struct FigureZone {
+    Message name;
+    double from = 0;
+};
+
+/// A point of the first panel; without y a line.
+struct FigurePoint {
+    double x = 0;
+    std::optional<double> y = {};
+};
+
+/// One plot. Panels of a row share the axis of y.
+struct StudyPanel {
+    double width = 1;  ///< over that of the first panel of its row
+    FigureAxis x = {};
+    FigureAxis y = {};                   ///< of the first panel of its row
+    std::optional<FigureAxis> top = {};  ///< a second x axis
+    double topPerX = 0;  ///< the top axis shows that many times x (values of `top` over values of `x`); 0: it
+                         ///< has values of its own, of series that are `isOnTop`
+    std::vector<FigureSeries> series = {};
+    std::vector<FigureMark> marks = {};  ///< of the first series
+    std::optional<FigureZone> zone = {};
+};
+
+/// A number in a caption.
+struct FigureNumber {
+    double value = 0;
+    FigureQuantity quantity = PlainNumber::number;
+    int digits = 4;
+};
+
+/// A sentence with numbers in the places %1, %2 and so on.
+struct FigureText {
+    const char* pattern = "";
+    std::vector<FigureNumber> numbers = {};
+};
+
+/// Panels in a row, with what stands above them. A figure with another number of panels is another figure:
+/// series, marks and levels may change from one result to the next.
+struct StudyFigure {
+    std::vector<FigureText> caption = {};
+    std::vector<StudyPanel> panels = {};
+    std::vector<FigureLevel> levels = {};
+    bool isPreview = false;  ///< a first look, without what needs the whole result
+};
+
+}  // namespace drillwave

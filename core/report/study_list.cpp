@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/study.h"
+
+#include "core/report/gap_report.h"
+
+namespace drillwave {
+
+std::vector<const Study*> studies() {
+    return {&gapStudy()};
+}
+
+}  // namespace drillwave

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Draws any figure that is data, on screen and in files alike.
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "core/report/figure.h"
+#include "ui/plot/curve_marks.h"
+#include "ui/plot/study_frame.h"
+#include "ui/text/shown_units.h"
+
+namespace drillwave {
+
+class PlotWidget;
+
+/// The units of one reader: of multiples of the blow's quantities and of SI values, and of fields.
+struct FigureUnits {
+    ShownUnits units;
+    std::function<const Unit&(const Parameter&)> unitFor;
+
+    /// shown value = value of the figure times factor.
+    ShownUnit of(const FigureQuantity& quantity) const;
+};
+
+struct ShownFigure {
+    StudyFigure figure;
+    FigureUnits units;
+};
+
+/// All of a figure is in view when it is fitted. Every figure has as many panels as the first one.
+class FigureFrame : public StudyFrame {
+    Q_OBJECT
+
+  public:
+    explicit FigureFrame(QCustomPlot* plot);
+
+    /// Shows the figure; the view stays where it is unless it was fitted, or the axes have become others.
+    void present(const ShownFigure& shown);
+    /// Nothing before the first figure, and while there are words in its place.
+    bool isEmpty() const { return m_panels.empty() || m_isCleared; }
+    /// A series of a panel that is a line; requires that there is one.
+    QCPGraph* graph(std::size_t panel = 0, std::size_t series = 0) const;
+    /// The target of clicks in a rect; nullptr where a click sets nothing.
+    const AxisTarget* targetIn(const QCPAxisRect* rect) const;
+    /// Over the shown values of the first panel.
+    const ShownUnit& xUnit() const { return m_xUnit; }
+    const ShownUnit& yUnit() const { return m_yUnit; }
+    /// Tells the plot what its lines stand for, with the function behind the points of the figure's own.
+    void giveMeanings(PlotWidget& plot) const;
+    /// Along the lines of the first panel, to its marks.
+    KeyPlaces keyPlaces() const override;
+
+  private:
+    /// A series as it is drawn: one of the two.
+    struct Drawn {
+        QCPGraph* line = nullptr;
+        QCPCurve* path = nullptr;
+    };
+    struct Panel {
+        QCPAxisRect* rect = nullptr;
+        std::vector<Drawn> series;
+        CurveMarks* marks = nullptr;
+        QCPItemRect* zone = nullptr;
+        QCPItemText* zoneName = nullptr;
+        std::vector<QCPItemStraightLine*> levels;
+    };
+
+    void clear() override;
+    void restyle() override;
+    void setRanges() override;
+    void build();
+    void linkAxes();
+    void addZone(Panel& panel);
+    void showSeries(std::size_t index);
+    void showAxes(std::size_t index);
+    void showLevels();
+    void showCaption();
+    void breakCaption();
+    void placeZones();
+    void followTopAxes();
+    void setAxesVisible(bool visible);
+    bool hasOtherAxes(const ShownFigure& shown) const;
+    const StudyPanel& panelOf(std::size_t index) const { return m_shown.figure.panels[index]; }
+
+    ShownFigure m_shown;
+    ShownUnit m_xUnit;
+    ShownUnit m_yUnit;
+    std::vector<Panel> m_panels;
+    std::vector<QCPItemText*> m_levelNames;
+    bool m_isCleared = true;
+};
+
+}  // namespace drillwave
