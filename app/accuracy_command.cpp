@@ -157,11 +157,10 @@ const Command& accuracyCommand() {
             "100 to 20000 segments, and compares errors and run times. Takes some ten seconds. Of a drill\n"
             "string: polynomial cells of several sizes beside a plain lattice.",
         .options = scenarioOptions(
-            {{"segments", "A,B,C", "of the lattice, in place of 100 to 20000"},
+            {{"segments", "A,B,C", "numbers of lattice segments (default: from 100 to 20000)"},
              {"work-limit", "N",
-              "moves of waves by a segment that the lattices may take, 1000000000 (half a minute) if not "
-              "given"},
-             {"json", "", "print one JSON object in place of the table"},
+              "most moves of waves by a segment in the lattices (default: 1000000000, half a minute)"},
+             {"json", "", "print one JSON object instead of the table"},
              {"o", "DIR", "also write accuracy.csv into DIR; - prints it instead of the table"},
              plotsOptionSpec(),
              {"force", "", "overwrite an existing file"},

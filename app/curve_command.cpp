@@ -177,19 +177,19 @@ std::vector<OptionSpec> curveOptions() {
     std::vector<OptionSpec> options = scenarioOptions(
         {{"along", "KEY=RANGE", "the parameter to go along: START:STOP or START:STOP:log"},
          {"family", "KEY=VALUES", "a line for each value: A,B,C, or START:STOP:COUNT[:log]"},
-         {"outputs", "A,B|all", "what to follow, cor if not given; see below"},
+         {"outputs", "A,B|all", "outputs to follow, see below (default: cor)"},
          {"level", "X", "also where the outputs cross this value, in the unit of their columns",
           OptionSpec::Times::repeated},
          {"goal", "X",
           "every value of KEY that gives the only output this value, in the unit of its column; exit code 6 "
           "where none does"},
-         {"json", "", "print one JSON object in place of the tables"},
+         {"json", "", "print one JSON object instead of the tables"},
          {"si", "", "outputs in SI"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
              {"work-limit", "N",
-              "wave pieces a blow may take, 1000000 if not given; else there is no answer"},
-             {"j", "N", "threads to use, all of them if not given"},
+              "most wave pieces of a blow; one with more has no answer (default: 1000000)"},
+             {"j", "N", "number of threads (default: all)"},
              {"o", "FILE.csv",
               "also write points of the lines, with FILE.csv.yaml beside it, places of the goal into "
               "FILE_goal.csv; - prints the points instead"},

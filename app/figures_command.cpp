@@ -106,7 +106,7 @@ const Command& figuresCommand() {
             "index.html with all of it. Reference curves come with k0 = Z/(2T), as the paper draws them,\n"
             "and with k0 = Z/t0, as it defines it.",
         .options = {{"o", "DIR", "where to write; - prints discrepancies.csv alone"},
-                    {"plots", "png,svg,pdf", "formats of the figures, png,svg if not given"},
+                    {"plots", "png,svg,pdf", "formats of the figures (default: png,svg)"},
                     {"force", "", "overwrite existing files"},
                     decimalCommaSpec()},
         .leastOperands = 0,

@@ -2,11 +2,14 @@
 #include "app/help_text.h"
 
 #include <algorithm>
+#include <cctype>
 
 #include "app/language_option.h"
 #include "app/scenario_argument.h"
 #include "core/blow/outputs.h"
 #include "core/manual/chapter.h"
+#include "core/manual/inline_text.h"
+#include "core/text/text_layout.h"
 
 namespace drillwave {
 
@@ -30,6 +33,68 @@ constexpr const char* behindCommands =
 constexpr std::string_view optionsTitle = "Options:";
 constexpr std::string_view thisText = "this text";
 constexpr std::string_view versionHelp = "version of the program";
+
+constexpr std::size_t helpColumns = 80;
+constexpr std::size_t widestLeft = 24;  // a longer left part has a line of its own
+
+std::string capitalised(std::string text) {
+    if (!text.empty()) text[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(text[0])));
+    return text;
+}
+
+/// Two columns, the right one wrapped.
+std::string entry(const std::string& left, std::string_view right, std::size_t width) {
+    const std::string indent(width + 4, ' ');
+    std::string text = "  " + left;
+    bool isOpen = columnsOf(left) <= width;
+    if (isOpen) text += std::string(width - columnsOf(left) + 2, ' ');
+    for (const std::string& line : wrapped(right, helpColumns - indent.size())) {
+        text += (isOpen ? "" : "\n" + indent) + line;
+        isOpen = false;
+    }
+    return text + "\n";
+}
+
+/// Paragraphs, wrapped. Lines that begin with blanks are entries "  LEFT  RIGHT" or go on with the last one.
+std::string wrappedDetails(std::string_view details) {
+    struct Part {
+        std::string left, right;
+        bool isEntry;
+    };
+    std::vector<Part> parts;
+    std::size_t width = 0;
+    for (std::size_t at = 0; at <= details.size();) {
+        const std::size_t end = std::min(details.find('\n', at), details.size());
+        const std::string_view line = details.substr(at, end - at);
+        const std::size_t first = line.find_first_not_of(' ');
+        at = end + 1;
+        if (first == std::string_view::npos) {
+            parts.push_back({});
+        } else if (first == 0) {
+            if (parts.empty() || parts.back().isEntry || parts.back().right.empty())
+                parts.push_back({{}, std::string(line), false});
+            else
+                parts.back().right += "\n" + std::string(line);
+        } else if (first > 2 && !parts.empty() && parts.back().isEntry) {
+            parts.back().right += " " + std::string(line.substr(first));
+        } else {
+            const std::size_t gap = std::min(line.find("  ", first), line.size());
+            const std::string_view left = line.substr(first, gap - first);
+            const std::size_t right = std::min(line.find_first_not_of(' ', gap), line.size());
+            parts.push_back({std::string(left), std::string(line.substr(right)), true});
+            width = std::max(width, std::min(columnsOf(left), widestLeft));
+        }
+    }
+    std::string text;
+    for (const Part& part : parts) {
+        if (part.isEntry) {
+            text += entry(part.left, part.right, width);
+            continue;
+        }
+        for (const std::string& line : wrapped(part.right, helpColumns)) text += line + "\n";
+    }
+    return text;
+}
 
 std::string line(const std::string& left, std::string_view right, std::size_t width) {
     return "  " + left + std::string(width - left.size() + 2, ' ') + std::string(right) + "\n";
@@ -68,18 +133,20 @@ std::string programHelp(const ReadingStyle& style) {
 std::string commandHelp(const Command& command, const ReadingStyle& style) {
     const auto said = [&](std::string_view text) { return style.patternFor(std::string(text)); };
     const std::string operands = command.operands.empty() ? "" : " " + std::string(command.operands);
-    std::string help = style.said({translatable("Usage: drillwave %1 [OPTION]…\n"),
-                                   {std::string(command.name) + operands}}) +
-                       "\n" + said(command.summary) + ".\n";
-    if (command.operands.starts_with("FILE")) help += "\n" + said(scenarioOperandHelp) + "\n";
+    std::string help =
+        wrappedDetails(capitalised(said(command.summary)) + ".") + "\n" +
+        style.said({translatable("Usage: drillwave %1 [OPTION]…\n"), {std::string(command.name) + operands}});
+    if (const std::string details = style.patternFor(std::string(command.details)); !details.empty())
+        help += "\n" + wrappedDetails(details);
+    if (command.operands.starts_with("FILE")) help += "\n" + wrappedDetails(said(scenarioOperandHelp));
     const std::vector<OptionSpec> options = optionsOf(command);
     std::size_t width = std::string_view("-h, --help").size();
-    for (const OptionSpec& option : options) width = std::max(width, synopsis(option).size());
+    for (const OptionSpec& option : options)
+        width = std::max(width, std::min(synopsis(option).size(), widestLeft));
     help += "\n" + said(optionsTitle) + "\n";
-    for (const OptionSpec& option : options) help += line(synopsis(option), said(option.help), width);
-    help += line("-h, --help", said(thisText), width) + line("--version", said(versionHelp), width);
-    if (const std::string details = detailsOf(command, style); !details.empty())
-        help += "\n" + details + "\n";
+    for (const OptionSpec& option : options) help += entry(synopsis(option), said(option.help), width);
+    help += entry("-h, --help", said(thisText), width) + entry("--version", said(versionHelp), width);
+    if (command.furtherHelp) help += "\n" + wrappedDetails(command.furtherHelp(style));
     return help;
 }
 

@@ -211,15 +211,15 @@ std::vector<OptionSpec> mapOptions() {
     std::vector<OptionSpec> options = scenarioOptions(
         {{"x", "KEY=START:STOP:COUNT", "the first parameter and its values; :log behind for even ratios"},
          {"y", "KEY=START:STOP:COUNT", "the second one likewise"},
-         {"output", "A", "what to map, cor if not given; see below"},
+         {"output", "A", "output to map, see below (default: cor)"},
          {"level", "X", "place the contour of this value; may be given again", OptionSpec::Times::repeated},
          {"si", "", "the output in SI, and levels too, which may then carry units"},
-         {"json", "", "print one JSON object, with the contours, in place of the summary"}});
+         {"json", "", "print one JSON object, with the contours, instead of the summary"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
              {"work-limit", "N",
-              "wave pieces a point may take, 1000000 (at worst 2 s) if not given; else it has no output"},
-             {"j", "N", "threads to use, all of them if not given"},
+              "most wave pieces of a point; one with more has no output (default: 1000000, at worst 2 s)"},
+             {"j", "N", "number of threads (default: all)"},
              shardOptionSpec(),
              resumeOptionSpec(),
              {"o", "FILE.csv",

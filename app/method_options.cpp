@@ -9,8 +9,8 @@ namespace drillwave {
 
 std::vector<OptionSpec> methodOptionSpecs() {
     return {{"method", "NAME",
-             "exact, lattice or closed_form; if not given, that of the result FILE is, or exact"},
-            {"segments", "N", "of the lattice, 10000 as in the paper if not given"}};
+             "exact, lattice or closed_form (default: the method of the result FILE, else exact)"},
+            {"segments", "N", "number of lattice segments (default: 10000, as in the paper)"}};
 }
 
 MethodChoice methodChoice(const Arguments& arguments, const std::optional<MethodChoice>& ofResult) {

@@ -48,7 +48,7 @@ std::vector<OptionSpec> presetOptionSpecs() {
     return {{"rod", "NAME", "take this rod; `drillwave presets` lists rods, hammers and rocks"},
             {"hammer", "NAME", "take this hammer"},
             {"rock", "NAME", "take this rock"},
-            {"presets", "FILE.yaml", "a file of presets of your own, in place of the built-in ones"}};
+            {"presets", "FILE.yaml", "a file of presets of your own instead of the built-in ones"}};
 }
 
 PresetFile presetsOf(const std::optional<std::string>& path, const ReadingStyle& style) {

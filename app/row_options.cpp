@@ -125,18 +125,18 @@ Message couldNotBeSolved(const std::string& path, const Message& reason) {
 }
 
 OptionSpec workLimitSpec() {
-    return {"work-limit", "N", "wave pieces a blow may take, 1000000 (at worst some seconds) if not given"};
+    return {"work-limit", "N", "most wave pieces of a blow (default: 1000000, at worst some seconds)"};
 }
 
 std::vector<OptionSpec> rowOptionSpecs() {
     std::vector<OptionSpec> options =
-        scenarioOptions({{"outputs", "A,B|all", "output columns, cor if not given; see below"},
+        scenarioOptions({{"outputs", "A,B|all", "output columns, see below (default: cor)"},
                          {"si", "", "outputs in SI, with units in the header"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     for (const OptionSpec& option : std::initializer_list<OptionSpec>{
              {"work-limit", "N",
-              "wave pieces a row may take, 1000000 (at worst 2 s) if not given; else its cells are empty"},
-             {"j", "N", "threads to use, all of them if not given"},
+              "most wave pieces of a row; with more its cells are empty (default: 1000000, at worst 2 s)"},
+             {"j", "N", "number of threads (default: all)"},
              shardOptionSpec(),
              resumeOptionSpec(),
              {"o", "FILE.csv",

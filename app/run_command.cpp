@@ -131,7 +131,7 @@ ExitCode runBlow(const Arguments& arguments, const Drawing* drawing) {
 
 std::vector<OptionSpec> runOptions() {
     std::vector<OptionSpec> options =
-        scenarioOptions({{"json", "", "print one JSON object in place of the summary"}});
+        scenarioOptions({{"json", "", "print one JSON object instead of the summary"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
     options.push_back(workLimitSpec());
     for (const OptionSpec& option :

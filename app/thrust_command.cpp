@@ -180,12 +180,12 @@ const Command& thrustCommand() {
         .summary = "thrust that blows need, and what the installed one does between them",
         .details = details,
         .options = scenarioOptions({{"along", "KEY=VALUES",
-                                     "also a table along a parameter: START:STOP[:COUNT][:log], 101 points, "
-                                     "or each whole number, if not given, or A,B,C"},
+                                     "also a table along a parameter: A,B,C or START:STOP[:COUNT][:log] "
+                                     "(default COUNT: 101, or each whole number)"},
                                     {"frequency", "VALUES", "short for --along drill.blow_frequency=VALUES"},
-                                    {"j", "N", "threads for --along, all of them if not given"},
+                                    {"j", "N", "number of threads for --along (default: all)"},
                                     workLimitSpec(),
-                                    {"json", "", "print one JSON object in place of the tables"},
+                                    {"json", "", "print one JSON object instead of the tables"},
                                     {"o", "FILE.csv", "also write the table of --along; - prints it instead"},
                                     plotsOptionSpec(),
                                     {"force", "", "overwrite an existing file"},

@@ -11563,7 +11563,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>thrust for 95 % of gaps %1</source>
-        <translation>95 %-Andruck %1</translation>
+        <translation>95&#xa0;%-Andruck %1</translation>
     </message>
 </context>
 <context>
@@ -14582,26 +14582,6 @@ wave_picture.* und rod.*.</translation>
         <translation>dieses Gestein nehmen</translation>
     </message>
     <message>
-        <source>a file of presets of your own, in place of the built-in ones</source>
-        <translation>eine eigene Datei mit Voreinstellungen, anstelle der eingebauten</translation>
-    </message>
-    <message>
-        <source>print one JSON object in place of the summary</source>
-        <translation>ein JSON-Objekt anstelle der Zusammenfassung ausgeben</translation>
-    </message>
-    <message>
-        <source>exact, lattice or closed_form; if not given, that of the result FILE is, or exact</source>
-        <translation>exact, lattice oder closed_form; ohne Angabe wie im Ergebnis FILE, sonst exact</translation>
-    </message>
-    <message>
-        <source>of the lattice, 10000 as in the paper if not given</source>
-        <translation>Segmente des Gitters, ohne Angabe 10000 wie in der Veröffentlichung</translation>
-    </message>
-    <message>
-        <source>wave pieces a blow may take, 1000000 (at worst some seconds) if not given</source>
-        <translation>erlaubte Wellenstücke je Schlag, ohne Angabe 1000000 (einige Sekunden)</translation>
-    </message>
-    <message>
         <source>write the files of the run into DIR; - writes none</source>
         <translation>die Dateien des Laufs nach DIR schreiben; - schreibt keine</translation>
     </message>
@@ -14645,20 +14625,8 @@ FILE.csv.yaml neben FILE.csv sagt, was die Zeilen sind: Version, Befehl, Achsen 
         <translation>eine Achse: START:STOP:COUNT, START:STOP:COUNT:log oder A,B,C</translation>
     </message>
     <message>
-        <source>output columns, cor if not given; see below</source>
-        <translation>Ergebnisspalten, ohne Angabe cor; siehe unten</translation>
-    </message>
-    <message>
         <source>outputs in SI, with units in the header</source>
         <translation>Ergebnisse in SI-Einheiten, mit Einheiten im Kopf</translation>
-    </message>
-    <message>
-        <source>wave pieces a row may take, 1000000 (at worst 2 s) if not given; else its cells are empty</source>
-        <translation>erlaubte Wellenstücke je Zeile, ohne Angabe 1000000 (bis 2 s); darüber leere Zellen</translation>
-    </message>
-    <message>
-        <source>threads to use, all of them if not given</source>
-        <translation>zu nutzende Threads, ohne Angabe alle</translation>
     </message>
     <message>
         <source>only the I-th of N contiguous parts, for `drillwave join`; header only in part 1</source>
@@ -14716,10 +14684,6 @@ Werte haben Einheiten, wo der Parameter eine hat: --along bit_rock.stiffness=10M
         <translation>eine Kurve für jeden Wert: A,B,C oder START:STOP:COUNT[:log]</translation>
     </message>
     <message>
-        <source>what to follow, cor if not given; see below</source>
-        <translation>was verfolgt wird, ohne Angabe cor; siehe unten</translation>
-    </message>
-    <message>
         <source>also where the outputs cross this value, in the unit of their columns</source>
         <translation>auch, wo die Ergebnisse diesen Wert kreuzen, in der Einheit ihrer Spalten</translation>
     </message>
@@ -14728,16 +14692,8 @@ Werte haben Einheiten, wo der Parameter eine hat: --along bit_rock.stiffness=10M
         <translation>alle Werte von KEY mit diesem Ergebnis, in der Einheit seiner Spalte; sonst Exit-Code 6</translation>
     </message>
     <message>
-        <source>print one JSON object in place of the tables</source>
-        <translation>ein JSON-Objekt anstelle der Tabellen ausgeben</translation>
-    </message>
-    <message>
         <source>outputs in SI</source>
         <translation>Ergebnisse in SI-Einheiten</translation>
-    </message>
-    <message>
-        <source>wave pieces a blow may take, 1000000 if not given; else there is no answer</source>
-        <translation>erlaubte Wellenstücke je Schlag, ohne Angabe 1000000; darüber keine Antwort</translation>
     </message>
     <message>
         <source>also write points of the lines, with FILE.csv.yaml beside it, places of the goal into FILE_goal.csv; - prints the points instead</source>
@@ -14765,24 +14721,12 @@ Ergebnis dort springt.</translation>
         <translation>ebenso der zweite</translation>
     </message>
     <message>
-        <source>what to map, cor if not given; see below</source>
-        <translation>Ergebnis des Kennfelds, ohne Angabe cor; siehe unten</translation>
-    </message>
-    <message>
         <source>place the contour of this value; may be given again</source>
         <translation>die Höhenlinie dieses Werts bestimmen; mehrmals möglich</translation>
     </message>
     <message>
         <source>the output in SI, and levels too, which may then carry units</source>
         <translation>Ergebnis und Höhenlinien in SI-Einheiten; X darf dann eine Einheit haben</translation>
-    </message>
-    <message>
-        <source>print one JSON object, with the contours, in place of the summary</source>
-        <translation>ein JSON-Objekt, mit den Höhenlinien, anstelle der Zusammenfassung ausgeben</translation>
-    </message>
-    <message>
-        <source>wave pieces a point may take, 1000000 (at worst 2 s) if not given; else it has no output</source>
-        <translation>erlaubte Wellenstücke je Punkt, ohne Angabe 1000000 (2 s); darüber kein Ergebnis</translation>
     </message>
     <message>
         <source>also write the points, with FILE.csv.yaml beside, contours into FILE_contours.csv; - prints the points instead</source>
@@ -14814,10 +14758,6 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
         <translation>Standardabweichung des gestreuten Spalts</translation>
     </message>
     <message>
-        <source>print one JSON object in place of the table</source>
-        <translation>ein JSON-Objekt anstelle der Tabelle ausgeben</translation>
-    </message>
-    <message>
         <source>also write the results along the gap; - prints them instead of the table</source>
         <translation>auch die Ergebnisse über dem Spalt schreiben; - gibt sie anstelle der Tabelle aus</translation>
     </message>
@@ -14830,20 +14770,12 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
         <translation>eine vorhandene Datei überschreiben</translation>
     </message>
     <message>
-        <source>short for --set drill.blows=N; 1000, of a scan 300, if not given</source>
-        <translation>kurz für --set drill.blows=N; ohne Angabe 1000, bei einem Durchlauf 300</translation>
-    </message>
-    <message>
         <source>short for --set drill.settle=N: the first blows, which no statistic counts</source>
         <translation>kurz für --set drill.settle=N: erste Schläge, die in keiner Statistik zählen</translation>
     </message>
     <message>
         <source>short for --set drill.seed=N, of the scatter of the intervals</source>
         <translation>kurz für --set drill.seed=N: Startwert der Streuung der Schlagabstände</translation>
-    </message>
-    <message>
-        <source>cells of time per t0, 10 to 400; 40, of a scan 20, if not given</source>
-        <translation>Zeitzellen je t0, 10 bis 400; ohne Angabe 40, bei einem Durchlauf 20</translation>
     </message>
     <message>
         <source>over these values; :log behind it, or KEY=A,B,C</source>
@@ -14858,16 +14790,8 @@ Spalte mit e &gt; 1: wenn alle Spalte einer Periode gleich wahrscheinlich sind u
         <translation>mit -o DIR auch schreiben, was von Schlag A bis Schlag B geschieht</translation>
     </message>
     <message>
-        <source>numbers in SI, as if not given</source>
-        <translation>Zahlen in SI-Einheiten, wie auch ohne Angabe</translation>
-    </message>
-    <message>
         <source>numbers as multiples of d0, v0, I0, F0 and t0</source>
         <translation>Zahlen als Vielfache von d0, v0, I0, F0 und t0</translation>
-    </message>
-    <message>
-        <source>cells times nodes that are permitted, 4e9 if not given</source>
-        <translation>wie viele Zellen mal Knoten erlaubt sind, ohne Angabe 4e9</translation>
     </message>
     <message>
         <source>also write a row for every blow, with FILE.csv.yaml beside, or all files into DIR; - prints the rows</source>
@@ -14920,16 +14844,8 @@ ist I0 der Kraftstoß an der Schlagfläche des Hammers; seine Spalte haben keine
 Schlag und starres Gestein angegeben werden.</translation>
     </message>
     <message>
-        <source>also a table along a parameter: START:STOP[:COUNT][:log], 101 points, or each whole number, if not given, or A,B,C</source>
-        <translation>Tabelle: A,B,C oder START:STOP[:COUNT][:log], ohne COUNT 101 oder jede ganze Zahl</translation>
-    </message>
-    <message>
         <source>short for --along drill.blow_frequency=VALUES</source>
         <translation>kurz für --along drill.blow_frequency=VALUES</translation>
-    </message>
-    <message>
-        <source>threads for --along, all of them if not given</source>
-        <translation>Threads für --along, ohne Angabe alle</translation>
     </message>
     <message>
         <source>also write the table of --along; - prints it instead</source>
@@ -14962,14 +14878,6 @@ Schlag und starres Gestein angegeben werden.</translation>
     <message>
         <source>every design&apos;s blow has the energy of FILE&apos;s</source>
         <translation>der Schlag jeder Auslegung hat dieselbe Energie wie der von FILE</translation>
-    </message>
-    <message>
-        <source>samples of a design, 4096, of a string 1024, if not given; rounded up to a power of two</source>
-        <translation>Stichproben je Auslegung, aufgerundet zur Zweierpotenz; sonst 4096, bei einem Strang 1024</translation>
-    </message>
-    <message>
-        <source>which samples, 1 if not given</source>
-        <translation>welche Stichproben, ohne Angabe 1</translation>
     </message>
     <message>
         <source>also write tables, the best design and the JSON object into DIR</source>
@@ -15029,10 +14937,6 @@ Veröffentlichung sie zeichnet, und mit k0 = Z/t0, wie sie es definiert.</transl
         <translation>wohin geschrieben wird; - gibt nur discrepancies.csv aus</translation>
     </message>
     <message>
-        <source>formats of the figures, png,svg if not given</source>
-        <translation>Formate der Abbildungen, ohne Angabe png,svg</translation>
-    </message>
-    <message>
         <source>error against run time, every method and resolution</source>
         <translation>Fehler über der Rechenzeit, jedes Verfahren und jede Auflösung</translation>
     </message>
@@ -15043,14 +14947,6 @@ string: polynomial cells of several sizes beside a plain lattice.</source>
         <translation>Löst den Schlag exakt, in geschlossener Form, wo sie gilt, und mit dem Gitter der Veröffentlichung
 (100 bis 20000 Segmente), und vergleicht Fehler und Rechenzeiten. Dauert etwa zehn Sekunden. Bei
 einem Bohrstrang: polynomiale Zellen mehrerer Größen neben einem einfachen Gitter.</translation>
-    </message>
-    <message>
-        <source>of the lattice, in place of 100 to 20000</source>
-        <translation>Segmente des Gitters, anstelle von 100 bis 20000</translation>
-    </message>
-    <message>
-        <source>moves of waves by a segment that the lattices may take, 1000000000 (half a minute) if not given</source>
-        <translation>erlaubte Wellenverschiebungen um ein Segment, ohne Angabe 1000000000 (halbe Minute)</translation>
     </message>
     <message>
         <source>also write accuracy.csv into DIR; - prints it instead of the table</source>
@@ -15453,6 +15349,106 @@ Befehle, die ein Szenario nehmen, nehmen mit --signal FILE und denselben Optione
     <message>
         <source>print one JSON object instead of the table</source>
         <translation>ein JSON-Objekt anstelle der Tabelle ausgeben</translation>
+    </message>
+    <message>
+        <source>a file of presets of your own instead of the built-in ones</source>
+        <translation>eine eigene Datei mit Voreinstellungen anstelle der eingebauten</translation>
+    </message>
+    <message>
+        <source>print one JSON object instead of the summary</source>
+        <translation>ein JSON-Objekt anstelle der Zusammenfassung ausgeben</translation>
+    </message>
+    <message>
+        <source>exact, lattice or closed_form (default: the method of the result FILE, else exact)</source>
+        <translation>exact, lattice oder closed_form (Vorgabe: das Verfahren des Ergebnisses FILE, sonst exact)</translation>
+    </message>
+    <message>
+        <source>number of lattice segments (default: 10000, as in the paper)</source>
+        <translation>Zahl der Gittersegmente (Vorgabe: 10000, wie im Artikel)</translation>
+    </message>
+    <message>
+        <source>most wave pieces of a blow (default: 1000000, at worst some seconds)</source>
+        <translation>höchste Zahl der Wellenstücke eines Schlags (Vorgabe: 1000000, schlimmstenfalls einige Sekunden)</translation>
+    </message>
+    <message>
+        <source>output columns, see below (default: cor)</source>
+        <translation>Spalten der Ausgaben, siehe unten (Vorgabe: cor)</translation>
+    </message>
+    <message>
+        <source>most wave pieces of a row; with more its cells are empty (default: 1000000, at worst 2 s)</source>
+        <translation>höchste Zahl der Wellenstücke einer Zeile; mit mehr sind ihre Zellen leer (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
+    </message>
+    <message>
+        <source>number of threads (default: all)</source>
+        <translation>Zahl der Threads (Vorgabe: alle)</translation>
+    </message>
+    <message>
+        <source>outputs to follow, see below (default: cor)</source>
+        <translation>Ausgaben, denen gefolgt wird, siehe unten (Vorgabe: cor)</translation>
+    </message>
+    <message>
+        <source>print one JSON object instead of the tables</source>
+        <translation>ein JSON-Objekt anstelle der Tabellen ausgeben</translation>
+    </message>
+    <message>
+        <source>most wave pieces of a blow; one with more has no answer (default: 1000000)</source>
+        <translation>höchste Zahl der Wellenstücke eines Schlags; einer mit mehr hat keine Antwort (Vorgabe: 1000000)</translation>
+    </message>
+    <message>
+        <source>output to map, see below (default: cor)</source>
+        <translation>Ausgabe der Karte, siehe unten (Vorgabe: cor)</translation>
+    </message>
+    <message>
+        <source>print one JSON object, with the contours, instead of the summary</source>
+        <translation>ein JSON-Objekt mit den Höhenlinien anstelle der Zusammenfassung ausgeben</translation>
+    </message>
+    <message>
+        <source>most wave pieces of a point; one with more has no output (default: 1000000, at worst 2 s)</source>
+        <translation>höchste Zahl der Wellenstücke eines Punkts; einer mit mehr hat keine Ausgabe (Vorgabe: 1000000, schlimmstenfalls 2 s)</translation>
+    </message>
+    <message>
+        <source>short for --set drill.blows=N (default: 1000, for a scan 300)</source>
+        <translation>kurz für --set drill.blows=N (Vorgabe: 1000, bei einem Durchlauf 300)</translation>
+    </message>
+    <message>
+        <source>time steps per t0, 10 to 400 (default: 40, for a scan 20)</source>
+        <translation>Zeitschritte je t0, 10 bis 400 (Vorgabe: 40, bei einem Durchlauf 20)</translation>
+    </message>
+    <message>
+        <source>numbers in SI (default)</source>
+        <translation>Zahlen in SI (Vorgabe)</translation>
+    </message>
+    <message>
+        <source>most cells times nodes (default: 4e9)</source>
+        <translation>höchste Zahl der Zellen mal Knoten (Vorgabe: 4e9)</translation>
+    </message>
+    <message>
+        <source>also a table along a parameter: A,B,C or START:STOP[:COUNT][:log] (default COUNT: 101, or each whole number)</source>
+        <translation>auch eine Tabelle entlang eines Parameters: A,B,C oder START:STOP[:COUNT][:log] (Vorgabe für COUNT: 101, oder jede ganze Zahl)</translation>
+    </message>
+    <message>
+        <source>number of threads for --along (default: all)</source>
+        <translation>Zahl der Threads für --along (Vorgabe: alle)</translation>
+    </message>
+    <message>
+        <source>samples of a design, rounded up to a power of two (default: 4096, for a string 1024)</source>
+        <translation>Stichproben eines Entwurfs, aufgerundet auf eine Zweierpotenz (Vorgabe: 4096, bei einem Strang 1024)</translation>
+    </message>
+    <message>
+        <source>seed of the samples (default: 1)</source>
+        <translation>Startwert der Stichproben (Vorgabe: 1)</translation>
+    </message>
+    <message>
+        <source>formats of the figures (default: png,svg)</source>
+        <translation>Formate der Abbildungen (Vorgabe: png,svg)</translation>
+    </message>
+    <message>
+        <source>numbers of lattice segments (default: from 100 to 20000)</source>
+        <translation>Zahlen der Gittersegmente (Vorgabe: von 100 bis 20000)</translation>
+    </message>
+    <message>
+        <source>most moves of waves by a segment in the lattices (default: 1000000000, half a minute)</source>
+        <translation>höchste Zahl der Schritte von Wellen um ein Segment in den Gittern (Vorgabe: 1000000000, eine halbe Minute)</translation>
     </message>
 </context>
 </TS>

@@ -11563,7 +11563,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>thrust for 95 % of gaps %1</source>
-        <translation>95 %-matningskraft %1</translation>
+        <translation>95&#xa0;%-matningskraft %1</translation>
     </message>
 </context>
 <context>
@@ -14580,26 +14580,6 @@ längsta sektionen. Diagrammen är blow.*, rock.*, wave_picture.* och rod.*.</tr
         <translation>ta detta berg</translation>
     </message>
     <message>
-        <source>a file of presets of your own, in place of the built-in ones</source>
-        <translation>en egen fil med förval, i stället för de inbyggda</translation>
-    </message>
-    <message>
-        <source>print one JSON object in place of the summary</source>
-        <translation>skriv ut ett JSON-objekt i stället för sammanfattningen</translation>
-    </message>
-    <message>
-        <source>exact, lattice or closed_form; if not given, that of the result FILE is, or exact</source>
-        <translation>exact, lattice eller closed_form; annars den i resultatet FILE, eller exact</translation>
-    </message>
-    <message>
-        <source>of the lattice, 10000 as in the paper if not given</source>
-        <translation>gittrets segment, 10000 som i artikeln om inte angivet</translation>
-    </message>
-    <message>
-        <source>wave pieces a blow may take, 1000000 (at worst some seconds) if not given</source>
-        <translation>högsta antal vågbitar per slag, 1000000 (några sekunder) om inte angivet</translation>
-    </message>
-    <message>
         <source>write the files of the run into DIR; - writes none</source>
         <translation>skriv körningens filer till DIR; - skriver inga</translation>
     </message>
@@ -14642,20 +14622,8 @@ FILE.csv.yaml bredvid FILE.csv anger vad raderna är: version, kommando, axlar o
         <translation>en axel: START:STOP:COUNT, START:STOP:COUNT:log eller A,B,C</translation>
     </message>
     <message>
-        <source>output columns, cor if not given; see below</source>
-        <translation>resultatkolumner, cor om inte angivet; se nedan</translation>
-    </message>
-    <message>
         <source>outputs in SI, with units in the header</source>
         <translation>resultat i SI-enheter, angivna i huvudet</translation>
-    </message>
-    <message>
-        <source>wave pieces a row may take, 1000000 (at worst 2 s) if not given; else its cells are empty</source>
-        <translation>högsta antal vågbitar per rad, 1000000 (2 s) om inte angivet; annars tomma celler</translation>
-    </message>
-    <message>
-        <source>threads to use, all of them if not given</source>
-        <translation>antal trådar, alla om inte angivet</translation>
     </message>
     <message>
         <source>only the I-th of N contiguous parts, for `drillwave join`; header only in part 1</source>
@@ -14711,10 +14679,6 @@ Värden anges med enhet där parametern har en: --along bit_rock.stiffness=10MN/
         <translation>en kurva för varje värde: A,B,C eller START:STOP:COUNT[:log]</translation>
     </message>
     <message>
-        <source>what to follow, cor if not given; see below</source>
-        <translation>vad som ska följas, cor om inte angivet; se nedan</translation>
-    </message>
-    <message>
         <source>also where the outputs cross this value, in the unit of their columns</source>
         <translation>även var resultaten korsar detta värde, i kolumnernas enhet</translation>
     </message>
@@ -14723,16 +14687,8 @@ Värden anges med enhet där parametern har en: --along bit_rock.stiffness=10MN/
         <translation>alla KEY-värden där det enda resultatet är X, i kolumnens enhet; annars slutkod 6</translation>
     </message>
     <message>
-        <source>print one JSON object in place of the tables</source>
-        <translation>skriv ut ett JSON-objekt i stället för tabellerna</translation>
-    </message>
-    <message>
         <source>outputs in SI</source>
         <translation>resultat i SI-enheter</translation>
-    </message>
-    <message>
-        <source>wave pieces a blow may take, 1000000 if not given; else there is no answer</source>
-        <translation>högsta antal vågbitar per slag, 1000000 om inte angivet; krävs fler finns inget svar</translation>
     </message>
     <message>
         <source>also write points of the lines, with FILE.csv.yaml beside it, places of the goal into FILE_goal.csv; - prints the points instead</source>
@@ -14760,24 +14716,12 @@ resultatet gör ett språng där.</translation>
         <translation>den andra likaså</translation>
     </message>
     <message>
-        <source>what to map, cor if not given; see below</source>
-        <translation>vad kartan visar, cor om inte angivet; se nedan</translation>
-    </message>
-    <message>
         <source>place the contour of this value; may be given again</source>
         <translation>bestäm nivåkurvan för detta värde; kan anges flera gånger</translation>
     </message>
     <message>
         <source>the output in SI, and levels too, which may then carry units</source>
         <translation>resultatet i SI-enheter, och även nivåer, som då får ha enhet</translation>
-    </message>
-    <message>
-        <source>print one JSON object, with the contours, in place of the summary</source>
-        <translation>skriv ut ett JSON-objekt, med nivåkurvorna, i stället för sammanfattningen</translation>
-    </message>
-    <message>
-        <source>wave pieces a point may take, 1000000 (at worst 2 s) if not given; else it has no output</source>
-        <translation>högsta antal vågbitar per punkt, 1000000 (2 s) om inte angivet; annars utan svar</translation>
     </message>
     <message>
         <source>also write the points, with FILE.csv.yaml beside, contours into FILE_contours.csv; - prints the points instead</source>
@@ -14809,10 +14753,6 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
         <translation>den spridda spaltens standardavvikelse</translation>
     </message>
     <message>
-        <source>print one JSON object in place of the table</source>
-        <translation>skriv ut ett JSON-objekt i stället för tabellen</translation>
-    </message>
-    <message>
         <source>also write the results along the gap; - prints them instead of the table</source>
         <translation>skriv även resultaten längs spalten; - skriver ut dem i stället för tabellen</translation>
     </message>
@@ -14825,20 +14765,12 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
         <translation>skriv över en befintlig fil</translation>
     </message>
     <message>
-        <source>short for --set drill.blows=N; 1000, of a scan 300, if not given</source>
-        <translation>kortform för --set drill.blows=N; 1000, i ett svep 300, om inte angivet</translation>
-    </message>
-    <message>
         <source>short for --set drill.settle=N: the first blows, which no statistic counts</source>
         <translation>kortform för --set drill.settle=N: de första slagen, som ingen statistik räknar</translation>
     </message>
     <message>
         <source>short for --set drill.seed=N, of the scatter of the intervals</source>
         <translation>kortform för --set drill.seed=N, startvärdet för intervallens spridning</translation>
-    </message>
-    <message>
-        <source>cells of time per t0, 10 to 400; 40, of a scan 20, if not given</source>
-        <translation>tidsceller per t0, 10 till 400; 40, i ett svep 20, om inte angivet</translation>
     </message>
     <message>
         <source>over these values; :log behind it, or KEY=A,B,C</source>
@@ -14853,16 +14785,8 @@ spalter i en period är lika sannolika och, med --gap-deviation, för en normalf
         <translation>med -o DIR: skriv även vad som händer från slag A till slag B</translation>
     </message>
     <message>
-        <source>numbers in SI, as if not given</source>
-        <translation>tal i SI-enheter, som också gäller om inget anges</translation>
-    </message>
-    <message>
         <source>numbers as multiples of d0, v0, I0, F0 and t0</source>
         <translation>tal som multiplar av d0, v0, I0, F0 och t0</translation>
-    </message>
-    <message>
-        <source>cells times nodes that are permitted, 4e9 if not given</source>
-        <translation>högsta antal celler gånger noder, 4e9 om inte angivet</translation>
     </message>
     <message>
         <source>also write a row for every blow, with FILE.csv.yaml beside, or all files into DIR; - prints the rows</source>
@@ -14914,16 +14838,8 @@ borrsträng är I0 impulsen på hammarens slagyta; dess spalter har ingen period
 slag och stelt berg anges.</translation>
     </message>
     <message>
-        <source>also a table along a parameter: START:STOP[:COUNT][:log], 101 points, or each whole number, if not given, or A,B,C</source>
-        <translation>även en tabell: START:STOP[:COUNT][:log] (annars 101 punkter/alla heltal) eller A,B,C</translation>
-    </message>
-    <message>
         <source>short for --along drill.blow_frequency=VALUES</source>
         <translation>kortform för --along drill.blow_frequency=VALUES</translation>
-    </message>
-    <message>
-        <source>threads for --along, all of them if not given</source>
-        <translation>antal trådar för --along, alla om inte angivet</translation>
     </message>
     <message>
         <source>also write the table of --along; - prints it instead</source>
@@ -14956,14 +14872,6 @@ slag och stelt berg anges.</translation>
     <message>
         <source>every design&apos;s blow has the energy of FILE&apos;s</source>
         <translation>varje konstruktions slag har samma energi som det i FILE</translation>
-    </message>
-    <message>
-        <source>samples of a design, 4096, of a string 1024, if not given; rounded up to a power of two</source>
-        <translation>stickprov per konstruktion, annars 4096 (sträng 1024); avrundas uppåt till en tvåpotens</translation>
-    </message>
-    <message>
-        <source>which samples, 1 if not given</source>
-        <translation>vilka stickprov, 1 om inte angivet</translation>
     </message>
     <message>
         <source>also write tables, the best design and the JSON object into DIR</source>
@@ -15022,10 +14930,6 @@ k0 = Z/t0, som artikeln definierar det.</translation>
         <translation>vart figurerna skrivs; - skriver bara ut discrepancies.csv</translation>
     </message>
     <message>
-        <source>formats of the figures, png,svg if not given</source>
-        <translation>figurernas format, png,svg om inte angivet</translation>
-    </message>
-    <message>
         <source>error against run time, every method and resolution</source>
         <translation>fel mot beräkningstid, alla metoder och upplösningar</translation>
     </message>
@@ -15036,14 +14940,6 @@ string: polynomial cells of several sizes beside a plain lattice.</source>
         <translation>Löser slaget exakt, i sluten form där den gäller och med artikelns gitter på 100 till 20000
 segment, och jämför fel och beräkningstider. Tar omkring tio sekunder. För en borrsträng:
 polynomceller av flera storlekar bredvid ett enkelt gitter.</translation>
-    </message>
-    <message>
-        <source>of the lattice, in place of 100 to 20000</source>
-        <translation>gittrets segment, i stället för 100 till 20000</translation>
-    </message>
-    <message>
-        <source>moves of waves by a segment that the lattices may take, 1000000000 (half a minute) if not given</source>
-        <translation>högsta antal vågflyttningar om ett segment, 1000000000 (en halv minut) om inte angivet</translation>
     </message>
     <message>
         <source>also write accuracy.csv into DIR; - prints it instead of the table</source>
@@ -15443,6 +15339,106 @@ Kommandon som tar ett scenario tar ett slag från en mätning med --signal FILE 
     <message>
         <source>print one JSON object instead of the table</source>
         <translation>skriv ut ett JSON-objekt i stället för tabellen</translation>
+    </message>
+    <message>
+        <source>a file of presets of your own instead of the built-in ones</source>
+        <translation>en fil med egna förval i stället för de inbyggda</translation>
+    </message>
+    <message>
+        <source>print one JSON object instead of the summary</source>
+        <translation>skriv ut ett JSON-objekt i stället för sammanfattningen</translation>
+    </message>
+    <message>
+        <source>exact, lattice or closed_form (default: the method of the result FILE, else exact)</source>
+        <translation>exact, lattice eller closed_form (standard: metoden i resultatet FILE, annars exact)</translation>
+    </message>
+    <message>
+        <source>number of lattice segments (default: 10000, as in the paper)</source>
+        <translation>antal gittersegment (standard: 10000, som i artikeln)</translation>
+    </message>
+    <message>
+        <source>most wave pieces of a blow (default: 1000000, at worst some seconds)</source>
+        <translation>högsta antal vågbitar för ett slag (standard: 1000000, i värsta fall några sekunder)</translation>
+    </message>
+    <message>
+        <source>output columns, see below (default: cor)</source>
+        <translation>kolumner med utdata, se nedan (standard: cor)</translation>
+    </message>
+    <message>
+        <source>most wave pieces of a row; with more its cells are empty (default: 1000000, at worst 2 s)</source>
+        <translation>högsta antal vågbitar för en rad; med fler är dess celler tomma (standard: 1000000, i värsta fall 2 s)</translation>
+    </message>
+    <message>
+        <source>number of threads (default: all)</source>
+        <translation>antal trådar (standard: alla)</translation>
+    </message>
+    <message>
+        <source>outputs to follow, see below (default: cor)</source>
+        <translation>utdata att följa, se nedan (standard: cor)</translation>
+    </message>
+    <message>
+        <source>print one JSON object instead of the tables</source>
+        <translation>skriv ut ett JSON-objekt i stället för tabellerna</translation>
+    </message>
+    <message>
+        <source>most wave pieces of a blow; one with more has no answer (default: 1000000)</source>
+        <translation>högsta antal vågbitar för ett slag; ett med fler har inget svar (standard: 1000000)</translation>
+    </message>
+    <message>
+        <source>output to map, see below (default: cor)</source>
+        <translation>utdata för kartan, se nedan (standard: cor)</translation>
+    </message>
+    <message>
+        <source>print one JSON object, with the contours, instead of the summary</source>
+        <translation>skriv ut ett JSON-objekt med konturerna i stället för sammanfattningen</translation>
+    </message>
+    <message>
+        <source>most wave pieces of a point; one with more has no output (default: 1000000, at worst 2 s)</source>
+        <translation>högsta antal vågbitar för en punkt; en med fler har inget värde (standard: 1000000, i värsta fall 2 s)</translation>
+    </message>
+    <message>
+        <source>short for --set drill.blows=N (default: 1000, for a scan 300)</source>
+        <translation>kort för --set drill.blows=N (standard: 1000, i ett svep 300)</translation>
+    </message>
+    <message>
+        <source>time steps per t0, 10 to 400 (default: 40, for a scan 20)</source>
+        <translation>tidssteg per t0, 10 till 400 (standard: 40, i ett svep 20)</translation>
+    </message>
+    <message>
+        <source>numbers in SI (default)</source>
+        <translation>tal i SI (standard)</translation>
+    </message>
+    <message>
+        <source>most cells times nodes (default: 4e9)</source>
+        <translation>högsta antal celler gånger noder (standard: 4e9)</translation>
+    </message>
+    <message>
+        <source>also a table along a parameter: A,B,C or START:STOP[:COUNT][:log] (default COUNT: 101, or each whole number)</source>
+        <translation>även en tabell längs en parameter: A,B,C eller START:STOP[:COUNT][:log] (standard för COUNT: 101, eller varje heltal)</translation>
+    </message>
+    <message>
+        <source>number of threads for --along (default: all)</source>
+        <translation>antal trådar för --along (standard: alla)</translation>
+    </message>
+    <message>
+        <source>samples of a design, rounded up to a power of two (default: 4096, for a string 1024)</source>
+        <translation>stickprov för en konstruktion, avrundat uppåt till en tvåpotens (standard: 4096, för en sträng 1024)</translation>
+    </message>
+    <message>
+        <source>seed of the samples (default: 1)</source>
+        <translation>startvärde för stickproven (standard: 1)</translation>
+    </message>
+    <message>
+        <source>formats of the figures (default: png,svg)</source>
+        <translation>figurernas format (standard: png,svg)</translation>
+    </message>
+    <message>
+        <source>numbers of lattice segments (default: from 100 to 20000)</source>
+        <translation>antal gittersegment (standard: från 100 till 20000)</translation>
+    </message>
+    <message>
+        <source>most moves of waves by a segment in the lattices (default: 1000000000, half a minute)</source>
+        <translation>högsta antal steg av vågor med ett segment i gittren (standard: 1000000000, en halv minut)</translation>
     </message>
 </context>
 </TS>

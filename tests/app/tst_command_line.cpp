@@ -55,8 +55,9 @@ class TestCommandLine : public QObject {
 
 void TestCommandLine::helpAndVersionAreEverywhere_data() {
     QTest::addColumn<QString>("command");
-    for (const char* command : {"", "run", "sweep", "table", "gap", "thrust", "figures", "accuracy",
-                                "stability", "validate", "examples", "presets"})
+    for (const char* command :
+         {"", "run", "sweep", "table", "gap", "curve", "map", "drill", "design", "signal", "report", "join",
+          "thrust", "figures", "accuracy", "stability", "validate", "examples", "presets"})
         QTest::newRow(*command ? command : "program") << command;
 }
 
@@ -65,7 +66,9 @@ void TestCommandLine::helpAndVersionAreEverywhere() {
     const QStringList words = command.isEmpty() ? QStringList() : QStringList{command};
     const Finished help = run(words + QStringList{"--help"});
     QCOMPARE(help.exitCode, 0);
-    QVERIFY(help.out.startsWith("Usage: drillwave"));
+    QVERIFY(help.out.contains("Usage: drillwave"));
+    for (const QByteArray& line : help.out.split('\n'))
+        QVERIFY2(command.isEmpty() || QString::fromUtf8(line).size() <= 80, line.constData());
     QVERIFY2(QString::fromUtf8(help.out).toUtf8() == help.out && help.out.endsWith('\n') &&
                  !help.out.contains('\0'),
              help.out);
