@@ -13906,6 +13906,14 @@ Festigkeit</translation>
         <source>%1 set to %2</source>
         <translation>%1 auf %2 gesetzt</translation>
     </message>
+    <message>
+        <source>Copy answer</source>
+        <translation>Antwort kopieren</translation>
+    </message>
+    <message>
+        <source>The sentence below, as text</source>
+        <translation>Der Satz darunter, als Text</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::StudyStatus</name>
@@ -14209,12 +14217,12 @@ Festigkeit</translation>
         <translation>Andruck braucht Szenarien in physikalischen Einheiten, und dieses ist durch seine dimensionslosen Kennzahlen gegeben: ohne Schlagfrequenz und Kräfte lässt sich kein Vorschub beurteilen. Datei ▸ Neu beginnt ein Szenario, das sie hat.</translation>
     </message>
     <message>
-        <source>Thrust</source>
-        <translation>Andruck</translation>
-    </message>
-    <message>
         <source>Required feed</source>
         <translation>Erforderlicher Andruck</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Andruck</translation>
     </message>
 </context>
 <context>

@@ -13906,6 +13906,14 @@ fastheten</translation>
         <source>%1 set to %2</source>
         <translation>%1 satt till %2</translation>
     </message>
+    <message>
+        <source>Copy answer</source>
+        <translation>Kopiera svaret</translation>
+    </message>
+    <message>
+        <source>The sentence below, as text</source>
+        <translation>Meningen nedanför, som text</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::StudyStatus</name>
@@ -14209,12 +14217,12 @@ fastheten</translation>
         <translation>Matningskraft gäller scenarier i fysikaliska enheter, och detta är givet av sina dimensionslösa tal: utan slagfrekvens och krafter kan ingen matning bedömas. Arkiv ▸ Ny börjar ett scenario som har dem.</translation>
     </message>
     <message>
-        <source>Thrust</source>
-        <translation>Matningskraft</translation>
-    </message>
-    <message>
         <source>Required feed</source>
         <translation>Matningskraft som krävs</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Matningskraft</translation>
     </message>
 </context>
 <context>

@@ -3,10 +3,13 @@
 // cancel, pinned runs, a click with undo, and the copied command.
 #include <fcntl.h>
 #include <unistd.h>
+#include <QClipboard>
 #include <QComboBox>
 #include <QFile>
+#include <QGuiApplication>
 #include <QImage>
 #include <QLabel>
+#include <QPushButton>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -161,6 +164,8 @@ void TestToyStudy::pageShowsFigureSentenceAndPlace() {
     QCOMPARE(page.figureFrame().graph(0, 0)->dataCount(), 41);
     QCOMPARE(page.figureFrame().graph(0, 1)->name(), QStringLiteral("other length"));
     QVERIFY(page.findChild<QLabel*>(QStringLiteral("words"))->text().startsWith("The largest force is"));
+    page.findChild<QPushButton*>(QStringLiteral("copyAnswer"))->click();
+    QVERIFY(QGuiApplication::clipboard()->text().startsWith(QStringLiteral("The largest force is")));
     QVERIFY(std::abs(*page.findChild<HereMark*>()->x() - document.scenario().pulse.duration * 1e6) < 1e-9);
     QVERIFY(page.figureFrame().graph()->keyAxis()->label().contains(QStringLiteral("µs")));
     QVERIFY(page.figureFrame().graph()->valueAxis()->label().contains(QStringLiteral("kN")));

@@ -335,7 +335,7 @@ void TestPageTabs::noPageIsChosenThatShowsNothingOfAString() {
     }
     QCOMPARE(enabled,
              (QStringList{QStringLiteral("Efficiency–stiffness"), QStringLiteral("COR–gap"),
-                          QStringLiteral("Map"), QStringLiteral("Thrust"), QStringLiteral("Drilling"),
+                          QStringLiteral("Map"), QStringLiteral("Feed"), QStringLiteral("Drilling"),
                           QStringLiteral("Design"), QStringLiteral("Accuracy")}));
     // A place of the rod's blow, which is on show until the string is solved.
     emit part<ResultPanel>(*window).placeChosen(0.5, 1);

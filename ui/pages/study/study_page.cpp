@@ -46,6 +46,12 @@ PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside)
     copy->setToolTip(tr("The command that writes the same numbers as CSV, for a terminal"));
     connect(copy, &QPushButton::clicked, this, &StudyPage::copyCommand);
     row->addWidget(copy);
+    auto* copyAnswer = new QPushButton(tr("Copy answer"), this);
+    copyAnswer->setObjectName(QStringLiteral("copyAnswer"));
+    copyAnswer->setToolTip(tr("The sentence below, as text"));
+    connect(copyAnswer, &QPushButton::clicked, this,
+            [this] { QGuiApplication::clipboard()->setText(m_words->text()); });
+    row->addWidget(copyAnswer);
     auto* words = new QLabel;
     words->setObjectName(QStringLiteral("words"));
     words->setWordWrap(true);

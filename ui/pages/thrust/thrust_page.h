@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The page Thrust: which feed the blows need, and what the installed one does between them (theory §10).
+// The page Feed: which feed the blows need, and what the installed one does between them (theory §10).
 #pragma once
 
 #include "ui/job/asked_study.h"
@@ -21,7 +21,7 @@ class ThrustPage : public StudyPage {
   public:
     explicit ThrustPage(Document& document, QWidget* parent = nullptr);
 
-    QString title() const override { return tr("Thrust"); }
+    QString title() const override { return tr("Feed"); }
     bool shows(const Scenario& scenario) const override { return hasUnits(scenario); }
     QString elsewhere() const override;
     /// How many studies were started.

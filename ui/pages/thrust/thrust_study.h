@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the page Thrust studies.
+// What the page Feed studies.
 #pragma once
 
 #include <memory>
