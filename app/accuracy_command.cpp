@@ -18,7 +18,7 @@
 #include "core/report/accuracy_report.h"
 #include "core/report/blow_csv.h"
 #include "core/text/decimal_text.h"
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 

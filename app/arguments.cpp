@@ -6,7 +6,7 @@
 
 #include "app/command_error.h"
 #include "core/text/decimal_text.h"
-#include "core/text/nearest_name.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/text/language_style.h"
+#include "core/text/languages.h"
 
 namespace drillwave {
 

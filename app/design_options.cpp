@@ -10,7 +10,7 @@
 #include "core/study/design/design_check.h"
 #include "core/study/design/design_texts.h"
 #include "core/text/decimal_text.h"
-#include "core/text/nearest_name.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 

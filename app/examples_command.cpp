@@ -6,7 +6,7 @@
 #include "app/command.h"
 #include "app/output_folder.h"
 #include "core/text/decimal_text.h"
-#include "core/text/nearest_name.h"
+#include "core/text/name_text.h"
 #include "core/yaml/examples.h"
 
 namespace drillwave {

@@ -15,8 +15,7 @@
 #include "core/manual/word_places.h"
 #include "core/model/parameter_table.h"
 #include "core/text/decimal_text.h"
-#include "core/text/lower_case.h"
-#include "core/text/nearest_name.h"
+#include "core/text/name_text.h"
 #include "core/text/text_layout.h"
 
 namespace drillwave {

@@ -7,7 +7,7 @@
 
 #include "app/command_error.h"
 #include "core/text/decimal_text.h"
-#include "core/text/lower_case.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 

@@ -28,7 +28,7 @@
 #include "core/manual/chapter.h"
 #include "core/model/version.h"
 #include "core/text/decimal_text.h"
-#include "core/text/language_style.h"
+#include "core/text/languages.h"
 #include "core/text/name_text.h"
 #include "core/yaml/scenario_file.h"
 

@@ -8,7 +8,7 @@
 #include "app/command.h"
 #include "app/output_file.h"
 #include "app/preset_options.h"
-#include "core/text/lower_case.h"
+#include "core/text/name_text.h"
 #include "core/text/text_layout.h"
 
 namespace drillwave {

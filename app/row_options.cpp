@@ -18,7 +18,7 @@
 #include "core/model/blow_traits.h"
 #include "core/numeric/available_threads.h"
 #include "core/text/decimal_text.h"
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

@@ -23,9 +23,8 @@
 #include "core/report/alert_words.h"
 #include "core/study/design/design_texts.h"
 #include "core/text/decimal_text.h"
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 #include "core/text/name_text.h"
-#include "core/text/nearest_name.h"
 #include "core/text/text_input.h"
 #include "core/yaml/examples.h"
 

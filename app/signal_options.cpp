@@ -16,7 +16,7 @@
 #include "core/model/section_pieces.h"
 #include "core/signal/signal_option.h"
 #include "core/text/decimal_text.h"
-#include "core/text/nearest_name.h"
+#include "core/text/name_text.h"
 #include "core/yaml/recorder_file.h"
 
 namespace drillwave {

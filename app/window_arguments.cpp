@@ -7,7 +7,7 @@
 #include "app/command.h"
 #include "app/language_option.h"
 #include "core/text/decimal_text.h"
-#include "core/text/nearest_name.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 

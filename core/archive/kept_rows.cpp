@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "core/archive/study_files.h"
-#include "core/disk/folder_lock.h"
+#include "core/disk/hidden_folder.h"
 #include "core/text/decimal_text.h"
 #include "core/yaml/scenario_file.h"
 

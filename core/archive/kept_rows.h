@@ -7,7 +7,7 @@
 #include <cstdint>
 #include <string>
 
-#include "core/disk/file_sum.h"
+#include "core/disk/file_bytes.h"
 #include "core/disk/whole_file.h"
 #include "core/text/message.h"
 

@@ -8,7 +8,7 @@
 #include "core/model/blow_traits.h"
 #include "core/model/section_pieces.h"
 #include "core/text/handy_text.h"
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

@@ -6,7 +6,7 @@
 
 #include "core/archive/row_record.h"
 #include "core/text/decimal_text.h"
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 #include "core/yaml/scenario_file.h"
 #include "core/yaml/scenario_text.h"
 #include "core/yaml/yaml_tree.h"

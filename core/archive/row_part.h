@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/disk/file_sum.h"
+#include "core/disk/file_bytes.h"
 #include "core/study/rows/shard.h"
 #include "core/text/message.h"
 

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/blow/method.h"
-#include "core/disk/file_sum.h"
+#include "core/disk/file_bytes.h"
 #include "core/study/rows/shard.h"
 
 namespace drillwave {

@@ -5,8 +5,7 @@
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
 #include "core/text/handy_text.h"
-#include "core/text/message_list.h"
-#include "core/text/number_text.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

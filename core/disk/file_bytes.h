@@ -3,7 +3,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <istream>
+#include <optional>
 #include <string>
+#include <string_view>
 
 #include "core/text/message.h"
 
@@ -24,5 +28,26 @@ FileBytes readStart(const std::string& path, std::size_t bytes);
 
 /// That a file cannot be opened, as FileBytes has it.
 Message cannotBeOpened(const Message& reason);
+
+// Size and checksum of a file, by which a changed one is known.
+
+/// Size and checksum of the bytes taken so far.
+struct FileSum {
+    std::uint64_t bytes = 0;
+    std::uint32_t crc32 = 0;  ///< CRC-32 of ISO 3309, as gzip and zip have it
+
+    void take(std::string_view text);
+    /// The checksum in 8 hexadecimal digits: "0a1b2c3d".
+    std::string checksum() const;
+    bool operator==(const FileSum&) const = default;
+};
+
+/// The number that a FileSum's checksum() writes; nothing of another text.
+std::optional<std::uint32_t> checksumOf(std::string_view text);
+
+/// The sum of a text.
+FileSum sumOf(std::string_view text);
+/// The sum of a stream from here to its end.
+FileSum sumOf(std::istream& stream);
 
 }  // namespace drillwave

@@ -4,12 +4,38 @@
 
 #include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "core/disk/folder_lock.h"
 #include "core/disk/whole_file.h"
 
 namespace drillwave {
+
+// A lock on a folder among runs of this program.
+
+/// A hidden file in the folder, held by the process and gone with it.
+class FolderLock {
+  public:
+    static constexpr std::string_view fileName = ".drillwave.lock";
+
+    explicit FolderLock(const std::string& folder) : m_path(folder + "/" + std::string(fileName)) {}
+    ~FolderLock();
+    FolderLock(const FolderLock&) = delete;
+    FolderLock& operator=(const FolderLock&) = delete;
+
+    /// Returns 0 when it is held, EWOULDBLOCK while another one holds it, or the errno of why not. Leaves no
+    /// file behind on a disk without locks. Does not follow a link of that name.
+    int tryLock();
+
+    const std::string& path() const { return m_path; }
+
+  private:
+    std::string m_path;
+    int m_descriptor = -1;
+};
+
+/// Whether an error of tryLock() says that there are no locks on that disk, rather than that one is held.
+bool areLocksUnknown(int error);
 
 /// A folder with a name that nobody knows, in another one: `new` holds what is to come, `old` what had to
 /// give way. It goes with all that is still in it. While its run lives it holds a lock; what a run that died

@@ -12,7 +12,6 @@
 #include <thread>
 #include <utility>
 
-#include "core/disk/folder_lock.h"
 #include "core/disk/hidden_folder.h"
 #include "core/disk/whole_file.h"
 

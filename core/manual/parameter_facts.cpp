@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/report/parameter_words.h"
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 #include "core/yaml/preset_file.h"
 
 namespace drillwave {

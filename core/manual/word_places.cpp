@@ -7,7 +7,7 @@
 
 #include "core/manual/inline_text.h"
 #include "core/manual/markdown.h"
-#include "core/text/lower_case.h"
+#include "core/text/name_text.h"
 #include "core/text/text_layout.h"
 
 namespace drillwave {

@@ -2,7 +2,6 @@
 // What is true of the blow of a scenario, for those who must know before it is solved.
 #pragma once
 
-#include "core/model/blow_traits.h"
 #include "core/model/scenario.h"
 
 namespace drillwave {

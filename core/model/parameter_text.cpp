@@ -9,7 +9,7 @@
 #include "core/model/string_validation.h"
 #include "core/model/word_parameter.h"
 #include "core/text/decimal_text.h"
-#include "core/text/nearest_name.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 namespace {

@@ -8,8 +8,7 @@
 #include "core/model/string_edit.h"
 #include "core/text/decimal_text.h"
 #include "core/text/enum_names.h"
-#include "core/text/lower_case.h"
-#include "core/text/nearest_name.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 namespace {

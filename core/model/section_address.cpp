@@ -6,7 +6,6 @@
 
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"
-#include "core/text/nearest_name.h"
 
 namespace drillwave {
 namespace {

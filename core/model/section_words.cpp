@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 namespace {

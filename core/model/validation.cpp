@@ -12,7 +12,7 @@
 #include "core/model/scales.h"
 #include "core/model/string_ranges.h"
 #include "core/model/string_validation.h"
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 namespace {

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <limits>
 
+#include "core/numeric/brent.h"
+
 namespace drillwave {
 
 namespace {
@@ -47,6 +49,30 @@ Estimate placeOfEnd(Segments segments, std::size_t where, bool atStart, const Es
 }
 
 }  // namespace
+
+double MonotoneSegment::placeOf(double wanted) const {
+    assert(wanted >= lower() && wanted <= upper());
+    if (wanted == first) return start;
+    if (wanted == last) return end;
+    return brentRoot([&](double x) { return value(x) - wanted; }, start, first - wanted, end, last - wanted);
+}
+
+std::vector<MonotoneSegment> segmentsOf(std::span<const FitPiece> pieces, std::size_t output) {
+    std::vector<MonotoneSegment> segments;
+    for (const FitPiece& piece : pieces) {
+        if (!piece.solved) continue;
+        const Chebyshev& function = piece.outputs[output];
+        std::vector<double> cuts = function.stationaryPoints();
+        cuts.push_back(piece.end);
+        double from = piece.start;
+        for (const double cut : cuts) {
+            if (cut <= from) continue;
+            segments.push_back({from, cut, function(from), function(cut), &piece, output});
+            from = cut;
+        }
+    }
+    return segments;
+}
 
 bool hasSlope(const FitPiece& piece) {
     return piece.resolved && piece.end - piece.start > leastSlopeWidth;

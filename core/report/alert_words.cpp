@@ -8,7 +8,7 @@
 #include "core/report/feed_words.h"
 #include "core/report/parameter_words.h"
 #include "core/text/handy_text.h"
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

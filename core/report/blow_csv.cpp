@@ -9,7 +9,7 @@
 #include "core/report/report_table.h"
 #include "core/report/result_remarks.h"
 #include "core/text/enum_names.h"
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 

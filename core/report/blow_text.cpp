@@ -16,8 +16,8 @@
 #include "core/report/report_text.h"
 #include "core/report/section_grid.h"
 #include "core/report/strength_words.h"
-#include "core/text/message_list.h"
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

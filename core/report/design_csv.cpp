@@ -9,7 +9,7 @@
 #include "core/report/design_words.h"
 #include "core/report/report_table.h"
 #include "core/study/design/constant_energy.h"
-#include "core/text/unit_heading.h"
+#include "core/text/units.h"
 
 namespace drillwave {
 

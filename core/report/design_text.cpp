@@ -8,7 +8,7 @@
 #include "core/report/design_words.h"
 #include "core/report/report_text.h"
 #include "core/text/handy_text.h"
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

@@ -12,8 +12,8 @@
 #include "core/report/report_text.h"
 #include "core/report/sequence_words.h"
 #include "core/study/drilling/drilling_numbers.h"
-#include "core/text/number_text.h"
-#include "core/text/unit_heading.h"
+#include "core/text/handy_text.h"
+#include "core/text/units.h"
 
 namespace drillwave {
 

@@ -6,7 +6,6 @@
 #include "core/report/report_table.h"
 #include "core/text/enum_names.h"
 #include "core/text/handy_text.h"
-#include "core/text/number_text.h"
 
 namespace drillwave {
 

@@ -7,7 +7,7 @@
 #include "core/report/curve_text.h"
 #include "core/report/report_table.h"
 #include "core/report/report_text.h"
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 

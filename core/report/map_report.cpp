@@ -4,8 +4,8 @@
 #include "core/report/json_value.h"
 #include "core/report/report_table.h"
 #include "core/report/report_text.h"
-#include "core/text/message_list.h"
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "core/text/csv.h"
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 

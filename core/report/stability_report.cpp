@@ -10,7 +10,6 @@
 #include "core/report/study_column.h"
 #include "core/text/handy_text.h"
 #include "core/text/json.h"
-#include "core/text/number_text.h"
 #include "core/text/text_layout.h"
 #include "core/text/units.h"
 

@@ -6,7 +6,7 @@
 #include "core/blow/strength_use.h"
 #include "core/model/blow_traits.h"
 #include "core/model/section_words.h"
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 namespace {

@@ -10,7 +10,6 @@
 #include "core/report/report_table.h"
 #include "core/text/handy_text.h"
 #include "core/text/json.h"
-#include "core/text/number_text.h"
 
 namespace drillwave {
 

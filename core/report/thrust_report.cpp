@@ -15,7 +15,7 @@
 #include "core/report/report_table.h"
 #include "core/report/report_text.h"
 #include "core/text/enum_names.h"
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 

@@ -9,7 +9,7 @@
 #include "core/signal/stated_rate.h"
 #include "core/signal/time_stamp.h"
 #include "core/text/decimal_text.h"
-#include "core/text/lower_case.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 namespace {

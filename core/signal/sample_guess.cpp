@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/text/lower_case.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 namespace {

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/text/decimal_text.h"
-#include "core/text/lower_case.h"
+#include "core/text/name_text.h"
 #include "core/text/units.h"
 
 namespace drillwave {

@@ -9,7 +9,7 @@
 #include "core/text/decimal_text.h"
 #include "core/text/enum_names.h"
 #include "core/text/handy_text.h"
-#include "core/text/lower_case.h"
+#include "core/text/name_text.h"
 #include "core/text/units.h"
 
 namespace drillwave {

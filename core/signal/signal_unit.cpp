@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/text/decimal_text.h"
-#include "core/text/lower_case.h"
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
+#include "core/text/name_text.h"
 #include "core/text/units.h"
 
 namespace drillwave {

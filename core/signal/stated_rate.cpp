@@ -8,7 +8,7 @@
 
 #include "core/signal/signal_unit.h"
 #include "core/text/decimal_text.h"
-#include "core/text/lower_case.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 namespace {

@@ -6,7 +6,7 @@
 #include <span>
 
 #include "core/text/decimal_text.h"
-#include "core/text/lower_case.h"
+#include "core/text/name_text.h"
 #include "core/text/units.h"
 
 namespace drillwave {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/text/lower_case.h"
 #include "core/text/message.h"
+#include "core/text/name_text.h"
 #include "core/text/text_input.h"
 
 namespace drillwave {

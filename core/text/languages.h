@@ -3,8 +3,13 @@
 #pragma once
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <map>
+#include <string>
 #include <string_view>
+
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 
@@ -26,5 +31,20 @@ constexpr const Language* findLanguage(std::string_view code) {
     const auto* const found = std::ranges::find(languages, code, &Language::code);
     return found == std::end(languages) ? nullptr : found;
 }
+
+// The texts of the core and the commands in the languages of the program, where there is no Qt to say them.
+
+/// What the catalogue of the language has for an English text; the text itself in English, and where it has
+/// none. The first text of a language reads its catalogue, which takes some 40 ms. Not for several threads.
+std::string inLanguage(const Language& language, const std::string& english);
+
+/// All English texts of that catalogue, each with what it has for it; none of English. Read likewise.
+const std::map<std::string, std::string, std::less<>>& textsOf(const Language& language);
+
+// The style of the commands in each of the languages.
+
+/// Sentences from the catalogue of the language, numbers with its decimal comma, units in SI; in English it
+/// is plainStyle(). Not for several threads.
+const ReadingStyle& styleOf(const Language& language);
 
 }  // namespace drillwave

@@ -2,12 +2,22 @@
 // Names that people read in one line of a list, a message or a file.
 #pragma once
 
+#include <span>
 #include <string>
 #include <string_view>
 
 #include "core/text/message.h"
 
 namespace drillwave {
+
+// Words that are alike but for capitals.
+
+/// A to Z as small letters, whatever the locale; other characters stay.
+inline std::string lowerCase(std::string text) {
+    for (char& c : text)
+        if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+    return text;
+}
 
 /// Why a text cannot stand in one line: "must be one line", "must be UTF-8". It must be UTF-8 without control
 /// characters and without those that turn the direction in which others are read. Empty when it can.
@@ -26,5 +36,12 @@ std::string printableLines(std::string_view text);
 
 /// The same for a title, which is one line: line feeds and tabs become blanks.
 std::string printableLine(std::string_view text);
+
+// "Did you mean …?" for mistyped names.
+
+/// The candidate within a few typing errors of `name` (insertions, deletions, replacements, swapped
+/// neighbours; about one in three characters), or empty when none is that close. Also finds "stiffness" for
+/// "bit_rock.stiffness".
+std::string_view nearestName(std::string_view name, std::span<const std::string_view> candidates);
 
 }  // namespace drillwave

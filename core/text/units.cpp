@@ -11,6 +11,7 @@
 #include "core/text/decimal_text.h"
 
 namespace drillwave {
+
 namespace {
 
 /// 10 to a small power, exact in a double for |exponent| ≤ 22.
@@ -302,6 +303,19 @@ std::string formatQuantity(double si, Quantity quantity, const Unit& unit) {
     if (unit.decimalExponent) return withUnit(shiftedNumber(si, -*unit.decimalExponent), unit);
     if (const std::optional<std::string> text = textInInexactUnit(si, unit)) return withUnit(*text, unit);
     return withUnit(formatNumber(si), unitsOf(quantity).front());
+}
+
+std::string withUnit(std::string_view name, const Unit* unit) {
+    if (!unit || unit->name.empty()) return std::string(name);
+    return std::string(name) + " [" + std::string(unit->name) + "]";
+}
+
+UnitHeading splitHeading(std::string_view heading) {
+    heading = trimmed(heading);
+    const std::size_t bracket = heading.find('[');
+    if (bracket == std::string_view::npos || !heading.ends_with(']')) return {heading, {}};
+    return {trimmed(heading.substr(0, bracket)),
+            trimmed(heading.substr(bracket + 1, heading.size() - bracket - 2))};
 }
 
 }  // namespace drillwave

@@ -81,4 +81,16 @@ TypedQuantity parseQuantity(std::string_view text, Quantity quantity, BareNumber
 /// falls back to the SI unit where no decimal text in `unit` would.
 std::string formatQuantity(double si, Quantity quantity, const Unit& unit);
 
+// Headings of columns with their unit in brackets: "rod.length [mm]".
+
+/// "rod.length [mm]"; the name alone without a unit, or with one that has no name.
+std::string withUnit(std::string_view name, const Unit* unit);
+
+/// A heading in its parts, without blanks around them; `unit` is empty without brackets at the end.
+struct UnitHeading {
+    std::string_view name;
+    std::string_view unit;
+};
+UnitHeading splitHeading(std::string_view heading);
+
 }  // namespace drillwave

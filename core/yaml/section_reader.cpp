@@ -5,7 +5,7 @@
 
 #include "core/model/parameter.h"
 #include "core/model/parameter_text.h"
-#include "core/text/nearest_name.h"
+#include "core/text/name_text.h"
 
 namespace drillwave {
 namespace {

@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <sstream>
 
-#include "core/disk/file_sum.h"
+#include "core/disk/file_bytes.h"
 #include "core/text/csv.h"
 #include "tests/support/files.h"
 #include "tests/support/program.h"

@@ -16,7 +16,7 @@
 #include "core/model/parameter.h"
 #include "core/report/stability_report.h"
 #include "core/study/paper/figures.h"
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 #include "tests/support/program.h"
 
 using namespace drillwave;

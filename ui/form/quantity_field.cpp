@@ -14,7 +14,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 #include "ui/form/quantity_slider.h"
 #include "ui/form/unit_button.h"
 #include "ui/text/field_text.h"

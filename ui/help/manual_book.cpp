@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "core/manual/inline_text.h"
-#include "core/text/language_style.h"
+#include "core/text/languages.h"
 
 namespace drillwave {
 namespace {

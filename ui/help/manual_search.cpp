@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/manual/inline_text.h"
-#include "core/text/catalogue.h"
+#include "core/text/languages.h"
 
 namespace drillwave {
 namespace {

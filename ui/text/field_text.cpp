@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/field_text.h"
 
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 #include "ui/text/typed_text.h"
 
 namespace drillwave {

@@ -4,7 +4,7 @@
 #include <QLocale>
 #include <cmath>
 
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/settings.h"
 #include "ui/text/shown_text.h"

@@ -10,7 +10,7 @@
 #include "core/study/curve/curve_lines.h"
 #include "core/study/rows/axis_scenario.h"
 #include "core/study/rows/sweep_check.h"
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

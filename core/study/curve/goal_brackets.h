@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/numeric/estimate.h"
-#include "core/numeric/monotone_segments.h"
+#include "core/numeric/fit_features.h"
 
 namespace drillwave {
 

@@ -9,7 +9,7 @@
 #include "core/study/design/constant_energy.h"
 #include "core/study/design/scenario_designs.h"
 #include "core/study/rows/axis_scenario.h"
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

@@ -10,7 +10,7 @@
 
 #include "core/contact/contact_law.h"
 #include "core/text/enum_names.h"
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 #include "core/wave/drilling/drilling_march.h"
 
 namespace drillwave {

@@ -9,7 +9,7 @@
 #include "core/contact/contact_law.h"
 #include "core/study/drilling/drilling_alerts.h"
 #include "core/study/drilling/drilling_mesh.h"
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

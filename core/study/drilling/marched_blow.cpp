@@ -11,7 +11,7 @@
 #include "core/study/drilling/drilling_case.h"
 #include "core/study/drilling/drilling_mesh.h"
 #include "core/study/drilling/drilling_record.h"
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 #include "core/wave/drilling/drilling_march.h"
 
 namespace drillwave {

@@ -10,7 +10,6 @@
 #include "core/numeric/brent.h"
 #include "core/numeric/fit_features.h"
 #include "core/numeric/gauss_rule.h"
-#include "core/numeric/monotone_segments.h"
 
 namespace drillwave {
 

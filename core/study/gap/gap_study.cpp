@@ -8,7 +8,7 @@
 #include "core/blow/impact_summary.h"
 #include "core/model/blow_traits.h"
 #include "core/model/validation.h"
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 #include "core/wave/exact/exact_solver.h"
 
 namespace drillwave {

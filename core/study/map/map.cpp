@@ -9,7 +9,7 @@
 
 #include "core/study/map/map_point.h"
 #include "core/study/rows/sweep_check.h"
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

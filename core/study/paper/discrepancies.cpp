@@ -10,7 +10,7 @@
 #include "core/study/gap/gap_statistics.h"
 #include "core/study/paper/paper_case.h"
 #include "core/text/csv.h"
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 #include "core/text/units.h"
 #include "core/wave/closed/closed_form.h"
 #include "core/wave/field/bit_history.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 
 #include "core/text/decimal_text.h"
-#include "core/text/nearest_name.h"
-#include "core/text/unit_heading.h"
+#include "core/text/name_text.h"
+#include "core/text/units.h"
 
 namespace drillwave {
 

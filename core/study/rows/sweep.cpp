@@ -8,7 +8,7 @@
 #include "core/study/rows/case_solver.h"
 #include "core/study/rows/row_run.h"
 #include "core/study/rows/sweep_check.h"
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

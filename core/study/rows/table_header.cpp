@@ -7,7 +7,7 @@
 #include "core/model/parameter_text.h"
 #include "core/text/decimal_text.h"
 #include "core/text/text_input.h"
-#include "core/text/unit_heading.h"
+#include "core/text/units.h"
 
 namespace drillwave {
 

@@ -10,7 +10,7 @@
 
 #include "core/model/validation.h"
 #include "core/numeric/ordered_work.h"
-#include "core/text/message_list.h"
+#include "core/text/message.h"
 
 namespace drillwave {
 

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "core/text/message.h"
-#include "core/text/message_list.h"
 #include "core/text/units.h"
 #include "core/wave/closed/decay_pieces.h"
 

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/numeric/kept_moments.h"
+#include "core/numeric/power_series.h"
 #include "core/wave/exact/joining_budget.h"
 #include "core/wave/exact/wave_piece.h"
 

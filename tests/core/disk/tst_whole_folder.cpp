@@ -7,7 +7,7 @@
 #include <system_error>
 #include <thread>
 
-#include "core/disk/folder_lock.h"
+#include "core/disk/hidden_folder.h"
 #include "core/disk/whole_file.h"
 #include "core/disk/whole_folder.h"
 #include "tests/support/files.h"

@@ -7,7 +7,7 @@
 #include "core/manual/inline_text.h"
 #include "core/manual/markdown.h"
 #include "core/manual/reference.h"
-#include "core/text/language_style.h"
+#include "core/text/languages.h"
 
 using namespace drillwave;
 

@@ -10,7 +10,7 @@
 #include "core/model/parameter_text.h"
 #include "core/model/scales.h"
 #include "core/model/validation.h"
-#include "core/text/nearest_name.h"
+#include "core/text/name_text.h"
 #include "tests/support/scenario.h"
 
 using namespace drillwave;

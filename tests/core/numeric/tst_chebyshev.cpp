@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "core/numeric/chebyshev.h"
 #include "core/numeric/gauss_rule.h"
+#include "core/numeric/piecewise_fit.h"
 
 using namespace drillwave;
 

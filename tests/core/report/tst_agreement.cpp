@@ -29,7 +29,7 @@
 #include "core/study/rows/sweep.h"
 #include "core/study/rows/table.h"
 #include "core/study/thrust/thrust_study.h"
-#include "core/text/language_style.h"
+#include "core/text/languages.h"
 #include "core/text/units.h"
 #include "core/wave/drilling/drilling_march.h"
 #include "core/yaml/scenario_file.h"

@@ -10,7 +10,7 @@
 #include "core/report/gap_report.h"
 #include "core/report/stability_report.h"
 #include "core/study/thrust/thrust_margins.h"
-#include "core/text/language_style.h"
+#include "core/text/languages.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 #include "tests/support/marked_style.h"

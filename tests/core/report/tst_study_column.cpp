@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "core/report/study_column.h"
-#include "core/text/language_style.h"
+#include "core/text/languages.h"
 
 using namespace drillwave;
 

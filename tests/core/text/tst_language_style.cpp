@@ -2,8 +2,7 @@
 // What the commands say in another language, without Qt.
 #include <QTest>
 
-#include "core/text/catalogue.h"
-#include "core/text/language_style.h"
+#include "core/text/languages.h"
 
 using namespace drillwave;
 

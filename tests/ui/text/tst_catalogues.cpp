@@ -6,7 +6,7 @@
 #include <QTest>
 #include <algorithm>
 
-#include "core/text/catalogue.h"
+#include "core/text/languages.h"
 #include "tests/support/catalogue.h"
 #include "ui/text/shown_text.h"
 

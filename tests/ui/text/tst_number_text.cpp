@@ -3,7 +3,7 @@
 #include <QTest>
 #include <limits>
 
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 

@@ -9,7 +9,7 @@
 #include "core/model/scales.h"
 #include "core/model/validation.h"
 #include "core/study/rows/sweep_axis.h"
-#include "core/text/number_text.h"
+#include "core/text/handy_text.h"
 
 namespace drillwave {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/numeric/chebyshev.h"
+#include "core/numeric/piecewise_fit.h"
 #include "core/report/goal_report.h"
 #include "core/study/curve/curve.h"
 #include "core/study/curve/goal_brackets.h"

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/text/catalogue.h"
+#include "core/text/languages.h"
 
 #include <algorithm>
 #include <boost/property_tree/ptree.hpp>
 #include <boost/property_tree/xml_parser.hpp>
+#include <list>
 #include <sstream>
 
 #include "core/text/catalogue_texts.h"
@@ -29,6 +30,24 @@ Texts readCatalogue(std::string_view xml) {
     return texts;
 }
 
+class LanguageStyle : public ReadingStyle {
+  public:
+    explicit LanguageStyle(const Language& language) : m_language(language) {}
+
+    /// All languages but English have the comma.
+    std::string number(double value, int digits) const override {
+        std::string text = ReadingStyle::number(value, digits);
+        std::ranges::replace(text, '.', ',');
+        return text;
+    }
+    std::string patternFor(const std::string& english) const override {
+        return inLanguage(m_language, english);
+    }
+    std::string language() const override { return std::string(m_language.code); }
+
+    const Language& m_language;
+};
+
 }  // namespace
 
 const Texts& textsOf(const Language& language) {
@@ -44,6 +63,14 @@ std::string inLanguage(const Language& language, const std::string& english) {
     const Texts& texts = textsOf(language);
     const auto found = texts.find(english);
     return found == texts.end() ? english : found->second;
+}
+
+const ReadingStyle& styleOf(const Language& language) {
+    if (isEnglish(language)) return plainStyle();
+    static std::list<LanguageStyle> styles;
+    for (const LanguageStyle& style : styles)
+        if (style.m_language.code == language.code) return style;
+    return styles.emplace_back(language);
 }
 
 }  // namespace drillwave
