@@ -13,7 +13,7 @@
 #include "core/manual/plain_text.h"
 #include "core/manual/reference.h"
 #include "core/manual/word_places.h"
-#include "core/model/parameter_table.h"
+#include "core/model/parameter.h"
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"
 #include "core/text/text_layout.h"

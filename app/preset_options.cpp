@@ -7,7 +7,7 @@
 #include "app/input_text.h"
 #include "app/scenario_argument.h"
 #include "core/model/blow_traits.h"
-#include "core/model/preset_choice.h"
+#include "core/model/preset.h"
 #include "core/text/decimal_text.h"
 #include "core/text/enum_names.h"
 #include "core/yaml/preset_file.h"

@@ -19,7 +19,6 @@
 #include "core/model/parameter_text.h"
 #include "core/model/validation.h"
 #include "core/model/version.h"
-#include "core/model/word_parameter.h"
 #include "core/report/alert_words.h"
 #include "core/study/design/design_texts.h"
 #include "core/text/decimal_text.h"

@@ -13,7 +13,6 @@
 #include "core/text/printed_text.h"
 #include "core/yaml/law_reader.h"
 #include "core/yaml/preset_file.h"
-#include "core/yaml/preset_remarks.h"
 #include "core/yaml/scenario_text.h"
 #include "core/yaml/yaml_extent.h"
 

@@ -15,7 +15,7 @@
 #include "core/text/decimal_text.h"
 #include "core/text/message.h"
 #include "core/text/text_input.h"
-#include "core/yaml/remark_lines.h"
+#include "core/yaml/scenario_file.h"
 #include "core/yaml/scenario_reader.h"
 #include "core/yaml/yaml_tree.h"
 

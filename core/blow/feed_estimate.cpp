@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "core/blow/thrust.h"
-#include "core/model/blow_interval.h"
 #include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/text/enum_names.h"

@@ -9,7 +9,7 @@
 
 #include "core/contact/contact_law.h"
 #include "core/model/scales.h"
-#include "core/model/section_address.h"
+#include "core/model/section_field.h"
 #include "core/model/section_pieces.h"
 #include "core/model/section_words.h"
 #include "core/wave/problem.h"

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/model/scenario.h"
+
 namespace drillwave {
 
 /// A corner of the loading curve: from this force on it has another slope.
@@ -30,5 +32,26 @@ struct BitRockLaw {
 };
 
 inline constexpr std::size_t mostLawCorners = 64;
+
+// The slopes of the two lines of the law, which are the rates of a blow.
+
+/// F = aU + const. along a line, and so F' = a(2g − F), per t0 (T16): a = β in primary loading, β/γ on the
+/// elastic line.
+template <class Real>
+struct ContactRates {
+    Real primary = 0;
+    Real elastic = 0;
+};
+
+// The loading lines that a scenario gives the law of bit and rock (files §1.4).
+
+/// Gives the law the loading lines of the scenario, beside its β and γ. Requires a valid scenario.
+void setLines(BitRockLaw& law, const Scenario& scenario);
+
+/// Gives the law the lines of F = βU (U/U1)^(p − 1), U1 = `reference` > 0 in I0/Z, 0.3 ≤ p ≤ 3: straight
+/// between the nodes U1 2^(i/4), i = −32 … 31, from zero to the first and on behind the last, and nowhere
+/// steeper than β/γ (theory §1.1). So every solver follows the same law; the force is the power's to 0.38 %
+/// of |p (p − 1)| and at U1 exactly. For p = 1 the law is bilinear.
+void setPowerLines(BitRockLaw& law, double exponent, double reference);
 
 }  // namespace drillwave

@@ -10,7 +10,6 @@
 #include <vector>
 
 #include "core/contact/bit_rock_law.h"
-#include "core/contact/contact_rates.h"
 
 namespace drillwave {
 

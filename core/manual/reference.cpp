@@ -2,7 +2,7 @@
 #include "core/manual/reference.h"
 
 #include "core/manual/parameter_facts.h"
-#include "core/model/parameter_table.h"
+#include "core/model/parameter.h"
 #include "core/report/report_numbers.h"
 
 namespace drillwave {

@@ -8,8 +8,8 @@
 
 #include "core/blow/outputs.h"
 #include "core/model/parameter.h"
+#include "core/model/parameter_text.h"
 #include "core/model/section_field.h"
-#include "core/model/word_parameter.h"
 #include "core/text/handy_text.h"
 
 namespace drillwave {

@@ -5,13 +5,12 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/model/blow_interval.h"
 #include "core/model/blow_traits.h"
 #include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
-#include "core/model/section_address.h"
+#include "core/model/section_field.h"
 #include "core/text/enum_names.h"
 
 namespace drillwave {

@@ -5,12 +5,13 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
-#include "core/model/kept_parameter.h"
+#include "core/model/parameter.h"
 #include "core/model/scenario.h"
 #include "core/text/message.h"
 
@@ -75,5 +76,15 @@ class Assignments {
     Pairs m_rivals;
     Pairs m_mayMeet;  // in one section
 };
+
+// In which parameters scenarios differ.
+
+/// The value in SI of a parameter; nothing where it does not apply or is not given.
+std::optional<double> valueIn(const Scenario& scenario, const Parameter& parameter);
+
+/// The parameters that at least one of the scenarios gives (isGiven()) and that have not the same value in
+/// all of them, in the order of the table, and of sections after it by place. What only follows from others,
+/// such as the groups of a scenario in physical units, is not among them.
+std::vector<KeptParameter> differingParameters(std::span<const Scenario* const> scenarios);
 
 }  // namespace drillwave

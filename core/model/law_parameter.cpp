@@ -11,8 +11,10 @@
 #include <utility>
 
 #include "core/model/parameter.h"
+#include "core/model/scales.h"
 
 namespace drillwave {
+
 namespace {
 
 using Value = std::optional<double>;
@@ -165,6 +167,31 @@ std::size_t cornerOf(const Parameter& parameter) {
 
 std::string cornerKey(std::size_t place, std::string_view field) {
     return std::string(cornerPrefix) + std::to_string(place) + "." + std::string(field);
+}
+
+BitRock withLaw(BitRock rock, RockLaw law) {
+    if (law != RockLaw::corners) rock.corners.clear();
+    Scenario changed;
+    changed.bitRock = std::move(rock);
+    for (const Parameter& parameter : parameters()) {
+        if (!parameter.rules.law || *parameter.rules.law == law) continue;
+        Scenario usual;
+        usual.bitRock.law = changed.bitRock.law = *parameter.rules.law;  // so that the number has a meaning
+        parameter.assign(changed, *parameter.value(usual));
+    }
+    changed.bitRock.law = law;
+    return changed.bitRock;
+}
+
+BitRock proposedRock(const Scenario& scenario, RockLaw law) {
+    constexpr double scaleShare = 0.5;
+    Scenario proposed = scenario;
+    proposed.bitRock = withLaw(scenario.bitRock, law);
+    if (law == RockLaw::corners && proposed.bitRock.corners.empty())
+        proposed.bitRock.corners.push_back(
+            {scaleShare * (hasUnits(scenario) ? scalesOf(scenario).force : 1), 1});
+    for (const KeptParameter& number : numbersInScales(proposed)) number->assign(proposed, scaleShare);
+    return proposed.bitRock;
 }
 
 }  // namespace drillwave

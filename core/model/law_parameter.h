@@ -8,7 +8,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/model/kept_parameter.h"
+#include "core/model/parameter.h"
 #include "core/model/scenario.h"
 
 namespace drillwave {
@@ -39,5 +39,14 @@ std::size_t cornerOf(const Parameter& parameter);
 
 /// "bit_rock.corner.2.force".
 std::string cornerKey(std::size_t place, std::string_view field);
+
+// A rock under another law.
+
+/// The rock with another law: what only the one before has is dropped.
+BitRock withLaw(BitRock rock, RockLaw law);
+
+/// The same rock, at first, with another law that the scenario may have: a corner without a change of slope,
+/// a power of one.
+BitRock proposedRock(const Scenario& scenario, RockLaw law);
 
 }  // namespace drillwave

@@ -5,16 +5,44 @@
 
 #include <concepts>
 #include <cstddef>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 
-#include "core/model/kept_parameter.h"
-#include "core/model/parameter_table.h"
 #include "core/model/scenario.h"
 #include "core/text/units.h"
 
 namespace drillwave {
+
+struct Parameter;
+struct SectionAddress;
+
+// A parameter to keep: of axes, families, table columns and edits. What refers to one only while it is used
+// takes a const Parameter&.
+
+/// A row of the table of parameters, the repeat of a string, or a number of a section, which lives as long as
+/// something keeps it; or none. A value: copies are cheap, and two are equal that have the same key.
+class KeptParameter {
+  public:
+    KeptParameter() = default;
+    KeptParameter(std::nullptr_t) {}
+    /// The same parameter, whoever keeps it now.
+    KeptParameter(const Parameter& parameter);
+    /// One that nobody else keeps.
+    explicit KeptParameter(std::shared_ptr<const Parameter> parameter);
+
+    explicit operator bool() const { return m_parameter != nullptr; }
+    /// Requires that there is one. But for rows of the table it lives no longer than it is kept.
+    const Parameter& operator*() const;
+    const Parameter* operator->() const { return &**this; }
+
+    friend bool operator==(const KeptParameter& one, const KeptParameter& other);
+
+  private:
+    std::shared_ptr<const Parameter> m_parameter;  // without an owner where it lives as long as the program
+};
 
 /// A range of a parameter in SI. An open end is excluded.
 struct Range {
@@ -33,9 +61,7 @@ struct Range {
 
 enum class SliderScale { linear, logarithmic };
 
-struct SectionAddress;
-
-/// A function of a scenario, for a parameter of a section also of which one (section_address.h).
+/// A function of a scenario, for a parameter of a section also of which one (section_field.h).
 template <class Result, class Scene, class... Values>
 class ParameterFunction {
   public:
@@ -137,7 +163,7 @@ inline constexpr std::string_view restrikeKey = "hammer.restrike";
 
 /// The parameter of that key, be it of the table, of a corner of the law (law_parameter.h), "string.repeat",
 /// or a number of a section
-/// ("string.adapter.length", "hammer.1.diameter", see section_address.h), whether there is such a section
+/// ("string.adapter.length", "hammer.1.diameter", see section_field.h), whether there is such a section
 /// or not; otherwise none. May be called from several threads.
 KeptParameter findParameter(std::string_view key);
 
@@ -152,5 +178,11 @@ Message rangeProblem(const Parameter& parameter, double value);
 /// of a group, or the impulse of a force, and that may be at the end of double precision. "cannot be kept …";
 /// empty when it reads back to 1e-12. Requires applies().
 Message readBackProblem(const Parameter& parameter, const Scenario& scenario, double wanted);
+
+// The one table of parameters: a row each, to which a new one is added.
+
+/// All numeric parameters but those of sections, physical ones first, the groups last, in the order of
+/// scenario files.
+std::span<const Parameter> parameters();
 
 }  // namespace drillwave

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/model/parameter_table.h"
+#include "core/model/parameter.h"
 
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "core/model/parameter.h"
 #include "core/model/scales.h"
 #include "core/model/string_ranges.h"
-#include "core/model/usual_ranges.h"
 
 namespace drillwave {
 namespace {

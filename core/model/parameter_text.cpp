@@ -2,17 +2,46 @@
 #include "core/model/parameter_text.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 #include <vector>
 
 #include "core/model/law_parameter.h"
 #include "core/model/section_parameter.h"
-#include "core/model/string_validation.h"
-#include "core/model/word_parameter.h"
+#include "core/model/validation.h"
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"
 
 namespace drillwave {
+
 namespace {
+
+Message setShape(Scenario& scenario, std::size_t word) {
+    const auto shape = static_cast<PulseShape>(word);
+    Message refusal = shapeRefusal(scenario, shape);
+    if (refusal.isEmpty()) scenario.pulse.shape = shape;
+    return refusal;
+}
+
+Message setLaw(Scenario& scenario, std::size_t word) {
+    scenario.bitRock = withLaw(std::move(scenario.bitRock), static_cast<RockLaw>(word));
+    return {};
+}
+
+Message setIndexing(Scenario& scenario, std::size_t word) {
+    if (!hasUnits(scenario)) return translatable("a dimensionless scenario has no drill");
+    scenario.drill.indexing = static_cast<RockIndexing>(word);
+    return {};
+}
+
+constexpr std::array wordTable{
+    WordParameter{pulseShapeKey, pulseShapeNames,
+                  [](const Scenario& scenario) { return name(scenario.pulse.shape); }, setShape},
+    WordParameter{rockLawKey, rockLawNames,
+                  [](const Scenario& scenario) { return name(scenario.bitRock.law); }, setLaw},
+    WordParameter{rockIndexingKey, rockIndexingNames,
+                  [](const Scenario& scenario) { return name(scenario.drill.indexing); }, setIndexing},
+};
 
 constexpr const char* notOfUniformRod =
     translatable("only a drill string has it (`drillwave: 2`), this is a uniform rod");
@@ -85,6 +114,21 @@ Message whyNotOfLaw(const Parameter& parameter, const Scenario& scenario) {
 }
 
 }  // namespace
+
+std::string WordParameter::list() const {
+    std::string list;
+    for (const std::string_view word : words()) list += (list.empty() ? "" : ", ") + std::string(word);
+    return list;
+}
+
+std::span<const WordParameter> wordParameters() {
+    return wordTable;
+}
+
+const WordParameter* findWordParameter(std::string_view key) {
+    const auto found = std::ranges::find(wordTable, key, &WordParameter::key);
+    return found == wordTable.end() ? nullptr : &*found;
+}
 
 std::optional<bool> findTruth(std::string_view word) {
     if (word == "true" || word == "True" || word == "TRUE") return true;

@@ -8,6 +8,7 @@
 #include "core/model/section_pieces.h"
 
 namespace drillwave {
+
 namespace {
 
 /// What the force pushes: the rod, or the first section of a string.
@@ -173,6 +174,18 @@ Scales scalesOf(const Scenario& scenario) {
     scales.energy = scales.impulse * scales.velocity / 2;
     scales.length = chain.length;
     return scales;
+}
+
+std::optional<double> roundTripsBetweenBlows(const Scenario& scenario) {
+    if (!hasUnits(scenario) || !scenario.drill.blowFrequency) return std::nullopt;
+    return 1 / (2 * chainProperties(scenario).transitTime * *scenario.drill.blowFrequency);
+}
+
+std::optional<int> stepOfWaves(double roundTrips) {
+    constexpr double inStep = 0.1;
+    const double whole = std::round(roundTrips);
+    if (whole < 1 || whole >= enoughRoundTrips || std::abs(roundTrips - whole) > inStep) return std::nullopt;
+    return static_cast<int>(whole);
 }
 
 }  // namespace drillwave

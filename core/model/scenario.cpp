@@ -4,6 +4,7 @@
 #include "core/text/enum_names.h"
 
 namespace drillwave {
+
 namespace {
 
 constexpr EnumNames<PulseShape> shapeNames{{{PulseShape::rectangular, "rectangular"},

@@ -3,10 +3,15 @@
 // many parameters as there are sections.
 #pragma once
 
+#include <algorithm>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
 
+#include "core/model/drill_string.h"
 #include "core/model/parameter.h"
 
 namespace drillwave {
@@ -48,5 +53,74 @@ bool areRivals(const SectionField& a, const SectionField& b);
 
 /// Why `value` (SI) is outside the hard range: "must be greater than 0"; empty when it is inside.
 Message rangeProblem(const SectionField& field, double value);
+
+// Which number of which sections a key is about: "string.adapter.length" (all sections of that name, `_`
+// standing for a blank too), "string.3.length" (by place from 1, repeats written out), "hammer.1.diameter". A
+// section inside a repeat stands in a file once: whichever of its places is set, it is set in every repeat.
+
+/// Which number of which sections.
+struct SectionAddress {
+    enum class Chain { hammer, string };
+    Chain chain = Chain::string;
+    std::string name;         ///< of the sections; empty where a place is given
+    std::uint64_t place = 0;  ///< from 1; 0 where a name is given
+    const SectionField* field = nullptr;
+
+    /// Whether that is its name, given one.
+    bool isCalled(std::string_view section) const;
+    /// "adapter", "section 3", "hammer section 1".
+    std::string words() const;
+    /// Whether both are about the same name or place of the same chain.
+    bool hasSameSections(const SectionAddress& other) const;
+};
+
+/// The address of such a key, whether there is such a section or not; nothing where it is none.
+std::optional<SectionAddress> findSectionAddress(std::string_view key);
+
+/// "string.3", the section of that place.
+std::string sectionKey(SectionAddress::Chain chain, std::uint64_t place);
+/// "string.3.length", its number of that key.
+std::string sectionKey(SectionAddress::Chain chain, std::uint64_t place, std::string_view field);
+
+/// Calls `visit` with every section that the address names, and which of its chain it is in a file, from 0.
+template <class String, class Visit>
+void visitNumberedSections(const SectionAddress& address, String& drillString, const Visit& visit) {
+    std::size_t first = 0;  // of the list
+    const auto visitList = [&](auto& sections, std::uint64_t before, std::uint64_t repeat) {
+        const std::uint64_t count = sections.size();
+        for (std::uint64_t i = 0; i < count; ++i) {
+            const bool inside = address.place > before && address.place - before <= repeat * count;
+            const bool here = address.place == 0 ? address.isCalled(sections[i].name)
+                                                 : inside && (address.place - before - 1) % count == i;
+            if (here) visit(sections[i], first + i);
+        }
+        first += count;
+        return before + repeat * count;
+    };
+    if (address.chain == SectionAddress::Chain::hammer) {
+        visitList(drillString.hammer.sections, 0, 1);
+        return;
+    }
+    std::uint64_t before = 0;
+    for (auto& part : drillString.parts)
+        before = visitList(part.sections, before, static_cast<std::uint64_t>(std::max(part.repeat, 0)));
+}
+
+/// Calls `visit` with every section that the address names.
+template <class String, class Visit>
+void visitSections(const SectionAddress& address, String& drillString, const Visit& visit) {
+    visitNumberedSections(address, drillString, [&](auto& section, std::size_t) { visit(section); });
+}
+
+/// Why no section is meant, where there is none: "no section of the string is called `adaptor`; did you mean
+/// `adapter`?".
+Message whyNoneThere(const SectionAddress& address, const DrillString& drillString);
+
+/// The known key most like a mistyped one of a section, as far as it can be told without a scenario; empty
+/// when none is close.
+std::string nearestSectionKey(std::string_view key);
+
+/// Why a section cannot have that name: "must be …"; empty when it can.
+Message sectionNameProblem(std::string_view name);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Numbers of the sections of a hammer and a string (section_address.h), and "string.repeat", as parameters,
+// Numbers of the sections of a hammer and a string (section_field.h), and "string.repeat", as parameters,
 // so that --set, sweeps, tables, curves and maps take them.
 #pragma once
 
@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/model/parameter.h"
-#include "core/model/section_address.h"
+#include "core/model/section_field.h"
 
 namespace drillwave {
 
@@ -36,5 +36,16 @@ std::vector<KeptParameter> sectionParameters(const Scenario& scenario);
 
 /// What the section is called that a parameter is about; empty where it is about none or one without a name.
 std::string sectionName(const Parameter& parameter, const Scenario& scenario);
+
+// The numbers of sections that are worth varying, to be chosen from a list.
+
+/// Of a string scenario every number of a section that changes results, once, in the order of a file, the
+/// repeat before the sections of the string: by name ("string.coupling.diameter") where all sections of that
+/// name agree in it, else by place. None of a uniform rod.
+std::vector<KeptParameter> variableSectionParameters(const Scenario& scenario);
+
+/// The diameter, or the area, of what a string is first asked for: of the sections called "coupling", else of
+/// the first ones that a repeat brings, else of the first one; nullptr of a uniform rod.
+KeptParameter typicalSize(const Scenario& scenario);
 
 }  // namespace drillwave

@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <iterator>
 #include <utility>
 
 namespace drillwave {
+
 namespace {
 
 using Offset = std::ptrdiff_t;
@@ -48,6 +50,13 @@ SectionSpot enterRepeat(DrillString& drillString, const SectionSpot& spot, std::
     list.insert(list.begin() + Offset(index), std::move(parts[spot.part].sections.front()));
     parts.erase(parts.begin() + Offset(spot.part));
     return {.part = repeat < spot.part ? repeat : repeat - 1, .index = index};
+}
+
+void roundLength(Section& section) {
+    const double length = roundedLength(section.length);
+    if (length == section.length) return;
+    section.length = length;
+    section.preset.clear();
 }
 
 }  // namespace
@@ -198,6 +207,20 @@ void setRepeat(DrillString& drillString, std::size_t part, int times) {
     for (Section& section : parts[part].sections) members.push_back(alone(std::move(section)));
     const auto at = parts.erase(parts.begin() + Offset(part));
     parts.insert(at, std::make_move_iterator(members.begin()), std::make_move_iterator(members.end()));
+}
+
+double roundedLength(double length) {
+    const double millimetres = length * 1000;
+    const double step = millimetres >= 50 ? 10 : millimetres >= 20 ? 5 : 1;
+    const double rounded = std::max(1.0, std::round(millimetres / step)) * step / 1000;
+    return std::abs(rounded - length) <= 1e-12 * length ? length : rounded;
+}
+
+DrillString withRoundedLengths(DrillString drillString) {
+    for (Section& section : drillString.hammer.sections) roundLength(section);
+    for (StringPart& part : drillString.parts)
+        for (Section& section : part.sections) roundLength(section);
+    return drillString;
 }
 
 }  // namespace drillwave

@@ -35,3 +35,13 @@ inline constexpr Range damping{0, 1e18};      // [N s/m]
 inline constexpr Range stiffness{0, 1e18};    // [N/m]
 
 }  // namespace drillwave::drill_ranges
+
+/// The plausible ranges of what rods, hammers and sections are all made of. Outside a value is remarked on.
+namespace drillwave::usual_ranges {
+
+inline constexpr Range modulus{60e9, 250e9};           // [Pa] aluminium to steel, with some room
+inline constexpr Range density{2500, 9000};            // [kg/m³] likewise
+inline constexpr Range yieldStrength{200e6, 2000e6};   // [Pa]
+inline constexpr Range fatigueStrength{50e6, 1500e6};  // [Pa]
+
+}  // namespace drillwave::usual_ranges

@@ -3,10 +3,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "core/model/drill_string.h"
 #include "core/model/scenario.h"
 #include "core/text/message.h"
 
@@ -41,5 +43,14 @@ struct PointProblem {
     Message reason;  ///< "point 3 must be later than the one before it"; empty when the points will do
 };
 PointProblem pointProblem(const TablePoints& points);
+
+// What can be wrong with the sections of a hammer and a string.
+
+/// Every problem of the sections: none at all, too many, numbers out of range, names that are places, a bore
+/// as wide as the section, derived values that overflow. Keys are by place ("string.3.bore").
+std::vector<InputProblem> sectionProblems(const DrillString& drillString);
+
+/// Returns the message on more than maximumSections of a string or a hammer.
+Message tooManySections(std::uint64_t count);
 
 }  // namespace drillwave

@@ -11,7 +11,7 @@
 #include "core/report/gap_report.h"
 #include "core/report/report_numbers.h"
 #include "core/report/thrust_report.h"
-#include "core/signal/measured_signal.h"
+#include "core/signal/alignment.h"
 
 namespace drillwave {
 

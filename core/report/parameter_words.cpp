@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "core/model/law_parameter.h"
-#include "core/model/section_address.h"
 #include "core/model/section_field.h"
 
 namespace drillwave {

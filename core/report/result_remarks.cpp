@@ -6,7 +6,7 @@
 #include "core/model/version.h"
 #include "core/text/decimal_text.h"
 #include "core/text/text_input.h"
-#include "core/yaml/remark_lines.h"
+#include "core/yaml/scenario_file.h"
 
 namespace drillwave {
 namespace {

@@ -5,8 +5,8 @@
 #include <ranges>
 
 #include "core/model/alerts.h"
-#include "core/model/blow_interval.h"
 #include "core/model/blow_traits.h"
+#include "core/model/scales.h"
 #include "core/report/alert_words.h"
 #include "core/report/curve_text.h"
 #include "core/report/feed_json.h"

@@ -7,6 +7,7 @@
 #include <vector>
 
 namespace drillwave {
+
 namespace {
 
 constexpr int steps = 2000;

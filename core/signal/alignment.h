@@ -5,10 +5,28 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 
-#include "core/model/table_points.h"
+#include "core/model/scenario.h"
 
 namespace drillwave {
+
+// A measured force over time, to be laid over a computed one.
+
+enum class MeasuredQuantity {
+    normalForce,  ///< N in a section of the rod or string, tension positive
+    impactForce,  ///< F on the rock, compression positive
+};
+
+struct MeasuredSignal {
+    std::string name;
+    MeasuredQuantity quantity = MeasuredQuantity::normalForce;
+    double place = 0;      ///< x from the struck end [m], below 0 in a hammer; of a normal force
+    double timeShift = 0;  ///< [s] that is added to the times of the points
+    TablePoints points;    ///< time [s], increasing, and force [N]
+    double deviation = 0;  ///< of the samples from the lines between the points, at most [N]
+    bool operator==(const MeasuredSignal&) const = default;
+};
 
 // Measured points are at least two of increasing times [s], joined by straight lines. The computed force is a
 // function of time [s], looked at from 0 to `end` > 0.

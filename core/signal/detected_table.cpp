@@ -6,8 +6,7 @@
 #include <optional>
 #include <utility>
 
-#include "core/signal/stated_rate.h"
-#include "core/signal/time_stamp.h"
+#include "core/signal/stated_time.h"
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"
 

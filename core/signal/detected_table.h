@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/signal/column_heading.h"
+#include "core/signal/signal_unit.h"
 #include "core/signal/table_row.h"
 
 namespace drillwave {

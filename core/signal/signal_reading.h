@@ -13,7 +13,6 @@
 #include <vector>
 
 #include "core/signal/detected_table.h"
-#include "core/signal/sample_guess.h"
 #include "core/signal/samples.h"
 #include "core/signal/signal_quality.h"
 #include "core/signal/signal_recipe.h"

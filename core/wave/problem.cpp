@@ -5,7 +5,7 @@
 #include <numeric>
 #include <utility>
 
-#include "core/contact/rock_lines.h"
+#include "core/contact/bit_rock_law.h"
 #include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/model/section_pieces.h"

@@ -2,7 +2,7 @@
 #include "core/yaml/law_reader.h"
 
 #include "core/model/law_parameter.h"
-#include "core/model/word_parameter.h"
+#include "core/model/parameter_text.h"
 
 namespace drillwave {
 namespace {

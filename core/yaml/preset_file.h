@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/model/preset.h"
-#include "core/model/section_preset.h"
 #include "core/yaml/scenario_file.h"
+#include "core/yaml/scenario_text.h"
 
 namespace drillwave {
 
@@ -40,5 +40,15 @@ PresetFile loadPresets(const std::string& path);
 const PresetFile& builtInPresetFile();
 std::span<const Preset> builtInPresets();
 std::span<const SectionPreset> builtInSectionPresets();
+
+// Where the values of a preset are from, told by the file that has taken them.
+
+/// Where the preset says that the value is from; empty for values that are not of it.
+std::string presetSource(const Preset& preset, const SavedValue& saved);
+
+/// The file of a scenario that has just taken the preset, as writeScenario() writes it, with that remark as a
+/// comment behind each value of the preset. A comment that is there stays in its place; values in braces, of
+/// which one comment would be about all, get none. Throws ScenarioError as writeScenario() does.
+std::string writeWithPreset(const ScenarioDocument& document, const Preset& preset);
 
 }  // namespace drillwave

@@ -2,17 +2,48 @@
 // From the tree of a YAML text to presets, with every problem and its place.
 #pragma once
 
+#include <functional>
+#include <set>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "core/model/preset.h"
-#include "core/model/section_preset.h"
-#include "core/yaml/preset_list.h"
 #include "core/yaml/section_reader.h"
 #include "core/yaml/yaml_tree.h"
 
 namespace drillwave {
+
+// What all lists of a file of presets have in common: items that are maps, each with a name of its own.
+
+/// One list while it is read; problems go to the reader, which must outlive it.
+class PresetList {
+  public:
+    /// `key` is that of the list, "rods".
+    PresetList(SectionReader& reader, std::string_view key) : m_reader(reader), m_key(key) {}
+
+    /// Calls `read` with every item that can be a preset. No list at all is an empty one.
+    void readItems(const YamlNode& list, const std::function<void(const YamlNode&)>& read);
+    /// The text of a key that an item must have; empty where it is none that can be shown.
+    std::string textOf(const YamlEntries& entries, const YamlNode& item, std::string_view key,
+                       const char* missing = translatable("is missing"));
+    /// Its name, which no item before has.
+    std::string nameOf(const YamlEntries& entries, const YamlNode& item);
+
+  private:
+    SectionReader& m_reader;
+    std::string_view m_key;
+    std::set<std::string> m_names;
+};
+
+// Pistons, adapters, couplings and bits of a file of presets.
+
+/// The keys of their lists: "pistons" and so on.
+std::span<const std::string_view> sectionPresetLists();
+
+/// Reads those lists. `file` are the entries of the whole file; problems go to the reader.
+std::vector<SectionPreset> readSectionPresets(SectionReader& reader, const YamlEntries& file);
 
 class PresetReader {
   public:

@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/yaml/scenario_file.h"
 
+#include <algorithm>
 #include <cassert>
 
 #include "core/disk/file_bytes.h"
 #include "core/model/validation.h"
+#include "core/text/text_input.h"
 #include "core/yaml/design_setup_text.h"
-#include "core/yaml/remark_lines.h"
 #include "core/yaml/scenario_patch.h"
 #include "core/yaml/scenario_reader.h"
 #include "core/yaml/scenario_text.h"
 
 namespace drillwave {
+
 namespace {
 
 Message placed(const InputProblem& problem, const std::string& source) {
@@ -45,6 +47,11 @@ std::string_view leadingComments(std::string_view text) {
         at = lineEnd + 1;
     }
     return text.substr(0, at);
+}
+
+bool isRemark(std::string_view line) {
+    return line.starts_with(writtenRemark) || line.starts_with(solvedRemark) ||
+           line.starts_with(columnsRemark);
 }
 
 }  // namespace
@@ -108,6 +115,14 @@ std::string writeScenario(const ScenarioDocument& document) {
               translatable("the scenario is larger than 1 MiB, which no file may be; keep the "
                            "points of a table in a CSV file")}});
     return text;
+}
+
+std::size_t remarksLength(std::string_view yaml) {
+    std::size_t length = byteOrderMarkLength(yaml);
+    if (!yaml.substr(length).starts_with(writtenRemark)) return 0;
+    for (std::string_view rest = yaml.substr(length); isRemark(rest); rest = yaml.substr(length))
+        length += std::min(rest.find('\n'), rest.size() - 1) + 1;
+    return length;
 }
 
 }  // namespace drillwave

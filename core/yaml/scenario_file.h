@@ -2,6 +2,7 @@
 // Scenario files (files §1): YAML read strictly with positions, written so that nothing unchanged moves.
 #pragma once
 
+#include <cstddef>
 #include <stdexcept>
 #include <string>
 #include <string_view>
@@ -59,5 +60,16 @@ ScenarioDocument parseScenario(std::string_view text, const std::string& source)
 /// withoutUnusedValues()). Throws ScenarioError where that would be larger than 1 MiB. Requires a valid
 /// scenario.
 std::string writeScenario(const ScenarioDocument& document);
+
+// The comment lines at the top of a scenario's text that tell of a result: who wrote it, and how it was
+// solved.
+
+/// How they begin, in this order; all but the first may be absent.
+inline constexpr std::string_view writtenRemark = "# Written by Drillwave ";
+inline constexpr std::string_view solvedRemark = "# Solved by method ";
+inline constexpr std::string_view columnsRemark = "# Columns: ";
+
+/// Bytes of these lines, with a byte order mark in front of them; 0 for a text that does not begin with them.
+std::size_t remarksLength(std::string_view yaml);
 
 }  // namespace drillwave

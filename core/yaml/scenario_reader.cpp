@@ -7,7 +7,7 @@
 
 #include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
-#include "core/model/word_parameter.h"
+#include "core/model/parameter_text.h"
 #include "core/yaml/design_setup_text.h"
 #include "core/yaml/law_reader.h"
 #include "core/yaml/pulse_reader.h"

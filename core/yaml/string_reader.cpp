@@ -6,7 +6,7 @@
 
 #include "core/model/parameter.h"
 #include "core/model/parameter_text.h"
-#include "core/model/section_address.h"
+#include "core/model/section_field.h"
 #include "core/text/name_text.h"
 
 namespace drillwave {

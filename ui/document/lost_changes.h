@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "core/archive/kept_runs.h"
-#include "core/signal/measured_signal.h"
+#include "core/signal/alignment.h"
 #include "core/yaml/scenario_file.h"
 
 namespace drillwave {

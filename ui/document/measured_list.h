@@ -6,7 +6,7 @@
 #include <QUndoStack>
 #include <vector>
 
-#include "core/signal/measured_signal.h"
+#include "core/signal/alignment.h"
 
 namespace drillwave {
 

@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "core/model/preset.h"
-#include "core/model/section_preset.h"
 
 namespace drillwave {
 

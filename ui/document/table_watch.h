@@ -10,7 +10,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/model/table_points.h"
+#include "core/model/scenario.h"
 
 namespace drillwave {
 

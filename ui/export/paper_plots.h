@@ -9,7 +9,7 @@
 #include "core/blow/blow.h"
 #include "core/report/figure.h"
 #include "core/report/thrust_report.h"
-#include "core/signal/measured_signal.h"
+#include "core/signal/alignment.h"
 #include "ui/plot/plot_rendering.h"
 #include "ui/plot/plot_style.h"
 #include "ui/text/shown_units.h"

@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "core/contact/bit_rock_law.h"
-#include "core/model/law_change.h"
 #include "core/model/law_parameter.h"
 #include "ui/form/choice_box.h"
 #include "ui/form/parameter_row.h"

@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/model/visible_pulse.h"
+#include "core/model/pulse_force.h"
 
 namespace drillwave {
 namespace {

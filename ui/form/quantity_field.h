@@ -10,7 +10,7 @@
 #include <functional>
 #include <optional>
 
-#include "core/model/kept_parameter.h"
+#include "core/model/parameter.h"
 #include "core/text/units.h"
 
 class QAction;

@@ -4,7 +4,7 @@
 
 #include <QDialog>
 
-#include "core/model/rig_of_groups.h"
+#include "core/model/form_conversion.h"
 #include "ui/document/document.h"
 #include "ui/document/preset_library.h"
 

@@ -6,8 +6,8 @@
 
 #include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
-#include "core/model/section_address.h"
-#include "core/model/word_parameter.h"
+#include "core/model/parameter_text.h"
+#include "core/model/section_field.h"
 
 namespace drillwave {
 namespace {

@@ -5,7 +5,7 @@
 #include <QDialog>
 #include <QTimer>
 
-#include "core/signal/measured_signal.h"
+#include "core/signal/alignment.h"
 #include "core/yaml/recorder_file.h"
 #include "ui/document/document.h"
 #include "ui/import/import_preview.h"

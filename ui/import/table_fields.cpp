@@ -4,7 +4,7 @@
 #include <QSignalBlocker>
 #include <algorithm>
 
-#include "core/signal/sample_guess.h"
+#include "core/signal/samples.h"
 #include "core/text/decimal_text.h"
 #include "ui/import/import_rows.h"
 #include "ui/text/typed_text.h"

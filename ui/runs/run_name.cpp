@@ -5,8 +5,8 @@
 #include <QLocale>
 #include <QStringList>
 
+#include "core/model/assignments.h"
 #include "core/model/blow_traits.h"
-#include "core/model/scenario_difference.h"
 #include "core/model/section_parameter.h"
 #include "ui/text/core_text.h"
 #include "ui/text/number_text.h"

@@ -4,8 +4,8 @@
 #include <QPushButton>
 
 #include "core/model/blow_traits.h"
-#include "core/model/rounded_lengths.h"
 #include "core/model/section_words.h"
+#include "core/model/string_edit.h"
 #include "ui/text/shown_text.h"
 #include "ui/window/page_tabs.h"
 

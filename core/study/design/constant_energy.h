@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/model/kept_parameter.h"
+#include "core/model/parameter.h"
 #include "core/model/scenario.h"
 #include "core/text/message.h"
 

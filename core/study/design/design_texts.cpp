@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/model/preset_choice.h"
+#include "core/model/preset.h"
 #include "core/text/decimal_text.h"
 #include "core/text/name_text.h"
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/kept_parameter.h"
+#include "core/model/parameter.h"
 #include "core/text/message.h"
 
 namespace drillwave {

@@ -6,7 +6,7 @@
 #include <string>
 #include <string_view>
 
-#include "core/model/kept_parameter.h"
+#include "core/model/parameter.h"
 #include "core/model/scenario.h"
 #include "core/study/design/distribution.h"
 #include "core/text/message.h"

@@ -9,8 +9,8 @@
 #include <vector>
 
 #include "core/model/parameter.h"
-#include "core/model/preset_choice.h"
-#include "core/model/word_parameter.h"
+#include "core/model/parameter_text.h"
+#include "core/model/preset.h"
 #include "core/study/rows/row_column.h"
 
 namespace drillwave {

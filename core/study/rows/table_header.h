@@ -8,7 +8,7 @@
 
 #include "core/model/assignments.h"
 #include "core/model/parameter.h"
-#include "core/model/word_parameter.h"
+#include "core/model/parameter_text.h"
 #include "core/study/rows/output_column.h"
 
 namespace drillwave {

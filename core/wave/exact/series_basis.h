@@ -2,7 +2,7 @@
 // Contact solved in power series on short pieces: robust for every rate, pulse and number of reflections.
 #pragma once
 
-#include "core/contact/contact_rates.h"
+#include "core/contact/bit_rock_law.h"
 #include "core/numeric/compensated_sum.h"
 #include "core/numeric/first_zero.h"
 #include "core/numeric/power_series.h"

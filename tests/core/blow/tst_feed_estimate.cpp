@@ -9,7 +9,6 @@
 #include "core/blow/feed_estimate.h"
 #include "core/blow/result_alerts.h"
 #include "core/model/alerts.h"
-#include "core/model/blow_interval.h"
 #include "core/model/scales.h"
 
 using namespace drillwave;

@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/blow/undamped_motion.h"
-#include "core/model/blow_interval.h"
 #include "core/model/scales.h"
 
 using namespace drillwave;

@@ -10,7 +10,7 @@
 #include "core/manual/inline_text.h"
 #include "core/manual/markdown.h"
 #include "core/manual/reference.h"
-#include "core/model/parameter_table.h"
+#include "core/model/parameter.h"
 
 using namespace drillwave;
 

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "core/blow/blow.h"
-#include "core/model/rig_of_groups.h"
+#include "core/model/form_conversion.h"
 #include "core/model/scales.h"
 #include "core/model/validation.h"
 

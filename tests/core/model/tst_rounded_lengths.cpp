@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "core/blow/blow.h"
-#include "core/model/rounded_lengths.h"
+#include "core/model/string_edit.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 

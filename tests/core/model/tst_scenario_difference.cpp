@@ -2,7 +2,7 @@
 // In which parameters scenarios differ: in what they say, not in what follows from it.
 #include <QTest>
 
-#include "core/model/scenario_difference.h"
+#include "core/model/assignments.h"
 #include "tests/support/scenario.h"
 
 using namespace drillwave;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "core/model/section_choice.h"
+#include "core/model/section_parameter.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 

@@ -10,7 +10,6 @@
 #include "core/model/assignments.h"
 #include "core/model/parameter_text.h"
 #include "core/model/scales.h"
-#include "core/model/scenario_difference.h"
 #include "core/model/section_parameter.h"
 #include "core/model/validation.h"
 #include "core/report/alert_words.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/model/alerts.h"
-#include "core/model/law_change.h"
+#include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
 #include "core/model/parameter_text.h"
 #include "core/model/pulse_force.h"

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/model/visible_pulse.h"
+#include "core/model/pulse_force.h"
 
 using namespace drillwave;
 

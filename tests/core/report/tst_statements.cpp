@@ -11,8 +11,8 @@
 #include <cmath>
 #include <random>
 
-#include "core/model/blow_interval.h"
 #include "core/model/blow_traits.h"
+#include "core/model/scales.h"
 #include "core/report/feed_words.h"
 #include "core/report/report_text.h"
 #include "core/report/sequence_words.h"

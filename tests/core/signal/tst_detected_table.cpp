@@ -3,7 +3,7 @@
 #include <sstream>
 
 #include "core/signal/detected_table.h"
-#include "core/signal/sample_guess.h"
+#include "core/signal/samples.h"
 #include "core/signal/text_lines.h"
 
 using namespace drillwave;

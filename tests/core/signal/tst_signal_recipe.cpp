@@ -5,7 +5,6 @@
 #include "core/model/validation.h"
 #include "core/signal/signal_recipe.h"
 #include "core/signal/signal_unit.h"
-#include "core/signal/thinned_curve.h"
 
 using namespace drillwave;
 

@@ -7,11 +7,10 @@
 #include <set>
 
 #include "core/model/alerts.h"
-#include "core/model/law_change.h"
+#include "core/model/law_parameter.h"
 #include "core/report/alert_words.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/preset_file.h"
-#include "core/yaml/preset_remarks.h"
 #include "core/yaml/yaml_tree.h"
 #include "tests/support/scenario_texts.h"
 

@@ -8,7 +8,7 @@
 #include <memory>
 
 #include "core/blow/outputs.h"
-#include "core/model/parameter_table.h"
+#include "core/model/parameter.h"
 #include "tests/support/contrast.h"
 #include "tests/support/themes.h"
 #include "tests/support/window.h"

@@ -14,7 +14,7 @@
 
 #include "core/model/scales.h"
 #include "core/model/string_edit.h"
-#include "core/yaml/pulse_table.h"
+#include "core/yaml/pulse_reader.h"
 #include "core/yaml/scenario_file.h"
 #include "tests/support/tries.h"
 #include "tests/support/window.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/blow/blow_waves.h"
-#include "core/model/visible_pulse.h"
+#include "core/model/pulse_force.h"
 #include "core/wave/field/rod_state.h"
 #include "core/wave/field/section_force.h"
 #include "core/wave/field/wave_curves.h"

@@ -6,7 +6,7 @@
 #include <QVector>
 #include <vector>
 
-#include "core/signal/measured_signal.h"
+#include "core/signal/alignment.h"
 #include "ui/job/solved_blow.h"
 #include "ui/pages/blow/blow_plots.h"
 

@@ -7,7 +7,6 @@
 
 #include "core/blow/blow.h"
 #include "core/signal/alignment.h"
-#include "core/signal/measured_signal.h"
 
 namespace drillwave {
 

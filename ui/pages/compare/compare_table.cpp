@@ -5,8 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/model/assignments.h"
 #include "core/model/blow_traits.h"
-#include "core/model/scenario_difference.h"
 #include "core/model/section_parameter.h"
 #include "core/text/csv.h"
 #include "ui/pages/study/output_box.h"

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "core/model/blow_traits.h"
-#include "core/model/section_choice.h"
 #include "core/model/section_parameter.h"
 #include "core/numeric/available_threads.h"
 #include "core/report/curve_report.h"

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/model/preset_choice.h"
+#include "core/model/preset.h"
 #include "core/study/design/design_texts.h"
 #include "ui/document/preset_library.h"
 

@@ -14,7 +14,7 @@
 
 #include "core/model/assignments.h"
 #include "core/model/scales.h"
-#include "core/model/section_choice.h"
+#include "core/model/section_parameter.h"
 #include "core/study/design/uncertain_input.h"
 #include "core/study/rows/sweep_axis.h"
 #include "ui/form/choice_box.h"

@@ -6,7 +6,7 @@
 
 #include "core/model/assignments.h"
 #include "core/model/blow_traits.h"
-#include "core/model/section_choice.h"
+#include "core/model/section_parameter.h"
 #include "core/report/row_csv.h"
 #include "core/study/map/map_rows.h"
 #include "ui/form/choice_box.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/model/blow_traits.h"
-#include "core/model/section_address.h"
+#include "core/model/section_field.h"
 #include "ui/document/document.h"
 #include "ui/pages/page.h"
 

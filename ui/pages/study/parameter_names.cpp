@@ -4,7 +4,7 @@
 #include <QComboBox>
 #include <QSignalBlocker>
 
-#include "core/model/section_choice.h"
+#include "core/model/section_parameter.h"
 #include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/model/kept_parameter.h"
+#include "core/model/parameter.h"
 #include "core/model/scenario.h"
 
 class QLabel;

@@ -10,7 +10,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/model/section_choice.h"
+#include "core/model/section_parameter.h"
 #include "core/report/curve_report.h"
 #include "core/yaml/examples.h"
 #include "tests/support/curve_page_fixture.h"

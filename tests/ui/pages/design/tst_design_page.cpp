@@ -19,7 +19,7 @@
 #include <mutex>
 
 #include "core/model/form_conversion.h"
-#include "core/model/section_choice.h"
+#include "core/model/section_parameter.h"
 #include "core/report/design_words.h"
 #include "core/study/design/constant_energy.h"
 #include "core/yaml/examples.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/contact/rock_lines.h"
+#include "core/contact/bit_rock_law.h"
 
 #include <cassert>
 #include <cmath>

@@ -1,12 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Times of day and dates with one, as recorders and spreadsheets write them.
+// Times of a recording as the head of its table states them: when it began, and its sampling rate.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
+#include <string>
 #include <string_view>
 
+#include "core/signal/detected_table.h"
+
 namespace drillwave {
+
+// Times of day and dates with one, as recorders and spreadsheets write them.
 
 /// A time of day, counted from an unknown midnight where there is no date. Seconds are kept apart from their
 /// fraction, so that microseconds of a date are not lost.
@@ -24,5 +30,12 @@ std::optional<TimeStamp> timeStamp(std::string_view cell);
 /// How much later `stamp` is than `first` [s]. Without dates the second is on the next day where it would be
 /// more than half a day earlier.
 double secondsSince(const TimeStamp& first, const TimeStamp& stamp);
+
+// Sampling rates, intervals and units that the lines above or beside the samples state.
+
+/// Looks through the lines above the samples, and through the cells beside the first samples, for a rate or
+/// an interval with its unit ("sampling rate: 5 MHz", "Sample Interval",1e-6,s, "Abtastrate [kHz];5000") and
+/// for the units of the axes ("Vertical Units",V), and puts them where the table has none of its own.
+void readStatedRate(std::span<const std::string> lines, DetectedTable& table);
 
 }  // namespace drillwave
