@@ -8,12 +8,12 @@
 #include "core/blow/blow.h"
 #include "core/blow/string_curves.h"
 #include "core/model/drill_string.h"
-#include "core/wave/field/bit_motion.h"
+#include "core/wave/field/bit_history.h"
 #include "core/wave/field/interesting_time.h"
 #include "core/wave/field/rod_state.h"
 #include "core/wave/field/string_field.h"
+#include "core/wave/field/wave_field.h"
 #include "core/wave/field/wave_fronts.h"
-#include "core/wave/field/wave_raster.h"
 
 namespace drillwave {
 

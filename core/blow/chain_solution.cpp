@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/model/section_pieces.h"
-#include "core/wave/network/cell_grid.h"
+#include "core/wave/network/cell_cuts.h"
 
 namespace drillwave {
 namespace {

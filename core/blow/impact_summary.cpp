@@ -3,7 +3,7 @@
 
 #include "core/contact/contact_law.h"
 #include "core/model/blow_traits.h"
-#include "core/wave/field/force_peaks.h"
+#include "core/wave/field/passing_waves.h"
 
 namespace drillwave {
 

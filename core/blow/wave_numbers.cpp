@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/blow/wave_numbers.h"
 
-#include "core/wave/exact/passing_march.h"
+#include "core/wave/exact/exact_solver.h"
 #include "core/wave/field/passing_waves.h"
 
 namespace drillwave {

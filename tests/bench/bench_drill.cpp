@@ -11,8 +11,8 @@
 
 #include "core/study/drilling/drilling_statistics.h"
 #include "core/study/scan/drilling_scan.h"
-#include "core/wave/drilling/drilling_grid.h"
 #include "core/wave/drilling/drilling_march.h"
+#include "core/wave/drilling/drilling_problem.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 #include "tests/bench/bench_table.h"

@@ -3,7 +3,6 @@
 #pragma once
 
 #include "core/model/scenario.h"
-#include "core/wave/drilling/drilling_grid.h"
 #include "core/wave/drilling/drilling_problem.h"
 
 namespace drillwave {

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/text/message.h"
-#include "core/wave/drilling/drilling_grid.h"
 #include "core/wave/drilling/drilling_march.h"
 #include "core/wave/drilling/drilling_problem.h"
 

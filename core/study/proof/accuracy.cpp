@@ -10,7 +10,7 @@
 #include "core/model/scales.h"
 #include "core/model/validation.h"
 #include "core/study/proof/force_difference.h"
-#include "core/wave/exact/extended_solver.h"
+#include "core/wave/exact/exact_solver.h"
 
 namespace drillwave {
 

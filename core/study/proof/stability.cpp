@@ -11,7 +11,6 @@
 #include "core/numeric/ordered_work.h"
 #include "core/text/units.h"
 #include "core/wave/exact/exact_solver.h"
-#include "core/wave/exact/extended_solver.h"
 #include "core/wave/lattice/lattice_solver.h"
 
 namespace drillwave {

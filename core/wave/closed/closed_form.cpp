@@ -4,14 +4,114 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
+#include "core/numeric/power_series.h"
 #include "core/text/message.h"
 #include "core/text/units.h"
-#include "core/wave/closed/decay_pieces.h"
+#include "core/wave/impact.h"
 
 namespace drillwave {
 
 namespace {
+
+// Waves that decay with one rate, as pieces of a history.
+
+// f(u) = A + (B + C u) e^(−βu), u ≥ 0.
+struct Decay {
+    double constant = 0;
+    double amplitude = 0;
+    double growth = 0;
+
+    double value(double u, double beta) const {
+        return constant + (amplitude + growth * u) * std::exp(-beta * u);
+    }
+    // The same function with u counted from `start`.
+    Decay from(double start, double beta) const {
+        const double decay = std::exp(-beta * start);
+        return {constant, (amplitude + growth * start) * decay, growth * decay};
+    }
+};
+
+Decay operator-(const Decay& f, const Decay& g) {
+    return {f.constant - g.constant, f.amplitude - g.amplitude, f.growth - g.growth};
+}
+
+// Appends incident wave and force as power series, exact to rounding, and sums over them.
+class DecayPieces {
+  public:
+    // The pieces go to the histories of `impact`, if there is one.
+    DecayPieces(double beta, Impact* impact) : m_beta(beta), m_impact(impact) {}
+
+    // A stretch of that length, both functions counted from its beginning. At most about fifty pieces,
+    // however large β is: then nothing is left of the decay.
+    void append(double length, Decay incident, Decay force);
+
+    // From here on count the sums of momentum ∫g, energy ∫g² and work on the rock ∫F (2g − F).
+    void beginSums() { m_momentum = m_energy = m_rockWork = 0; }
+    double momentum() const { return m_momentum; }
+    double energy() const { return m_energy; }
+    double rockWork() const { return m_rockWork; }
+    long count() const { return m_count; }
+
+  private:
+    void appendPiece(double length, const Decay& incident, const Decay& force);
+
+    double m_beta;
+    Impact* m_impact;
+    double m_momentum = 0, m_energy = 0, m_rockWork = 0;
+    long m_count = 0;
+};
+
+using Series = PowerSeries<double>;
+
+/// The first 22 terms on [0, length], βℓ ≤ 1: the rest is below 1e-21 of the coefficients.
+Series seriesOf(const Decay& f, double beta, double length) {
+    constexpr int terms = 22;
+    Series series = Series::zero(length);
+    series.count = terms;
+    double power = 1, before = 0;  // (−βℓ)^k/k! and the one before
+    for (int k = 0; k < terms; ++k) {
+        series.c[k] = f.amplitude * power + f.growth * length * before;
+        before = power;
+        power *= -beta * length / (k + 1);
+    }
+    series.c[0] += f.constant;
+    series.trim(0);
+    return series;
+}
+
+bool isDecayed(const Decay& f) {
+    constexpr double nothing = 1e-22;
+    return std::abs(f.amplitude) + std::abs(f.growth) < nothing;
+}
+
+void DecayPieces::append(double length, Decay incident, Decay force) {
+    while (length > 0) {
+        const bool isConstant = isDecayed(incident) && isDecayed(force);
+        const double piece = isConstant ? length : std::min(length, 1 / m_beta);
+        if (isConstant) incident = {incident.constant, 0, 0}, force = {force.constant, 0, 0};
+        appendPiece(piece, incident, force);
+        incident = incident.from(piece, m_beta);
+        force = force.from(piece, m_beta);
+        length -= piece;
+    }
+}
+
+void DecayPieces::appendPiece(double length, const Decay& incident, const Decay& force) {
+    const Series g = seriesOf(incident, m_beta, length);
+    const Series f = seriesOf(force, m_beta, length);
+    ++m_count;
+    m_momentum += g.integral(length);
+    m_energy += Series::productIntegral(g, g, length);
+    m_rockWork += 2 * Series::productIntegral(f, g, length) - Series::productIntegral(f, f, length);
+    if (!m_impact) return;
+    const auto coefficients = [](const Series& series) {
+        return std::span(series.c.data(), static_cast<std::size_t>(series.count));
+    };
+    m_impact->incident.append(length, length, coefficients(g));
+    m_impact->force.append(length, length, coefficients(f));
+}
 
 /// β1, the positive root of e^x = 2x + 1, of [paper (12)]: above it the second pulse ends while its wave
 /// still arrives.

@@ -7,7 +7,7 @@
 #include <limits>
 
 #include "core/numeric/normal_quantile.h"
-#include "core/wave/network/string_census.h"
+#include "core/wave/network/census.h"
 
 namespace drillwave {
 

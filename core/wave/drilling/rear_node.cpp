@@ -7,8 +7,8 @@
 
 #include "core/numeric/first_zero.h"
 #include "core/text/message.h"
-#include "core/wave/network/cell_event.h"
 #include "core/wave/network/relaxation.h"
+#include "core/wave/network/wave_cell.h"
 
 namespace drillwave {
 

@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 
 #include "core/text/message.h"
 #include "core/wave/exact/contact_march.h"
 #include "core/wave/exact/exponential_basis.h"
 #include "core/wave/exact/exponential_domain.h"
-#include "core/wave/exact/passing_march.h"
 #include "core/wave/exact/series_basis.h"
 #include "core/wave/exact/soft_reference.h"
 
@@ -97,6 +97,31 @@ Impact ExactSolver::solve(const Problem& problem, Detail detail, const std::stop
     impact.corError += roundingOfHammer(problem.force());
     if (impact.growth > 1) m_workspace->coverGrowthOf(impact, problem, {m_mostPieces, &stop});
     refuseOverflow(impact);
+    return impact;
+}
+
+Impact marchInPassing(const Problem& problem, long pieces, const HandOver& handOver,
+                      const std::stop_token& stop) {
+    MarchLimits limits;
+    limits.pieces = pieces + 1;
+    limits.stop = &stop;
+    limits.handOver = &handOver;
+    limits.ledger = false;
+    Impact impact;
+    std::make_unique<ContactMarch<SeriesBasis<double>>>()->solve(problem, Detail::histories, impact, limits);
+    return impact;
+}
+
+Impact solveInExtendedPrecision(const Problem& problem, Detail detail, const std::stop_token& stop) {
+    const auto march = std::make_unique<ContactMarch<SeriesBasis<long double>>>();
+    const auto solve = [&](Detail wanted, const InputMove& move) {
+        Impact impact;
+        march->solve(problem, wanted, impact, {.stop = &stop, .move = move});
+        return impact;
+    };
+    Impact impact = solve(detail, {});
+    impact.corError += roundingOfHammer(problem.force());
+    coverGrowth(impact, [&](const InputMove& move) { return solve(Detail::cor, move); });
     return impact;
 }
 

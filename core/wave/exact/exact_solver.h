@@ -2,6 +2,8 @@
 // The event-driven exact solution of the scalar delay equation (theory §3).
 #pragma once
 
+#include <cstddef>
+#include <functional>
 #include <memory>
 #include <stop_token>
 
@@ -53,5 +55,34 @@ class ExactSolver {
     long m_mostPieces;
     bool m_ledger = true;
 };
+
+// Histories too long to be kept, looked at while they are made.
+
+/// Takes as much as it likes out of the histories of an impact that is being solved, from their beginning,
+/// and returns how many pieces they should have when it is called again.
+using HandOver = std::function<std::size_t(Impact&)>;
+
+/// Histories of more pieces are too long to be kept for some numbers: 90 MB. The closed form has no more.
+inline constexpr long mostPiecesKept = 100'000;
+
+/// How many pieces are handed over at first.
+inline constexpr std::size_t piecesHandedOver = 20'000;
+
+/// Solves a blow once more that ExactSolver has solved in `pieces`, more than mostPiecesKept and so in power
+/// series, and hands its histories over. What is left of them is in the impact returned.
+Impact marchInPassing(const Problem& problem, long pieces, const HandOver& handOver,
+                      const std::stop_token& stop);
+
+// The exact solution once more, with more digits.
+
+/// Solves like ExactSolver, in power series throughout and in long double: 64 bits of mantissa in place of 53
+/// on x86. Several times slower. corError holds for that arithmetic, moved inputs included (input_move.h):
+/// where the bit chatters, long double has few digits more than double.
+///
+/// The difference to ExactSolver shows the rounding and truncation of the latter, and what its closed
+/// exponential pieces get wrong where it uses them. It does not show a mistake in the order or kind of
+/// events: both march with the same code (ContactMarch). equationResiduals() does.
+Impact solveInExtendedPrecision(const Problem& problem, Detail detail = Detail::cor,
+                                const std::stop_token& stop = {});
 
 }  // namespace drillwave

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 namespace drillwave {
+
 namespace {
 
 HammerTerms combine(double p, const HammerTerms& g, double q, const HammerTerms& f) {

@@ -2,7 +2,6 @@
 #include "core/wave/exact/exponential_basis.h"
 
 #include "core/wave/exact/exponential_algebra.h"
-#include "core/wave/exact/exponential_end.h"
 #include "core/wave/exact/exponential_stretches.h"
 
 namespace drillwave {

@@ -2,6 +2,7 @@
 #include "core/wave/exact/exponential_sum.h"
 
 namespace drillwave {
+
 namespace {
 
 /// ∫ Σ c_m φ_m + Σ q_m ω_m over y from 0: ∫φ_m = ω_m and ∫ω_m = y − Σ_{k≤m} ω_k.

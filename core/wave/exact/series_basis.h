@@ -6,7 +6,6 @@
 #include "core/numeric/compensated_sum.h"
 #include "core/numeric/first_zero.h"
 #include "core/numeric/power_series.h"
-#include "core/wave/exact/joining_error.h"
 #include "core/wave/exact/series_joiner.h"
 #include "core/wave/exact/stretch_end.h"
 #include "core/wave/impact.h"

@@ -7,10 +7,158 @@
 #include <limits>
 
 #include "core/numeric/power_series.h"
-#include "core/wave/exact/joining_budget.h"
-#include "core/wave/exact/wave_piece.h"
+#include "core/wave/impact.h"
+#include "core/wave/problem.h"
 
 namespace drillwave {
+
+// How much joined wave pieces may cost, from how much they save.
+
+/// The bounds of joining for one blow, in double precision. A contact with soft rock lasts about 1.6/√(βτ)
+/// round trips, or 1.6/√β with small γ, where the front end comes back at every pass of the blow alone. Each
+/// leaves its kinks, and every later one passes them: work grows with the square of the trips. From hundreds
+/// of trips on e is given fewer digits for that.
+struct JoiningBudget {
+    double passes = 1;         ///< about as many times a piece of wave meets the rock, ≥ 1
+    double smoothEffect = 0;   ///< of one joint on the impulse in all passes, without events in it
+    double mostDisplaced = 0;  ///< of the way of the bit by one joint, I0
+    double mostDeviation = 0;  ///< of the wave force, F0
+    double loadingWeight = 1;  ///< of an impulse displaced before the last peak on that of the rebound
+
+    explicit JoiningBudget(const Problem& problem) {
+        const double gamma = problem.law.gamma, tau = problem.transitTime();
+        // of the steepest loading line, and of the least steep one
+        double beta = problem.law.firstSlope * problem.law.beta, softest = beta;
+        for (const LawCorner& corner : problem.law.corners) {
+            beta = std::max(beta, corner.slope * problem.law.beta);
+            softest = std::min(softest, corner.slope * problem.law.beta);
+        }
+        const double trips = std::max(1.0, 1.6 / std::sqrt(softest * tau));
+        passes =
+            std::max(1.0, 1.6 / std::sqrt(softest * std::clamp(100 * gamma * tau, std::min(tau, 1.0), tau)));
+        const double excess = std::pow(std::max(1.0, passes / fewPasses), 6);
+        const double share = std::min(1.0, leastError / mostError * excess);
+        const double error = share * mostError;
+        smoothEffect = error / passes;
+        // A peak of the way that errs by D displaces √(βτ/γ) D while the rod is thrown back, D at most. With
+        // the peaks of all trips it is some sixteen times that, from hundreds on growing with the trips; more
+        // where γ is larger, and work no matter.
+        const double perDisplacement = std::min(1.0, std::sqrt(beta * tau / gamma));
+        const double peaks = std::max(16.0, trips / 12) * std::clamp(2000 * gamma, 1.0, 4.0);
+        mostDisplaced = error / (perDisplacement * peaks);
+        const double waveForce = std::max(problem.force().peak, 1 / (2 * tau));
+        mostDeviation = 1e-9 * std::min(waveForce, std::sqrt(softest / tau)) + 1e-5 * waveForce * share;
+        loadingWeight = std::sqrt(gamma);
+    }
+
+  private:
+    static constexpr double fewPasses = 100;     ///< cheap, whatever each leaves
+    static constexpr double leastError = 1e-15;  ///< of e, up to so many
+    static constexpr double mostError = 5e-10;   ///< of e, however many there are
+};
+
+// What joined wave pieces do to the impulse of the rock, through the events that fall into them.
+
+/// Sums up what joining does to e. The force depends on the way of the bit and on the largest one before. The
+/// way is displaced inside a joined piece only, by D there; but a peak inside keeps D for ever: until the
+/// primary line is reached again the force errs by (β/γ) 2D, at most, and by no more than 2D in impulse after
+/// each change, as F follows the wave.
+///
+/// An impulse displaced before the last peak changes the energy that is stored there, of which the rod gets
+/// the share γ: it counts √γ times. Those after it count in full.
+template <class Real>
+class JoiningError {
+  public:
+    /// `fastest` is the larger rate of the contact, β/γ.
+    void begin(const JoiningBudget& budget, Real fastest) {
+        m_fastest = fastest;
+        m_loadingWeight = Real(budget.loadingWeight);
+        m_loading = m_rebound = m_peak = 0;
+    }
+
+    /// `length` of elastic line has passed.
+    void passElastic(Real length) { m_rebound += displacedBy(m_peak, length); }
+
+    /// An event in a piece of wave that is displaced by `displaced`, of which `length` is not passed yet.
+    void pass(ContactEvent event, Real displaced, Real length) {
+        m_rebound += displacedBy(displaced, length);
+        if (event == ContactEvent::unloading) m_peak = displaced;
+        if (event == ContactEvent::primaryLoading) {
+            m_loading += m_rebound;
+            m_rebound = 0;
+        }
+    }
+
+    /// Of e. Errors are up to half of the plain sum (tst_joining), and the bound four times that.
+    Real bound() const { return 4 * (m_rebound + m_loadingWeight * m_loading); }
+
+  private:
+    /// The impulse that a displaced way of the bit displaces while the force follows it for `length`.
+    Real displacedBy(Real way, Real length) const { return 2 * way * std::min(Real(1), m_fastest * length); }
+
+    Real m_fastest = 0;        ///< β/γ
+    Real m_loadingWeight = 1;  ///< √γ
+    Real m_loading = 0;        ///< impulse displaced before the last return to the primary line, I0
+    Real m_rebound = 0;        ///< and since then
+    Real m_peak = 0;           ///< displacement of the largest way of the bit, I0
+};
+
+// A piece of the wave in the rod, and how far joining it to its neighbours has displaced it.
+
+/// A wave force on a short interval, and what joining may have made of its integral, the way of the bit.
+/// Joined pieces keep the impulse of both, so that the way is right before and behind them, and wrong
+/// between.
+template <class Real>
+struct WavePiece : PowerSeries<Real> {
+    Real displaced = 0;         ///< about the largest |∫(joined − exact)| up to any place in it, I0
+    Real displacedAtStart = 0;  ///< the same at its start: 0 unless it was cut out of a joined piece
+
+    WavePiece() = default;
+    WavePiece(const PowerSeries<Real>& exact) : PowerSeries<Real>(exact) {}
+
+    /// What free flight asks of every piece in every round trip: computed once.
+    struct Way {
+        Real whole;  ///< ∫ over the length
+        Real most;   ///< an upper bound of ∫ over [0, x] for every x up to the length, and 0
+        Real size;   ///< ≥ ∫|·|, what the rounding of the first is relative to
+    };
+    const Way& way() const {
+        if (m_hasWay) return m_way;
+        m_way = {this->integral(this->length), this->mostIntegral(), this->integralOfSizes()};
+        m_hasWay = true;
+        return m_way;
+    }
+    /// To be called when coefficients have been changed from outside.
+    void forgetWay() { m_hasWay = false; }
+
+    /// The interval [x, length]: it begins inside what was joined.
+    void dropFront(Real x) {
+        PowerSeries<Real>::dropFront(x);
+        displacedAtStart = displaced;
+        forgetWay();
+    }
+    /// Ends the interval at x.
+    void shorten(Real x) {
+        if (x == this->length) return;
+        this->length = x;
+        forgetWay();
+    }
+    /// Displaced like `other`, from which it is made.
+    void displaceLike(const WavePiece& other) {
+        displaced = other.displaced;
+        displacedAtStart = other.displacedAtStart;
+    }
+    /// Joined to a piece behind it at the price of `more`. Displacements have either sign, and add up as
+    /// such.
+    void displace(const WavePiece& next, Real more) {
+        const Real before = std::max(displaced, next.displaced);
+        displaced = std::sqrt(before * before + more * more);
+    }
+
+  private:
+    mutable Way m_way{};
+    mutable bool m_hasWay = false;
+};
 
 /// Every event leaves a kink in the reflected wave, and kinks stay for ever: thousands of round trips would
 /// carry thousands of pieces each. Most of these kinks are far too small to matter.

@@ -2,11 +2,13 @@
 #include "core/wave/field/bit_history.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 
-#include "core/wave/field/recorded_time.h"
+#include "core/wave/field/history_reader.h"
 
 namespace drillwave {
+
 namespace {
 
 /// ∫g over `duration` of the periods that repeat the one before the recorded time `end`.
@@ -51,6 +53,28 @@ double incidentImpulse(const Impact& impact, double s) {
 
 double timeOfRecorded(const Impact& impact, double recorded) {
     return recorded + unrecordedBefore(impact, recorded);
+}
+
+double bitDisplacement(const Impact& impact, double t) {
+    assert(impact.hasHistories());
+    const double s = t - impact.frontArrival;
+    return incidentImpulse(impact, s) - impactImpulse(impact, s) / 2;
+}
+
+BitState bitState(const std::function<double(double)>& displacementAt,
+                  std::span<const ContactInterval> contacts, double delta, double t) {
+    const double displacement = displacementAt(t);
+    const auto next =
+        std::upper_bound(contacts.begin(), contacts.end(), t,
+                         [](double time, const ContactInterval& contact) { return time < contact.begin; });
+    if (next == contacts.begin()) return {false, 0, std::max(0.0, delta - displacement)};
+    const ContactInterval& last = *std::prev(next);
+    if (t <= last.end) return {true, displacement - delta, 0};
+    return {false, 0, std::max(0.0, displacementAt(last.end) - displacement)};
+}
+
+BitState bitState(const Impact& impact, std::span<const ContactInterval> contacts, double delta, double t) {
+    return bitState([&](double time) { return bitDisplacement(impact, time); }, contacts, delta, t);
 }
 
 }  // namespace drillwave

@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "core/model/pulse_force.h"
-#include "core/wave/field/rod_delays.h"
+#include "core/wave/field/wave_field.h"
 
 namespace drillwave {
 namespace {

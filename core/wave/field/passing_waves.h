@@ -6,11 +6,34 @@
 #include <optional>
 
 #include "core/model/pulse_force.h"
-#include "core/wave/field/force_peaks.h"
 #include "core/wave/field/rod_forces.h"
 #include "core/wave/impact.h"
 
 namespace drillwave {
+
+// How often the impact force rises to a peak.
+
+/// Counts the peaks of F above 1 % of the largest force, piece by piece in order of time. Every maximum
+/// inside a smooth piece is found; two that are parted by less than 1e-9 of the largest force, which rounding
+/// could do, are one.
+class ForcePeaks {
+  public:
+    explicit ForcePeaks(double largest);
+    void add(const PiecewisePolynomial& force, const PiecewisePolynomial::Piece& piece);
+    /// With the end of the force, behind which there may be no more pieces.
+    int count();
+
+  private:
+    void pass(double force);
+
+    double m_least, m_dip;
+    double m_turn = 0;  ///< the last extremum so far
+    bool m_rising = true;
+    int m_peaks = 0;
+};
+
+/// Of an impact solved with Detail::histories.
+int forcePeaks(const Impact& impact);
 
 /// Peaks of the impact force and largest forces in the rod, those of forcePeaks() and largestRodForces(),
 /// from histories that come in parts: a force in the rod is made by waves of one round trip.

@@ -7,8 +7,8 @@
 #include <limits>
 
 #include "core/wave/field/meeting_lines.h"
+#include "core/wave/field/rod_forces.h"
 #include "core/wave/field/rod_instants.h"
-#include "core/wave/field/rod_meeting.h"
 
 namespace drillwave {
 namespace {

@@ -4,7 +4,7 @@
 #include <cassert>
 
 #include "core/contact/contact_law.h"
-#include "core/wave/field/bit_motion.h"
+#include "core/wave/field/bit_history.h"
 #include "core/wave/field/wave_curves.h"
 #include "core/wave/field/wave_field.h"
 

@@ -5,8 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "core/wave/field/wave_field.h"
 #include "core/wave/field/wave_fronts.h"
-#include "core/wave/field/wave_raster.h"
 #include "core/wave/network/string_waves.h"
 
 namespace drillwave {

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "core/model/pulse_force.h"
-#include "core/wave/field/rod_delays.h"
+#include "core/wave/field/wave_field.h"
 #include "core/wave/impact.h"
 
 namespace drillwave {

@@ -9,8 +9,6 @@
 #include "core/contact/contact_law.h"
 #include "core/numeric/first_zero.h"
 #include "core/wave/impact.h"
-#include "core/wave/network/cell_event.h"
-#include "core/wave/network/oscillation.h"
 #include "core/wave/network/relaxation.h"
 #include "core/wave/network/wave_cell.h"
 

@@ -11,13 +11,11 @@
 
 #include "core/wave/network/bit_node.h"
 #include "core/wave/network/cell_cuts.h"
+#include "core/wave/network/census.h"
 #include "core/wave/network/delay_line.h"
 #include "core/wave/network/face_node.h"
-#include "core/wave/network/force_node.h"
 #include "core/wave/network/joint.h"
 #include "core/wave/network/march_plan.h"
-#include "core/wave/network/node_turns.h"
-#include "core/wave/network/string_census.h"
 
 namespace drillwave {
 

@@ -6,7 +6,7 @@
 #include <string_view>
 #include <vector>
 
-#include "core/wave/network/cell_event.h"
+#include "core/model/pulse_force.h"
 #include "core/wave/network/relaxation.h"
 #include "core/wave/network/wave_cell.h"
 #include "core/wave/problem.h"
@@ -89,6 +89,27 @@ class FaceNode {
     FaceNodeState m_now;
     long m_pieces = 0;
     std::string_view m_trouble;
+};
+
+// A force on the rear end of a string, which does not feel what comes back (strings §4).
+
+/// The rear end of a string of impedance Z under the force Fa: f = Fa − b, and it moves at v = (f − b)/Z.
+/// Once the force is over, it is a face from which a hammer has parted for ever.
+class ForceNode {
+  public:
+    /// `force` must outlive it.
+    ForceNode(const PulseForce& force, double impedance) : m_force(&force), m_impedance(impedance) {}
+
+    /// The wave that leaves over a cell of this width that begins at `time` [t0], while `back` arrives.
+    WaveCell step(const WaveCell& back, double time, double width);
+
+    const FaceNodeState& state() const { return m_now; }  ///< its record is that of Fa
+    void setState(const FaceNodeState& state) { m_now = state; }
+
+  private:
+    const PulseForce* m_force;
+    double m_impedance;
+    FaceNodeState m_now;
 };
 
 }  // namespace drillwave

@@ -6,9 +6,9 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/wave/network/cell_grid.h"
+#include "core/wave/network/cell_cuts.h"
 #include "core/wave/network/delay_line.h"
-#include "core/wave/network/node_turns.h"
+#include "core/wave/network/march_plan.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {

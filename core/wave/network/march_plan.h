@@ -3,15 +3,29 @@
 #pragma once
 
 #include <cstddef>
+#include <span>
 #include <vector>
 
 #include "core/wave/network/cell_cuts.h"
-#include "core/wave/network/cell_event.h"
-#include "core/wave/network/cell_grid.h"
-#include "core/wave/network/string_census.h"
+#include "core/wave/network/census.h"
+#include "core/wave/network/wave_cell.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {
+
+// In which order the nodes of a string take the steps of a block.
+
+/// Steps of a block that a node takes without waiting for others.
+struct NodeTurn {
+    std::size_t node;  ///< in front of section `node`; behind the last one the bit
+    std::size_t from, count;
+    std::size_t behind() const { return from + count; }
+    bool operator==(const NodeTurn&) const = default;
+};
+
+/// A node waits for the waves that the next one made a round trip before, `delays` steps for each section,
+/// all > 0. Where that is less than a block, the nodes at both ends take turns. Written into `turns`.
+void planTurns(std::span<const std::size_t> delays, std::size_t block, std::vector<NodeTurn>& turns);
 
 /// What is wanted of a blow beside its sums.
 struct NetworkWants {

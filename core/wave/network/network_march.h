@@ -9,9 +9,9 @@
 #include "core/text/message.h"
 #include "core/wave/impact.h"
 #include "core/wave/network/cell_lattice.h"
+#include "core/wave/network/census.h"
 #include "core/wave/network/free_flight.h"
 #include "core/wave/network/march_plan.h"
-#include "core/wave/network/string_census.h"
 #include "core/wave/network/wave_recorder.h"
 
 namespace drillwave {

@@ -7,7 +7,7 @@
 #include <string_view>
 
 #include "core/wave/impact.h"
-#include "core/wave/network/cell_grid.h"
+#include "core/wave/network/cell_cuts.h"
 #include "core/wave/network/march_plan.h"
 #include "core/wave/problem.h"
 

@@ -4,7 +4,7 @@
 
 #include <stop_token>
 
-#include "core/wave/network/cell_grid.h"
+#include "core/wave/network/cell_cuts.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {

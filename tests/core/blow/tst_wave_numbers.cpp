@@ -6,7 +6,7 @@
 #include "core/blow/outputs.h"
 #include "core/blow/wave_numbers.h"
 #include "core/study/rows/case_solver.h"
-#include "core/wave/exact/passing_march.h"
+#include "core/wave/exact/exact_solver.h"
 
 using namespace drillwave;
 

@@ -9,7 +9,7 @@
 #include "core/text/csv.h"
 #include "core/text/units.h"
 #include "core/wave/exact/exact_solver.h"
-#include "core/wave/field/bit_motion.h"
+#include "core/wave/field/bit_history.h"
 #include "core/wave/field/wave_field.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"

@@ -5,7 +5,7 @@
 #include "core/blow/impact_summary.h"
 #include "core/blow/method.h"
 #include "core/contact/bit_rock_law.h"
-#include "core/wave/exact/extended_solver.h"
+#include "core/wave/exact/exact_solver.h"
 #include "core/wave/lattice/lattice_solver.h"
 #include "core/wave/network/plain_lattice.h"
 #include "tests/support/corner_scenes.h"

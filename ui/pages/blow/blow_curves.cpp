@@ -10,7 +10,6 @@
 #include "core/blow/blow_waves.h"
 #include "core/model/pulse_force.h"
 #include "core/wave/field/rod_state.h"
-#include "core/wave/field/section_force.h"
 #include "core/wave/field/wave_curves.h"
 
 namespace drillwave {

@@ -2,7 +2,6 @@
 #include "ui/pages/blow/blow_meanings.h"
 
 #include "core/blow/blow_waves.h"
-#include "core/wave/field/section_force.h"
 #include "core/wave/field/wave_curves.h"
 
 namespace drillwave {

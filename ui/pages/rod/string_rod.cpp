@@ -10,7 +10,7 @@
 #include "core/model/scales.h"
 #include "core/model/section_pieces.h"
 #include "core/model/section_words.h"
-#include "core/wave/network/string_envelope.h"
+#include "core/wave/network/string_waves.h"
 #include "core/wave/problem.h"
 #include "ui/text/shown_text.h"
 

@@ -6,8 +6,8 @@
 
 #include "core/contact/contact_law.h"
 #include "core/study/drilling/drilling_study.h"
-#include "core/wave/drilling/drilling_grid.h"
 #include "core/wave/drilling/drilling_march.h"
+#include "core/wave/drilling/drilling_problem.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 

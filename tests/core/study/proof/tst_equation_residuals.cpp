@@ -4,7 +4,6 @@
 
 #include "core/study/proof/equation_residuals.h"
 #include "core/wave/exact/exact_solver.h"
-#include "core/wave/exact/extended_solver.h"
 #include "tests/support/scenes.h"
 
 using namespace drillwave;

@@ -7,8 +7,8 @@
 #include <random>
 
 #include "core/contact/contact_law.h"
-#include "core/wave/drilling/drilling_grid.h"
 #include "core/wave/drilling/drilling_march.h"
+#include "core/wave/drilling/drilling_problem.h"
 #include "core/wave/exact/exact_solver.h"
 #include "tests/support/drilling_scenes.h"
 #include "tests/support/network_scenes.h"

@@ -4,7 +4,7 @@
 #include <map>
 
 #include "core/wave/exact/contact_march.h"
-#include "core/wave/exact/extended_solver.h"
+#include "core/wave/exact/exact_solver.h"
 #include "core/wave/exact/series_basis.h"
 #include "tests/support/scenes.h"
 #include "tests/support/tries.h"

@@ -4,7 +4,6 @@
 
 #include "core/wave/exact/contact_march.h"
 #include "core/wave/exact/exact_solver.h"
-#include "core/wave/exact/extended_solver.h"
 #include "core/wave/exact/input_move.h"
 #include "core/wave/exact/series_basis.h"
 #include "tests/support/basis_scenes.h"

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The waves inside the rod keep their order and their values, and what is known of a piece follows its
 // changes.
-#include "core/wave/exact/wave_queue.h"
+#include "core/wave/exact/contact_march_state.h"
 
 #include <QTest>
 #include <algorithm>
 #include <deque>
 #include <random>
 
-#include "core/wave/exact/wave_piece.h"
+#include "core/wave/exact/series_joiner.h"
 #include "tests/support/series.h"
 
 using namespace drillwave;

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "core/blow/impact_summary.h"
-#include "core/wave/field/bit_motion.h"
+#include "core/wave/field/bit_history.h"
 #include "core/wave/field/wave_field.h"
 #include "tests/support/scenes.h"
 

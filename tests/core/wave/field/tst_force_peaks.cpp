@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/wave/field/bit_history.h"
-#include "core/wave/field/force_peaks.h"
+#include "core/wave/field/passing_waves.h"
 #include "core/wave/lattice/lattice_solver.h"
 #include "tests/support/scenes.h"
 

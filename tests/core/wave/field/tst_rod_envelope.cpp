@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "core/wave/field/bit_history.h"
-#include "core/wave/field/recorded_time.h"
+#include "core/wave/field/history_reader.h"
 #include "core/wave/field/rod_envelope.h"
 #include "core/wave/field/wave_field.h"
 #include "tests/support/scenes.h"

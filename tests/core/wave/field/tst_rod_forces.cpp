@@ -6,7 +6,6 @@
 #include "core/wave/field/rod_forces.h"
 #include "core/wave/field/rod_instants.h"
 #include "core/wave/field/wave_field.h"
-#include "core/wave/field/wave_spans.h"
 #include "tests/support/scenes.h"
 
 using namespace drillwave;

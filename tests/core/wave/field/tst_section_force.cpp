@@ -2,7 +2,7 @@
 // What a strain gauge at a section sees: the sum of all waves, against the wave field.
 #include <QTest>
 
-#include "core/wave/field/section_force.h"
+#include "core/wave/field/wave_curves.h"
 #include "core/wave/field/wave_field.h"
 #include "tests/support/scenes.h"
 

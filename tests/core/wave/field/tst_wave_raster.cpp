@@ -7,7 +7,6 @@
 #include "core/wave/field/bit_history.h"
 #include "core/wave/field/history_reader.h"
 #include "core/wave/field/wave_field.h"
-#include "core/wave/field/wave_raster.h"
 #include "tests/support/scenes.h"
 
 using namespace drillwave;

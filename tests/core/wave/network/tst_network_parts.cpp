@@ -8,14 +8,12 @@
 #include <vector>
 
 #include "core/wave/network/cell_cuts.h"
-#include "core/wave/network/cell_grid.h"
+#include "core/wave/network/march_plan.h"
 #include "core/wave/network/network_solver.h"
-#include "core/wave/network/node_turns.h"
 #include "core/wave/network/plain_lattice.h"
 #include "core/wave/network/relaxation.h"
 #include "core/wave/network/section_watch.h"
 #include "core/wave/network/wave_cell.h"
-#include "core/wave/network/window_maxima.h"
 #include "tests/support/network_scenes.h"
 
 using namespace drillwave;

@@ -11,7 +11,7 @@
 #include "core/wave/exact/exact_solver.h"
 #include "core/wave/network/network_march.h"
 #include "core/wave/network/network_solver.h"
-#include "core/wave/network/string_envelope.h"
+#include "core/wave/network/string_waves.h"
 #include "tests/support/network_scenes.h"
 #include "tests/support/scenes.h"
 #include "tests/support/tries.h"

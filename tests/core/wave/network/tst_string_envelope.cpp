@@ -5,7 +5,7 @@
 
 #include "core/wave/field/rod_envelope.h"
 #include "core/wave/network/network_solver.h"
-#include "core/wave/network/string_envelope.h"
+#include "core/wave/network/string_waves.h"
 #include "tests/support/network_scenes.h"
 #include "tests/support/scenes.h"
 

@@ -5,7 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/wave/field/section_force.h"
+#include "core/wave/field/wave_curves.h"
 #include "core/wave/field/wave_field.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
