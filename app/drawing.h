@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/archive/picture_formats.h"
+#include "core/archive/result_files.h"
 #include "core/blow/blow.h"
 #include "core/disk/whole_folder.h"
 #include "core/study/paper/figure_data.h"

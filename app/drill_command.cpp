@@ -15,8 +15,8 @@
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
+#include "core/archive/result_files.h"
 #include "core/archive/result_scenario.h"
-#include "core/archive/study_files.h"
 #include "core/report/drilling_report.h"
 #include "core/study/thrust/thrust_margins.h"
 

@@ -6,7 +6,7 @@
 #include "app/output_file.h"
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
-#include "core/archive/study_files.h"
+#include "core/archive/result_files.h"
 
 namespace drillwave {
 

@@ -9,7 +9,7 @@
 #include "app/output_file.h"
 #include "app/output_folder.h"
 #include "app/study_plots.h"
-#include "core/archive/study_files.h"
+#include "core/archive/result_files.h"
 #include "core/report/figures_page.h"
 #include "core/study/paper/figures.h"
 

@@ -8,7 +8,7 @@
 #include "app/scenario_argument.h"
 #include "core/blow/outputs.h"
 #include "core/manual/chapter.h"
-#include "core/manual/inline_text.h"
+#include "core/manual/markdown.h"
 #include "core/text/text_layout.h"
 
 namespace drillwave {

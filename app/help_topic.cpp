@@ -9,7 +9,7 @@
 #include "app/help_text.h"
 #include "core/blow/outputs.h"
 #include "core/manual/chapter.h"
-#include "core/manual/inline_text.h"
+#include "core/manual/markdown.h"
 #include "core/manual/plain_text.h"
 #include "core/manual/reference.h"
 #include "core/manual/word_places.h"

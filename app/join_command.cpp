@@ -13,7 +13,6 @@
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "core/archive/result_scenario.h"
-#include "core/archive/row_part.h"
 #include "core/archive/row_record.h"
 #include "core/disk/file_bytes.h"
 

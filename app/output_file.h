@@ -10,7 +10,7 @@
 
 #include "app/arguments.h"
 #include "core/archive/kept_rows.h"
-#include "core/archive/study_files.h"
+#include "core/archive/result_files.h"
 #include "core/disk/file_bytes.h"
 #include "core/disk/whole_file.h"
 #include "core/disk/whole_folder.h"

@@ -11,7 +11,7 @@
 #include "app/row_options.h"
 #include "app/scenario_argument.h"
 #include "core/archive/report_file.h"
-#include "core/archive/study_files.h"
+#include "core/archive/result_files.h"
 #include "core/report/report_html.h"
 #include "core/text/name_text.h"
 

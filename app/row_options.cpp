@@ -13,7 +13,7 @@
 #include "app/study_plots.h"
 #include "core/archive/kept_rows.h"
 #include "core/archive/result_scenario.h"
-#include "core/archive/row_part.h"
+#include "core/archive/row_record.h"
 #include "core/disk/file_bytes.h"
 #include "core/model/blow_traits.h"
 #include "core/numeric/available_threads.h"

@@ -11,7 +11,7 @@
 #include "app/input_text.h"
 #include "app/preset_options.h"
 #include "app/signal_options.h"
-#include "core/archive/outputs_changes.h"
+#include "core/archive/result_scenario.h"
 #include "core/model/alerts.h"
 #include "core/model/assignments.h"
 #include "core/model/blow_traits.h"

@@ -8,7 +8,7 @@
 #include "app/input_text.h"
 #include "app/output_file.h"
 #include "app/scenario_argument.h"
-#include "core/blow/string_curves.h"
+#include "core/blow/blow_waves.h"
 #include "core/blow/thinned_blow.h"
 #include "core/model/blow_traits.h"
 #include "core/model/form_conversion.h"

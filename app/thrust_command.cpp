@@ -11,7 +11,7 @@
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
 #include "core/archive/result_scenario.h"
-#include "core/blow/thrust.h"
+#include "core/blow/feed_estimate.h"
 #include "core/model/parameter_text.h"
 #include "core/numeric/run_time.h"
 #include "core/report/blow_csv.h"

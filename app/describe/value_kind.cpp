@@ -5,7 +5,7 @@
 #include <span>
 
 #include "app/help_topic.h"
-#include "core/archive/picture_formats.h"
+#include "core/archive/result_files.h"
 #include "core/blow/method.h"
 #include "core/blow/outputs.h"
 #include "core/model/parameter.h"

@@ -12,7 +12,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/archive/study_files.h"
+#include "core/archive/result_files.h"
 #include "core/disk/hidden_folder.h"
 #include "core/text/decimal_text.h"
 #include "core/yaml/scenario_file.h"

@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "core/blow/method.h"
+#include "core/model/scenario.h"
+#include "core/text/message.h"
 #include "core/yaml/scenario_file.h"
 
 namespace drillwave {
@@ -48,5 +50,12 @@ bool isNewerVersion(std::string_view version, std::string_view than);
 /// that would be more than a scenario file may have, their file is named by its absolute path. Throws
 /// ScenarioError where there is no such file either.
 std::string completeScenarioText(ScenarioDocument document);
+
+// Changes in results since older versions (manual, upgrading).
+
+/// Says which numbers of a result that `version` ("0.2.0") wrote of this scenario have changed: "Written by
+/// Drillwave 0.2.0. These results have changed since: … (manual, Upgrading)." Empty where none has, or the
+/// version is not known.
+Message changesSentence(std::string_view version, const Scenario& scenario);
 
 }  // namespace drillwave

@@ -4,6 +4,8 @@
 
 #include <optional>
 #include <stop_token>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/blow/feed_estimate.h"
@@ -13,6 +15,7 @@
 #include "core/model/alerts.h"
 #include "core/model/scales.h"
 #include "core/model/scenario.h"
+#include "core/text/message.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
 
@@ -65,5 +68,19 @@ Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail deta
 Blow solveBlow(const Scenario& scenario, const MethodChoice& method, Detail detail,
                const std::stop_token& stop, Stresses stresses, MethodSolver& solver,
                NetworkAccuracy ofString = NetworkAccuracy::sure);
+
+// How a blow was solved, for reports, records and remarks.
+
+/// Returns the method as JSON names it: "polynomial_cells" of a drill string, whichever is given.
+std::string_view methodKey(const Scenario& scenario, Method method);
+
+struct SolverWords {
+    std::string key;     ///< in JSON: "polynomial_cells"
+    Message name;        ///< "lattice of 1000 segments"
+    Message asked;       ///< in prose: "method lattice, 1000 segments", "polynomial cells"
+    std::string remark;  ///< in files, as remarksOf() reads it again: "method polynomial_cells"
+    Message pieces;      ///< what Impact::pieces counts: "11 cells"
+};
+SolverWords solverWords(const Blow& blow);
 
 }  // namespace drillwave

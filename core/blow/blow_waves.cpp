@@ -6,17 +6,136 @@
 #include <cmath>
 #include <limits>
 
-#include "core/blow/string_curves.h"
 #include "core/contact/contact_law.h"
+#include "core/model/scales.h"
 #include "core/wave/field/wave_field.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {
+
 namespace {
+
+/// Of forces in F0 and velocities in v0: what is less is no jump, and no bend.
+constexpr double negligible = 1e-4;
+
+/// How far two instants are apart in what may jump.
+double distance(const RodState& a, const RodState& b) {
+    return std::max({std::abs(a.impactForce - b.impactForce), std::abs(a.faceForce - b.faceForce),
+                     std::abs(a.positiveWave - b.positiveWave), std::abs(a.negativeWave - b.negativeWave),
+                     std::abs(a.frontVelocity - b.frontVelocity)});
+}
+
+RodState middleOf(const RodState& a, const RodState& b) {
+    RodState middle;
+    middle.impactForce = (a.impactForce + b.impactForce) / 2;
+    middle.faceForce = (a.faceForce + b.faceForce) / 2;
+    middle.positiveWave = (a.positiveWave + b.positiveWave) / 2;
+    middle.negativeWave = (a.negativeWave + b.negativeWave) / 2;
+    middle.frontVelocity = (a.frontVelocity + b.frontVelocity) / 2;
+    return middle;
+}
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 
 }  // namespace
+
+double hammerRear(const DrillString& drillString) {
+    if (drillString.hammer.sections.empty()) return 0;
+    return 0 - hammerProperties(drillString).length / stringProperties(drillString).length;
+}
+
+StringPlace stringPlace(const DrillString& drillString, double share) {
+    const std::vector<const Section*> sections = allSections(drillString);
+    if (sections.empty()) return {0, std::clamp(share, 0.0, 1.0)};
+    const std::size_t ofHammer = drillString.hammer.sections.size();
+    // Where hammer and string meet, the string.
+    const bool inHammer = share < 0;
+    const std::size_t first = inHammer ? 0 : ofHammer, last = (inHammer ? ofHammer : sections.size()) - 1;
+    double left = std::min(share, 1.0) * stringProperties(drillString).length;
+    if (inHammer) left = std::max(0.0, left + hammerProperties(drillString).length);
+    std::size_t i = first;
+    for (; i < last && left > sections[i]->length; ++i) left -= sections[i]->length;
+    return {i, std::clamp(left / sections[i]->length, 0.0, 1.0)};
+}
+
+double shareOfString(const DrillString& drillString, const StringPlace& place) {
+    const std::vector<const Section*> sections = allSections(drillString);
+    if (sections.empty()) return place.share;
+    assert(place.section < sections.size());
+    double from = -hammerProperties(drillString).length;
+    for (std::size_t i = 0; i < place.section; ++i) from += sections[i]->length;
+    if (place.section == drillString.hammer.sections.size()) from = 0;  // whatever the sum is rounded to
+    return (from + place.share * sections[place.section]->length) / stringProperties(drillString).length;
+}
+
+StringPlace middleOfLongest(const DrillString& drillString) {
+    const std::vector<const Section*> sections = expandedSections(drillString);
+    const auto longest =
+        std::ranges::max_element(sections, {}, [](const Section* section) { return section->length; });
+    return {drillString.hammer.sections.size() + static_cast<std::size_t>(longest - sections.begin()), 0.5};
+}
+
+StringHistory::StringHistory(const Impact& impact, const Problem& problem, const StringPlace& place)
+    : m_impact(&impact), m_problem(&problem), m_waves(impact.waves.get()), m_place(place) {
+    assert(m_waves && place.section < m_waves->sections());
+}
+
+RodState StringHistory::at(double time, TimeSide side) const {
+    const StringWaves& waves = *m_waves;
+    const double t = std::clamp(time, 0.0, waves.end());
+    const double beside = side == TimeSide::after ? t + waves.rounding() : t - waves.rounding();
+    const std::size_t ofHammer = waves.hammerSections();
+    const double momentum = m_impact->hammerImpulse, v0 = m_problem->velocity();
+    RodState now;
+    now.time = t;
+    now.impactForce = std::max(0.0, waves.bitForce()(beside));
+    now.impulse = waves.bitForce().integral(t) / momentum;
+    now.momentum = waves.given(t) / momentum - now.impulse;
+    now.penetration = waves.bitVelocity().integral(t) * lawUnitOfPenetration - m_problem->gap;
+    now.frontVelocity = waves.bitVelocity()(beside) / v0;
+    const double pushed = ofHammer > 0 ? waves.force(ofHammer - 1, 1, t, side) : waves.force(0, 0, t, side);
+    now.faceForce = std::max(0.0, ofHammer > 0 ? pushed : pushed - waves.damperForce()(beside));
+    const double down = waves.down(m_place.section, m_place.share, t, side);
+    const double up = waves.up(m_place.section, m_place.share, t, side);
+    now.positiveWave = 0 - down;
+    now.negativeWave = 0 - up;
+    now.normalForce = 0 - (down + up);
+    now.velocity = waves.velocity(m_place.section, m_place.share, t, side) / v0;
+    return now;
+}
+
+std::vector<double> StringHistory::pieceTimes() const {
+    std::vector<double> times = m_waves->pieceTimes(m_place.section, m_place.share);
+    for (const PiecewisePolynomial* curve : {&m_waves->faceForce(), &m_waves->bitForce()})
+        for (const PiecewisePolynomial::Piece& piece : curve->pieces())
+            if (piece.start > 0 && piece.start < m_waves->end()) times.push_back(piece.start);
+    std::sort(times.begin(), times.end());
+    const double same = m_waves->rounding();
+    times.erase(std::unique(times.begin(), times.end(), [same](double a, double b) { return b - a <= same; }),
+                times.end());
+    return times;
+}
+
+std::vector<RodState> StringHistory::sampled() const {
+    const std::vector<double> times = pieceTimes();
+    std::vector<RodState> rows;
+    rows.reserve(times.size() + times.size() / 4);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const RodState now = at(times[i]);
+        if (i > 0) {
+            const RodState before = at(times[i], TimeSide::before);
+            const RodState start = rows.back();
+            const RodState middle = at((times[i - 1] + times[i]) / 2);
+            const double bend = distance(middle, middleOf(start, before));
+            const int chords = std::clamp(static_cast<int>(std::sqrt(bend / negligible)) + 1, 1, 32);
+            for (int k = 1; k < chords; ++k)
+                rows.push_back(at(times[i - 1] + (times[i] - times[i - 1]) * k / chords));
+            if (i + 1 == times.size() || distance(before, now) > negligible) rows.push_back(before);
+        }
+        if (i + 1 < times.size()) rows.push_back(now);
+    }
+    return rows;
+}
 
 std::vector<double> sectionJoints(const DrillString& drillString) {
     double hammer = 0, string = 0;

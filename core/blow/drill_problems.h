@@ -2,6 +2,7 @@
 // Whether a scenario can be drilled with, blow after blow.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -9,6 +10,36 @@
 #include "core/text/message.h"
 
 namespace drillwave {
+
+// What many blows under a feed come to (drilling §5): of what the outputs `drill_…` are taken.
+
+/// Gaps and penetrations are multiples of d0, impulses of I0, forces of F0. Nothing where there is no number:
+/// no statistics of a machine that is pushed back, and nothing that was not asked for.
+struct DrillNumbers {
+    using Number = std::optional<double>;
+    Number gapMean, gapDeviation, gap05, gap50, gap95;  ///< at the blow; ≥ 0
+    Number penetration;                                 ///< mean of a blow
+    Number penetrationError;                            ///< of that, 95 %
+    Number penetrationRate;                             ///< [m/s]
+    Number rockImpulse;                                 ///< mean
+    Number peakForce;                                   ///< mean of the largest of each blow
+    Number damperForce;                                 ///< largest
+    Number contactShare;                                ///< blows that begin within 0.01 d0 of the rock
+    Number contacts;                                    ///< mean of a blow
+    Number period;                                      ///< 1 … 16 blows; 0: it does not repeat
+    Number lyapunov;                                    ///< λ per blow
+    Number thrustNumber;                                ///< φ
+    Number roundTrips;                                  ///< n_b
+    Number momentumResidual;                            ///< over N Fe/f
+    Number energyResidual;                              ///< over the hammer work
+};
+
+/// Which of them take marches of their own.
+struct DrillWishes {
+    bool any = false;
+    bool lyapunov = false;
+    bool penetrationError = false;
+};
 
 /// Blows of a study of many values, of which each is marched, and how many of them settle, where the scenario
 /// says nothing of either.

@@ -2,8 +2,10 @@
 #include "core/blow/feed_estimate.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
 
-#include "core/blow/thrust.h"
 #include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/text/enum_names.h"
@@ -11,6 +13,13 @@
 namespace drillwave {
 
 namespace {
+
+constexpr double standardGravity = 9.80665;  // [m/s²]
+
+/// Of degrees, exact where the hole is level or plumb.
+double sineOf(double degrees) {
+    return std::abs(degrees) == 90 ? std::copysign(1.0, degrees) : std::sin(degrees * std::numbers::pi / 180);
+}
 
 /// Forces that differ by less are the same: a weight that is added and taken off again leaves so much.
 constexpr double rounding = 1e-12;
@@ -30,6 +39,64 @@ ThrustNeed needOf(const Scenario& scenario, const Estimate& cor, double transfer
 }
 
 }  // namespace
+
+std::optional<FeedForce> feedForceOf(const Scenario& scenario) {
+    if (!scenario.drill.thrust) return std::nullopt;
+    return FeedForce{.thrust = *scenario.drill.thrust, .weight = weightAlongHole(scenario)};
+}
+
+std::optional<double> weightAlongHole(const Scenario& scenario) {
+    if (!hasUnits(scenario) || !scenario.drill.inclination) return std::nullopt;
+    const double carried = chainProperties(scenario).mass;
+    const double mass = carried + scenario.drill.machineMass.value_or(0);
+    return mass * standardGravity * sineOf(*scenario.drill.inclination);
+}
+
+std::optional<double> thrustNeeded(const Scenario& scenario, double cor, double transferred) {
+    if (!thrustProblem(scenario).isEmpty()) return std::nullopt;
+    return *scenario.drill.blowFrequency * pulseImpulse(scenario) * transferred * (1 + std::max(cor, 0.0));
+}
+
+Message thrustProblem(const Scenario& scenario) {
+    return frequencyProblem(scenario, translatable("the thrust"));
+}
+
+Message thrustMarginProblem(const Scenario& scenario) {
+    if (!gapHasPeriod(scenario))
+        return translatable("the margin of the thrust is known of uniform rods alone (`drillwave: 1`)");
+    if (const Message problem = thrustProblem(scenario); !problem.isEmpty()) return problem;
+    if (!scenario.drill.thrust)
+        return translatable(
+            "the margin of the thrust needs drill.thrust; give it in the scenario or with --set");
+    return {};
+}
+
+Message frequencyProblem(const Scenario& scenario, const char* what) {
+    if (!hasUnits(scenario))
+        return {translatable("%1 needs a scenario in physical units; this one is given by its "
+                             "dimensionless groups"),
+                {what}};
+    if (!scenario.drill.blowFrequency)
+        return {translatable("%1 needs drill.blow_frequency; give it in the scenario or with --set"), {what}};
+    return {};
+}
+
+UndampedMotion undampedMotion(double feed, double cor) {
+    using Kind = UndampedMotion::Kind;
+    if (!(feed > 1)) return {.kind = Kind::pushedBack};
+    if (feed >= restingFeed(cor)) return {.kind = Kind::resting, .stable = true};
+    const double velocity = feed / (1 + cor);              // (T36)
+    const double delay = cor * velocity - (feed - 1) / 2;  // (T36)
+    return {.kind = Kind::bouncing,
+            .impactVelocity = velocity,
+            .delay = delay,
+            .gap = velocity * delay - (feed - 1) * delay * delay / 2,  // (T36)
+            .stable = cor < 1};
+}
+
+double restingFeed(double cor) {
+    return cor < 1 ? (1 + cor) / (1 - cor) : std::numeric_limits<double>::infinity();
+}
 
 std::string_view name(FeedState state) {
     static constexpr EnumNames<FeedState> names{{{FeedState::pushedBack, "pushed_back"},

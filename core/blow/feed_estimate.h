@@ -4,16 +4,102 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <optional>
+#include <string>
 #include <string_view>
 
-#include "core/blow/feed_force.h"
-#include "core/blow/thrust_case.h"
-#include "core/blow/undamped_motion.h"
 #include "core/model/scenario.h"
 #include "core/numeric/estimate.h"
+#include "core/text/enum_names.h"
+#include "core/text/message.h"
 
 namespace drillwave {
+
+// What the thrust is wanted for.
+
+/// From the case at hand to the worst.
+enum class ThrustCase {
+    scenario,      ///< the blow as given
+    gapQuantile,   ///< 95 % of all gaps of a period, in this rock
+    rigidRock,     ///< e = 1, the usual estimate
+    elasticWorst,  ///< γ = 1 at this stiffness, the worst of all gaps
+};
+inline constexpr auto thrustCases = allValues<ThrustCase>;
+inline constexpr std::size_t thrustCaseCount = valueCount<ThrustCase>;
+
+/// "scenario", "gap_95_percent", "rigid_rock", "elastic_worst_gap".
+constexpr std::string_view name(ThrustCase which) {
+    constexpr EnumNames<ThrustCase> names{{{ThrustCase::scenario, "scenario"},
+                                           {ThrustCase::gapQuantile, "gap_95_percent"},
+                                           {ThrustCase::rigidRock, "rigid_rock"},
+                                           {ThrustCase::elasticWorst, "elastic_worst_gap"}}};
+    return names[which];
+}
+
+// The force that presses machine and rod to the rock.
+
+/// The effective force F of theory §10 and its parts. Friction of the feed is not counted.
+struct FeedForce {
+    double thrust = 0;  ///< installed [N]
+    /// (machine mass + rod mass) g sin(inclination) [N], positive where it pulls to the rock; nothing where
+    /// no inclination is given.
+    std::optional<double> weight;
+    bool operator==(const FeedForce&) const = default;
+
+    double effective() const { return thrust + weight.value_or(0); }  ///< F [N]
+    /// How much more it is than a thrust that is needed [N], over that.
+    double marginOver(double needed) const { return effective() / needed - 1; }
+};
+
+/// nullopt where no thrust is installed.
+std::optional<FeedForce> feedForceOf(const Scenario& scenario);
+
+/// (machine mass + rod mass) g sin(inclination) [N]; nullopt without units or an inclination. Without a
+/// machine mass it is the weight of the rod alone.
+std::optional<double> weightAlongHole(const Scenario& scenario);
+
+// The feed force that blows need for full penetration.
+
+/// Mean thrust f·I0·(1 + e) [N] (T34) [paper (9)]: the impulse that the rock gives back with every blow that
+/// begins at rest on the rock. Of a drill string (strings §7) I0 is what its hammer hands on, `transferred`
+/// of its momentum (ImpactSummary::transferred), and a string that still moves to the rock counts as e = 0.
+/// nullopt where thrustProblem() says why.
+std::optional<double> thrustNeeded(const Scenario& scenario, double cor, double transferred = 1);
+
+/// Why there is no thrust for a scenario and what to do; empty when there is one.
+Message thrustProblem(const Scenario& scenario);
+
+/// Why there is no margin of the installed thrust, likewise.
+Message thrustMarginProblem(const Scenario& scenario);
+
+/// Why there is nothing per time for a scenario, `what` being "the thrust" or the like; empty when there is.
+Message frequencyProblem(const Scenario& scenario, const char* what);
+
+// What a rod does between blows if nothing damps its rebound.
+
+/// The steady motion of a rigid rod that is struck f times a second, is pressed by a constant force and
+/// rebounds with e (theory §10).
+struct UndampedMotion {
+    enum class Kind {
+        pushedBack,  ///< φ ≤ 1: the blows push the machine back, and no steady motion is left
+        bouncing,  ///< 1 < φ < (1+e)/(1−e): one impact per blow, the bit off the rock when the hammer strikes
+        resting,  ///< beyond: it has come to rest on the rock before every blow
+    };
+    Kind kind = Kind::pushedBack;
+    double impactVelocity = 0;  ///< V [v0] (T36), of Kind::bouncing
+    double delay = 0;           ///< a, from a blow to the impact [1/f] (T36), of Kind::bouncing
+    double gap = 0;             ///< y ≥ 0, between bit and rock when the hammer strikes [v0/f] (T36)
+    /// Whether the motion comes back to this one when it is disturbed: not where it bounces with e ≥ 1.
+    bool stable = false;
+    bool operator==(const UndampedMotion&) const = default;
+};
+
+/// For the feed φ = F/(f I0) and e ≥ 0.
+UndampedMotion undampedMotion(double feed, double cor);
+
+/// φ = (1+e)/(1−e), from which on the rod rests before every blow; infinite for e ≥ 1.
+double restingFeed(double cor);
 
 /// Where the bit is when the hammer strikes, if nothing damps the rebound.
 struct GapAtBlow {

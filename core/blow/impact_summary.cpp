@@ -3,6 +3,7 @@
 
 #include "core/contact/contact_law.h"
 #include "core/model/blow_traits.h"
+#include "core/wave/exact/exact_solver.h"
 #include "core/wave/field/passing_waves.h"
 
 namespace drillwave {
@@ -21,6 +22,18 @@ void addHammer(ImpactSummary& summary, const Impact& impact, const Problem& prob
 }
 
 }  // namespace
+
+// Energies of `impact` are in I0²/(Z t0).
+EnergyLedger ledgerOf(const Impact& impact, const Problem& problem) {
+    const double work = impact.hammerWork;
+    // p²/(2m); e of a string with losses is from the impulse on the rock, which is not its own momentum
+    const double momentum = losesWaves(problem) ? impact.finalMomentum : impact.cor * impact.faceImpulse;
+    const double rebound = momentum * momentum / (2 * problem.mass());
+    return {.rockWork = impact.rockWork / work,
+            .reboundEnergy = rebound / work,
+            .residualWaveEnergy = (impact.finalEnergy - rebound) / work,
+            .residual = (impact.rockWork + impact.energyLeft() - work) / work};
+}
 
 void ImpactSummary::setForces(const RodForces& forces) {
     rodForces = forces;
@@ -68,6 +81,26 @@ ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem, c
     if (impact.incident.empty()) return summary;
     if (wanted.forcePeaks) summary.forcePeaks = forcePeaks(impact);
     summary.setForces(largestRodForces(impact, problem.force(), wanted.forces));
+    return summary;
+}
+
+bool isTooLongToKeep(const std::function<const Impact&(Detail)>& solve) {
+    const Impact& least = solve(Detail::cor);
+    if (!least.isSolved() || least.pieces <= mostPiecesKept) return false;
+    solve(Detail::ledger);
+    return true;
+}
+
+ImpactSummary summarizeInPassing(const Impact& impact, const Problem& problem, const WaveNumbers& wanted,
+                                 const std::stop_token& stop) {
+    ImpactSummary summary = summarize(impact, problem);
+    PassingWaves waves(impact, problem.force(), wanted.forces);
+    Impact rest = marchInPassing(
+        problem, impact.pieces, [&](Impact& recording) { return waves.take(recording); }, stop);
+    if (!rest.isSolved()) return summary;
+    waves.takeLast(rest);
+    if (wanted.forcePeaks) summary.forcePeaks = waves.peaks();
+    summary.setForces(waves.forces());
     return summary;
 }
 

@@ -2,15 +2,31 @@
 // The numbers of files §4 for one solved blow, dimensionless.
 #pragma once
 
+#include <functional>
 #include <optional>
+#include <stop_token>
 
-#include "core/blow/energy_ledger.h"
 #include "core/model/scenario.h"
 #include "core/wave/field/rod_forces.h"
 #include "core/wave/impact.h"
 #include "core/wave/problem.h"
 
 namespace drillwave {
+
+// Where the work of the hammer went.
+
+/// Shares of the hammer work W, or of the energy E0 of a hammer that is followed; of a uniform rod the first
+/// three together are 1 + residual.
+struct EnergyLedger {
+    double rockWork = 0;            ///< left in the rock [W]
+    double reboundEnergy = 0;       ///< of the rod moving back as a whole [W]
+    double residualWaveEnergy = 0;  ///< of the waves left in the rod [W]
+    double residual = 0;            ///< error of the balance [W]
+    bool operator==(const EnergyLedger&) const = default;
+};
+
+/// Of an impact solved with Detail::ledger or more.
+EnergyLedger ledgerOf(const Impact& impact, const Problem& problem);
 
 /// Everything of files §4, dimensionless.
 struct ImpactSummary {
@@ -76,5 +92,17 @@ struct WaveNumbers {
 /// impact was solved with Detail::histories.
 ImpactSummary summarizeWithWaves(const Impact& impact, const Problem& problem,
                                  const WaveNumbers& wanted = {});
+
+// The numbers of a blow that follow from its waves, in memory that does not grow with the blow.
+
+/// Finds out by the exact solver whether the histories of a blow are too long to be kept for some numbers;
+/// `solve` keeps what it solves. Leaves the ledger of such a blow, and of any other the least there is, which
+/// took a few percent of the time of its histories.
+bool isTooLongToKeep(const std::function<const Impact&(Detail)>& solve);
+
+/// As summarizeWithWaves(), of such a blow: solves it once more. After a stop without the numbers of the
+/// waves.
+ImpactSummary summarizeInPassing(const Impact& impact, const Problem& problem, const WaveNumbers& wanted,
+                                 const std::stop_token& stop);
 
 }  // namespace drillwave

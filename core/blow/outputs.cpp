@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/blow/drill_problems.h"
-#include "core/blow/thrust.h"
+#include "core/blow/feed_estimate.h"
 
 namespace drillwave {
 

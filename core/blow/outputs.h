@@ -7,7 +7,7 @@
 #include <span>
 #include <string_view>
 
-#include "core/blow/drill_numbers.h"
+#include "core/blow/drill_problems.h"
 #include "core/blow/impact_summary.h"
 #include "core/model/scales.h"
 #include "core/model/scenario.h"

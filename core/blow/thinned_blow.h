@@ -2,6 +2,7 @@
 // A measured blow by as few points as a stated error allows: solving takes as long as its points are many.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <stop_token>
 
@@ -10,6 +11,24 @@
 #include "core/signal/signal_recipe.h"
 
 namespace drillwave {
+
+// What it does to e that of a measured blow some samples alone are kept.
+
+/// More samples are not followed: those of the longest table of a scenario.
+inline constexpr std::size_t mostSamplesFollowed = 100'000;
+
+struct ThinningEffect {
+    double cor = 0;     ///< of the points that are kept
+    double change = 0;  ///< that less the e of all samples, or of mostSamplesFollowed of them
+    double error = 0;   ///< bound on the numerical error of the change
+};
+
+/// Solves the blow that a recipe makes of samples, on the rod and the rock of a scenario, by the points that
+/// `kept` has and by all samples. Nothing where no sample was left out, for a drill string, which is not
+/// struck by a force, where one of both is no valid blow or is not solved, and on a stop.
+std::optional<ThinningEffect> thinningEffect(const Scenario& scenario, const Samples& samples,
+                                             const SignalRecipe& recipe, const ShapedSignal& kept,
+                                             const std::stop_token& stop = {});
 
 /// Largest change of e and relative change of the impulse that thinning may cause.
 inline constexpr double thinningError = 1e-4;

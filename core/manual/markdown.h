@@ -2,12 +2,25 @@
 // The Markdown of the manual as blocks: headings, paragraphs, items of lists, code and tables.
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 namespace drillwave {
+
+// What stands inside a line of Markdown, and how it is broken into lines.
+
+/// A line without the marks of bold, slanted and links, whose words stay; code keeps its backquotes.
+std::string withoutMarks(std::string_view line);
+
+/// What stands between backquotes, in order.
+std::vector<std::string_view> codeIn(std::string_view line);
+
+/// Lines of at most so many columns, broken at blanks; a longer word has a line of its own. At least one
+/// line.
+std::vector<std::string> wrapped(std::string_view text, std::size_t width);
 
 /// Lines that belong together.
 struct ManualBlock {

@@ -5,6 +5,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/blow/outputs.h"
 #include "core/model/parameter.h"
@@ -13,6 +14,27 @@
 #include "core/text/handy_text.h"
 
 namespace drillwave {
+
+// What the tables say of a number of a scenario, in the words of a reader: for the reference and `help`.
+
+/// One row of a table of numbers.
+struct ParameterFacts {
+    std::string key;        ///< "bit_rock.gamma"; of sections "string.NAME.length"
+    std::string title;      ///< "elasticity γ"
+    std::string meaning;    ///< a sentence without its end
+    std::string unit;       ///< customary, may be empty
+    std::string range;      ///< "greater than 0", "in (0, 1]"
+    std::string usual;      ///< "1 – 10000 MN/m"; outside of it a value is remarked on
+    std::string presence;   ///< whether it may be left out, a sentence without its end
+    std::string condition;  ///< of which scenarios it is, likewise; empty where of all
+};
+
+ParameterFacts factsOf(const Parameter& parameter, const ReadingStyle& style);
+ParameterFacts factsOf(const SectionField& field, const ReadingStyle& style);
+
+/// Values that the built-in presets give it, each with who has it and where it is from, or from where to
+/// where where they are many; empty where none gives it.
+std::vector<std::string> presetValues(const Parameter& parameter, const ReadingStyle& style);
 
 /// The chapter of all parameters, in Markdown: a section for each, whose heading begins with its key.
 std::string parameterReference(const ReadingStyle& style);

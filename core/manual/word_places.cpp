@@ -5,7 +5,6 @@
 #include <sstream>
 #include <tuple>
 
-#include "core/manual/inline_text.h"
 #include "core/manual/markdown.h"
 #include "core/text/name_text.h"
 #include "core/text/text_layout.h"

@@ -6,7 +6,7 @@
 #include <string_view>
 
 #include "core/blow/blow.h"
-#include "core/blow/string_curves.h"
+#include "core/blow/blow_waves.h"
 #include "core/model/scales.h"
 #include "core/study/rows/output_column.h"
 #include "core/wave/impact.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/blow_report.h"
 
-#include "core/blow/thrust.h"
+#include "core/blow/feed_estimate.h"
 #include "core/model/blow_traits.h"
 
 namespace drillwave {

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <vector>
 
+#include "core/blow/blow.h"
 #include "core/blow/outputs.h"
-#include "core/blow/solver_words.h"
 #include "core/model/blow_traits.h"
 #include "core/report/alert_words.h"
 #include "core/report/feed_words.h"

@@ -9,7 +9,7 @@
 #include <variant>
 #include <vector>
 
-#include "core/model/kept_parameter.h"
+#include "core/model/parameter.h"
 #include "core/text/message.h"
 #include "core/text/units.h"
 

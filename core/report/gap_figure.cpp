@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/blow/thrust.h"
+#include "core/blow/feed_estimate.h"
 #include "core/model/parameter.h"
 #include "core/model/scales.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/json_value.h"
 
-#include "core/blow/solver_words.h"
+#include "core/blow/blow.h"
 #include "core/model/scales.h"
 #include "core/model/version.h"
 

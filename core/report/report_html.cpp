@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <ranges>
 
-#include "core/blow/solver_words.h"
+#include "core/blow/blow.h"
 #include "core/model/blow_traits.h"
 #include "core/model/section_field.h"
 #include "core/model/version.h"

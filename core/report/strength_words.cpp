@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/blow/strength_use.h"
+#include "core/blow/string_blow.h"
 #include "core/model/blow_traits.h"
 #include "core/model/section_words.h"
 #include "core/text/message.h"

@@ -11,7 +11,6 @@
 
 #include "core/blow/outputs.h"
 #include "core/manual/chapter.h"
-#include "core/manual/inline_text.h"
 #include "core/manual/markdown.h"
 #include "core/model/parameter.h"
 #include "core/report/stability_report.h"

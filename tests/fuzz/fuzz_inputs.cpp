@@ -18,7 +18,6 @@
 
 #include "core/archive/kept_runs.h"
 #include "core/archive/result_scenario.h"
-#include "core/archive/row_part.h"
 #include "core/archive/row_record.h"
 #include "core/blow/blow.h"
 #include "core/model/parameter.h"

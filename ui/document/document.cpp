@@ -7,7 +7,6 @@
 #include <QLocale>
 #include <algorithm>
 
-#include "core/archive/outputs_changes.h"
 #include "core/archive/result_scenario.h"
 #include "core/model/blow_traits.h"
 #include "core/yaml/preset_file.h"

@@ -5,7 +5,7 @@
 #include <QMenu>
 #include <functional>
 
-#include "core/archive/run_files.h"
+#include "core/archive/result_files.h"
 #include "ui/document/document.h"
 #include "ui/job/solved_blow.h"
 #include "ui/pages/page_export.h"

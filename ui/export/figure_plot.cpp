@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/archive/picture_formats.h"
+#include "core/archive/result_files.h"
 #include "ui/plot/axis_rect.h"
 #include "ui/plot/plot_rendering.h"
 #include "ui/plot/plot_style.h"

@@ -5,7 +5,7 @@
 #include <QString>
 #include <vector>
 
-#include "core/archive/picture_formats.h"
+#include "core/archive/result_files.h"
 #include "core/disk/whole_folder.h"
 #include "ui/plot/plot_rendering.h"
 

@@ -4,7 +4,7 @@
 #include <QBuffer>
 #include <QPdfWriter>
 
-#include "core/archive/picture_formats.h"
+#include "core/archive/result_files.h"
 #include "ui/export/report_pages.h"
 #include "ui/text/shown_text.h"
 

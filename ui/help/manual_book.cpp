@@ -4,7 +4,7 @@
 #include <QRegularExpression>
 #include <algorithm>
 
-#include "core/manual/inline_text.h"
+#include "core/manual/markdown.h"
 #include "core/text/languages.h"
 
 namespace drillwave {

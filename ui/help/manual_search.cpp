@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "core/manual/inline_text.h"
+#include "core/manual/markdown.h"
 #include "core/text/languages.h"
 
 namespace drillwave {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/blow/thinning_effect.h"
+#include "core/blow/thinned_blow.h"
 #include "core/signal/samples.h"
 #include "core/signal/signal_quality.h"
 #include "core/signal/signal_recipe.h"

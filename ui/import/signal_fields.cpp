@@ -7,7 +7,7 @@
 #include <QSignalBlocker>
 #include <cmath>
 
-#include "core/blow/string_curves.h"
+#include "core/blow/blow_waves.h"
 #include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/model/section_pieces.h"

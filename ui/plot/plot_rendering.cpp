@@ -11,7 +11,7 @@
 #include <QSvgGenerator>
 #include <cmath>
 
-#include "core/archive/picture_formats.h"
+#include "core/archive/result_files.h"
 #include "core/report/html_text.h"
 #include "core/text/name_text.h"
 #include "ui/plot/curve_clip.h"

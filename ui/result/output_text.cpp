@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/blow/string_curves.h"
+#include "core/blow/blow_waves.h"
 #include "core/model/blow_traits.h"
 #include "ui/result/output_unit.h"
 #include "ui/text/number_text.h"

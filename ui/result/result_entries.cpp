@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/blow/thrust.h"
+#include "core/blow/feed_estimate.h"
 #include "core/model/blow_traits.h"
 #include "ui/result/feed_text.h"
 #include "ui/result/output_text.h"

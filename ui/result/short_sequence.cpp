@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/result/short_sequence.h"
 
-#include "core/blow/thrust.h"
+#include "core/blow/feed_estimate.h"
 
 namespace drillwave {
 namespace {

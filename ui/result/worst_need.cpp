@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/result/worst_need.h"
 
-#include "core/blow/thrust.h"
+#include "core/blow/feed_estimate.h"
 #include "core/model/blow_traits.h"
 #include "ui/text/shown_text.h"
 

@@ -8,7 +8,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/archive/runs_folder.h"
+#include "core/archive/kept_runs.h"
 #include "ui/document/document.h"
 #include "ui/job/worker.h"
 #include "ui/runs/runs.h"

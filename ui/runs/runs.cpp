@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/archive/outputs_changes.h"
+#include "core/archive/result_scenario.h"
 #include "core/model/version.h"
 #include "ui/runs/run_name.h"
 #include "ui/text/number_text.h"

@@ -11,7 +11,7 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
-#include "core/blow/string_curves.h"
+#include "core/blow/blow_waves.h"
 #include "core/model/blow_traits.h"
 #include "core/yaml/examples.h"
 #include "ui/document/recovery.h"

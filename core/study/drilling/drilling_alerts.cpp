@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/blow/feed_force.h"
+#include "core/blow/feed_estimate.h"
 
 namespace drillwave {
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/blow/feed_force.h"
+#include "core/blow/feed_estimate.h"
 #include "core/model/validation.h"
 
 namespace drillwave {

@@ -2,7 +2,7 @@
 // The outputs of many blows from their march.
 #pragma once
 
-#include "core/blow/drill_numbers.h"
+#include "core/blow/drill_problems.h"
 #include "core/study/drilling/drilling_study.h"
 #include "core/text/message.h"
 

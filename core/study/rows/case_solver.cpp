@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/blow/drill_problems.h"
+#include "core/blow/impact_summary.h"
 #include "core/blow/string_blow.h"
-#include "core/blow/wave_numbers.h"
 #include "core/model/blow_traits.h"
 #include "core/study/drilling/drilling_numbers.h"
 

@@ -3,7 +3,7 @@
 
 #include <cassert>
 
-#include "core/blow/thrust.h"
+#include "core/blow/feed_estimate.h"
 #include "core/model/blow_traits.h"
 #include "core/model/parameter_text.h"
 #include "core/model/validation.h"

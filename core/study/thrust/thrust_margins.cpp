@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/blow/thrust.h"
+#include "core/blow/feed_estimate.h"
 
 namespace drillwave {
 

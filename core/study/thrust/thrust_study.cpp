@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <cassert>
 
+#include "core/blow/feed_estimate.h"
 #include "core/blow/impact_summary.h"
-#include "core/blow/thrust.h"
 #include "core/model/blow_traits.h"
 #include "core/model/validation.h"
 

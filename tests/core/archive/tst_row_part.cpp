@@ -2,7 +2,6 @@
 // Parts of rows told by their records: which belong together, and what is missing.
 #include <QTest>
 
-#include "core/archive/row_part.h"
 #include "core/archive/row_record.h"
 #include "core/yaml/scenario_file.h"
 

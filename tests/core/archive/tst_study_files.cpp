@@ -3,7 +3,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/archive/study_files.h"
+#include "core/archive/result_files.h"
 #include "tests/support/files.h"
 
 using namespace drillwave;

@@ -3,7 +3,6 @@
 #include <QTest>
 
 #include "core/blow/blow_waves.h"
-#include "core/blow/string_curves.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 

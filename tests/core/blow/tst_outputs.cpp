@@ -5,8 +5,8 @@
 #include <cmath>
 
 #include "core/blow/blow.h"
+#include "core/blow/feed_estimate.h"
 #include "core/blow/outputs.h"
-#include "core/blow/thrust.h"
 #include "core/model/drill_string.h"
 #include "core/wave/exact/exact_solver.h"
 #include "core/yaml/examples.h"

@@ -3,8 +3,8 @@
 #include <QTest>
 
 #include "core/blow/blow.h"
+#include "core/blow/blow_waves.h"
 #include "core/blow/outputs.h"
-#include "core/blow/string_curves.h"
 #include "core/model/form_conversion.h"
 #include "core/model/parameter.h"
 #include "core/report/alert_words.h"

@@ -6,7 +6,7 @@
 #include <numbers>
 
 #include "core/blow/blow.h"
-#include "core/blow/thinning_effect.h"
+#include "core/blow/thinned_blow.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 

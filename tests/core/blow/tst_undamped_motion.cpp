@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "core/blow/undamped_motion.h"
+#include "core/blow/feed_estimate.h"
 #include "core/model/scales.h"
 
 using namespace drillwave;

@@ -3,8 +3,8 @@
 #include <QTest>
 
 #include "core/blow/blow.h"
+#include "core/blow/impact_summary.h"
 #include "core/blow/outputs.h"
-#include "core/blow/wave_numbers.h"
 #include "core/study/rows/case_solver.h"
 #include "core/wave/exact/exact_solver.h"
 

@@ -4,7 +4,6 @@
 #include <QTest>
 
 #include "core/manual/chapter.h"
-#include "core/manual/inline_text.h"
 #include "core/manual/markdown.h"
 #include "core/manual/reference.h"
 #include "core/text/languages.h"

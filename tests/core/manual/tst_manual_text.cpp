@@ -3,8 +3,7 @@
 #include <QTest>
 
 #include "core/manual/chapter.h"
-#include "core/manual/inline_text.h"
-#include "core/manual/parameter_facts.h"
+#include "core/manual/markdown.h"
 #include "core/manual/plain_text.h"
 #include "core/manual/reference.h"
 #include "core/manual/word_places.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "core/blow/blow.h"
-#include "core/blow/thrust.h"
+#include "core/blow/feed_estimate.h"
 #include "core/report/feed_words.h"
 #include "core/report/report_text.h"
 #include "core/report/thrust_report.h"

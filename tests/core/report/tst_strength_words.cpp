@@ -3,7 +3,7 @@
 #include <QTest>
 
 #include "core/blow/blow.h"
-#include "core/blow/strength_use.h"
+#include "core/blow/string_blow.h"
 #include "core/report/blow_text.h"
 #include "core/report/strength_words.h"
 #include "core/yaml/examples.h"

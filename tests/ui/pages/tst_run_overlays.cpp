@@ -5,7 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/blow/thrust.h"
+#include "core/blow/feed_estimate.h"
 #include "core/report/gap_report.h"
 #include "core/wave/field/wave_field.h"
 #include "core/yaml/examples.h"

@@ -6,7 +6,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "core/blow/string_curves.h"
+#include "core/blow/blow_waves.h"
 #include "core/model/alerts.h"
 #include "core/yaml/examples.h"
 #include "tests/support/window.h"

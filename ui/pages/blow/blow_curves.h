@@ -7,7 +7,7 @@
 #include <optional>
 
 #include "core/blow/blow.h"
-#include "core/blow/string_curves.h"
+#include "core/blow/blow_waves.h"
 #include "ui/pages/blow/closed_form_curve.h"
 #include "ui/plot/graph_data.h"
 #include "ui/runs/run_overlay.h"

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/blow/feed_force.h"
+#include "core/blow/feed_estimate.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/text/translation.h"
 

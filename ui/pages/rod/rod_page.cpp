@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/blow/blow_waves.h"
-#include "core/blow/strength_use.h"
+#include "core/blow/string_blow.h"
 #include "core/model/blow_traits.h"
 #include "core/report/strength_words.h"
 #include "ui/pages/place_field.h"

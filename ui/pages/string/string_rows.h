@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/blow/strength_use.h"
+#include "core/blow/string_blow.h"
 #include "core/model/string_edit.h"
 #include "ui/job/solved_blow.h"
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/blow/feed_force.h"
+#include "core/blow/feed_estimate.h"
 #include "core/model/scales.h"
 #include "core/model/validation.h"
 #include "core/study/rows/sweep_axis.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "core/archive/result_scenario.h"
-#include "core/blow/thrust.h"
+#include "core/blow/feed_estimate.h"
 #include "core/report/blow_csv.h"
 #include "core/report/feed_words.h"
 #include "core/report/thrust_report.h"

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "core/blow/thrust.h"
+#include "core/blow/feed_estimate.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/translation.h"

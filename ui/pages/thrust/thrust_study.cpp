@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/blow/thrust.h"
+#include "core/blow/feed_estimate.h"
 
 namespace drillwave {
 namespace {

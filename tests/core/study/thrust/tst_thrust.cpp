@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "core/blow/blow.h"
+#include "core/blow/feed_estimate.h"
 #include "core/blow/outputs.h"
-#include "core/blow/thrust.h"
 #include "core/model/scales.h"
 #include "core/study/thrust/thrust_curve.h"
 #include "core/study/thrust/thrust_margins.h"

@@ -12,7 +12,7 @@
 #include <QTest>
 
 #include "core/blow/blow.h"
-#include "core/blow/thrust.h"
+#include "core/blow/feed_estimate.h"
 #include "core/study/thrust/thrust_study.h"
 #include "core/yaml/examples.h"
 #include "tests/support/program.h"

@@ -3,8 +3,8 @@
 #include <QLabel>
 #include <QTest>
 
+#include "core/blow/blow_waves.h"
 #include "core/blow/result_alerts.h"
-#include "core/blow/string_curves.h"
 #include "core/model/drill_string.h"
 #include "core/wave/field/wave_field.h"
 #include "core/yaml/examples.h"

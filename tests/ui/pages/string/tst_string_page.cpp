@@ -11,7 +11,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "core/blow/string_curves.h"
+#include "core/blow/blow_waves.h"
 #include "core/model/section_parameter.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"

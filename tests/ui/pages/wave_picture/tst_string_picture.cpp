@@ -7,7 +7,7 @@
 #include <QTest>
 #include <cmath>
 
-#include "core/blow/string_curves.h"
+#include "core/blow/blow_waves.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 #include "tests/support/pinned_run.h"

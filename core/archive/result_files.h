@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The files of results: of one blow, beside the rows of a study, of a report, and their pictures.
+#pragma once
+
+#include <array>
+#include <stop_token>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/blow/blow.h"
+#include "core/disk/whole_folder.h"
+#include "core/study/rows/output_column.h"
+
+namespace drillwave {
+
+// The formats in which pictures are written, and what a command asks for.
+
+/// The endings of their files.
+inline constexpr std::array<std::string_view, 3> pictureFormats{"png", "svg", "pdf"};
+
+/// What pictures beside the file of a study say of themselves, figures of the paper, and reports: by this and
+/// their names a later run knows them for what an earlier one left.
+inline constexpr std::string_view studyPictureMark = "Drillwave study";
+inline constexpr std::string_view figureMark = "Drillwave figure";
+inline constexpr std::string_view reportMark = "Drillwave report";
+
+/// Pictures to be drawn of one thing.
+struct PictureOrder {
+    std::string stem;                  ///< of their names: "t38" for t38.png
+    std::vector<std::string> formats;  ///< of pictureFormats
+    std::stop_token stop;              ///< ends the drawing between two pictures
+    std::string mark = "Drillwave";    ///< who made them, in their properties
+};
+
+// The files of one blow: what `drillwave run -o` and the window's export write, in one place.
+
+/// A blow with what its files say beside it.
+struct SolvedRun {
+    Blow blow;                 ///< solved with Detail::histories
+    std::string scenarioText;  ///< gives its scenario again (completeScenarioText())
+    OutputUnits units = OutputUnits::dimensionless;
+};
+
+/// Those in which the files of a run are written where nothing else is asked for: SI where the scenario has
+/// units.
+OutputUnits customaryUnits(const Scenario& scenario);
+
+/// The lines at the top of every CSV file: the whole scenario and how it was solved.
+std::string runHeader(const SolvedRun& run);
+
+/// histories.csv: the header with the whole scenario, then the curves; of a string with those in the middle
+/// of its longest section. Requires Impact::hasHistories().
+std::string historiesFile(const SolvedRun& run);
+
+/// events.csv, likewise.
+std::string eventsFile(const SolvedRun& run);
+
+/// scenario.yaml: the scenario that was solved, complete in itself, behind who solved it and how.
+std::string scenarioFile(const SolvedRun& run);
+
+/// The names of the files of a run with pictures in these formats.
+std::vector<std::string> runFileNames(const std::vector<std::string>& formats);
+
+/// Those of a run with pictures in every format that are in the folder already.
+std::vector<std::string> runFilesThere(const std::string& folder);
+
+/// The folder of a run, with pictures of it. Those that an earlier run left there in formats not asked for
+/// would show another blow and are removed. A folder with a summary.json is complete. The same run gives the
+/// same bytes wherever it is written from, but for `run_time` in summary.json and the creation date in PDF.
+FolderFiles runFolder(const SolvedRun& run, std::vector<NamedFile> pictures);
+
+// The files that belong together: what stands beside the rows of a study, and the two files of a report.
+
+/// "map" of "map.csv", to which pictures and contours append; another ending stays.
+std::string studyStem(std::string_view file);
+
+/// "map.csv.yaml" of "map.csv", with the folder that `file` has.
+std::string recordName(std::string_view file);
+
+/// "map_contours.csv" of "map.csv".
+std::string contoursName(std::string_view file);
+
+/// "curve_goal.csv" of "curve.csv".
+std::string goalName(std::string_view file);
+
+/// The names of what stands in the folder beside FILE and is an earlier study's, by name and content: its
+/// record, contours, goal and pictures. Whatever else has such a name is left alone.
+std::vector<std::string> studyFilesThere(const std::string& folder, const std::string& file);
+
+/// The names of the pictures STEM.png, .svg and .pdf in the folder that say `mark` of themselves.
+std::vector<std::string> picturesThere(const std::string& folder, const std::string& stem,
+                                       std::string_view mark);
+
+/// Where FILE is there, the other file of the report that it is of: report.pdf beside report.html.
+std::vector<std::string> reportFilesThere(const std::string& folder, const std::string& file);
+
+}  // namespace drillwave
