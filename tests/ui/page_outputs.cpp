@@ -29,7 +29,7 @@
 
 #include "core/yaml/examples.h"
 #include "ui/job/solve_job.h"
-#include "ui/job/study_activity.h"
+#include "ui/job/study_job.h"
 #include "ui/text/language.h"
 #include "ui/text/number_text.h"
 #include "ui/window/main_window.h"

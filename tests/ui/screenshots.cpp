@@ -14,7 +14,7 @@
 #include "tests/support/themes.h"
 #include "tests/support/window_parts.h"
 #include "ui/job/solve_job.h"
-#include "ui/job/study_activity.h"
+#include "ui/job/study_job.h"
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/drilling/drilling_page.h"
 #include "ui/text/language.h"

@@ -11,11 +11,9 @@
 #include "core/model/blow_traits.h"
 #include "core/yaml/preset_file.h"
 #include "core/yaml/pulse_reader.h"
-#include "ui/document/design_edit.h"
 #include "ui/document/scenario_edit.h"
 #include "ui/document/table_name.h"
 #include "ui/document/whole_file.h"
-#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
 

@@ -2,10 +2,15 @@
 // Whether the document's file still says what was read from it or written to it last.
 #pragma once
 
+#include <QByteArray>
+#include <QDateTime>
 #include <QFileSystemWatcher>
 #include <QObject>
 #include <QTimer>
 #include <optional>
+#include <vector>
+
+#include "core/model/scenario.h"
 
 namespace drillwave {
 
@@ -50,6 +55,61 @@ class FileWatch : public QObject {
     QString m_path;
     std::optional<QByteArray> m_told;      // bytes of the difference told last; null when missing
     std::optional<QByteArray> m_accepted;  // likewise
+};
+
+// Whether the file of a measured blow still says what was read from it.
+
+/// Watches the CSV file that the hammer blow of the document is from, also through programs that put a new
+/// file in its place, and looks again whenever the program becomes active. Compares contents: touching the
+/// file is no change, unless it is larger than largestCompared.
+class TableWatch : public QObject {
+    Q_OBJECT
+
+  public:
+    static constexpr qint64 largestCompared = qint64{16} << 20;  ///< [bytes]
+
+    enum class State { changed, missing };
+
+    /// The document must outlive the watch.
+    explicit TableWatch(const Document& document, QObject* parent = nullptr);
+
+    /// Looks, and tells what is new since the points on show were read, once.
+    void check();
+
+  signals:
+    void differs(drillwave::TableWatch::State state);
+    /// There is no table file, or it is the one that the points on show were read from.
+    void agrees();
+
+  private:
+    /// What a file is known by; all empty where there is none.
+    struct Stamp {
+        qint64 size = -1;
+        QDateTime time;
+        QByteArray digest;  // empty for a large file
+        bool exists() const { return size >= 0; }
+    };
+    static Stamp stampOf(const QString& path, const Stamp& before);
+    static bool isSame(const Stamp& a, const Stamp& b);
+    /// When the points of a file were read.
+    struct Reading {
+        QString path;
+        TablePoints points;
+        Stamp stamp;
+    };
+    void follow();
+    void remember();
+    std::optional<Stamp> stampOfPoints() const;
+    void watch();
+
+    const Document& m_document;
+    QFileSystemWatcher m_watcher;
+    QTimer m_settle;  // programs write in several steps
+    QString m_path;
+    TablePoints m_points;
+    std::vector<Reading> m_readings;  // of the present history, to which points may come back
+    std::optional<Stamp> m_read;      // of the file m_points are from, where that is known
+    std::optional<Stamp> m_told;
 };
 
 }  // namespace drillwave

@@ -12,7 +12,7 @@
 #include "ui/runs/run_name.h"
 #include "ui/text/language.h"
 #include "ui/text/number_text.h"
-#include "ui/text/translation.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/unit_choice.h"
 
 namespace drillwave {

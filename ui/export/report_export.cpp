@@ -8,7 +8,6 @@
 #include "ui/export/report_pdf.h"
 #include "ui/export/report_plots.h"
 #include "ui/text/language.h"
-#include "ui/text/local_style.h"
 
 namespace drillwave {
 namespace {

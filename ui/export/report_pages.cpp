@@ -8,7 +8,7 @@
 #include "core/model/version.h"
 #include "core/report/report_html.h"
 #include "ui/export/report_document.h"
-#include "ui/text/translation.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

@@ -5,7 +5,7 @@
 
 #include "core/model/blow_traits.h"
 #include "core/report/gap_report.h"
-#include "ui/text/translation.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

@@ -11,7 +11,7 @@
 #include "ui/pages/drilling/drilling_plot.h"
 #include "ui/pages/drilling/drilling_question.h"
 #include "ui/pages/map/map_plot.h"
-#include "ui/text/translation.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

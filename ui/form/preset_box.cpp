@@ -6,8 +6,8 @@
 #include <QFileInfo>
 #include <QUrl>
 
-#include "ui/text/core_text.h"
-#include "ui/text/local_style.h"
+#include "ui/text/language.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

@@ -5,11 +5,23 @@
 #include <QPolygonF>
 #include <QWidget>
 
+#include "core/model/pulse_force.h"
 #include "core/model/scenario.h"
 
 namespace drillwave {
 
 class UnitChoice;
+
+// The force of the hammer over time as a line to draw, whatever the pulse.
+
+/// Time in t0 from 0 to `end`, force relative to its peak. At most a few thousand points, the extremes of a
+/// longer table kept. Pulses without end are shown until little is left of them; empty without a force.
+struct PulseCurve {
+    QPolygonF points;
+    double end = 0;
+
+    explicit PulseCurve(const PulseForce& force);
+};
 
 /// Names the peak of the force and the time t0, in physical units where the scenario has them.
 class PulsePreview : public QWidget {

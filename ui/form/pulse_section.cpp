@@ -11,7 +11,6 @@
 #include "core/model/scales.h"
 #include "ui/form/parameter_row.h"
 #include "ui/text/shown_text.h"
-#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {

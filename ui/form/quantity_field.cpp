@@ -9,6 +9,8 @@
 #include <QLineEdit>
 #include <QMenu>
 #include <QStyle>
+#include <QStyleOptionToolButton>
+#include <QStylePainter>
 #include <QToolButton>
 #include <QWheelEvent>
 #include <cmath>
@@ -16,8 +18,6 @@
 
 #include "core/text/handy_text.h"
 #include "ui/form/quantity_slider.h"
-#include "ui/form/unit_button.h"
-#include "ui/text/field_text.h"
 #include "ui/text/lightness.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_quantity.h"
@@ -25,7 +25,11 @@
 #include "ui/text/unit_choice.h"
 
 namespace drillwave {
+
 namespace {
+
+constexpr int menuArrowSize = 8;
+constexpr int margin = 4;
 
 constexpr int patienceMs = 500;  // a half-typed number is not called wrong before that
 
@@ -60,6 +64,34 @@ void openMenu(QAbstractSpinBox& field, QLineEdit& line, QAbstractSpinBox::StepEn
 }
 
 }  // namespace
+
+UnitButton::UnitButton(QWidget* parent) : QToolButton(parent) {
+    setAutoRaise(true);
+    setPopupMode(QToolButton::InstantPopup);
+    setFocusPolicy(Qt::ClickFocus);
+}
+
+QSize UnitButton::sizeHint() const {
+    return {fontMetrics().horizontalAdvance(text()) + menuArrowSize + 3 * margin,
+            fontMetrics().height() + 2 * margin};
+}
+
+// Styles put their mark of a menu into the corner, over the unit; here it stands behind it.
+void UnitButton::paintEvent(QPaintEvent* /*event*/) {
+    QStyleOptionToolButton option;
+    initStyleOption(&option);
+    option.features &= ~QStyleOptionToolButton::HasMenu;
+    option.text.clear();
+    QStylePainter painter(this);
+    painter.drawComplexControl(QStyle::CC_ToolButton, option);
+    const QRect inside = rect().adjusted(margin, 0, -margin, 0);
+    painter.drawItemText(inside, Qt::AlignLeft | Qt::AlignVCenter, palette(), isEnabled(), text(),
+                         QPalette::ButtonText);
+    QStyleOption arrow = static_cast<const QStyleOption&>(option);
+    arrow.rect = QRect(inside.right() - menuArrowSize + 1, (height() - menuArrowSize) / 2, menuArrowSize,
+                       menuArrowSize);
+    painter.drawPrimitive(QStyle::PE_IndicatorArrowDown, arrow);
+}
 
 QuantityField::QuantityField(Quantity quantity, const Unit& unit, QWidget* parent)
     : QAbstractSpinBox(parent), m_quantity(quantity), m_unit(&unit) {

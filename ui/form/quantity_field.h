@@ -19,6 +19,20 @@ namespace drillwave {
 
 class UnitChoice;
 
+// A flat button that shows a unit and opens the menu of the others.
+
+class UnitButton : public QToolButton {
+    Q_OBJECT
+
+  public:
+    explicit UnitButton(QWidget* parent = nullptr);
+
+    QSize sizeHint() const override;
+
+  protected:
+    void paintEvent(QPaintEvent* event) override;
+};
+
 /// Holds a double in SI that only an edit changes: showing it in another unit or with fewer digits does not.
 /// Text that cannot be taken stays as it is, marked with the reason, and the old value is kept.
 class QuantityField : public QAbstractSpinBox {

@@ -13,8 +13,7 @@
 #include "core/model/validation.h"
 #include "ui/form/choice_box.h"
 #include "ui/form/quantity_field.h"
-#include "ui/text/core_text.h"
-#include "ui/text/local_style.h"
+#include "ui/text/language.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {

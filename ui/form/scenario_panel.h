@@ -2,21 +2,71 @@
 // The form of a scenario: every parameter of the table that applies, in sections that can be folded.
 #pragma once
 
+#include <QCheckBox>
+#include <QGridLayout>
+#include <QLabel>
 #include <QLineEdit>
+#include <QObject>
+#include <QPushButton>
 
 #include "ui/document/document.h"
 #include "ui/document/preset_library.h"
-#include "ui/form/indexing_box.h"
 #include "ui/form/law_section.h"
 #include "ui/form/parameter_row.h"
 #include "ui/form/preset_box.h"
 #include "ui/form/pulse_section.h"
 #include "ui/form/section_box.h"
-#include "ui/form/steady_scroll_area.h"
-#include "ui/form/string_section.h"
 #include "ui/questions/questions.h"
 
 namespace drillwave {
+
+class ChoiceBox;
+
+// Whether the bit meets new rock with every blow: a word, and so no row of numbers.
+
+/// A row of its own in the grid of a section.
+class IndexingBox : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Fills the lowest row of `grid`. The document must outlive it.
+    IndexingBox(Document& document, QGridLayout* grid, QWidget* parent);
+
+    void present(const Scenario& scenario);
+
+  private:
+    void choose(RockIndexing indexing);
+
+    Document& m_document;
+    ChoiceBox* m_box;
+};
+
+// What the form says of a drill string beside its numbers: how much of it there is, where its sections are
+// edited, and whether the hammer strikes again.
+
+/// Its widgets live in the grids of two sections of the form.
+class StringSection : public QObject {
+    Q_OBJECT
+
+  public:
+    /// Fills the next rows of `grid`. The document must outlive it.
+    StringSection(Document& document, QGridLayout* grid, QWidget* parent);
+
+    /// Below the rows of the hammer.
+    void addRestrike(QGridLayout* grid, QWidget* parent);
+    /// Requires a drill string.
+    void present(const Scenario& scenario);
+
+  signals:
+    void sectionsRequested();
+
+  private:
+    void setRestrike(bool restrike);
+
+    Document& m_document;
+    QLabel* m_summary;
+    QCheckBox* m_restrike = nullptr;
+};
 
 /// Shows and edits a document. Rows come from parameters() alone: what is added there appears here.
 class ScenarioPanel : public SteadyScrollArea {

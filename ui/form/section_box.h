@@ -2,6 +2,7 @@
 // A titled part of a panel that can be folded away.
 #pragma once
 
+#include <QScrollArea>
 #include <QToolButton>
 #include <QWidget>
 
@@ -27,6 +28,26 @@ class SectionBox : public QWidget {
     QToolButton* m_header;
     QWidget* m_content;
     QString m_key;
+};
+
+// A column of widgets to be scrolled, always as wide: its scroll bar is there whether it is needed or not.
+
+/// Scrolls vertically only.
+class SteadyScrollArea : public QScrollArea {
+    Q_OBJECT
+
+  public:
+    explicit SteadyScrollArea(QWidget* parent = nullptr);
+
+    QSize sizeHint() const override;
+    /// Wide enough that nothing is cut off at the side.
+    QSize minimumSizeHint() const override;
+
+  protected:
+    bool event(QEvent* event) override;
+
+  private:
+    QSize around(const QSize& content, int height) const;
 };
 
 }  // namespace drillwave

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/help/help_topic.h"
 
+#include <QRegularExpression>
 #include <QVariant>
 #include <QWidget>
 
@@ -10,13 +11,36 @@
 #include "core/model/section_field.h"
 
 namespace drillwave {
+
 namespace {
+
+const QString scheme = QStringLiteral("manual");
 
 QString fromKey(std::string_view key) {
     return QString::fromUtf8(key.data(), qsizetype(key.size()));
 }
 
 }  // namespace
+
+QUrl urlOf(const ManualPlace& place) {
+    QUrl url;
+    url.setScheme(scheme);
+    url.setPath(place.chapter);
+    if (!place.heading.isEmpty()) url.setFragment(place.heading);
+    return url;
+}
+
+ManualPlace placeOf(const QUrl& url) {
+    if (url.scheme() != scheme) return {};
+    return {url.path(), url.fragment(QUrl::FullyDecoded)};
+}
+
+bool isHeading(const QString& shown, const QString& meant) {
+    if (shown == meant || shown.startsWith(meant + u' ') || shown.startsWith(meant + u':')) return true;
+    static const QRegularExpression number(QStringLiteral("^§[0-9.]+ ")),
+        between(QStringLiteral(", | %1 ").arg(QStringView(andWords)));
+    return QString(shown).remove(number).split(between).contains(meant);
+}
 
 // Numbers of sections, and of corners, have one entry for all of them.
 ManualPlace placeOfKey(const QString& key) {

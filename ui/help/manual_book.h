@@ -9,7 +9,7 @@
 #include "core/manual/chapter.h"
 #include "core/manual/markdown.h"
 #include "core/text/languages.h"
-#include "ui/help/manual_place.h"
+#include "ui/help/help_topic.h"
 
 namespace drillwave {
 

@@ -2,12 +2,30 @@
 // A chapter of the manual laid out for reading.
 #pragma once
 
+#include <QList>
 #include <QPalette>
 #include <QTextDocument>
 
 #include "ui/help/manual_book.h"
 
 namespace drillwave {
+
+// What in a text of the manual leads to another place of it: "theory §3", "(T34)", names of parameters,
+// outputs and commands.
+
+/// A stretch of a line that is a link.
+struct ManualLink {
+    qsizetype begin = 0;
+    qsizetype length = 0;
+    ManualPlace to;
+};
+
+/// Those in a line of a chapter, in order, that lead to a place which is there.
+QList<ManualLink> linksIn(const QString& line, const QString& chapter, const ManualBook& book);
+
+/// Where a piece of code leads that names a parameter, an output, a command or a page; no chapter where it
+/// names none.
+ManualPlace placeOfCode(const QString& code, const ManualBook& book);
 
 /// Colours of the manual beside those of a palette.
 struct ManualColours {

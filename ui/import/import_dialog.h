@@ -10,7 +10,7 @@
 #include "ui/document/document.h"
 #include "ui/import/import_preview.h"
 #include "ui/import/signal_fields.h"
-#include "ui/job/asked_study.h"
+#include "ui/job/study_job.h"
 
 class QComboBox;
 class QFormLayout;

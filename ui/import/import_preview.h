@@ -2,18 +2,25 @@
 // What an import would give, computed away from the window's thread.
 #pragma once
 
+#include <QPlainTextEdit>
 #include <QPolygonF>
 #include <QString>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/blow/thinned_blow.h"
 #include "core/signal/samples.h"
 #include "core/signal/signal_quality.h"
 #include "core/signal/signal_recipe.h"
 #include "ui/job/study_job.h"
+#include "ui/plot/study_frame.h"
 
 namespace drillwave {
+
+class PlotWidget;
+class UnitChoice;
 
 /// All that the result depends on.
 struct ImportQuestion {
@@ -58,5 +65,55 @@ class ImportStudy {
     };
     std::shared_ptr<Kept> m_kept = std::make_shared<Kept>();
 };
+
+// The first lines of a file that is imported, with their numbers.
+
+/// To be read only; a few lines high.
+class FileLines : public QPlainTextEdit {
+    Q_OBJECT
+
+  public:
+    explicit FileLines(QWidget* parent = nullptr);
+
+    /// Goes to the first sample, whose line counts from 1, and marks it.
+    void present(const std::vector<std::string>& lines, std::size_t firstSample);
+};
+
+// The preview of an import: the whole record faintly, and what is taken of it over it.
+
+/// Lives as a child of the plot.
+class ImportPlot : public StudyFrame {
+    Q_OBJECT
+
+  public:
+    /// The units must outlive it.
+    ImportPlot(PlotWidget* plot, const UnitChoice& units);
+
+    /// `shift` is the time of the record at which the signal's own time begins [s].
+    void present(const ImportPreview& preview, double shift, const QString& axis);
+    /// Between which times of the record one looks [s].
+    RecordSpan visibleTimes() const;
+
+  protected:
+    void clear() override;
+    void restyle() override;
+    void setRanges() override;
+
+  private:
+    const UnitChoice& m_units;
+    QCPGraph* m_record;
+    QCPGraph* m_taken;
+    double m_timeFactor = 1e6;
+    const Unit* m_forceUnit = nullptr;
+};
+
+// What an import gives, in sentences.
+
+/// Samples, impulse, peak, points and how far they are from the samples; what was skipped and clipped.
+/// Requires a preview without problems.
+QString importSummary(const ImportPreview& preview, const UnitChoice& units);
+
+/// How to import, for F1.
+QString importHelp();
 
 }  // namespace drillwave

@@ -8,8 +8,8 @@
 #include "core/model/form_conversion.h"
 #include "core/signal/signal_option.h"
 #include "core/yaml/recorder_file.h"
-#include "ui/import/import_words.h"
-#include "ui/text/translation.h"
+#include "ui/import/import_preview.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

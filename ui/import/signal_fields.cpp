@@ -11,7 +11,6 @@
 #include "core/model/blow_traits.h"
 #include "core/model/scales.h"
 #include "core/model/section_pieces.h"
-#include "ui/import/gauge_rows.h"
 #include "ui/import/import_rows.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"

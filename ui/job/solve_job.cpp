@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "ui/job/solved_again.h"
+#include "ui/job/solved_blow.h"
 
 namespace drillwave {
 namespace {

@@ -5,11 +5,11 @@
 
 #include "core/model/validation.h"
 #include "core/study/drilling/marched_blow.h"
-#include "ui/job/solved_again.h"
-#include "ui/text/local_style.h"
+#include "ui/text/language.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
+
 namespace {
 
 QString whyUnsolved(const Blow& blow) {

@@ -4,19 +4,50 @@
 
 #include <QString>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <stop_token>
+#include <typeinfo>
 #include <vector>
 
 #include "core/blow/blow.h"
 #include "core/study/drilling/drilling_case.h"
-#include "ui/job/page_data.h"
 #include "ui/text/shown_units.h"
 
 namespace drillwave {
 
 class LocalStyle;
+struct SolvedBlow;
+
+// What a page shows of a blow beside the blow itself: known to the page alone, carried by the job.
+
+/// A value of a page's own type, made on the job's thread and never changed once made.
+class PageData {
+  public:
+    PageData() = default;
+    template <class Value>
+    static PageData of(Value value) {
+        return {std::make_shared<const Value>(std::move(value)), &typeid(Value)};
+    }
+
+    /// nullptr when it is of another type: another page's.
+    template <class Value>
+    const Value* as() const {
+        return m_type && *m_type == typeid(Value) ? static_cast<const Value*>(m_value.get()) : nullptr;
+    }
+
+  private:
+    PageData(std::shared_ptr<const void> value, const std::type_info* type)
+        : m_value(std::move(value)), m_type(type) {}
+
+    std::shared_ptr<const void> m_value;
+    const std::type_info* m_type = nullptr;
+};
+
+/// From a solved blow to what a page shows of it. Called on the job's thread: it holds all that it needs by
+/// value. Long work ends early, with anything, when the blow's `request.stop` asks for it.
+using PreparePage = std::function<PageData(const SolvedBlow& blow)>;
 
 /// A blow of a march under the feed.
 struct MarchedQuestion {
@@ -70,5 +101,14 @@ SolvedBlowPtr solveBlow(const SolveRequest& request, MethodSolver& solver,
 
 /// An answer that only says why there is none.
 SolvedBlowPtr failedBlow(const SolveRequest& request, const QString& problem);
+
+// What takes a while to be solved is solved once, however often pages look at it.
+
+/// Whether a blow is the answer to a request but for its units and pages, and worth being taken for it: of a
+/// drill string; a rod is solved sooner than its histories are copied.
+bool answersAgain(const SolvedBlow& before, const SolveRequest& request);
+
+/// That blow, with the units and the pages of the request; as solveBlow() otherwise.
+SolvedBlowPtr answerAgain(const SolvedBlow& before, const SolveRequest& request) noexcept;
 
 }  // namespace drillwave

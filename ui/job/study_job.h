@@ -2,6 +2,11 @@
 // A study away from the window's thread: shown while it grows, stopped at any time, replaced by the next one.
 #pragma once
 
+#include <QObject>
+#include <QString>
+#include <QTimer>
+#include <chrono>
+#include <cstddef>
 #include <cstdint>
 #include <exception>
 #include <functional>
@@ -11,10 +16,71 @@
 #include <stop_token>
 #include <utility>
 
-#include "ui/job/study_activity.h"
 #include "ui/job/worker.h"
 
 namespace drillwave {
+
+// How far a study is, whatever it computes: for the status line and the pages alike.
+
+/// Of the points of a study.
+struct StudyProgress {
+    std::size_t done = 0;
+    std::size_t wanted = 0;  ///< 0 while nobody knows
+    bool operator==(const StudyProgress&) const = default;
+};
+
+/// Seconds that a study may run on a page before the user asks for all of it.
+inline constexpr std::chrono::seconds unaskedTime{10};
+
+/// stopped: by the user, or after unaskedTime; what had been found stays. failed: see problem().
+enum class StudyState { idle, running, finished, stopped, failed };
+
+/// What can be seen of a study from outside.
+class StudyActivity : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit StudyActivity(QObject* parent = nullptr);
+
+    /// Of the study asked for last.
+    StudyState state() const { return m_state; }
+    StudyProgress progress() const { return m_progress; }
+    /// Why there is no result, in a sentence; empty unless the state is failed.
+    QString problem() const { return m_problem; }
+    /// Whether what there is to show is of the study asked for last, not of an earlier one.
+    virtual bool isCurrent() const = 0;
+    /// How many values have come, of earlier studies too: while it grows the window keeps up with the hand.
+    std::uint64_t answers() const { return m_answers; }
+    virtual void cancel() = 0;
+    /// Runs a study that was stopped again, without limit of time.
+    virtual void resume() = 0;
+    /// Stops every study that runs longer, resumed ones excepted; 0 for no limit. None at first.
+    void setTimeLimit(std::chrono::milliseconds limit) { m_limit = limit; }
+    /// Whether the last study was stopped because its time was over.
+    bool isOutOfTime() const { return m_isOutOfTime; }
+    /// Stops the study and drops what there is to show.
+    virtual void forget() = 0;
+
+  signals:
+    /// State, progress or value have changed.
+    void changed();
+
+  protected:
+    /// Begins the time of a study that starts.
+    void startTime();
+    /// Lets a study that is resumed take the time it needs.
+    void endTime();
+
+    StudyState m_state = StudyState::idle;
+    StudyProgress m_progress;
+    QString m_problem;
+    std::uint64_t m_answers = 0;
+
+  private:
+    std::chrono::milliseconds m_limit{0};
+    QTimer m_time;
+    bool m_isOutOfTime = false;
+};
 
 /// What a running study tells, from whichever of its threads, until it returns. What comes faster than the
 /// window can show it is passed over: the last of each kind is always seen.
@@ -203,5 +269,45 @@ void StudyJob<Value>::end(std::uint64_t number, const End& end) {
     }
     emit changed();
 }
+
+// A study that is run for a question, and once only for the same one.
+
+/// Runs `study` of a question away from the window's thread. Question is a value with ==.
+template <class Question, class Value>
+class AskedStudy {
+  public:
+    /// Called on the job's thread: holds nothing of the window.
+    using Study = std::function<Value(const Question&, const StudyFeed<Value>&)>;
+
+    explicit AskedStudy(Study study) : m_study(std::move(study)) {}
+
+    /// Runs the study unless it runs for the same question, or has been finished for it. Whether it was
+    /// started.
+    bool ask(Question question) {
+        const bool answered = m_job.state() == StudyState::running || m_job.state() == StudyState::finished;
+        if (answered && m_question == question) return false;
+        m_question = question;
+        ++m_started;
+        m_job.submit([study = m_study, question = std::move(question)](const StudyFeed<Value>& feed) {
+            return study(question, feed);
+        });
+        return true;
+    }
+
+    /// The question asked last; nothing before the first.
+    const std::optional<Question>& question() const { return m_question; }
+    StudyJob<Value>& job() { return m_job; }
+    const StudyJob<Value>& job() const { return m_job; }
+    /// The result, or what there is so far of the question asked last or of an earlier one; nullptr at first.
+    const Value* value() const { return m_job.value().get(); }
+    /// How many studies were started.
+    int started() const { return m_started; }
+
+  private:
+    Study m_study;
+    std::optional<Question> m_question;
+    int m_started = 0;
+    StudyJob<Value> m_job;
+};
 
 }  // namespace drillwave

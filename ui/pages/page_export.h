@@ -7,7 +7,7 @@
 #include <functional>
 #include <optional>
 
-#include "ui/questions/picture_choice.h"
+#include "ui/questions/picture_dialog.h"
 
 namespace drillwave {
 

@@ -6,7 +6,7 @@
 #include <limits>
 
 #include "ui/plot/number_ticks.h"
-#include "ui/text/translation.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

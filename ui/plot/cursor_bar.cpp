@@ -15,7 +15,6 @@
 #include <algorithm>
 
 #include "ui/text/shown_text.h"
-#include "ui/text/translation.h"
 #include "ui/text/unfocused_wheel.h"
 
 namespace drillwave {

@@ -5,7 +5,7 @@
 
 #include "core/text/units.h"
 #include "ui/text/number_text.h"
-#include "ui/text/translation.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <QDialog>
+#include <QSize>
+#include <QString>
 
-#include "ui/questions/picture_choice.h"
+#include "ui/plot/plot_rendering.h"
 
 class QComboBox;
 class QDoubleSpinBox;
@@ -12,6 +14,23 @@ class QLabel;
 class QPushButton;
 
 namespace drillwave {
+
+// How a picture of a page is to be saved.
+
+struct PictureChoice {
+    QString format = QStringLiteral("png");  ///< one of plotFormats()
+    Millimetres size{180, 120};
+    double dpi = 300;  ///< counts for PNG only
+
+    /// Pixels of a PNG.
+    QSize pixels() const;
+    /// Why no such picture can be made; empty when it can.
+    QString problem() const;
+};
+
+/// The choice made last, or one for a picture of that width/height.
+PictureChoice rememberedPictureChoice(double aspectRatio);
+void remember(const PictureChoice& choice);
 
 /// Cannot be accepted while its choice cannot be made; says why.
 class PictureDialog : public QDialog {

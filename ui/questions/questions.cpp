@@ -11,10 +11,8 @@
 #include <cstdio>
 
 #include "ui/questions/export_dialog.h"
-#include "ui/questions/folder_dialog.h"
 #include "ui/questions/picture_dialog.h"
 #include "ui/text/shown_text.h"
-#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {

@@ -6,7 +6,7 @@
 #include <memory>
 #include <optional>
 
-#include "ui/questions/picture_choice.h"
+#include "ui/questions/picture_dialog.h"
 
 class QPrinter;
 class QWidget;

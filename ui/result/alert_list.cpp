@@ -7,7 +7,6 @@
 
 #include "core/model/parameter.h"
 #include "core/report/alert_words.h"
-#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {

@@ -11,7 +11,7 @@
 
 #include "core/model/alerts.h"
 #include "core/model/validation.h"
-#include "ui/text/local_style.h"
+#include "ui/text/language.h"
 
 namespace drillwave {
 

@@ -6,8 +6,7 @@
 
 #include "core/report/feed_words.h"
 #include "ui/runs/difference_text.h"
-#include "ui/text/core_text.h"
-#include "ui/text/local_style.h"
+#include "ui/text/language.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 

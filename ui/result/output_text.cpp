@@ -8,7 +8,7 @@
 #include "core/model/blow_traits.h"
 #include "ui/result/output_unit.h"
 #include "ui/text/number_text.h"
-#include "ui/text/translation.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

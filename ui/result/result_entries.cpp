@@ -10,9 +10,8 @@
 #include "ui/result/feed_text.h"
 #include "ui/result/output_text.h"
 #include "ui/result/output_unit.h"
-#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
-#include "ui/text/translation.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

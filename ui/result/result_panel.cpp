@@ -19,9 +19,9 @@
 #include "ui/result/output_text.h"
 #include "ui/result/place_link.h"
 #include "ui/result/result_entries.h"
+#include "ui/text/lightness.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
-#include "ui/text/warning_text.h"
 
 namespace drillwave {
 namespace {

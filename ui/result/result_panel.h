@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "ui/form/section_box.h"
-#include "ui/form/steady_scroll_area.h"
 #include "ui/job/solved_blow.h"
 #include "ui/result/alert_list.h"
 #include "ui/result/energy_bar.h"

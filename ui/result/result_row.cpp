@@ -8,10 +8,9 @@
 #include "ui/result/output_unit.h"
 #include "ui/result/place_link.h"
 #include "ui/runs/difference_text.h"
+#include "ui/text/lightness.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
-#include "ui/text/translation.h"
-#include "ui/text/warning_text.h"
 
 namespace drillwave {
 namespace {

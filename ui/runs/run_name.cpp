@@ -8,10 +8,8 @@
 #include "core/model/assignments.h"
 #include "core/model/blow_traits.h"
 #include "core/model/section_parameter.h"
-#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
-#include "ui/text/translation.h"
 #include "ui/text/typed_text.h"
 #include "ui/text/unit_choice.h"
 

@@ -4,11 +4,19 @@
 
 #include <QColor>
 
+class QLabel;
+
 namespace drillwave {
 
 /// Whether what stands on that ground is to be light.
 inline bool isDark(const QColor& ground) {
     return ground.lightness() < 128;
 }
+
+// The look of a text that warns.
+
+/// In the colour of warnings, which suits the palette, and heavy; or as it is usual. The words must say it
+/// too.
+void setWarning(QLabel& label, bool warning);
 
 }  // namespace drillwave

@@ -4,13 +4,26 @@
 #include <QCoreApplication>
 #include <QRegularExpression>
 #include <QTextDocument>
+#include <string>
 #include <utility>
 
+#include "core/report/parameter_words.h"
 #include "core/text/name_text.h"
 #include "core/yaml/scenario_file.h"
-#include "ui/text/core_text.h"
 
 namespace drillwave {
+
+namespace {
+
+Message titleOf(const Parameter& parameter) {
+    return titleMessage(parameter, shownSymbol(parameter.symbol).toStdString());
+}
+
+}  // namespace
+
+QString tr(const char* text) {
+    return QCoreApplication::translate("drillwave", text);
+}
 
 QString fromView(std::string_view text) {
     return QString::fromUtf8(text.data(), static_cast<qsizetype>(text.size()));
@@ -54,6 +67,31 @@ QString translated(const ScenarioError& error) {
 
 QString shownSymbol(std::string_view symbol) {
     return fromView(symbol).replace(u'0', QStringLiteral("₀"));
+}
+
+QString coreText(std::string_view text) {
+    return text.empty() ? QString() : QCoreApplication::translate("core", std::string(text).c_str());
+}
+
+QString coreName(std::string_view name) {
+    return coreText(fromView(name).replace(u'_', u' ').toStdString());
+}
+
+QString parameterLabel(const Parameter& parameter) {
+    return translated(labelMessage(parameter));
+}
+
+QString parameterTitle(const Parameter& parameter) {
+    return translated(titleOf(parameter));
+}
+
+Message withTitles(Message message) {
+    if (message.isWords) {
+        const KeptParameter parameter = findParameter(message.pattern);
+        return parameter ? titleOf(*parameter) : message;
+    }
+    for (Message& argument : message.arguments) argument = withTitles(std::move(argument));
+    return message;
 }
 
 }  // namespace drillwave

@@ -7,11 +7,18 @@
 #include <string_view>
 #include <vector>
 
+#include "core/model/parameter.h"
+#include "core/model/section_field.h"
 #include "core/text/message.h"
 
 namespace drillwave {
 
 class ScenarioError;
+
+// Words for people in functions that belong to no QObject.
+
+/// In the language of the program, under the context `drillwave`: what QObject::tr() is for classes.
+QString tr(const char* text);
 
 /// UTF-8 as Qt's own text.
 QString fromView(std::string_view text);
@@ -36,5 +43,23 @@ QString translated(const ScenarioError& error);
 
 /// "t₀" for "t0".
 QString shownSymbol(std::string_view symbol);
+
+// The words of the core's tables in the language of the window.
+
+/// A label, meaning or title of a table of the core; what the catalogues do not have stays as it is. Which
+/// texts they have: tests/support/core_texts.h.
+QString coreText(std::string_view text);
+
+/// "half sine" for the name `half_sine` of a value of an enumeration.
+QString coreName(std::string_view name);
+
+/// "stiffness"; of a section "length of hammer section 1", of the law of the rock "force of corner 2".
+QString parameterLabel(const Parameter& parameter);
+
+/// Label and symbol, "stiffness k".
+QString parameterTitle(const Parameter& parameter);
+
+/// A sentence of the core about parameters with their titles in place of their keys, as the form has them.
+Message withTitles(Message message);
 
 }  // namespace drillwave

@@ -8,7 +8,6 @@
 #include <optional>
 
 #include "ui/text/shown_text.h"
-#include "ui/text/translation.h"
 #include "ui/text/typed_text.h"
 
 namespace drillwave {

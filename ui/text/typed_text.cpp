@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/text/typed_text.h"
-#include "core/text/printed_text.h"
-#include "ui/text/shown_text.h"
-#include "ui/text/translation.h"
 
 #include <QList>
 #include <algorithm>
 
+#include "core/text/handy_text.h"
+#include "core/text/printed_text.h"
+#include "ui/text/shown_text.h"
+
 namespace drillwave {
+
 namespace {
 
 // Digits of a mantissa in runs, and the sign that stands before each run but the first.
@@ -98,6 +100,9 @@ QString exponentOf(QStringView text) {
     return end == digits ? QString() : text.first(end).toString();
 }
 
+constexpr qsizetype exactTextLength = 10;  // longer ones are rounded for display
+constexpr int displayDigits = 6;
+
 }  // namespace
 
 QString withoutInvisible(QString text) {
@@ -138,6 +143,16 @@ QString localText(const QString& plain, const QLocale& locale) {
 
 QString shownUnitName(std::string_view name) {
     return QString::fromStdString(printedUnit(name));
+}
+
+QString fieldText(double si, Quantity quantity, const Unit& unit, const QLocale& locale) {
+    const QString exact = QString::fromStdString(formatQuantity(si, quantity, unit));
+    const qsizetype end = exact.indexOf(u' ');
+    const QString number = end < 0 ? exact : exact.left(end);
+    const bool inThisUnit = unit.name.empty() || exact.mid(end + 1).toStdString() == unit.name;
+    const bool readable = inThisUnit && number.size() <= exactTextLength;
+    return localText(readable ? number : QString::fromStdString(rounded(unit.fromSi(si), displayDigits)),
+                     locale);
 }
 
 }  // namespace drillwave

@@ -6,6 +6,8 @@
 #include <QString>
 #include <string_view>
 
+#include "core/text/units.h"
+
 namespace drillwave {
 
 /// Text made ready for parseQuantity(), or why its number cannot be understood.
@@ -38,5 +40,10 @@ QString localText(const QString& plain, const QLocale& locale);
 
 /// A unit as shown: "µs" for "us", "mm²" for "mm^2".
 QString shownUnitName(std::string_view name);
+
+// A quantity as a field for it shows it: all of a short number, six digits of a long one.
+
+/// Of a value in SI, without the name of the unit.
+QString fieldText(double si, Quantity quantity, const Unit& unit, const QLocale& locale);
 
 }  // namespace drillwave

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/window/example_note.h"
 
-#include "ui/text/core_text.h"
 #include "ui/text/settings.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

@@ -6,8 +6,8 @@
 
 #include "core/archive/result_scenario.h"
 #include "core/study/paper/figures.h"
-#include "ui/text/core_text.h"
 #include "ui/text/settings.h"
+#include "ui/text/shown_text.h"
 #include "ui/window/figure_dialog.h"
 
 namespace drillwave {

@@ -20,7 +20,6 @@
 #include "ui/form/scenario_panel.h"
 #include "ui/help/help_topic.h"
 #include "ui/import/importer.h"
-#include "ui/job/solve_status.h"
 #include "ui/job/study_status.h"
 #include "ui/pages/accuracy/accuracy_page.h"
 #include "ui/pages/blow/blow_page.h"

@@ -4,8 +4,8 @@
 #include <QDir>
 #include <QLocale>
 
-#include "ui/document/lost_changes.h"
-#include "ui/text/translation.h"
+#include "ui/document/recovery.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "ui/document/document.h"
-#include "ui/document/table_watch.h"
+#include "ui/document/file_watch.h"
 #include "ui/questions/questions.h"
 #include "ui/window/notice.h"
 

@@ -5,7 +5,7 @@
 #include <QCoreApplication>
 #include <QToolButton>
 
-#include "ui/form/unit_button.h"
+#include "ui/form/quantity_field.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
 #include "ui/text/unit_choice.h"

@@ -28,7 +28,7 @@
 #include "ui/export/export_menu.h"
 #include "ui/export/numbers_window.h"
 #include "ui/export/plot_export.h"
-#include "ui/job/solve_status.h"
+#include "ui/job/study_status.h"
 #include "ui/pages/blow/blow_page.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/questions/picture_dialog.h"

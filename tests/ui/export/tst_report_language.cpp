@@ -20,7 +20,6 @@
 #include "ui/export/report_plots.h"
 #include "ui/plot/label_places.h"
 #include "ui/text/language.h"
-#include "ui/text/local_style.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/unit_choice.h"
 

@@ -23,7 +23,6 @@
 #include "ui/document/measured_list.h"
 #include "ui/export/report_preview.h"
 #include "ui/export/report_writer.h"
-#include "ui/job/solve_status.h"
 #include "ui/job/study_status.h"
 #include "ui/text/settings.h"
 #include "ui/text/unit_choice.h"

@@ -8,7 +8,7 @@
 
 #include "core/model/scales.h"
 #include "tests/support/panel_fixture.h"
-#include "ui/form/pulse_curve.h"
+#include "ui/form/pulse_preview.h"
 #include "ui/text/shown_text.h"
 
 using namespace drillwave;

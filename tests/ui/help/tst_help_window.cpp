@@ -15,7 +15,6 @@
 #include "ui/help/help_topic.h"
 #include "ui/help/help_window.h"
 #include "ui/help/manual_document.h"
-#include "ui/help/manual_links.h"
 #include "ui/help/manual_search.h"
 #include "ui/text/language.h"
 #include "ui/text/settings.h"

@@ -20,7 +20,7 @@
 #include "ui/export/export_menu.h"
 #include "ui/export/numbers_window.h"
 #include "ui/job/solve_job.h"
-#include "ui/job/solve_status.h"
+#include "ui/job/study_status.h"
 #include "ui/pages/blow/blow_page.h"
 #include "ui/plot/plot_menu.h"
 #include "ui/plot/plot_widget.h"

@@ -5,10 +5,9 @@
 #include <thread>
 
 #include "tests/support/window.h"
-#include "ui/text/core_text.h"
 #include "ui/text/language.h"
 #include "ui/text/settings.h"
-#include "ui/text/translation.h"
+#include "ui/text/shown_text.h"
 
 using namespace drillwave;
 using namespace drillwave::test;

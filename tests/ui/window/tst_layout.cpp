@@ -15,7 +15,6 @@
 #include "tests/support/window_parts.h"
 #include "tests/ui/window/layout_check.h"
 #include "ui/job/solve_job.h"
-#include "ui/job/solve_status.h"
 #include "ui/job/study_status.h"
 #include "ui/text/settings.h"
 #include "ui/window/manual_help.h"

@@ -21,7 +21,7 @@
 #include "tests/support/window_parts.h"
 #include "tests/ui/window/monkey.h"
 #include "ui/job/solve_job.h"
-#include "ui/job/solve_status.h"
+#include "ui/job/study_status.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
 

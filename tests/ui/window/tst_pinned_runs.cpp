@@ -8,7 +8,7 @@
 #include "tests/support/files.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
-#include "ui/job/solve_status.h"
+#include "ui/job/study_status.h"
 #include "ui/pages/compare/compare_page.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"

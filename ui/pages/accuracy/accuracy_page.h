@@ -2,7 +2,7 @@
 // The page Accuracy: how right the numbers are, for this scenario and for the hardest ones.
 #pragma once
 
-#include "ui/job/asked_study.h"
+#include "ui/job/study_job.h"
 #include "ui/pages/accuracy/proof_study.h"
 #include "ui/pages/study/study_page.h"
 

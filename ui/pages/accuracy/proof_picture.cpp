@@ -7,10 +7,8 @@
 #include <cmath>
 #include <limits>
 
-#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
-#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {

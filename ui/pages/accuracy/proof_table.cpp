@@ -8,7 +8,6 @@
 
 #include "core/report/accuracy_columns.h"
 #include "ui/pages/accuracy/proof_picture.h"
-#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 

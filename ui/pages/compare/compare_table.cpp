@@ -14,10 +14,8 @@
 #include "ui/result/feed_text.h"
 #include "ui/result/output_unit.h"
 #include "ui/runs/difference_text.h"
-#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
-#include "ui/text/translation.h"
 #include "ui/text/typed_text.h"
 #include "ui/text/unit_choice.h"
 

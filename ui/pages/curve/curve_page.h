@@ -6,7 +6,7 @@
 #include <map>
 
 #include "ui/document/preset_library.h"
-#include "ui/job/asked_study.h"
+#include "ui/job/study_job.h"
 #include "ui/pages/curve/curve_study.h"
 #include "ui/pages/curve/run_lines.h"
 #include "ui/pages/study/study_page.h"

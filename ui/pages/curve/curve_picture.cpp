@@ -11,10 +11,8 @@
 #include "ui/pages/study/parameter_names.h"
 #include "ui/pages/study/preset_places.h"
 #include "ui/result/output_unit.h"
-#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
-#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/pages/curve/goal_field.h"
 
-#include "ui/text/field_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_quantity.h"
 #include "ui/text/typed_text.h"

@@ -9,7 +9,6 @@
 #include "ui/pages/design/aim_rows.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
-#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 

@@ -25,7 +25,6 @@
 #include "ui/pages/study/command_text.h"
 #include "ui/pages/study/labelled_control.h"
 #include "ui/plot/plot_widget.h"
-#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {

@@ -2,7 +2,7 @@
 // The page Design: which choice is best over what is not known (theory §12).
 #pragma once
 
-#include "ui/job/asked_study.h"
+#include "ui/job/study_job.h"
 #include "ui/pages/design/design_answer.h"
 #include "ui/pages/design/design_picture.h"
 #include "ui/pages/study/study_page.h"

@@ -13,7 +13,6 @@
 #include "ui/result/output_unit.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
-#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {

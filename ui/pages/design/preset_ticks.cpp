@@ -9,7 +9,7 @@
 
 #include "core/text/enum_names.h"
 #include "ui/pages/study/flow_layout.h"
-#include "ui/text/core_text.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

@@ -22,7 +22,6 @@
 #include "ui/pages/design/density_mark.h"
 #include "ui/pages/study/flow_layout.h"
 #include "ui/pages/study/parameter_names.h"
-#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/unfocused_wheel.h"
 

@@ -20,7 +20,7 @@
 #include "ui/pages/study/command_text.h"
 #include "ui/pages/thrust/missing_fields.h"
 #include "ui/plot/plot_widget.h"
-#include "ui/text/local_style.h"
+#include "ui/text/language.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 

@@ -2,8 +2,8 @@
 // The page Drilling: many blows under a feed, and scans of them (drilling §7).
 #pragma once
 
-#include "ui/job/asked_study.h"
 #include "ui/job/solved_blow.h"
+#include "ui/job/study_job.h"
 #include "ui/pages/drilling/drilling_picture.h"
 #include "ui/pages/drilling/drilling_question.h"
 #include "ui/pages/drilling/run_means.h"

@@ -8,7 +8,7 @@
 
 #include "core/blow/feed_estimate.h"
 #include "ui/pages/study/parameter_names.h"
-#include "ui/text/translation.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

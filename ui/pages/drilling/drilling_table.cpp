@@ -5,8 +5,8 @@
 #include <QScrollBar>
 
 #include "core/report/drilling_report.h"
-#include "ui/text/core_text.h"
-#include "ui/text/local_style.h"
+#include "ui/text/language.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/unit_choice.h"
 
 namespace drillwave {

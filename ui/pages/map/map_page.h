@@ -2,7 +2,7 @@
 // The page Map: a result over two parameters, with contours, cuts, and a crosshair that moves both of them.
 #pragma once
 
-#include "ui/job/asked_study.h"
+#include "ui/job/study_job.h"
 #include "ui/pages/map/map_picture.h"
 #include "ui/pages/map/map_question.h"
 #include "ui/pages/study/study_page.h"

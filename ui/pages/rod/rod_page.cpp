@@ -16,7 +16,7 @@
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/runs/runs_like.h"
-#include "ui/text/local_style.h"
+#include "ui/text/language.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 

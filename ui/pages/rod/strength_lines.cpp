@@ -4,7 +4,7 @@
 #include <algorithm>
 
 #include "ui/plot/axis_rect.h"
-#include "ui/text/translation.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 

@@ -7,7 +7,6 @@
 #include "ui/form/problem_plate.h"
 #include "ui/form/quantity_field.h"
 #include "ui/pages/string/string_model.h"
-#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {

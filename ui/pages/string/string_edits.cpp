@@ -14,9 +14,8 @@
 #include "core/model/section_pieces.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
-#include "ui/text/core_text.h"
-#include "ui/text/field_text.h"
-#include "ui/text/local_style.h"
+#include "ui/text/language.h"
+#include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
 
 namespace drillwave {

@@ -8,8 +8,6 @@
 
 #include "core/model/blow_traits.h"
 #include "core/model/section_parameter.h"
-#include "ui/text/core_text.h"
-#include "ui/text/field_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"

@@ -5,7 +5,6 @@
 
 #include "core/model/section_words.h"
 #include "ui/text/shown_text.h"
-#include "ui/text/translation.h"
 
 namespace drillwave {
 namespace {

@@ -11,7 +11,7 @@
 #include "ui/pages/study/option_fields.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/runs/run_overlay.h"
-#include "ui/text/local_style.h"
+#include "ui/text/language.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/unit_choice.h"
 

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/report/study.h"
-#include "ui/job/asked_study.h"
+#include "ui/job/study_job.h"
 #include "ui/pages/study/run_studies.h"
 #include "ui/pages/study/study_page.h"
 #include "ui/plot/figure_frame.h"

@@ -3,7 +3,6 @@
 
 #include <QSignalBlocker>
 
-#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {

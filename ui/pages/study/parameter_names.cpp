@@ -5,7 +5,6 @@
 #include <QSignalBlocker>
 
 #include "core/model/section_parameter.h"
-#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {

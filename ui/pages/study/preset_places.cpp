@@ -6,7 +6,7 @@
 
 #include "core/model/assignments.h"
 #include "core/model/validation.h"
-#include "ui/text/core_text.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

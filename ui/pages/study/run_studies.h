@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "ui/job/asked_study.h"
+#include "ui/job/study_job.h"
 
 namespace drillwave {
 

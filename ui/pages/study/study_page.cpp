@@ -15,7 +15,6 @@
 #include "ui/plot/plot_widget.h"
 #include "ui/plot/study_frame.h"
 #include "ui/result/stale_veil.h"
-#include "ui/text/core_text.h"
 #include "ui/text/scrolled_label.h"
 #include "ui/text/shown_text.h"
 

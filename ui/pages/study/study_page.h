@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "ui/document/document.h"
-#include "ui/job/study_activity.h"
+#include "ui/job/study_job.h"
 #include "ui/pages/plot_page.h"
 
 namespace drillwave {

@@ -7,7 +7,6 @@
 #include "ui/form/quantity_field.h"
 #include "ui/pages/study/flow_layout.h"
 #include "ui/pages/study/parameter_names.h"
-#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {

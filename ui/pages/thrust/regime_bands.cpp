@@ -5,7 +5,6 @@
 #include <cmath>
 
 #include "core/report/feed_words.h"
-#include "ui/text/core_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {

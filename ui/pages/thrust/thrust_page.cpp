@@ -16,7 +16,7 @@
 #include "ui/pages/thrust/thrust_plot.h"
 #include "ui/pages/thrust/thrust_table.h"
 #include "ui/plot/plot_widget.h"
-#include "ui/text/local_style.h"
+#include "ui/text/language.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {

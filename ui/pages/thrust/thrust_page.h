@@ -2,7 +2,7 @@
 // The page Feed: which feed the blows need, and what the installed one does between them (theory §10).
 #pragma once
 
-#include "ui/job/asked_study.h"
+#include "ui/job/study_job.h"
 #include "ui/pages/study/study_page.h"
 #include "ui/pages/thrust/thrust_picture.h"
 #include "ui/pages/thrust/thrust_study.h"

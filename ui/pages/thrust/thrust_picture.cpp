@@ -8,7 +8,6 @@
 #include "core/blow/feed_estimate.h"
 #include "ui/pages/study/parameter_names.h"
 #include "ui/text/shown_text.h"
-#include "ui/text/translation.h"
 
 namespace drillwave {
 

@@ -8,8 +8,8 @@
 #include "ui/plot/curve_graph.h"
 #include "ui/plot/legend_entries.h"
 #include "ui/plot/number_ticks.h"
-#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {

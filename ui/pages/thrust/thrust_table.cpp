@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/report/feed_words.h"
-#include "ui/text/core_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 

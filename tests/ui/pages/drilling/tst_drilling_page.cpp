@@ -20,7 +20,7 @@
 #include "ui/pages/study/axis_fields.h"
 #include "ui/plot/curve_reading.h"
 #include "ui/plot/plot_widget.h"
-#include "ui/text/local_style.h"
+#include "ui/text/language.h"
 
 using namespace drillwave;
 using namespace drillwave::test;

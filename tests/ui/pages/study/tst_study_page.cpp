@@ -7,7 +7,7 @@
 #include <QVBoxLayout>
 
 #include "core/yaml/examples.h"
-#include "ui/job/asked_study.h"
+#include "ui/job/study_job.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/study/command_text.h"
 #include "ui/pages/study/study_page.h"

@@ -20,7 +20,7 @@
 #include "ui/pages/thrust/thrust_plot.h"
 #include "ui/plot/curve_reading.h"
 #include "ui/plot/plot_widget.h"
-#include "ui/text/local_style.h"
+#include "ui/text/language.h"
 #include "ui/text/unit_choice.h"
 
 using namespace drillwave;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/job/study_activity.h"
+#include "ui/job/study_job.h"
 
 namespace drillwave {
 

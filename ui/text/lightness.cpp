@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/text/warning_text.h"
+#include "ui/text/lightness.h"
 
 #include <QApplication>
 #include <QLabel>
-
-#include "ui/text/lightness.h"
 
 namespace drillwave {
 
