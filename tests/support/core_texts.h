@@ -28,7 +28,7 @@ inline std::set<std::string> coreTexts() {
         add(words);
     };
     const auto addParameter = [&](const Parameter& parameter) {
-        // These have labels with a number in them, which ui/text/core_text.cpp composes.
+        // These have labels with a number in them, which ui/text/shown_text.cpp composes.
         if (cornerOf(parameter) == 0) add(parameter.label);
         add(parameter.rules.shortLabel);
         add(parameter.meaning);

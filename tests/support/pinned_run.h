@@ -2,7 +2,7 @@
 // Runs for pages, without the list that pins them.
 #pragma once
 
-#include "ui/runs/run.h"
+#include "ui/runs/runs.h"
 
 namespace drillwave::test {
 

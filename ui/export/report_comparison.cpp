@@ -9,7 +9,7 @@
 #include "ui/pages/blow/blow_curves.h"
 #include "ui/pages/blow/measured_force.h"
 #include "ui/pages/compare/compare_table.h"
-#include "ui/runs/run_name.h"
+#include "ui/runs/difference_text.h"
 #include "ui/text/language.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"

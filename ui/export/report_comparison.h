@@ -5,7 +5,7 @@
 #include <stop_token>
 
 #include "core/report/blow_report.h"
-#include "ui/runs/run.h"
+#include "ui/runs/runs.h"
 
 namespace drillwave {
 

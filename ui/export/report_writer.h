@@ -10,7 +10,7 @@
 #include "ui/document/document.h"
 #include "ui/job/study_job.h"
 #include "ui/questions/questions.h"
-#include "ui/runs/run.h"
+#include "ui/runs/runs.h"
 
 namespace drillwave {
 

@@ -6,7 +6,7 @@
 
 #include "ui/job/solved_blow.h"
 #include "ui/pages/page_export.h"
-#include "ui/runs/run.h"
+#include "ui/runs/runs.h"
 
 namespace drillwave {
 

@@ -10,6 +10,7 @@
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
+
 namespace {
 
 // How long a list that has become shorter keeps its room.
@@ -88,6 +89,32 @@ void AlertList::write(qsizetype row, const QString& mark, const QString& kind, c
     label->setAccessibleName(QStringLiteral("%1: %2").arg(kind, text));
     label->setToolTip(kind);
     label->show();
+}
+
+AlertLink::AlertLink(const AlertList& list, WithoutAny withoutAny, QWidget* parent)
+    : QToolButton(parent), m_list(list), m_withoutAny(withoutAny) {
+    setAutoRaise(true);
+    setToolButtonStyle(Qt::ToolButtonTextOnly);
+    setFocusPolicy(Qt::TabFocus);
+    connect(&list, &AlertList::changed, this, &AlertLink::present);
+    present();
+}
+
+void AlertLink::present() {
+    const qsizetype count = m_list.texts().size();
+    QString text = tr("✓ nothing unusual");
+    if (m_list.hasProblem())
+        text = tr("✖ not solved");
+    else if (count > 0 && m_list.hasWarnings())
+        text = count == 1 ? tr("⚠ 1 alert") : tr("⚠ %1 alerts").arg(count);
+    else if (count > 0)
+        text = count == 1 ? tr("ℹ 1 note") : tr("ℹ %1 notes").arg(count);
+    setText(text);
+    QString tip;  // as rich text, which is wrapped
+    for (const QString& each : m_list.texts()) tip += QStringLiteral("<p>%1</p>").arg(each.toHtmlEscaped());
+    setToolTip(tip);
+    setAccessibleDescription(m_list.texts().join(QLatin1Char('\n')));
+    if (m_withoutAny == WithoutAny::hidden) setVisible(count > 0);
 }
 
 }  // namespace drillwave

@@ -2,6 +2,7 @@
 // The events of a blow as a table that follows the time cursor and moves it.
 #pragma once
 
+#include <QAbstractTableModel>
 #include <QTableView>
 #include <optional>
 
@@ -9,7 +10,30 @@
 
 namespace drillwave {
 
-class EventModel;
+// The events of a blow as a table: when, and what happened at the bit.
+
+/// Reads from the shared answer: a blow with many contacts costs nothing to list.
+class EventModel : public QAbstractTableModel {
+    Q_OBJECT
+
+  public:
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void present(const SolvedBlowPtr& blow);
+    /// Global time t/t0 of the event in a row.
+    double timeAt(int row) const;
+    /// The first event at a global time t/t0, if there is one.
+    std::optional<int> rowAt(double time) const;
+
+    int rowCount(const QModelIndex& parent = {}) const override;
+    int columnCount(const QModelIndex& parent = {}) const override;
+    QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role = Qt::DisplayRole) const override;
+
+  private:
+    SolvedBlowPtr m_blow;
+    ShownUnit m_unit;  // of times
+};
 
 class EventTable : public QTableView {
     Q_OBJECT

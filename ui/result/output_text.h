@@ -5,9 +5,28 @@
 #include <QString>
 
 #include "core/blow/outputs.h"
+#include "core/study/rows/output_column.h"
 #include "ui/job/solved_blow.h"
+#include "ui/text/shown_units.h"
 
 namespace drillwave {
+
+// In which unit an output is shown.
+
+/// Of an output's values in its measure (Output::measure). Plain numbers, works and shares, which are plain
+/// in SI too, have none. `size` is that of the values where there is no dimensionless number: N, W or m/s.
+ShownUnit outputUnit(const Output& output, const ShownUnits& units, double size);
+
+/// The same for a column: an energy in SI has the unit of energies.
+ShownUnit columnUnit(const OutputColumn& column, const ShownUnits& units, double size);
+
+/// Whether the numbers of two blows mean as much: what is a multiple of scales, those of rods and of strings
+/// are other ones.
+bool haveSameUnit(const Output& output, const SolvedBlow& one, const SolvedBlow& other, UnitSystem units);
+
+/// The number of a blow that can be compared with those of others: in SI, works in J, where `units` are
+/// physical, else as outputs have it; shares in percent. Nothing where the blow has none, or no units.
+std::optional<double> comparableNumber(const Output& output, const SolvedBlow& blow, UnitSystem units);
 
 /// An output in the units of the blow; empty where there is none.
 QString outputText(const Output& output, const SolvedBlow& blow);

@@ -3,18 +3,39 @@
 #pragma once
 
 #include <QLabel>
+#include <QList>
 #include <functional>
 #include <optional>
 
 #include "core/blow/outputs.h"
 #include "ui/job/solved_blow.h"
 #include "ui/result/energy_bar.h"
+#include "ui/result/feed_text.h"
 
 class QGridLayout;
 
 namespace drillwave {
 
 class SectionBox;
+
+// A value that leads to where it is from, by mouse and keys.
+
+/// Plain text that looks and works like a link.
+class PlaceLink : public QLabel {
+    Q_OBJECT
+
+  public:
+    explicit PlaceLink(QWidget* parent = nullptr);
+
+  signals:
+    void followed();
+
+  protected:
+    void keyPressEvent(QKeyEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+};
 
 /// What a row says of a blow.
 struct ResultEntry {
@@ -81,5 +102,23 @@ class ResultRow {
 
 /// Its text can be selected; the menu is that of the panel.
 void makeSelectable(QLabel& label);
+
+// What the rows of the result panel say.
+
+/// By this name the rows are found that wait for the study of all gaps.
+inline const QString worstName = QStringLiteral("worstNeed");
+
+/// Of all outputs of a group, in its order; of a largest stress the place, too, in a row below.
+QList<ResultEntry> outputEntries(OutputGroup group);
+
+/// Required and installed feed. `worst` is of the blow on show and must outlive the
+/// rows; `worstOf` gives the need of any blow.
+QList<ResultEntry> thrustEntries(const WorstNeed& worst, const ResultEntry::Number& worstOf);
+
+/// What all shares of the energy are of, where the hammer is followed, whose work on the string is less.
+ResultEntry hammerEnergyEntry();
+
+/// The coefficient of restitution, with its error in the tooltip.
+ResultEntry corEntry();
 
 }  // namespace drillwave

@@ -1,14 +1,58 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/runs/difference_text.h"
 
+#include <QFileInfo>
+#include <QLocale>
+#include <QStringList>
 #include <cmath>
 
+#include "core/model/assignments.h"
+#include "core/model/blow_traits.h"
+#include "core/model/section_parameter.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
+#include "ui/text/typed_text.h"
+#include "ui/text/unit_choice.h"
 
 namespace drillwave {
+
 namespace {
 
 constexpr double rounding = 1e-12;  // of results: a smaller difference is none
+
+constexpr qsizetype mostChanges = 4;  // more are no name
+
+// "k", "blow frequency"; of a section "coupling ⌀", "rod length", "section 2 bore".
+QString nameWords(const Parameter& parameter, const Scenario& scenario) {
+    if (!parameter.address)
+        return parameter.symbol.empty() ? parameterLabel(parameter) : shownSymbol(parameter.symbol);
+    const SectionAddress& address = *parameter.address;
+    QString section = QString::fromStdString(sectionName(parameter, scenario));
+    if (section.isEmpty())
+        section =
+            (address.chain == SectionAddress::Chain::hammer ? tr("hammer section %1") : tr("section %1"))
+                .arg(address.place);
+    if (address.field->key == "diameter") return section + QStringLiteral(" ⌀");
+    return section + QLatin1Char(' ') + coreText(address.field->label);
+}
+
+// "k 300 MN/m", "blow frequency 60 Hz", "coupling ⌀39 mm".
+QString valueWords(const Parameter& parameter, const Scenario& scenario, const UnitChoice& units) {
+    const QString name = nameWords(parameter, scenario);
+    const std::optional<double> si = valueIn(scenario, parameter);
+    if (!si) return tr("no %1").arg(name);
+    const Unit& unit = units.fieldUnit(parameter);
+    const QString value = numberText(unit.fromSi(*si), 4, QLocale());
+    const QString unitName = shownUnitName(unit.name);
+    const QString gap = name.endsWith(u'⌀') ? QString() : QStringLiteral(" ");
+    return name + gap + (unitName.isEmpty() ? value : value + QLatin1Char(' ') + unitName);
+}
+
+QString blowWords(const Pulse& pulse) {
+    if (pulse.shape == PulseShape::table && !pulse.tableFile.empty())
+        return QFileInfo(QString::fromStdString(pulse.tableFile)).fileName();
+    return coreName(name(pulse.shape));
+}
 
 }  // namespace
 
@@ -37,6 +81,21 @@ QString relativeText(double value, double reference) {
 QString signedText(double difference, int digits) {
     if (difference == 0) return QStringLiteral("±0");
     return withSign(difference, numberText(difference, digits, QLocale()));
+}
+
+QString changeWords(const Scenario& before, const Scenario& after, const UnitChoice& units) {
+    QStringList changes;
+    // All the numbers of the one form are new in the other.
+    if (hasSections(before) != hasSections(after))
+        return hasSections(after) ? tr("drill string") : tr("uniform rod");
+    if (before.pulse.shape != after.pulse.shape || !(before.pulse.tablePoints == after.pulse.tablePoints))
+        changes << blowWords(after.pulse);
+    const Scenario* const both[] = {&before, &after};
+    for (const KeptParameter& parameter : differingParameters(both))
+        if (parameter->applies(after)) changes << valueWords(*parameter, after, units);
+    changes.removeDuplicates();  // of sections with one name
+    if (changes.size() > mostChanges) changes = changes.mid(0, mostChanges) << QStringLiteral("…");
+    return changes.join(QStringLiteral(", "));
 }
 
 }  // namespace drillwave

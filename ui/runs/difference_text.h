@@ -5,7 +5,11 @@
 #include <QString>
 #include <optional>
 
+#include "core/model/scenario.h"
+
 namespace drillwave {
+
+class UnitChoice;
 
 /// (value − reference)/|reference|; nothing where the reference is zero.
 std::optional<double> relativeDifference(double value, double reference);
@@ -16,5 +20,11 @@ QString relativeText(double value, double reference);
 
 /// "+0.2047", "−3.1", "±0".
 QString signedText(double difference, int digits = 4);
+
+// What distinguishes one scenario from another, in few words.
+
+/// What the second scenario has instead, in the units of the fields: "k 300 MN/m, L 12 ft", "half sine". At
+/// most a few changes, the rest as "…". Empty where they differ in nothing but the title.
+QString changeWords(const Scenario& before, const Scenario& after, const UnitChoice& units);
 
 }  // namespace drillwave

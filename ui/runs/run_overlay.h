@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <optional>
 
-#include "ui/runs/run.h"
+#include "ui/runs/runs.h"
 #include "ui/text/shown_units.h"
 
 namespace drillwave {

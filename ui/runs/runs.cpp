@@ -7,12 +7,14 @@
 #include <cmath>
 
 #include "core/archive/result_scenario.h"
+#include "core/model/blow_traits.h"
 #include "core/model/version.h"
-#include "ui/runs/run_name.h"
+#include "ui/runs/difference_text.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
+
 namespace {
 
 // A run of a file stays as it was first solved: another result is to be told every time.
@@ -172,6 +174,34 @@ void Runs::change(int number, const std::function<void(Run&)>& change) {
 void Runs::take(RunList list) {
     m_list = std::make_shared<const RunList>(std::move(list));
     emit changed();
+}
+
+RunSolver::RunSolver(Runs& runs, QObject* parent) : QObject(parent), m_runs(runs) {
+    connect(&runs, &Runs::changed, this, &RunSolver::solveNext);
+    connect(&m_job, &SolveJob::solved, this, [this](const SolvedBlowPtr& blow) {
+        m_runs.setBlow(std::exchange(m_number, -1), blow);
+        solveNext();
+    });
+}
+
+void RunSolver::solveNext() {
+    if (m_number >= 0) {
+        if (m_runs.find(m_number)) return;  // it is on its way
+        m_job.cancel();
+        m_number = -1;
+    }
+    const auto next = std::ranges::find(*m_runs.list(), nullptr, &Run::blow);
+    if (next == m_runs.list()->end()) return;
+    m_number = next->number;
+    const Scenario& scenario = next->contents.scenario;
+    m_job.submit({.scenario = scenario, .units = naturalUnits(scenario), .chosenUnits = {}, .pages = {}});
+}
+
+RunList runsLike(const Scenario& scenario, const RunList& runs) {
+    RunList alike;
+    for (const Run& run : runs)
+        if (followsFromGroups(run.contents.scenario) == followsFromGroups(scenario)) alike.push_back(run);
+    return alike;
 }
 
 }  // namespace drillwave

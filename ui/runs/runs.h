@@ -3,13 +3,41 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 #include <functional>
+#include <memory>
+#include <optional>
+#include <vector>
 
-#include "ui/runs/run.h"
+#include "core/archive/kept_runs.h"
+#include "ui/job/solve_job.h"
+#include "ui/job/solved_blow.h"
 
 namespace drillwave {
 
 class UnitChoice;
+
+// A pinned result: the scenario with its bytes, and its blow.
+
+struct Run {
+    int number = 0;              ///< 0 … mostRuns − 1: its letter, colour and dash
+    QString name;                ///< what changed, in words
+    ScenarioDocument contents;   ///< what reverting brings back
+    SolvedBlowPtr blow;          ///< nullptr until it is solved; its `problem` says why it could not be
+    bool isShown = true;         ///< laid over the plots
+    std::optional<double> kept;  ///< the e that its file has, where it is from one
+    std::string version = {};    ///< of the program that had solved that
+
+    /// "A".
+    QString letter() const { return QString::fromStdString(runLetter(number)); }
+    /// "A  k 300 MN/m".
+    QString title() const { return letter() + QStringLiteral("  ") + name; }
+    bool isSolved() const { return blow && blow->fault.isEmpty(); }
+};
+
+/// In the order in which they were pinned; never changed once made, so that other threads may look at it.
+using RunList = std::vector<Run>;
+using RunListPtr = std::shared_ptr<const RunList>;
 
 /// At most mostRuns. Every change makes a new list; nothing here depends on the scenario that is being
 /// edited.
@@ -65,5 +93,30 @@ class Runs : public QObject {
     std::optional<int> m_reference;
     std::vector<int> m_reserved;
 };
+
+// Solves runs that have no blow yet: those of a file, and points of a study that were pinned.
+
+/// One after the other, on a thread of its own.
+class RunSolver : public QObject {
+    Q_OBJECT
+
+  public:
+    /// The runs must outlive it.
+    explicit RunSolver(Runs& runs, QObject* parent = nullptr);
+
+    bool isBusy() const { return m_job.isBusy(); }
+
+  private:
+    void solveNext();
+
+    Runs& m_runs;
+    int m_number = -1;  // of the run that is being solved
+    SolveJob m_job;     // goes first: its thread solves
+};
+
+// Which runs can be laid over a blow.
+
+/// Those on rods for a rod, those on drill strings for a string: the others have other axes.
+RunList runsLike(const Scenario& scenario, const RunList& runs);
 
 }  // namespace drillwave

@@ -3,13 +3,39 @@
 #pragma once
 
 #include <QMenu>
+#include <QObject>
 
 #include "core/yaml/examples.h"
 #include "ui/document/document.h"
 #include "ui/document/file_watch.h"
 #include "ui/questions/questions.h"
 
+class QDropEvent;
+class QWidget;
+
 namespace drillwave {
+
+// Files dropped onto the window.
+
+/// Takes files dropped anywhere onto a window, also onto fields that would take their names as text.
+class FileDrop : public QObject {
+    Q_OBJECT
+
+  public:
+    explicit FileDrop(QWidget* window);
+
+  signals:
+    /// Paths of local files, at least one; sent when the program they come from has been let go.
+    void dropped(const QStringList& paths);
+
+  protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+  private:
+    bool take(QDropEvent& event);
+
+    QWidget* m_window;
+};
 
 class FileMenu : public QMenu {
     Q_OBJECT

@@ -7,12 +7,14 @@
 #include <QScreen>
 #include <algorithm>
 
+#include "core/model/version.h"
 #include "ui/help/help_topic.h"
 #include "ui/questions/on_screen.h"
 #include "ui/text/language.h"
 #include "ui/window/page_tabs.h"
 
 namespace drillwave {
+
 namespace {
 
 constexpr int leastBeside = 640;  // [px] narrower, a page of the manual is not read with ease
@@ -87,6 +89,26 @@ void ManualHelp::placeBeside() {
                   : left >= leastBeside ? frame.left() - width
                                         : room.right() + 1 - width;
     m_help->move(x, std::clamp(frame.top(), room.top(), room.bottom() + 1 - height));
+}
+
+HelpMenu::HelpMenu(ManualHelp& manual, Questions& questions, QWidget* window)
+    : QMenu(tr("&Help"), window), m_questions(questions), m_window(window) {
+    addAction(tr("&Manual"), QKeySequence(Qt::Key_F1), &manual, &ManualHelp::showHere);
+    const auto open = [&manual](const char* chapter) {
+        return [&manual, chapter] { manual.showAt({QLatin1String(chapter)}); };
+    };
+    addAction(tr("&Tutorial"), &manual, open("tutorial"));
+    addAction(tr("Mouse and &keys"), &manual, open("keys"));
+    addAction(tr("&Glossary"), &manual, open("glossary"));
+    addSeparator();
+    addAction(tr("&About Drillwave"), this, &HelpMenu::showAbout);
+}
+
+void HelpMenu::showAbout() {
+    m_questions.tell(m_window, Questions::Tone::information,
+                     tr("Drillwave %1").arg(QLatin1String(versionText)),
+                     tr("Percussive rock drilling: waves in the rod, the impact on the rock, the rebound.\n"
+                        "Free software under the GNU General Public License, version 3 or later."));
 }
 
 }  // namespace drillwave

@@ -3,8 +3,10 @@
 #pragma once
 
 #include <QMainWindow>
+#include <QMenu>
 
 #include "ui/help/help_window.h"
+#include "ui/questions/questions.h"
 
 class QMenuBar;
 
@@ -39,5 +41,21 @@ class ManualHelp : public QObject {
 
 /// The shortcuts of a menu bar as the rows of a table in Markdown: a section for each menu.
 QString shortcutTables(const QMenuBar& menus);
+
+// The Help menu: the manual, its list of keys, and about the program.
+
+class HelpMenu : public QMenu {
+    Q_OBJECT
+
+  public:
+    /// Manual and questions must outlive the menu.
+    HelpMenu(ManualHelp& manual, Questions& questions, QWidget* window);
+
+  private:
+    void showAbout();
+
+    Questions& m_questions;
+    QWidget* m_window;
+};
 
 }  // namespace drillwave

@@ -3,6 +3,7 @@
 
 #include <QLayout>
 #include <QMenu>
+#include <QScrollBar>
 #include <algorithm>
 
 #include "ui/result/stale_veil.h"
@@ -10,6 +11,7 @@
 #include "ui/window/tab_strip.h"
 
 namespace drillwave {
+
 namespace {
 
 const QString pageKey = QStringLiteral("window/page");
@@ -32,6 +34,8 @@ QString caption(PageGroup group) {
     }
     return {};  // a line is enough
 }
+
+constexpr int leastLines = 10;  // of text: what is lower is of no use
 
 }  // namespace
 
@@ -153,6 +157,26 @@ void PageTabs::restoreChoice() {
 
 void PageTabs::saveChoice() const {
     Settings().setValue(pageKey, nameOf(current()));
+}
+
+PageScroll::PageScroll(PageTabs* pages, QWidget* parent) : QScrollArea(parent) {
+    setObjectName(QStringLiteral("pageScroll"));
+    setWidget(pages);
+    setWidgetResizable(true);
+    setFrameShape(QFrame::NoFrame);
+    setFocusPolicy(Qt::NoFocus);
+}
+
+QSize PageScroll::sizeHint() const {
+    return widget()->sizeHint();
+}
+
+QSize PageScroll::minimumSizeHint() const {
+    return {std::min(neededWidth(), leastWidth), leastLines * fontMetrics().height()};
+}
+
+int PageScroll::neededWidth() const {
+    return widget()->minimumSizeHint().width() + verticalScrollBar()->sizeHint().width();
 }
 
 }  // namespace drillwave

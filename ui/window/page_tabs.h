@@ -4,6 +4,7 @@
 
 #include <QList>
 #include <QPointer>
+#include <QScrollArea>
 #include <QStackedWidget>
 
 #include "ui/pages/page.h"
@@ -77,6 +78,24 @@ class PageTabs : public QStackedWidget {
     TabStrip* m_strip;
     StaleVeil* m_veil;
     QPointer<Page> m_left;  // was on show before one that shows the other form of scenario
+};
+
+// The room for the pages.
+
+/// Scrolls a page that needs more room than the window has, so that all of it can be reached. A narrow window
+/// scrolls it sideways too.
+class PageScroll : public QScrollArea {
+    Q_OBJECT
+
+  public:
+    static constexpr int leastWidth = 400;  ///< [px] below which the window does not go
+
+    explicit PageScroll(PageTabs* pages, QWidget* parent = nullptr);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+    /// The width [px] at which no page scrolls sideways.
+    int neededWidth() const;
 };
 
 }  // namespace drillwave

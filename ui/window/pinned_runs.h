@@ -8,7 +8,7 @@
 #include "ui/questions/questions.h"
 #include "ui/runs/run_keeper.h"
 #include "ui/runs/run_panel.h"
-#include "ui/runs/run_solver.h"
+#include "ui/runs/runs.h"
 
 class QAction;
 

@@ -4,14 +4,62 @@
 
 #include <QMenu>
 
+#include "core/text/languages.h"
+
+class QActionGroup;
+
 namespace drillwave {
 
 class AreaKeys;
 class ExampleNote;
 class PageTabs;
+class PlotWidget;
 class Questions;
 class UnitsChoice;
 class WindowLayout;
+
+// The menu of languages, in View.
+
+/// What is chosen counts for the next window; a restart is offered.
+class LanguageMenu : public QMenu {
+    Q_OBJECT
+
+  public:
+    /// The questions must outlive the menu.
+    LanguageMenu(Questions& questions, QWidget* window);
+
+  signals:
+    /// The user wants the window in the chosen language now.
+    void restartWanted();
+
+  private:
+    void add(const QString& text, const Language* language);
+    void choose(const Language* language);
+
+    Questions& m_questions;
+    QWidget* m_window;
+    QActionGroup* m_group;
+};
+
+// The menu of the plot on show: all that its context menu has, in the menu bar.
+
+class PlotViewMenu : public QMenu {
+    Q_OBJECT
+
+  public:
+    /// The pages must outlive the menu.
+    PlotViewMenu(PageTabs& pages, QWidget* window);
+
+    /// Shows and hides the tables below all plots; kept in the settings.
+    QAction* tableAction() const { return m_table; }
+
+  private:
+    PlotWidget* plot() const;
+    void fill();
+
+    PageTabs& m_pages;
+    QAction* m_table;
+};
 
 class ViewMenu : public QMenu {
     Q_OBJECT

@@ -2,6 +2,7 @@
 // Size and place of the window and its two docks, kept over the end of the program.
 #pragma once
 
+#include <QList>
 #include <QObject>
 #include <QSize>
 
@@ -11,6 +12,27 @@ class QMenu;
 class QWidget;
 
 namespace drillwave {
+
+// F6 and Shift+F6 take the keyboard round the areas of the window.
+
+/// The focus comes back to where it was in an area. An area that is closed is passed over; one behind
+/// another in a row of docks comes to the front.
+class AreaKeys : public QObject {
+    Q_OBJECT
+
+  public:
+    /// In the order of the keys.
+    AreaKeys(QList<QWidget*> areas, QWidget* window);
+
+    void addTo(QMenu& menu);
+    /// Gives the focus to the next area, or to the one before by −1.
+    void go(int step);
+
+  private:
+    bool enter(QWidget* area) const;
+
+    QList<QWidget*> m_areas;
+};
 
 /// Side by side the docks leave a narrow window no room for the page: they share one side then.
 class WindowLayout : public QObject {

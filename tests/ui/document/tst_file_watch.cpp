@@ -13,8 +13,8 @@
 #include "tests/support/files.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
+#include "ui/window/document_notices.h"
 #include "ui/window/file_menu.h"
-#include "ui/window/file_notice.h"
 
 using namespace drillwave;
 using namespace drillwave::test;

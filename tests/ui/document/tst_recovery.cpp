@@ -14,8 +14,8 @@
 #include "ui/document/recovery.h"
 #include "ui/job/study_status.h"
 #include "ui/text/language.h"
-#include "ui/window/language_menu.h"
 #include "ui/window/pinned_runs.h"
+#include "ui/window/view_menu.h"
 
 using namespace drillwave;
 using namespace drillwave::test;

@@ -11,7 +11,7 @@
 #include "tests/support/files.h"
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
-#include "ui/window/table_notice.h"
+#include "ui/window/document_notices.h"
 
 using namespace drillwave;
 using namespace drillwave::test;

@@ -16,8 +16,8 @@
 #include "core/wave/exact/exact_solver.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
-#include "ui/result/place_link.h"
 #include "ui/result/result_panel.h"
+#include "ui/result/result_row.h"
 #include "ui/runs/difference_text.h"
 #include "ui/text/number_text.h"
 

@@ -16,9 +16,9 @@
 #include "ui/job/observation.h"
 #include "ui/pages/drilling/drilling_page.h"
 #include "ui/pages/map/map_page.h"
-#include "ui/result/alert_link.h"
-#include "ui/result/place_link.h"
+#include "ui/result/alert_list.h"
 #include "ui/result/result_panel.h"
+#include "ui/result/result_row.h"
 #include "ui/text/settings.h"
 #include "ui/window/page_tabs.h"
 

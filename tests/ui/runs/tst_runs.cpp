@@ -14,8 +14,7 @@
 #include "ui/plot/run_pen.h"
 #include "ui/runs/difference_text.h"
 #include "ui/runs/run_keeper.h"
-#include "ui/runs/run_name.h"
-#include "ui/runs/run_solver.h"
+#include "ui/runs/runs.h"
 #include "ui/text/unit_choice.h"
 
 using namespace drillwave;

@@ -14,7 +14,7 @@
 #include "tests/support/window.h"
 #include "tests/support/window_parts.h"
 #include "ui/text/settings.h"
-#include "ui/window/example_note.h"
+#include "ui/window/document_notices.h"
 #include "ui/window/file_menu.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/units_choice.h"

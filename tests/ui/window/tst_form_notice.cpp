@@ -11,7 +11,7 @@
 #include "core/yaml/examples.h"
 #include "ui/form/quantity_field.h"
 #include "ui/form/rig_dialog.h"
-#include "ui/window/form_notice.h"
+#include "ui/window/document_notices.h"
 
 using namespace drillwave;
 

@@ -32,10 +32,10 @@
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
 #include "ui/window/figure_dialog.h"
-#include "ui/window/language_menu.h"
 #include "ui/window/manual_help.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
+#include "ui/window/view_menu.h"
 
 using namespace drillwave;
 using namespace drillwave::test;

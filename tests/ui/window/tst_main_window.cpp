@@ -21,7 +21,7 @@
 #include "ui/pages/blow/blow_plots.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/result/result_panel.h"
-#include "ui/window/example_note.h"
+#include "ui/window/document_notices.h"
 #include "ui/window/file_menu.h"
 
 using namespace drillwave;

@@ -14,7 +14,7 @@
 #include "ui/pages/wave_picture/wave_picture_page.h"
 #include "ui/pages/wave_picture/wave_picture_plot.h"
 #include "ui/plot/plot_widget.h"
-#include "ui/window/marched_notice.h"
+#include "ui/window/page_notices.h"
 #include "ui/window/page_tabs.h"
 
 using namespace drillwave;

@@ -24,7 +24,7 @@
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
-#include "ui/window/elsewhere_notice.h"
+#include "ui/window/page_notices.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/study_menu.h"
 #include "ui/window/tab_strip.h"

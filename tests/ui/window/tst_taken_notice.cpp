@@ -10,8 +10,8 @@
 #include "ui/pages/study/figure_page.h"
 #include "ui/plot/curve_reading.h"
 #include "ui/plot/plot_widget.h"
+#include "ui/window/page_notices.h"
 #include "ui/window/page_tabs.h"
-#include "ui/window/taken_notice.h"
 
 using namespace drillwave;
 using namespace drillwave::test;

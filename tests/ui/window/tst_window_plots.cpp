@@ -16,8 +16,8 @@
 #include "ui/pages/blow/blow_page.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/text/settings.h"
-#include "ui/window/page_scroll.h"
-#include "ui/window/plot_view_menu.h"
+#include "ui/window/page_tabs.h"
+#include "ui/window/view_menu.h"
 
 using namespace drillwave;
 using namespace drillwave::test;

@@ -8,7 +8,7 @@
 
 #include "ui/pages/compare/compare_model.h"
 #include "ui/pages/page.h"
-#include "ui/result/worst_need.h"
+#include "ui/result/feed_text.h"
 #include "ui/runs/runs.h"
 
 class QComboBox;

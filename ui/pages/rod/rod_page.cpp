@@ -15,7 +15,7 @@
 #include "ui/pages/place_field.h"
 #include "ui/pages/rod/rod_plot.h"
 #include "ui/plot/plot_widget.h"
-#include "ui/runs/runs_like.h"
+#include "ui/runs/runs.h"
 #include "ui/text/language.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"

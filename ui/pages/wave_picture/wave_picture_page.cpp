@@ -18,7 +18,7 @@
 #include "ui/pages/wave_picture/rod_strip.h"
 #include "ui/pages/wave_picture/wave_picture_plot.h"
 #include "ui/plot/plot_widget.h"
-#include "ui/runs/runs_like.h"
+#include "ui/runs/runs.h"
 #include "ui/text/settings.h"
 #include "ui/text/unfocused_wheel.h"
 

@@ -19,7 +19,7 @@
 #include "tests/support/window.h"
 #include "ui/document/document.h"
 #include "ui/pages/compare/compare_page.h"
-#include "ui/runs/run_solver.h"
+#include "ui/runs/runs.h"
 #include "ui/text/unit_choice.h"
 
 using namespace drillwave;

@@ -33,12 +33,12 @@
 #include "ui/plot/plot_widget.h"
 #include "ui/result/energy_bar.h"
 #include "ui/result/result_panel.h"
-#include "ui/window/form_notice.h"
+#include "ui/window/document_notices.h"
+#include "ui/window/page_notices.h"
 #include "ui/window/page_tabs.h"
 #include "ui/window/pinned_runs.h"
 #include "ui/window/study_menu.h"
 #include "ui/window/tab_strip.h"
-#include "ui/window/waves_notice.h"
 
 using namespace drillwave;
 using namespace drillwave::test;
