@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <charconv>
 #include <filesystem>
 #include <utility>
@@ -92,41 +93,97 @@ std::optional<ScenarioInput> parseRecord(std::string_view text, const std::strin
                          .method = methodOf(tree.root)};
 }
 
-ScenarioInput parseCsv(std::string_view text, const std::string& source) {
-    const std::string yaml = scenarioFromHeader(text);
-    if (yaml.empty())
-        refuseResult(source, translatable("is taken for a result, as its name ends in .csv, and holds no "
-                                          "scenario; only the CSV files of "
-                                          "run, gap, thrust and accuracy begin with one (a sweep or table "
-                                          "has it in the .yaml beside it)"));
-    const ResultRemarks remarks = remarksOf(yaml);
-    if (!remarks.problem.isEmpty()) refuseResult(source, remarks.problem);
-    return {.document = parseScenario(std::string_view(yaml).substr(remarks.length), source),
-            .isResult = true,
-            .version = remarks.version,
-            .method = remarks.method};
+/// A text with what tells its format.
+struct InputText {
+    std::string_view whole;
+    std::string_view plain;  ///< without the byte order mark
+    const std::string& source;
+};
+
+bool isPage(const InputText& input) {
+    return input.plain.starts_with("<!DOCTYPE html") || endsWith(input.source, ".html");
 }
 
-bool isPage(std::string_view text, const std::string& source) {
-    return text.starts_with("<!DOCTYPE html") || endsWith(source, ".html");
-}
-
-ScenarioInput parsePage(std::string_view text, const std::string& source) {
-    if (std::optional<ScenarioInput> input = parseRecord(reportRecord(text), source))
-        return std::move(*input);
+std::optional<ScenarioInput> parsePage(const InputText& input) {
+    if (std::optional<ScenarioInput> found = parseRecord(reportRecord(input.plain), input.source))
+        return found;
     refuseResult(
-        source,
+        input.source,
         translatable(
             "is a web page and holds no scenario; only the HTML files of `drillwave report` begin with one"));
 }
 
+bool isCsv(const InputText& input) {
+    return isCsvName(input.source) || input.plain.starts_with(csvRemarksBegin);
+}
+
+std::optional<ScenarioInput> parseCsv(const InputText& input) {
+    const std::string yaml = scenarioFromHeader(input.plain);
+    if (yaml.empty())
+        refuseResult(input.source,
+                     translatable("is taken for a result, as its name ends in .csv, and holds no "
+                                  "scenario; only the CSV files of "
+                                  "run, gap, thrust and accuracy begin with one (a sweep or table "
+                                  "has it in the .yaml beside it)"));
+    const ResultRemarks remarks = remarksOf(yaml);
+    if (!remarks.problem.isEmpty()) refuseResult(input.source, remarks.problem);
+    return ScenarioInput{
+        .document = parseScenario(std::string_view(yaml).substr(remarks.length), input.source),
+        .isResult = true,
+        .version = remarks.version,
+        .method = remarks.method};
+}
+
 /// Whether a text looks like a record or JSON; a scenario may be in braces too.
-bool mayBeRecord(std::string_view text) {
+bool mayBeRecord(const InputText& input) {
+    const std::string_view text = input.plain;
     const std::size_t first = text.find_first_not_of(" \t\r\n");
     if (first != std::string_view::npos && text[first] == '{')
         return text.find("scenario") != std::string_view::npos;
     return text.starts_with(rowRecordKey) || text.find("\n" + std::string(rowRecordKey)) < 1000;
 }
+
+std::optional<ScenarioInput> parseRecordOfSize(const InputText& input) {
+    if (input.whole.size() >= maximumInputBytes)
+        refuseResult(input.source, translatable("is larger than 4 MiB, too large to be meant"));
+    return parseRecord(input.plain, input.source);
+}
+
+std::optional<ScenarioInput> refuseJson(const InputText& input) {
+    refuseResult(input.source, translatable("is taken for a result, as its name ends in .json, and holds no "
+                                            "`scenario`; give the scenario "
+                                            "file"));
+}
+
+std::optional<ScenarioInput> parseScenarioFile(const InputText& input) {
+    if (input.whole.size() > maximumScenarioBytes)
+        refuseResult(input.source,
+                     translatable("the scenario file is larger than 1024 KiB, too large to be meant"));
+    const ResultRemarks remarks = remarksOf(input.plain);
+    if (!remarks.problem.isEmpty()) refuseResult(input.source, remarks.problem);
+    return ScenarioInput{.document = parseScenario(input.whole, input.source),
+                         .isResult = false,
+                         .version = remarks.version,
+                         .method = remarks.method};
+}
+
+/// A format of a file with a scenario. `read` throws ScenarioError where the text is of the format and holds
+/// no scenario, and returns nothing where it can still be of a format below.
+struct InputFormat {
+    std::string_view name;
+    bool (*recognises)(const InputText& input);
+    std::optional<ScenarioInput> (*read)(const InputText& input);
+};
+
+/// All formats, in the order in which they are tried.
+constexpr InputFormat inputFormats[] = {
+    {"report in HTML", isPage, parsePage},
+    {"CSV file", isCsv, parseCsv},
+    {"record or JSON", mayBeRecord, parseRecordOfSize},
+    {"JSON without a scenario", [](const InputText& input) { return endsWith(input.source, ".json"); },
+     refuseJson},
+    {"scenario file", [](const InputText&) { return true; }, parseScenarioFile},
+};
 
 /// The first version with outputs of version 2.
 constexpr std::string_view versionOfOutputs2 = "0.3.0";
@@ -163,27 +220,12 @@ bool isCsvName(std::string_view path) {
 }
 
 ScenarioInput parseInput(std::string_view text, const std::string& source) {
-    const std::string_view plain = text.substr(byteOrderMarkLength(text));
-    if (isPage(plain, source)) return parsePage(plain, source);
-    if (isCsvName(source) || plain.starts_with(csvRemarksBegin)) return parseCsv(plain, source);
-    if (mayBeRecord(plain)) {
-        if (text.size() >= maximumInputBytes)
-            refuseResult(source, translatable("is larger than 4 MiB, too large to be meant"));
-        if (std::optional<ScenarioInput> input = parseRecord(plain, source)) return std::move(*input);
-    }
-    if (endsWith(source, ".json"))
-        refuseResult(source, translatable("is taken for a result, as its name ends in .json, and holds no "
-                                          "`scenario`; give the scenario "
-                                          "file"));
-    if (text.size() > maximumScenarioBytes)
-        refuseResult(source,
-                     translatable("the scenario file is larger than 1024 KiB, too large to be meant"));
-    const ResultRemarks remarks = remarksOf(plain);
-    if (!remarks.problem.isEmpty()) refuseResult(source, remarks.problem);
-    return {.document = parseScenario(text, source),
-            .isResult = false,
-            .version = remarks.version,
-            .method = remarks.method};
+    const InputText input{text, text.substr(byteOrderMarkLength(text)), source};
+    std::optional<ScenarioInput> found;
+    for (const InputFormat& format : inputFormats)
+        if (format.recognises(input) && (found = format.read(input))) break;
+    assert(found);  // the last format takes every text
+    return *std::move(found);
 }
 
 ScenarioInput loadInput(const std::string& path) {
