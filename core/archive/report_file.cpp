@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "core/archive/result_scenario.h"
-#include "core/model/blow_traits.h"
 #include "core/model/law_parameter.h"
 #include "core/report/parameter_words.h"
 #include "core/signal/signal_quality.h"
@@ -249,7 +248,6 @@ std::vector<Message> recordRemarksOf(const ScenarioDocument& document) {
 }  // namespace
 
 std::vector<ReportSection> sectionsOf(const Scenario& scenario, std::string_view text) {
-    if (!hasSections(scenario)) return {};
     const ScenarioRemarks remarks(text);
     const std::vector<SavedValue> saved = savedValues(scenario);
     const DrillString& drill = scenario.drillString;

@@ -128,7 +128,7 @@ std::string_view methodKey(const Scenario& scenario, Method method) {
 SolverWords solverWords(const Blow& blow) {
     const std::string key(methodKey(blow.scenario, blow.method.method));
     const std::string count = std::to_string(blow.impact.pieces);
-    if (!isFollowedByEvents(blow.scenario)) {
+    if (key == methodOfStrings) {
         const Message cells = translatable("polynomial cells");
         return {key, cells, cells, "method " + key, {translatable("%1 cells"), {count}}};
     }

@@ -275,9 +275,8 @@ bool concerns(OutputOf which, const Scenario& scenario) {
         case OutputOf::anyBlow:
             return true;
         case OutputOf::uniformRod:
-            return !isString(scenario);
         case OutputOf::drillString:
-            return isString(scenario);
+            return isString(scenario) == (which == OutputOf::drillString);
         case OutputOf::hammer:
             return !isForced(scenario);
         case OutputOf::elasticFaces:

@@ -39,7 +39,7 @@ std::optional<Scenario> comparedRod(const Scenario& scenario) {
     if (!hasSections(scenario)) return std::nullopt;
     Scenario rod = uniformRodOf(scenario).scenario;
     rod.bitRock.gap = 0;
-    return isFollowedByEvents(rod) ? std::optional(std::move(rod)) : std::nullopt;
+    return rod;
 }
 
 std::optional<double> corOf(Scenario rod, const TablePoints& points, MethodSolver& solver,

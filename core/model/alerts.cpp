@@ -5,7 +5,6 @@
 #include <cassert>
 #include <cmath>
 
-#include "core/model/blow_traits.h"
 #include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
 #include "core/model/pulse_force.h"
@@ -177,7 +176,7 @@ const AlertArgument& Alert::argument(std::string_view name) const {
 std::vector<Alert> alertsFor(const Scenario& scenario) {
     std::vector<Alert> alerts;
     addImplausibleValues(scenario, alerts);
-    if (hasSections(scenario)) addImplausibleSections(scenario.drillString, alerts);
+    addImplausibleSections(scenario.drillString, alerts);
     if (isForced(scenario)) {
         addImplausiblePeak(scenario, alerts);
         addLongPulse(scenario, alerts);

@@ -29,4 +29,10 @@ inline bool hasSections(const Scenario& scenario) {
     return !scenario.drillString.parts.empty();
 }
 
+/// Whether two scenarios both have a list of sections or both have none: then places of one are places of the
+/// other, and outputs have the same scales.
+inline bool areOfOneKind(const Scenario& one, const Scenario& other) {
+    return hasSections(one) == hasSections(other);
+}
+
 }  // namespace drillwave

@@ -220,6 +220,10 @@ Conversion forcedStringOf(const Scenario& scenario) {
     return converted;
 }
 
+Scenario withForce(const Scenario& scenario) {
+    return hasSections(scenario) && !isForced(scenario) ? forcedStringOf(scenario).scenario : scenario;
+}
+
 Conversion uniformRodOf(const Scenario& scenario) {
     assert(hasSections(scenario));
     const DrillString& drill = scenario.drillString;

@@ -37,6 +37,9 @@ Conversion stringOf(const Scenario& scenario);
 /// its hammer. Requires a string that is struck by a hammer.
 Conversion forcedStringOf(const Scenario& scenario);
 
+/// Returns the scenario of forcedStringOf() where a hammer of sections strikes, and else the same scenario.
+Scenario withForce(const Scenario& scenario);
+
 /// A uniform rod of the sizes and the material of the ruleSection(), in which waves travel as long as in the
 /// string, under the same force, or struck by a uniform piston of the mass, the velocity and the wave travel
 /// time of the hammer.

@@ -50,13 +50,12 @@ bool Parameter::applies(const Scenario& scenario) const {
         case Scope::withoutUnits:
             return !hasUnits(scenario);
         case Scope::string:
-            return isString(scenario);
+        case Scope::uniformRod:
+            return isString(scenario) == (scope == Scope::string);
         case Scope::hammer:
             return !isForced(scenario);
         case Scope::section:
             return hasSectionFor(*this, scenario);
-        case Scope::uniformRod:
-            return !isString(scenario);
         case Scope::dimensional:
             return scenario.form == ScenarioForm::dimensional;
         case Scope::withoutArea:

@@ -70,10 +70,14 @@ Message assignWord(Scenario& scenario, const WordParameter& parameter, std::stri
     return refusal(parameter.key, text, {translatable("must be one of %1"), {parameter.list()}});
 }
 
+/// Returns why a scenario whose blow is a force has no hammer.
+Message whyNoHammer(const Scenario& scenario) {
+    return isString(scenario) ? notOfForce : notOfUniformRod;
+}
+
 Message assignRestrike(Scenario& scenario, std::string_view text) {
     const std::optional<bool> restrike = findTruth(trimmed(text));
-    if (!isString(scenario)) return refusal(restrikeKey, text, notOfUniformRod);
-    if (isForced(scenario)) return refusal(restrikeKey, text, notOfForce);
+    if (isForced(scenario)) return refusal(restrikeKey, text, whyNoHammer(scenario));
     if (!restrike) return refusal(restrikeKey, text, translatable("must be true or false"));
     scenario.drillString.hammer.restrike = *restrike;
     return {};
@@ -150,7 +154,7 @@ Message whyNotApplicable(const Parameter& parameter, const Scenario& scenario) {
     if (parameter.applies(scenario)) return {};
     if (parameter.scope == Scope::section) return whyNoSection(parameter, scenario);
     if (parameter.scope == Scope::string) return notOfUniformRod;
-    if (parameter.scope == Scope::hammer) return isString(scenario) ? notOfForce : notOfUniformRod;
+    if (parameter.scope == Scope::hammer) return whyNoHammer(scenario);
     if (parameter.rules.law) return whyNotOfLaw(parameter, scenario);
     const bool ofPulse = parameter.section() == "pulse";
     if (!isForced(scenario) && ofPulse) return notOfHammer;

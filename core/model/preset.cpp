@@ -173,14 +173,15 @@ Message partProblem(PresetPart part, const Scenario& scenario) {
         return translatable(
             "presets need physical units, and this scenario is given by its dimensionless "
             "groups; choose a group such as beta");
+    const bool ofString = isString(scenario);
     if (part == PresetPart::bit) {
-        if (!isString(scenario)) return translatable("a uniform rod has no bit; a drill string has one");
+        if (!ofString) return translatable("a uniform rod has no bit; a drill string has one");
         if (bitSections(scenario.drillString) == 0)
             return translatable(
                 "the string does not end with a section called bit; name its last section so");
         return {};
     }
-    if (!isString(scenario)) return {};
+    if (!ofString) return {};
     if (part == PresetPart::rod)
         return translatable(
             "a preset of a rod is for uniform rods, and this scenario is a drill string; "
@@ -193,13 +194,14 @@ Message partProblem(PresetPart part, const Scenario& scenario) {
 }
 
 bool suits(const PartPreset& preset, PresetPart part, const Scenario& scenario) {
-    if (const auto* sections = std::get_if<SectionPreset>(&preset))
-        return isString(scenario) &&
-               ((part == PresetPart::bit && sections->kind == SectionPresetKind::bit) ||
-                (part == PresetPart::hammer && sections->kind == SectionPresetKind::piston));
+    const auto* sections = std::get_if<SectionPreset>(&preset);
+    if (isString(scenario) != (sections != nullptr)) return false;
+    if (sections)
+        return (part == PresetPart::bit && sections->kind == SectionPresetKind::bit) ||
+               (part == PresetPart::hammer && sections->kind == SectionPresetKind::piston);
     const PresetKind kind = std::get<Preset>(preset).kind;
-    return !isString(scenario) && ((part == PresetPart::hammer && kind == PresetKind::hammer) ||
-                                   (part == PresetPart::rod && kind == PresetKind::rod));
+    return (part == PresetPart::hammer && kind == PresetKind::hammer) ||
+           (part == PresetPart::rod && kind == PresetKind::rod);
 }
 
 Message replacePart(Scenario& scenario, PresetPart part, const PartPreset& preset) {

@@ -11,28 +11,26 @@ namespace drillwave {
 
 namespace {
 
-/// What the force pushes: the rod, or the first section of a string.
-const Section& rearSection(const DrillString& drillString) {
-    return drillString.parts.front().sections.front();
-}
-Material rearMaterial(const Scenario& scenario) {
-    if (!hasSections(scenario)) return {scenario.rod.youngsModulus, scenario.rod.density};
-    const Section& rear = rearSection(scenario.drillString);
+/// What the force pushes: the rod, or the rear end of the first section of a string.
+struct RearEnd {
+    Material material;
+    double impedance = 0;
+};
+RearEnd rearEndOf(const Scenario& scenario) {
+    const Rod& rod = scenario.rod;
+    if (!hasSections(scenario)) return {{rod.youngsModulus, rod.density}, propertiesOf(rod).impedance};
     const Material& material = scenario.drillString.material;
-    return {rear.youngsModulus.value_or(material.youngsModulus), rear.density.value_or(material.density)};
-}
-double rearImpedance(const Scenario& scenario) {
-    if (!hasSections(scenario)) return propertiesOf(scenario.rod).impedance;
-    Section rear = rearSection(scenario.drillString);
+    Section rear = scenario.drillString.parts.front().sections.front();
     rear.area = areaAt(rear, 0);
     rear.endArea.reset();
-    return propertiesOf(rear, scenario.drillString.material).impedance;
+    return {{rear.youngsModulus.value_or(material.youngsModulus), rear.density.value_or(material.density)},
+            propertiesOf(rear, material).impedance};
 }
 
 /// Impedance and mass of the hammer, its material being the rod's where none is given.
 RodProperties hammerOf(const Scenario& scenario) {
     const Piston& piston = scenario.pulse.piston;
-    const Material rear = rearMaterial(scenario);
+    const Material rear = rearEndOf(scenario).material;
     Rod hammer;
     hammer.length = piston.length;
     hammer.diameter = piston.diameter;
@@ -107,7 +105,7 @@ ChainProperties stringProperties(const DrillString& drillString) {
 
 double pistonImpedanceRatio(const Scenario& scenario) {
     if (scenario.form == ScenarioForm::dimensionless) return scenario.pulse.piston.impedanceRatio;
-    return hammerOf(scenario).impedance / rearImpedance(scenario);
+    return hammerOf(scenario).impedance / rearEndOf(scenario).impedance;
 }
 
 double pulseDuration(const Scenario& scenario) {

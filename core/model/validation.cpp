@@ -174,10 +174,10 @@ void checkDrill(const Drill& drill, std::vector<InputProblem>& problems) {
 }
 
 /// A string that arrives as a whole is no blow of a force.
-void checkShape(const Scenario& scenario, std::vector<InputProblem>& problems) {
-    if (isString(scenario) && scenario.pulse.shape == PulseShape::rigidBody)
+void checkShapeOfString(PulseShape shape, std::vector<InputProblem>& problems) {
+    if (shape == PulseShape::rigidBody)
         report(
-            problems, pulseShapeKey, std::string(name(scenario.pulse.shape)),
+            problems, pulseShapeKey, std::string(name(shape)),
             translatable("is the reference case of a uniform rod (`drillwave: 1`); a drill string takes any "
                          "other shape"));
 }
@@ -388,7 +388,8 @@ std::vector<InputProblem> validate(const Scenario& scenario) {
     checkRanges(scenario, problems);
     checkLaw(scenario, problems);
     if (hasUnits(scenario)) checkDrill(scenario.drill, problems);
-    if (isString(scenario)) {
+    const bool ofString = isString(scenario);
+    if (ofString) {
         if (problems.empty()) checkRockOfString(scenario.bitRock, problems);
         std::ranges::move(sectionProblems(scenario.drillString), std::back_inserter(problems));
     } else {
@@ -396,7 +397,7 @@ std::vector<InputProblem> validate(const Scenario& scenario) {
         checkBore(scenario, problems);
     }
     if (isForced(scenario)) {
-        checkShape(scenario, problems);
+        if (ofString) checkShapeOfString(scenario.pulse.shape, problems);
         checkTrapezoid(scenario.pulse, problems);
         checkTable(scenario, problems);
         if (problems.empty()) checkPiston(scenario, problems);

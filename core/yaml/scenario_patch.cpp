@@ -39,7 +39,11 @@ bool isListKey(std::string_view section, std::string_view key) {
 class Patcher {
   public:
     Patcher(std::string_view text, const Scenario& scenario, const DesignSetup& design)
-        : m_text(text), m_scenario(scenario), m_design(design), m_values(savedValues(scenario)) {
+        : m_text(text),
+          m_scenario(scenario),
+          m_isOfSections(hasSections(scenario)),
+          m_design(design),
+          m_values(savedValues(scenario)) {
         m_lineEnd = text.find("\r\n") == std::string_view::npos ? "\n" : "\r\n";
         std::ranges::copy(savedDesignValues(design), std::back_inserter(m_values));
         for (const SavedValue& value : m_values) m_sections[value.section].push_back(&value);
@@ -49,15 +53,16 @@ class Patcher {
         // In another form little of the file stays: its sections are better put in order again.
         if (m_scenario.form != formOf(root) || root.flow) return patchedBraces(root);
         patchMap(root, "");
-        const bool isString = hasSections(m_scenario);
         patchOrReplace(root, "dimensionless", {});
         patchOrReplace(root, "rod", {});
         patchOrReplace(root, "material", {});
         patchOrReplace(root, "pulse", [this](const YamlNode& map) {
             patchList(map, "pulse", "points", listItems(m_scenario, pointsPath));
         });
-        if (isString) patchOrReplace(root, "hammer", [this](const YamlNode& map) { patchHammer(map); });
-        if (isString) patchString(root);
+        if (m_isOfSections) {
+            patchOrReplace(root, "hammer", [this](const YamlNode& map) { patchHammer(map); });
+            patchString(root);
+        }
         patchOrReplace(root, "bit_rock", [this](const YamlNode& map) {
             patchList(map, "bit_rock", "corners", listItems(m_scenario, cornersPath));
         });
@@ -94,7 +99,7 @@ class Patcher {
     /// A file that is one map in braces, in which values and keys are exchanged and no section is written
     /// anew.
     std::string patchedBraces(const YamlNode& root) {
-        if (m_scenario.form != formOf(root) || hasSections(m_scenario)) throw NotPatchable();
+        if (m_scenario.form != formOf(root) || m_isOfSections) throw NotPatchable();
         patchMap(root, "");
         for (const std::string_view section : {"dimensionless", "rod", "pulse", "bit_rock", "drill"}) {
             const std::size_t at = indexOf(root, section);
@@ -544,6 +549,7 @@ class Patcher {
 
     std::string_view m_text;
     const Scenario& m_scenario;
+    const bool m_isOfSections;
     const DesignSetup& m_design;
     std::vector<SavedValue> m_values;
     std::map<std::string, std::vector<const SavedValue*>, std::less<>> m_sections;

@@ -365,15 +365,15 @@ std::string sectionText(const Scenario& scenario, std::string_view section) {
 }
 
 std::string scenarioText(const Scenario& scenario) {
-    std::string text =
-        "drillwave: " + std::to_string(hasSections(scenario) ? stringFormat : rodFormat) + "\n";
+    const bool isOfSections = hasSections(scenario);
+    std::string text = "drillwave: " + std::to_string(isOfSections ? stringFormat : rodFormat) + "\n";
     if (!scenario.title.empty()) text += "title: " + yamlScalar(scenario.title) + "\n";
     for (const SavedValue& value : savedValues(scenario))
         if (value.section.empty() && value.parameter)
             text += std::string(value.key) + ": " + valueText(value) + "\n";
-    if (hasSections(scenario)) text += drillStringText(scenario);
+    if (isOfSections) text += drillStringText(scenario);
     for (const std::string_view section : plainSections(scenario))
-        if (section != "pulse" || !hasSections(scenario)) text += sectionText(scenario, section);
+        if (section != "pulse" || !isOfSections) text += sectionText(scenario, section);
     return text;
 }
 

@@ -272,7 +272,8 @@ void ScenarioPanel::showScenario() {
     const QString title = QString::fromStdString(scenario.title);
     if (m_title->text() != title) m_title->setText(title);
     showPresets();
-    if (hasSections(scenario)) m_string->present(scenario);
+    const bool isOfSections = hasSections(scenario);
+    if (isOfSections) m_string->present(scenario);
     m_law->present(scenario);
     m_indexing->present(scenario);
     if (isForced(scenario))
@@ -283,7 +284,7 @@ void ScenarioPanel::showScenario() {
             section.rows, [&](const ParameterRow* row) { return row->parameter().applies(scenario); });
         const QString name = section.box->objectName();
         section.box->setVisible(name == QLatin1String("pulse")      ? isForced(scenario)
-                                : name == groupsSection             ? followsFromGroups(scenario)
+                                : name == groupsSection             ? !isOfSections
                                 : name == QLatin1String("bit_rock") ? true
                                                                     : used);
     }

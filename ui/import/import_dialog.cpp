@@ -17,7 +17,6 @@
 #include <sstream>
 
 #include "core/disk/file_bytes.h"
-#include "core/model/blow_traits.h"
 #include "core/model/form_conversion.h"
 #include "core/signal/text_lines.h"
 #include "ui/form/pulse_preview.h"
@@ -34,11 +33,6 @@ namespace {
 constexpr std::size_t startBytes = std::size_t{1} << 18;
 constexpr std::size_t mostLines = 2000;
 constexpr int summaryLines = 4;
-
-// A blow takes the place of a hammer of sections.
-Scenario forced(const Scenario& scenario) {
-    return hasSections(scenario) && !isForced(scenario) ? forcedStringOf(scenario).scenario : scenario;
-}
 
 SectionBox* section(const QString& title, QWidget* content, QWidget* parent) {
     auto* box = new SectionBox(title, parent);
@@ -270,7 +264,8 @@ void ImportDialog::askSoon() {
 void ImportDialog::ask() {
     ImportQuestion question{m_path, m_table->source(), m_signal->recipe()};
     if (use() == ImportUse::blow) {
-        question.scenario = forced(m_document.scenario());
+        question.scenario =
+            withForce(m_document.scenario());  // a blow takes the place of a hammer of sections
         question.isThinned = m_signal->leavesPoints();
     }
     if (obstacle().isEmpty()) m_study.ask(question);

@@ -4,7 +4,6 @@
 #include <QFileInfo>
 #include <QSettings>
 
-#include "core/model/blow_traits.h"
 #include "core/model/form_conversion.h"
 #include "core/signal/signal_option.h"
 #include "core/yaml/recorder_file.h"
@@ -84,8 +83,7 @@ void Importer::take() {
 }
 
 QString Importer::takeBlow() {
-    Scenario changed = m_document.scenario();
-    if (hasSections(changed) && !isForced(changed)) changed = forcedStringOf(changed).scenario;
+    Scenario changed = withForce(m_document.scenario());  // a blow takes the place of a hammer of sections
     changed.pulse.shape = PulseShape::table;
     changed.pulse.tableFile.clear();
     changed.pulse.tablePoints = m_dialog->result()->points;

@@ -68,7 +68,7 @@ ShownUnit columnUnit(const OutputColumn& column, const ShownUnits& units, double
 }
 
 bool haveSameUnit(const Output& output, const SolvedBlow& one, const SolvedBlow& other, UnitSystem units) {
-    if (followsFromGroups(one.scenario) == followsFromGroups(other.scenario)) return true;
+    if (areOfOneKind(one.scenario, other.scenario)) return true;
     return units != UnitSystem::dimensionless || output.measure == Measure::number || output.isOnlySi();
 }
 

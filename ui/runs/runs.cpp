@@ -200,7 +200,7 @@ void RunSolver::solveNext() {
 RunList runsLike(const Scenario& scenario, const RunList& runs) {
     RunList alike;
     for (const Run& run : runs)
-        if (followsFromGroups(run.contents.scenario) == followsFromGroups(scenario)) alike.push_back(run);
+        if (areOfOneKind(run.contents.scenario, scenario)) alike.push_back(run);
     return alike;
 }
 

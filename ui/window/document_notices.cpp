@@ -159,11 +159,11 @@ void FormNotice::offer() {
     m_toRig->setToolTip(hasUnits(scenario)
                             ? tr("This scenario has physical units already")
                             : tr("Rod, force and duration of a physical scenario with the same groups"));
-    m_toUniformRod->setEnabled(hasSections(scenario));
+    const bool isOfSections = hasSections(scenario);
+    m_toUniformRod->setEnabled(isOfSections);
     m_toUniformRod->setToolTip(
-        hasSections(scenario)
-            ? tr("The rod alone, as long for the waves as the string, struck by a uniform piston")
-            : tr("This scenario is a uniform rod"));
+        isOfSections ? tr("The rod alone, as long for the waves as the string, struck by a uniform piston")
+                     : tr("This scenario is a uniform rod"));
     m_toForce->setEnabled(!isForced(scenario));
     m_toForce->setToolTip(isForced(scenario)
                               ? tr("A force drives this scenario already")

@@ -56,11 +56,12 @@ namespace {
 constexpr int messageMilliseconds = 8000;
 
 QString statusText(const SolvedBlow& blow) {
+    const bool isExact = isFollowedByEvents(blow.request.scenario);
     if (!blow.fault.isEmpty())
-        return isFollowedByEvents(blow.request.scenario) ? MainWindow::tr("exact · not solved")
-                                                         : MainWindow::tr("polynomial cells · not solved");
+        return isExact ? MainWindow::tr("exact · not solved")
+                       : MainWindow::tr("polynomial cells · not solved");
     const QLocale locale;
-    if (!isFollowedByEvents(blow.scenario))
+    if (!isExact)
         return MainWindow::tr("polynomial cells · %1 · efficiency %2 ± %3")
             .arg(runTimeText(blow.runTime, locale), numberText(blow.summary.energy.rockWork, 4, locale),
                  magnitudeText(blow.summary.efficiencyError, locale));
@@ -343,7 +344,7 @@ void MainWindow::wireImport() {
 // a string is being solved they are of the blow before it.
 void MainWindow::goToPlace(double section, double time) {
     // The blow on show may still be of another form.
-    if (!m_shown || hasSections(m_document.scenario()) != hasSections(m_shown->request.scenario)) return;
+    if (!m_shown || !areOfOneKind(m_document.scenario(), m_shown->request.scenario)) return;
     if (!m_pages->current().prepare()) m_pages->choose(m_pages->indexOf(m_rodPage));
     m_observation.setSection(section);
     m_observation.setTime(time);
