@@ -50,26 +50,26 @@ void addUncertain(const DesignReport& report, const ReadingStyle& style, std::ve
 }
 
 /// "100 us or 200 us or 3 others"
-Message bestNames(const DesignReport& report, const ReadingStyle& style) {
+Message bestNames(const DesignReport& report, const DesignNames& names) {
     const BestDesigns& best = report.findings.best;
     constexpr std::size_t enough = 6;
-    Message names = designName(report.study, *best.robust, style);
+    Message list = names.design(*best.robust);
     for (std::size_t i = 0; i < best.ties.size() && i < enough; ++i)
-        names = {translatable("%1 or %2"), {names, designName(report.study, best.ties[i], style)}};
+        list = {translatable("%1 or %2"), {list, names.design(best.ties[i])}};
     if (best.ties.size() > enough)
-        names = {translatable("%1 or %2 others"), {names, std::to_string(best.ties.size() - enough)}};
-    return names;
+        list = {translatable("%1 or %2 others"), {list, std::to_string(best.ties.size() - enough)}};
+    return list;
 }
 
-void addTies(const DesignReport& report, const ReadingStyle& style, std::vector<DesignRemark>& remarks) {
+void addTies(const DesignReport& report, const DesignNames& names, std::vector<DesignRemark>& remarks) {
     const BestDesigns& best = report.findings.best;
     if (best.ties.empty()) return;
-    const Message names = bestNames(report, style);
+    const Message list = bestNames(report, names);
     if (!best.nextBest) {
         remarks.push_back(
             {false,
              "flat_optimum",
-             {translatable("The samples do not tell the best designs apart: take any of %1."), {names}}});
+             {translatable("The samples do not tell the best designs apart: take any of %1."), {list}}});
         return;
     }
     const DesignAim& next = report.study.aims[1];
@@ -81,8 +81,8 @@ void addTies(const DesignReport& report, const ReadingStyle& style, std::vector<
                              "has the largest %3, %4.")
               : translatable("The samples do not tell the best designs apart: take any of %1; of them %2 "
                              "has the least %3, %4."),
-          {names, designName(report.study, *best.nextBest, style), aimedName(next),
-           outputText(report.study, *next.output, aimedValue(report, next, *best.nextBest).value, style)}}});
+          {list, names.design(*best.nextBest), names.aim(next),
+           names.value(*next.output, aimedValue(report, next, *best.nextBest).value, 5)}}});
 }
 
 /// The place on an axis next to the one that is at an end of its values.
@@ -169,7 +169,7 @@ void addGamma(const DesignReport& report, std::vector<DesignRemark>& remarks) {
 }
 
 /// "nothing from 100 us to 300 us", "none of 24 designs".
-Message othersMessage(const DesignReport& report, const ReadingStyle& style) {
+Message othersMessage(const DesignReport& report, const DesignNames& names) {
     const DesignStudy& study = report.study;
     const std::size_t count = report.findings.designs.size();
     if (study.choices.size() != 1 || !study.choices.front().parameter)
@@ -180,8 +180,7 @@ Message othersMessage(const DesignReport& report, const ReadingStyle& style) {
         if (axis.value(d) < axis.value(least)) least = d;
         if (axis.value(d) > axis.value(most)) most = d;
     }
-    return {translatable("nothing from %1 to %2"),
-            {designName(study, least, style), designName(study, most, style)}};
+    return {translatable("nothing from %1 to %2"), {names.design(least), names.design(most)}};
 }
 
 /// The first aim in which the design to take differs from the present one by more than the errors.
@@ -194,7 +193,7 @@ const DesignAim& decidingAim(const DesignReport& report, std::size_t present) {
     return report.study.aims.front();
 }
 
-Message noDifferenceMessage(const DesignReport& report, const ReadingStyle& style) {
+Message noDifferenceMessage(const DesignReport& report, const DesignNames& names) {
     const DesignAim& aim = report.study.aims.front();
     const SampledValue& chosen = aimedValue(report, aim, *report.findings.best.chosen);
     double apart = 0;
@@ -204,50 +203,46 @@ Message noDifferenceMessage(const DesignReport& report, const ReadingStyle& styl
                           aim.statistic.hasError() ? errorOfDifference(value, chosen) : 0.0});
     }
     return {translatable("%1 makes no difference: %2 is %3, within %4, for all %5 designs."),
-            {report.study.choices.size() == 1 ? Message(std::string(report.study.choices.front().key()))
+            {report.study.choices.size() == 1 ? names.subject(report.study.choices.front())
                                               : Message(translatable("The choice")),
-             aimedName(aim), outputText(report.study, *aim.output, chosen.value, style),
-             outputText(report.study, *aim.output, apart, style, 1),
+             names.aim(aim), names.value(*aim.output, chosen.value, 5), names.value(*aim.output, apart, 1),
              std::to_string(report.findings.designs.size())}};
 }
 
 /// The headline without what speaks against the design.
-Message answerMessage(const DesignReport& report, const ReadingStyle& style) {
+Message answerMessage(const DesignReport& report, const DesignNames& names) {
     const std::optional<DesignHeadline> headline = headlineOf(report);
     if (!headline || *headline == DesignHeadline::noneFeasible) return {};
-    if (*headline == DesignHeadline::noDifference) return noDifferenceMessage(report, style);
+    if (*headline == DesignHeadline::noDifference) return noDifferenceMessage(report, names);
     const std::optional<std::size_t> present = presentDesign(report.study);
     const DesignAim& first = report.study.aims.front();
     if (*headline == DesignHeadline::keep)
-        return {translatable("Keep %1: %2 is better in %3 (%4)."),
-                {designName(report.study, *present, style), othersMessage(report, style), aimedName(first),
-                 aimedWithError(report, first, *present, style)}};
+        return {translatable("Keep %1: %2 has a better %3 (%4)."),
+                {names.design(*present), othersMessage(report, names), names.aim(first),
+                 names.aimed(report, first, *present)}};
     const std::size_t chosen = *report.findings.best.chosen;
-    const std::string name = designName(report.study, chosen, style);
+    const std::string name = names.design(chosen);
     if (!present || std::isnan(aimedValue(report, first, *present).value))
         return {translatable("Take %1: %2 is %3."),
-                {name, aimedName(first), aimedWithError(report, first, chosen, style)}};
+                {name, names.aim(first), names.aimed(report, first, chosen)}};
     if (!report.findings.feasibility[*present].feasible)
         return {translatable("Change from %1 to %2: %3 is %4. The present design does not meet all limits."),
-                {designName(report.study, *present, style), name, aimedName(first),
-                 aimedWithError(report, first, chosen, style)}};
+                {names.design(*present), name, names.aim(first), names.aimed(report, first, chosen)}};
     const DesignAim& deciding = decidingAim(report, *present);
-    return {
-        translatable("Change from %1 to %2: %3 becomes %4 instead of %5."),
-        {designName(report.study, *present, style), name, aimedName(deciding),
-         aimedWithError(report, deciding, chosen, style), aimedWithError(report, deciding, *present, style)}};
+    return {translatable("Change from %1 to %2: %3 becomes %4 instead of %5."),
+            {names.design(*present), name, names.aim(deciding), names.aimed(report, deciding, chosen),
+             names.aimed(report, deciding, *present)}};
 }
 
 /// The answer with the first warning about the design to take and the number of further ones.
-Message withAlerts(const DesignReport& report, Message answer, const ReadingStyle& style) {
+Message withAlerts(const DesignReport& report, Message answer, const DesignNames& names) {
     const std::vector<Alert>& alerts = report.findings.alerts;
     if (alerts.empty()) return answer;
-    Message text = alertMessage(alerts.front(), style);
-    Message warning =
-        report.study.choices.empty()
-            ? Message(translatable("Warning: %1"), {std::move(text)})
-            : Message(translatable("Warning for %1: %2"),
-                      {designName(report.study, *report.findings.recommended, style), std::move(text)});
+    Message text = alertMessage(alerts.front(), names.style());
+    Message warning = report.study.choices.empty()
+                          ? Message(translatable("Warning: %1"), {std::move(text)})
+                          : Message(translatable("Warning for %1: %2"),
+                                    {names.design(*report.findings.recommended), std::move(text)});
     if (alerts.size() > 1)
         warning = {alerts.size() == 2 ? translatable("%1 There is %2 more warning.")
                                       : translatable("%1 There are %2 more warnings."),
@@ -256,6 +251,26 @@ Message withAlerts(const DesignReport& report, Message answer, const ReadingStyl
 }
 
 }  // namespace
+
+std::string DesignNames::design(std::uint64_t design) const {
+    return designName(m_study, design, m_style);
+}
+
+Message DesignNames::aim(const DesignAim& aim) const {
+    return aimedName(aim);
+}
+
+Message DesignNames::subject(const SweepAxis& choice) const {
+    return std::string(choice.key());
+}
+
+std::string DesignNames::value(const Output& output, double value, int digits) const {
+    return outputText(m_study, output, value, m_style, digits);
+}
+
+std::string DesignNames::aimed(const DesignReport& report, const DesignAim& aim, std::size_t design) const {
+    return aimedWithError(report, aim, design, m_style);
+}
 
 std::string_view name(DesignHeadline headline) {
     static constexpr EnumNames<DesignHeadline> names{{{DesignHeadline::keep, "keep"},
@@ -275,8 +290,12 @@ std::optional<DesignHeadline> headlineOf(const DesignReport& report) {
                                                                                   : DesignHeadline::change;
 }
 
+Message headlineMessage(const DesignReport& report, const DesignNames& names) {
+    return withAlerts(report, answerMessage(report, names), names);
+}
+
 Message headlineMessage(const DesignReport& report, const ReadingStyle& style) {
-    return withAlerts(report, answerMessage(report, style), style);
+    return headlineMessage(report, DesignNames(report.study, style));
 }
 
 std::vector<std::string_view> marksOf(const DesignReport& report, std::size_t design,
@@ -291,15 +310,19 @@ std::vector<std::string_view> marksOf(const DesignReport& report, std::size_t de
     return marks;
 }
 
-std::vector<DesignRemark> remarksOn(const DesignReport& report, const ReadingStyle& style) {
+std::vector<DesignRemark> remarksOn(const DesignReport& report, const DesignNames& names) {
     std::vector<DesignRemark> remarks;
     addUnsolved(report, remarks);
-    addUncertain(report, style, remarks);
-    addTies(report, style, remarks);
+    addUncertain(report, names.style(), remarks);
+    addTies(report, names, remarks);
     addEdges(report, remarks);
-    addEnergy(report, style, remarks);
+    addEnergy(report, names.style(), remarks);
     addGamma(report, remarks);
     return remarks;
+}
+
+std::vector<DesignRemark> remarksOn(const DesignReport& report, const ReadingStyle& style) {
+    return remarksOn(report, DesignNames(report.study, style));
 }
 
 // Each replicate has a variance of its own, which of two or three points may be anything.

@@ -14,12 +14,41 @@
 
 namespace drillwave {
 
+/// How the sentences of a study name designs, aims and numbers: here by the keys that commands read, with
+/// numbers and units of a style. A window names all of them as its rows and axes do.
+class DesignNames {
+  public:
+    /// Both must outlive the names.
+    explicit DesignNames(const DesignStudy& study, const ReadingStyle& style = plainStyle())
+        : m_study(study), m_style(style) {}
+    DesignNames(const DesignNames&) = delete;
+    DesignNames& operator=(const DesignNames&) = delete;
+    virtual ~DesignNames() = default;
+
+    const ReadingStyle& style() const { return m_style; }
+    /// "240 us, 3.05 m"
+    virtual std::string design(std::uint64_t design) const;
+    /// "efficiency q05"
+    virtual Message aim(const DesignAim& aim) const;
+    /// A choice at the beginning of a sentence: "pulse.duration".
+    virtual Message subject(const SweepAxis& choice) const;
+    /// A number of an output with its unit.
+    virtual std::string value(const Output& output, double value, int digits) const;
+    /// "0.712 +- 0.001": what an aim is about, of a design, with its error where it has one.
+    virtual std::string aimed(const DesignReport& report, const DesignAim& aim, std::size_t design) const;
+
+  private:
+    const DesignStudy& m_study;
+    const ReadingStyle& m_style;
+};
+
 /// What is to be known of the answer.
 struct DesignRemark {
     bool isWarning = false;
     std::string code;  ///< "flat_optimum", …
     Message text;
 };
+std::vector<DesignRemark> remarksOn(const DesignReport& report, const DesignNames& names);
 std::vector<DesignRemark> remarksOn(const DesignReport& report, const ReadingStyle& style = plainStyle());
 
 /// The answer of a study, as the aims decide in their order.
@@ -34,6 +63,7 @@ std::string_view name(DesignHeadline headline);
 /// Nothing of a study without choices.
 std::optional<DesignHeadline> headlineOf(const DesignReport& report);
 /// The headline as a sentence, with the warnings about the design to take; empty where there is none.
+Message headlineMessage(const DesignReport& report, const DesignNames& names);
 Message headlineMessage(const DesignReport& report, const ReadingStyle& style = plainStyle());
 
 /// The marks of a design: "best_uncertain", "best_nominal", "equal" to the design to take, "present".

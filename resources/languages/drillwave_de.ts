@@ -2737,6 +2737,18 @@ Trotzdem löschen?</translation>
         <source>assumed: case-hardened Cr-Ni-Mo steel; fatigue: the 400 MPa of a smooth bar over a notch factor of 1.6 for threads and splines</source>
         <translation>angenommen: einsatzgehärteter Cr-Ni-Mo-Stahl; Ermüdung: die 400 MPa eines glatten Stabs durch eine Kerbwirkungszahl von 1,6 für Gewinde und Verzahnung</translation>
     </message>
+    <message>
+        <source>hammer</source>
+        <translation>Hammer</translation>
+    </message>
+    <message>
+        <source>rod</source>
+        <translation>Stange</translation>
+    </message>
+    <message>
+        <source>bit</source>
+        <translation>Bohrkrone</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -10490,8 +10502,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Wahl</translation>
     </message>
     <message>
-        <source>Keep %1: %2 is better in %3 (%4).</source>
-        <translation>%1 behalten: %2 ist besser in %3 (%4).</translation>
+        <source>Keep %1: %2 has a better %3 (%4).</source>
+        <translation>%1 behalten: %2 ist besser (%3: %4).</translation>
     </message>
     <message>
         <source>Take %1: %2 is %3.</source>
@@ -10499,7 +10511,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Change from %1 to %2: %3 becomes %4 instead of %5.</source>
-        <translation>Von %1 zu %2 wechseln: %3 wird %4 statt %5.</translation>
+        <translation>Von %1 auf %2 wechseln: %3 wird %4 statt %5.</translation>
     </message>
     <message>
         <source>feed required</source>
@@ -10771,7 +10783,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Change from %1 to %2: %3 is %4. The present design does not meet all limits.</source>
-        <translation>Von %1 zu %2 wechseln: %3 ist %4. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
+        <translation>Von %1 auf %2 wechseln: %3 ist %4. Die jetzige Auslegung hält nicht alle Grenzen ein.</translation>
     </message>
     <message>
         <source>Warning: %1</source>

@@ -2737,6 +2737,18 @@ Ta bort ändå?</translation>
         <source>assumed: case-hardened Cr-Ni-Mo steel; fatigue: the 400 MPa of a smooth bar over a notch factor of 1.6 for threads and splines</source>
         <translation>antaget: sätthärdat Cr-Ni-Mo-stål; utmattning: de 400 MPa hos en slät stång delat med en anvisningsfaktor på 1,6 för gängor och splines</translation>
     </message>
+    <message>
+        <source>hammer</source>
+        <translation>hammare</translation>
+    </message>
+    <message>
+        <source>rod</source>
+        <translation>stång</translation>
+    </message>
+    <message>
+        <source>bit</source>
+        <translation>borrkrona</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>
@@ -10490,8 +10502,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Valet</translation>
     </message>
     <message>
-        <source>Keep %1: %2 is better in %3 (%4).</source>
-        <translation>Behåll %1: %2 är bättre i %3 (%4).</translation>
+        <source>Keep %1: %2 has a better %3 (%4).</source>
+        <translation>Behåll %1: %2 är bättre (%3: %4).</translation>
     </message>
     <message>
         <source>Take %1: %2 is %3.</source>

@@ -9,6 +9,7 @@
 #include "core/blow/outputs.h"
 #include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
+#include "core/model/preset.h"
 #include "core/model/section_field.h"
 #include "core/report/accuracy_columns.h"
 #include "core/report/feed_words.h"
@@ -54,6 +55,7 @@ inline std::set<std::string> coreTexts() {
         add(output.title);
         add(output.meaning);
     }
+    for (const PresetPart part : allValues<PresetPart>) add(name(part));
     for (const FeedState state : allValues<FeedState>) add(feedWord(state));
     for (const ThrustCase which : allValues<ThrustCase>) add(labelOf(which));
     for (const DrillingOutcome outcome : allValues<DrillingOutcome>) add(name(outcome));

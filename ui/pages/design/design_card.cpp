@@ -9,6 +9,7 @@
 #include "ui/pages/design/aim_rows.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/pages/study/parameter_names.h"
+#include "ui/text/language.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 
@@ -25,6 +26,32 @@ QString valueText(const DesignReport& report, const DesignAim& aim, std::size_t 
     if (!shown.unit.unit.isEmpty()) text += QChar(QChar::Nbsp) + shown.unit.unit;
     return text;
 }
+
+/// The words of the rows, axes and fields of the page.
+class CardNames : public DesignNames {
+  public:
+    CardNames(const DesignStudy& study, const DesignUnits& units, const ReadingStyle& style)
+        : DesignNames(study, style), m_units(units) {}
+
+    std::string design(std::uint64_t design) const override {
+        return m_units.designName(design).toStdString();
+    }
+    Message aim(const DesignAim& aim) const override { return aimName(aim).toStdString(); }
+    Message subject(const SweepAxis& choice) const override {
+        QString name = choiceName(choice);
+        name[0] = name[0].toUpper();
+        return name.toStdString();
+    }
+    std::string value(const Output& output, double number, int significant) const override {
+        return m_units.text(m_units.of(output, std::abs(number)), number, significant).toStdString();
+    }
+    std::string aimed(const DesignReport& report, const DesignAim& aim, std::size_t design) const override {
+        return valueText(report, aim, design, m_units).toStdString();
+    }
+
+  private:
+    const DesignUnits& m_units;
+};
 
 /// By how much of the second the first is off it.
 QString percentBetween(double value, double of, const DesignUnits& units) {
@@ -166,9 +193,11 @@ DesignCard::DesignCard(QWidget* parent) : QTextBrowser(parent) {
 void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
     const DesignReport& report = answer.report;
     const BestDesigns& best = report.findings.best;
+    const LocalStyle style = units.style();
+    const CardNames names(report.study, units, style);
     QStringList paragraphs;
-    if (const Message headline = headlineMessage(report); !headline.isEmpty())
-        paragraphs << QStringLiteral("<b>%1</b>").arg(translated(withTitles(headline)).toHtmlEscaped());
+    if (const Message headline = headlineMessage(report, names); !headline.isEmpty())
+        paragraphs << QStringLiteral("<b>%1</b>").arg(translated(headline).toHtmlEscaped());
     paragraphs << bestSentences(answer, units);
     if (!report.study.choices.empty()) {
         paragraphs << loadLink(linkToDesign(*best.robust), tr("Load the robust best"));
@@ -180,7 +209,7 @@ void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
         if (report.findings.worst[a])
             paragraphs << worstSentence(report, a, units) + QLatin1Char(' ') +
                               loadLink(linkToWorst(a), tr("Load"));
-    for (const DesignRemark& remark : remarksOn(report))
+    for (const DesignRemark& remark : remarksOn(report, names))
         if (const QString text = remarkText(remark); !text.isEmpty()) paragraphs << text;
     const QString samples = QString::number(report.study.samples);
     paragraphs << (answer.isRefined()

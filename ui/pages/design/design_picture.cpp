@@ -157,7 +157,7 @@ QString DesignUnits::text(const SweepAxis& choice, double value) const {
     if (choice.parameter) return text(*choice.parameter, value);
     std::string word;
     choice.column().appendText(word, value);
-    return QString::fromStdString(word);
+    return choice.words ? coreName(word) : coreText(word);
 }
 
 QString DesignUnits::text(const AimedOutput& output, double value, int digits) const {
@@ -177,6 +177,10 @@ QString aimName(const DesignAim& aim) {
     return outputName(*aim.output) + QLatin1Char(' ') + statisticWords(aim.statistic, aim.sense);
 }
 
+QString choiceName(const SweepAxis& choice) {
+    return choice.parameter ? parameterName(*choice.parameter) : coreName(choice.key());
+}
+
 QString aimWords(const DesignAim& aim) {
     return (aim.sense == Sense::largest ? AimRow::tr("largest %1") : AimRow::tr("least %1"))
         .arg(aimName(aim));
@@ -188,7 +192,7 @@ DesignPicture designPicture(const DesignReport& report, const DesignUnits& units
     DesignPicture picture;
     if (!study.choices.empty()) {
         const SweepAxis& axis = study.choices.back();
-        picture.xName = axis.parameter ? parameterName(*axis.parameter) : fromView(axis.key());
+        picture.xName = choiceName(axis);
         if (axis.parameter) picture.x = units.of(*axis.parameter);
         for (std::uint64_t i = 0; !axis.parameter && i < axis.count; ++i)
             picture.words.append(units.text(axis, axis.value(i)));

@@ -11,6 +11,7 @@
 
 #include "core/report/design_report.h"
 #include "ui/pages/map/map_picture.h"
+#include "ui/text/language.h"
 #include "ui/text/shown_units.h"
 
 namespace drillwave {
@@ -78,6 +79,8 @@ class DesignUnits {
     /// "240 µs", "240 µs, 3.66 m"; of no choice "this scenario".
     QString designName(std::uint64_t design) const;
     const QLocale& locale() const { return m_locale; }
+    /// The style of sentences beside these units.
+    LocalStyle style() const { return {m_locale, m_units.system, m_units.chosen}; }
 
   private:
     const DesignStudy* m_study;
@@ -88,6 +91,8 @@ class DesignUnits {
 
 /// "efficiency in the worst 5 %".
 QString aimName(const DesignAim& aim);
+/// "duration t₀", "hammer": what is chosen, as an axis calls it.
+QString choiceName(const SweepAxis& choice);
 /// With its sense: "largest efficiency in the worst 5 %".
 QString aimWords(const DesignAim& aim);
 

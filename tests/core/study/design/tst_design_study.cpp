@@ -353,7 +353,7 @@ void TestDesignStudy::headlinesFollowTheAims_data() {
         QTest::newRow(name) << problem << headline << begins << widens;
     };
     row("the present one is best", {.first = {0.5, 0.6, 0.7, 0.6, 0.5}}, "keep",
-        "Keep 200 us: nothing from 100 us to 300 us is better in efficiency mean");
+        "Keep 200 us: nothing from 100 us to 300 us has a better efficiency mean");
     row("another is better", {.first = {0.5, 0.6, 0.7, 0.8, 0.5}}, "change",
         "Change from 200 us to 250 us: efficiency mean becomes 0.8");
     row("another is better by less than the errors", {.first = {0.5, 0.6, 0.7, 0.701, 0.5}, .error = 1e-2},
@@ -385,7 +385,7 @@ void TestDesignStudy::headlinesFollowTheAims_data() {
         "limits.");
     row("a limit excludes all", {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .bound = 0.5}, "none_feasible", "");
     row("the present hammer is best", {.first = {0.5, 0.6, 0.7, 0.6, 0.5}, .isNamed = true}, "keep",
-        "Keep medium drifter: none of 5 designs is better in efficiency mean");
+        "Keep medium drifter: none of 5 designs has a better efficiency mean");
     row("the last hammer is better", {.first = {0.5, 0.6, 0.7, 0.8, 0.9}, .isNamed = true}, "change",
         "Change from medium drifter to heavy drifter, piston: efficiency mean becomes 0.9");
     row("hammers are equal", {.first = {0.7, 0.7, 0.7, 0.7, 0.7}, .error = 1e-3, .isNamed = true},

@@ -80,6 +80,7 @@ class TestDesignPage : public QObject {
     void whatNoRowShowsStaysAsText();
     void aStudyOfAStringStopsAndOffersTheRest();
     void theCardHasTheMarksOfTheFiles();
+    void theHeadlineHasTheUnitsAndWordsOfThePage();
 
   private:
     /// What the rows ask.
@@ -689,6 +690,29 @@ void TestDesignPage::theCardHasTheMarksOfTheFiles() {
         QVERIFY2(text.contains(words) == isThere, qPrintable(words + QLatin1Char('\n') + text));
     }
     QVERIFY(text.contains(QStringLiteral("Present design: 200")));
+}
+
+// The card took the sentence of the command, with keys of files and handy SI units.
+void TestDesignPage::theHeadlineHasTheUnitsAndWordsOfThePage() {
+    m_document->units().choose(UnitSystem::us);
+    showPage();
+    const DesignReport& report = m_page->answer()->report;
+    const QString first = m_page->card().toPlainText().section(QLatin1Char('\n'), 0, 0);
+    QVERIFY2(first.contains(QStringLiteral(" in the worst 5")), qPrintable(first));
+    QVERIFY2(first.contains(QStringLiteral(" ± ")), qPrintable(first));
+    for (const char* plain : {"q05", "q95", "+-", " us", "mm", " kN", " m,"})
+        QVERIFY2(!first.contains(QLatin1String(plain)), qPrintable(first));
+    QVERIFY2(first.contains(QStringLiteral("µs")), qPrintable(first));
+    QVERIFY2(headlineMessage(report).text().find(" us") != std::string::npos, "the command keeps its words");
+    DesignAnswer answer = *m_page->answer();
+    BestDesigns& best = answer.report.findings.best;
+    best.equal.clear();
+    for (std::size_t d = 0; d < answer.report.findings.designs.size(); ++d) best.equal.push_back(d);
+    const auto unit = [](const Parameter& parameter) -> const Unit& { return parameter.displayUnit(); };
+    DesignCard card;
+    card.present(answer, DesignUnits(answer.report.study, ShownUnits(), unit, QLocale::c()));
+    QVERIFY2(card.toPlainText().startsWith(QStringLiteral("Duration t₀ makes no difference")),
+             qPrintable(card.toPlainText()));
 }
 
 QTEST_MAIN(TestDesignPage)
