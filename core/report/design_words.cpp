@@ -115,6 +115,7 @@ void addEdges(const DesignReport& report, std::vector<DesignRemark>& remarks) {
         if ((value != least && value != most) || least == most) continue;
         const std::size_t neighbour = *best.robust - index * step + nextTo(axis, index) * step;
         if (std::ranges::find(best.ties, neighbour) != best.ties.end()) continue;
+        if (!makesDifference(report.study, report.findings, i)) continue;
         remarks.push_back(
             {false,
              "optimum_at_edge",
@@ -188,7 +189,7 @@ const DesignAim& decidingAim(const DesignReport& report, std::size_t present) {
     for (const DesignAim& aim : report.study.aims) {
         const SampledValue& chosen = aimedValue(report, aim, *report.findings.best.chosen);
         const SampledValue& now = aimedValue(report, aim, present);
-        if (!(std::abs(chosen.value - now.value) < errorOfDifference(chosen, now))) return aim;
+        if (chosen.value != now.value && !areEqualWithinErrors(chosen, now)) return aim;
     }
     return report.study.aims.front();
 }
@@ -207,6 +208,19 @@ Message noDifferenceMessage(const DesignReport& report, const DesignNames& names
                                               : Message(translatable("The choice")),
              names.aim(aim), names.value(*aim.output, chosen.value, 5), names.value(*aim.output, apart, 1),
              std::to_string(report.findings.designs.size())}};
+}
+
+/// Which of several choices make no difference, a sentence each.
+Message withoutEffect(const DesignReport& report, Message answer, const DesignNames& names) {
+    const std::vector<SweepAxis>& choices = report.study.choices;
+    if (choices.size() < 2 || headlineOf(report) == DesignHeadline::noDifference || answer.isEmpty())
+        return answer;
+    for (std::size_t i = 0; i < choices.size(); ++i)
+        if (choices[i].count > 1 && !makesDifference(report.study, report.findings, i))
+            answer = {"%1 %2",
+                      {std::move(answer),
+                       Message(translatable("%1 makes no difference."), {names.subject(choices[i])})}};
+    return answer;
 }
 
 /// The headline without what speaks against the design.
@@ -291,7 +305,7 @@ std::optional<DesignHeadline> headlineOf(const DesignReport& report) {
 }
 
 Message headlineMessage(const DesignReport& report, const DesignNames& names) {
-    return withAlerts(report, answerMessage(report, names), names);
+    return withAlerts(report, withoutEffect(report, answerMessage(report, names), names), names);
 }
 
 Message headlineMessage(const DesignReport& report, const ReadingStyle& style) {

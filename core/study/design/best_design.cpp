@@ -48,12 +48,6 @@ bool meetsNominally(const DesignSamples& design, std::span<const LimitOrder> lim
         limits, [&](const LimitOrder& limit) { return holds(limit, design.nominal[limit.place.output]); });
 }
 
-bool areTied(const DesignSamples& one, const DesignSamples& best, const AimOrder& aim) {
-    const SampledValue &a = at(one, aim.place), &b = at(best, aim.place);
-    const bool areEqual = !exceeds(a.value, b.value) && !exceeds(b.value, a.value);
-    return areEqual || (aim.place.hasError && std::abs(a.value - b.value) < errorOfDifference(a, b));
-}
-
 /// The candidates that are best in an aim or tied with the best.
 std::vector<std::size_t> bestIn(const AimOrder& aim, std::span<const DesignSamples> designs,
                                 std::span<const std::size_t> candidates) {
@@ -80,6 +74,12 @@ void followAims(std::span<const DesignSamples> designs, std::span<const AimOrder
 }
 
 }  // namespace
+
+bool areTied(const DesignSamples& one, const DesignSamples& other, const AimOrder& aim) {
+    const SampledValue &a = at(one, aim.place), &b = at(other, aim.place);
+    const bool areEqual = !exceeds(a.value, b.value) && !exceeds(b.value, a.value);
+    return areEqual || (aim.place.hasError && areEqualWithinErrors(a, b));
+}
 
 Feasibility feasibilityOf(const DesignSamples& design, std::span<const AimOrder> aims,
                           std::span<const LimitOrder> limits) {

@@ -44,11 +44,14 @@ struct Feasibility {
 Feasibility feasibilityOf(const DesignSamples& design, std::span<const AimOrder> aims,
                           std::span<const LimitOrder> limits);
 
+/// Whether two designs are equal in an aim: within the errors, or but for rounding where it has none.
+bool areTied(const DesignSamples& one, const DesignSamples& other, const AimOrder& aim);
+
 /// Of all designs, by number from 0.
 struct BestDesigns {
     std::optional<std::size_t> robust;   ///< feasible, best statistic of the first aim
     std::optional<std::size_t> nominal;  ///< best with x as in the scenario; limits hold of those values
-    /// Feasible, and different from the robust best by less than the error of the difference. Without it.
+    /// Feasible, and equal to the robust best within the errors. Without it.
     std::vector<std::size_t> ties;
     /// Of the robust best and its ties the best in the next aim; nothing where there is no such aim or no
     /// tie.

@@ -73,6 +73,35 @@ std::optional<std::size_t> recommendedOf(const DesignStudy& study, const BestDes
     return isBest ? present : best.chosen;
 }
 
+/// How many designs further on the next value of a choice is.
+std::uint64_t strideOf(const DesignStudy& study, std::size_t choice) {
+    std::uint64_t stride = 1;
+    for (std::size_t i = choice + 1; i < study.choices.size(); ++i) stride *= study.choices[i].count;
+    return stride;
+}
+
+/// Gives the best designs the present value of each choice that makes no difference: nobody changes a rod for
+/// nothing.
+void keepWhatMakesNoDifference(const DesignStudy& study, DesignFindings& found) {
+    BestDesigns& best = found.best;
+    const std::optional<std::size_t> present = presentDesign(study);
+    if (!present || !best.robust) return;
+    const auto kept = [&](std::size_t design) {
+        for (std::size_t i = 0; i < study.choices.size(); ++i) {
+            if (makesDifference(study, found, i)) continue;
+            const std::uint64_t stride = strideOf(study, i), count = study.choices[i].count;
+            design += (*present / stride % count) * stride - (design / stride % count) * stride;
+        }
+        return design;
+    };
+    if (best.chosen && std::ranges::find(best.equal, kept(*best.chosen)) != best.equal.end())
+        best.chosen = kept(*best.chosen);
+    const auto tie = std::ranges::find(best.ties, kept(*best.robust));
+    if (tie == best.ties.end()) return;
+    std::swap(*best.robust, *tie);
+    std::ranges::sort(best.ties);
+}
+
 /// Designs that are tried before any samples.
 constexpr std::uint64_t triedDesigns = 8;
 
@@ -185,6 +214,19 @@ std::optional<std::size_t> presentDesign(const DesignStudy& study) {
     return std::nullopt;
 }
 
+bool makesDifference(const DesignStudy& study, const DesignFindings& findings, std::size_t choice) {
+    const std::uint64_t stride = strideOf(study, choice), count = study.choices[choice].count;
+    for (std::size_t d = 0; d < findings.designs.size(); ++d) {
+        const std::size_t first = d - (d / stride % count) * stride;
+        if (findings.feasibility[d].feasible != findings.feasibility[first].feasible) return true;
+        for (const DesignAim& aim : study.aims)
+            if (!areTied(findings.designs[d], findings.designs[first],
+                         {aim.sense, study.placeOf(*aim.output, aim.statistic)}))
+                return true;
+    }
+    return false;
+}
+
 std::uint64_t designSolves(const DesignStudy& study) {
     return study.designCount() * study.samples + sensitivitySolves(study.dimensions(), study.samples) +
            worstSolves(study.dimensions(), study.samples);
@@ -218,6 +260,7 @@ DesignFindings runDesign(const DesignStudy& study, const DesignWork& work, const
     for (const DesignSamples& design : found.designs)
         found.feasibility.push_back(feasibilityOf(design, aims, limits));
     found.best = bestOf(found.designs, aims, limits);
+    keepWhatMakesNoDifference(study, found);
     for (const DesignAim& aim : study.aims) addOnce(found.aimed, aim.output);
     found.energySpread = energySpreadOf(study);
     if (work.stop.stop_requested() || !found.best.robust) return found;

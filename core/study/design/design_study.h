@@ -92,7 +92,7 @@ struct DesignFindings {
     Message unsolved = {};  ///< why no design is solved even without scatter; then there is nothing else
     std::vector<DesignSamples> designs;
     std::vector<Feasibility> feasibility;  ///< of each
-    BestDesigns best;
+    BestDesigns best;  ///< the robust and the chosen one with the present value of what makesDifference() not
     std::vector<const Output*> aimed;             ///< outputs of the aims, each once: those of
     Sensitivity sensitivity;                      ///< at the robust best
     std::vector<std::optional<WorstCase>> worst;  ///< of each aim, at the robust best
@@ -109,6 +109,10 @@ Scenario designScenario(const DesignStudy& study, std::uint64_t design);
 
 /// The number of the design that is the base itself; nothing where it is none of the choices.
 std::optional<std::size_t> presentDesign(const DesignStudy& study);
+
+/// Whether designs that differ only in that choice differ in any aim by more than the errors, or in meeting
+/// the limits.
+bool makesDifference(const DesignStudy& study, const DesignFindings& findings, std::size_t choice);
 
 /// About how many blows runDesign() solves.
 std::uint64_t designSolves(const DesignStudy& study);

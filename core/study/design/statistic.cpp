@@ -97,6 +97,17 @@ double errorOfDifference(const SampledValue& one, const SampledValue& other) {
     return errorOf(differences);
 }
 
+bool areEqualWithinErrors(const SampledValue& one, const SampledValue& other) {
+    // Over the same points a difference can be certain and yet nothing to anyone: the error of a value is
+    // shown in one digit.
+    constexpr double shownPart = 0.05;
+    if (std::isnan(one.value) || std::isnan(other.value))
+        return std::isnan(one.value) && std::isnan(other.value);
+    const double difference = std::abs(one.value - other.value);
+    return difference < errorOfDifference(one, other) ||
+           difference < shownPart * std::min(one.error(), other.error());
+}
+
 double sortedQuantile(std::span<const double> sorted, double q) {
     assert(!sorted.empty());
     const double position = q * static_cast<double>(sorted.size()) - 0.5;  // from 0

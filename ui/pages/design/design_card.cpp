@@ -58,14 +58,41 @@ QString percentBetween(double value, double of, const DesignUnits& units) {
     return numberText(100 * std::abs(value / of - 1), 2, units.locale());
 }
 
+/// The design that the card is about: the one to take, or where the limits exclude all, the robust best.
+std::size_t shownDesign(const DesignReport& report) {
+    return report.findings.recommended.value_or(*report.findings.best.robust);
+}
+
+/// Whether the answer is to stay with what there is.
+bool isToStay(const DesignReport& report) {
+    const std::optional<DesignHeadline> headline = headlineOf(report);
+    return headline == DesignHeadline::keep || headline == DesignHeadline::noDifference;
+}
+
+/// The heading of the card, of the design that it is about.
+QString designTitle(const DesignReport& report, const DesignUnits& units) {
+    const std::size_t shown = shownDesign(report);
+    if (report.study.choices.empty()) return DesignCard::tr("<b>This scenario</b>");
+    const QString name = units.designName(shown).toHtmlEscaped();
+    if (isToStay(report))
+        return presentDesign(report.study) == shown
+                   ? DesignCard::tr("<b>Present design: %1</b>").arg(name)
+                   : DesignCard::tr("<b>Any design, such as %1</b>").arg(name);
+    return shown == *report.findings.best.robust
+               ? DesignCard::tr("<b>Best for uncertain rock: %1</b>").arg(name)
+               : DesignCard::tr("<b>Best in all aims: %1</b>").arg(name);
+}
+
 /// The other designs that the tables and files mark: a line for each mark.
 QString markLines(const DesignReport& report, const DesignUnits& units) {
-    if (report.findings.designs.size() < 2) return {};
-    const std::pair<std::string_view, QString> marks[]{
-        {"best_nominal", DesignCard::tr("Best for the values entered: %1")},
-        {"present", DesignCard::tr("Present design: %1")},
-        {"equal", DesignCard::tr("Equally good: %1")},
-    };
+    if (report.findings.designs.size() < 2 || headlineOf(report) == DesignHeadline::noDifference) return {};
+    const std::size_t shown = shownDesign(report);
+    std::vector<std::pair<std::string_view, QString>> marks;
+    if (!isToStay(report) && shown != *report.findings.best.robust)
+        marks.emplace_back("best_uncertain", DesignCard::tr("Best for uncertain rock: %1"));
+    marks.emplace_back("best_nominal", DesignCard::tr("Best for the values entered: %1"));
+    if (!isToStay(report)) marks.emplace_back("present", DesignCard::tr("Present design: %1"));
+    marks.emplace_back("equal", DesignCard::tr("Equally good: %1"));
     constexpr qsizetype enough = 4;
     const std::optional<std::size_t> present = presentDesign(report.study);
     QString lines;
@@ -87,14 +114,13 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
     const BestDesigns& best = report.findings.best;
     const DesignStudy& study = report.study;
     const DesignAim& first = study.aims.front();
-    QString text =
-        study.choices.empty()
-            ? DesignCard::tr("<b>This scenario</b>")
-            : DesignCard::tr("<b>Best for uncertain rock: %1</b>").arg(units.designName(*best.robust));
+    const std::size_t shown = shownDesign(report);
+    QString text = designTitle(report, units);
     for (const DesignAim& aim : study.aims)
-        text += QStringLiteral("<br>%1 %2").arg(aimName(aim), valueText(report, aim, *best.robust, units));
+        text += QStringLiteral("<br>%1 %2").arg(aimName(aim), valueText(report, aim, shown, units));
     text += markLines(report, units);
-    if (!best.ties.empty()) {
+    if (headlineOf(report) == DesignHeadline::noDifference) return text;
+    if (!best.ties.empty() && !isToStay(report) && shown == *best.robust) {
         QStringList names;
         constexpr std::size_t enough = 4;
         for (std::size_t i = 0; i < std::min(enough, best.ties.size()); ++i)
@@ -108,7 +134,8 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
                                            .arg(units.designName(*best.nextBest), aimWords(study.aims[1]),
                                                 valueText(report, study.aims[1], *best.nextBest, units));
     }
-    if (!best.nominal || *best.nominal == *best.robust) return text;
+    const bool namesRobust = !isToStay(report) || shown == *best.robust;
+    if (!best.nominal || *best.nominal == *best.robust || !namesRobust) return text;
     const double robust = aimedValue(report, first, *best.robust).value;
     const double other = aimedValue(report, first, *best.nominal).value;
     const QString where = statisticWords(first.statistic, first.sense);
@@ -154,10 +181,17 @@ QString worstSentence(const DesignReport& report, std::size_t a, const DesignUni
         const Parameter& parameter = *report.study.uncertain[i].parameter;
         places << parameterName(parameter) + QLatin1Char(' ') + units.text(parameter, worst.at[i]);
     }
+    const QString words[]{outputName(*aim.output), units.text(shown, worst.value),
+                          places.join(QStringLiteral(", "))};
+    const std::size_t robust = *report.findings.best.robust;
+    if (!report.study.choices.empty() && shownDesign(report) != robust)
+        return (aim.sense == Sense::largest ? DesignCard::tr("Least %1 found with %4: <b>%2</b>, at %3.")
+                                            : DesignCard::tr("Largest %1 found with %4: <b>%2</b>, at %3."))
+            .arg(words[0], words[1], words[2], units.designName(robust));
     return (aim.sense == Sense::largest
                 ? DesignCard::tr("Least %1 found of the robust best: <b>%2</b>, at %3.")
                 : DesignCard::tr("Largest %1 found of the robust best: <b>%2</b>, at %3."))
-        .arg(outputName(*aim.output), units.text(shown, worst.value), places.join(QStringLiteral(", ")));
+        .arg(words[0], words[1], words[2]);
 }
 
 /// What the words of the command line say of its options, the window says of its own.
@@ -199,9 +233,13 @@ void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
     if (const Message headline = headlineMessage(report, names); !headline.isEmpty())
         paragraphs << QStringLiteral("<b>%1</b>").arg(translated(headline).toHtmlEscaped());
     paragraphs << bestSentences(answer, units);
-    if (!report.study.choices.empty()) {
-        paragraphs << loadLink(linkToDesign(*best.robust), tr("Load the robust best"));
-        if (best.nominal && *best.nominal != *best.robust)
+    const std::size_t shown = shownDesign(report);
+    if (!report.study.choices.empty() && headlineOf(report) != DesignHeadline::noDifference) {
+        if (!isToStay(report))
+            paragraphs << loadLink(linkToDesign(shown), shown == *best.robust
+                                                            ? tr("Load the robust best")
+                                                            : tr("Load %1").arg(units.designName(shown)));
+        if (best.nominal && *best.nominal != shown)
             paragraphs << loadLink(linkToDesign(*best.nominal), tr("Load the nominal best"));
     }
     if (const QString measure = measureSentence(report, units); !measure.isEmpty()) paragraphs << measure;

@@ -161,6 +161,7 @@ class TestDesignStudy : public QObject {
     void headlinesFollowTheAims_data();
     void headlinesFollowTheAims();
     void headlinesWarnOfOverloadedRods();
+    void choicesWithoutEffectKeepTheirPresentValue();
     void drawsNeedEveryCell();
 };
 
@@ -441,6 +442,32 @@ void TestDesignStudy::headlinesWarnOfOverloadedRods() {
     study.base.rod.fatigueStrength = 350e6;
     QVERIFY2(headline().startsWith("Warning: The rod is fatigued"), qPrintable(headline()));
     for (const Alert& alert : report.findings.alerts) QCOMPARE(alert.code, AlertCode::stressAboveFatigue);
+}
+
+// The same points for all designs tell lengths apart that differ in the sixth digit; the rod of the base was
+// replaced by one at the end of the choice, and the choice was to be widened.
+void TestDesignStudy::choicesWithoutEffectKeepTheirPresentValue() {
+    DesignReport report;
+    DesignStudy& study = report.study;
+    study.base = parseScenario(findExample("t38_medium_rock")->text, "").scenario;
+    study.uncertain = {parseUncertain("bit_rock.stiffness=52.5MN/m:157.5MN/m:log").input,
+                       parseUncertain("bit_rock.gap=0mm:1mm").input};
+    study.choices = {parseChoice("pulse.duration=200us,220us,240us", study.base, builtInLookup()).axis,
+                     parseChoice("rod.length=1.83m,3.66m,5.49m", study.base, builtInLookup()).axis};
+    study.aims = customaryAims(study.base);
+    study.keepsEnergy = true;
+    study.samples = 256;
+    report.findings = runDesign(study, {.jobs = 1});
+    QVERIFY(!makesDifference(study, report.findings, 1));
+    QVERIFY(makesDifference(study, report.findings, 0));
+    for (const std::optional<std::size_t>& best :
+         {report.findings.best.robust, report.findings.best.chosen, report.findings.recommended})
+        QCOMPARE(best.value() % 3, std::size_t{1});
+    const std::string sentence = headlineMessage(report).text();
+    QVERIFY2(sentence.find("rod.length makes no difference.") != std::string::npos, sentence.c_str());
+    for (const DesignRemark& remark : remarksOn(report))
+        if (remark.code == "optimum_at_edge")
+            QVERIFY2(remark.text.text().find("rod.length") == std::string::npos, "widen the lengths");
 }
 
 void TestDesignStudy::drawsNeedEveryCell() {

@@ -81,6 +81,7 @@ class TestDesignPage : public QObject {
     void aStudyOfAStringStopsAndOffersTheRest();
     void theCardHasTheMarksOfTheFiles();
     void theHeadlineHasTheUnitsAndWordsOfThePage();
+    void whereThePresentDesignStaysNoOtherIsOffered();
 
   private:
     /// What the rows ask.
@@ -713,6 +714,30 @@ void TestDesignPage::theHeadlineHasTheUnitsAndWordsOfThePage() {
     card.present(answer, DesignUnits(answer.report.study, ShownUnits(), unit, QLocale::c()));
     QVERIFY2(card.toPlainText().startsWith(QStringLiteral("Duration t₀ makes no difference")),
              qPrintable(card.toPlainText()));
+}
+
+// "Best for uncertain rock" of another design stood below "Keep", with a link that loaded it.
+void TestDesignPage::whereThePresentDesignStaysNoOtherIsOffered() {
+    showPage();
+    DesignAnswer answer = *m_page->answer();
+    DesignFindings& findings = answer.report.findings;
+    const std::size_t present = presentDesign(answer.report.study).value();
+    findings.best.robust = present + 1;
+    const auto unit = [](const Parameter& parameter) -> const Unit& { return parameter.displayUnit(); };
+    const DesignUnits units(answer.report.study, ShownUnits(), unit, QLocale::c());
+    for (const bool isFlat : {false, true}) {
+        findings.best.equal = {present};
+        for (std::size_t d = 0; isFlat && d < findings.designs.size(); ++d)
+            if (d != present) findings.best.equal.push_back(d);
+        findings.recommended = findings.best.chosen = present;
+        DesignCard card;
+        card.present(answer, units);
+        const QString text = card.toPlainText();
+        QVERIFY2(text.contains(QStringLiteral("Present design: 200")), qPrintable(text));
+        QVERIFY2(!text.contains(QStringLiteral("Best for uncertain rock")), qPrintable(text));
+        QVERIFY2(!text.contains(QStringLiteral("Load the robust best")), qPrintable(text));
+        QCOMPARE(text.contains(QStringLiteral("Load the nominal best")), !isFlat);
+    }
 }
 
 QTEST_MAIN(TestDesignPage)
