@@ -38,6 +38,10 @@ std::string Range::ends() const {
     return (lowOpen ? "(" : "[") + formatNumber(low) + ", " + formatNumber(high) + (highOpen ? ")" : "]");
 }
 
+std::string Range::ends(const Unit& unit) const {
+    return Range{unit.fromSi(low), unit.fromSi(high), lowOpen, "", highOpen}.ends();
+}
+
 bool Parameter::applies(const Scenario& scenario) const {
     if (rules.law && scenario.bitRock.law != *rules.law) return false;
     const PulseShape shape = scenario.pulse.shape;
@@ -105,25 +109,29 @@ KeptParameter findParameter(std::string_view key) {
     return ofLaw ? ofLaw : findSectionParameter(key);
 }
 
-Message Range::problem(double value, const Unit& si) const {
+Message Range::problem(double value, const Unit& unit) const {
     if (!std::isfinite(value)) return translatable("must be a finite number");
     if (contains(value)) return {};
     // Who gives nothing, or less, need not be told how little or how much would do.
-    if (low >= 0 && value <= 0 && !si.name.empty())
+    if (low >= 0 && value <= 0 && !unit.name.empty())
         return low > 0 || lowOpen ? translatable("must be greater than 0")
                                   : translatable("must be at least 0");
-    const std::string unit = std::isfinite(high) && !si.name.empty() ? " " + std::string(si.name) : "";
+    const std::string name = std::isfinite(high) && !unit.name.empty() ? " " + std::string(unit.name) : "";
     const Message problem{std::isfinite(high) ? translatable("must be in %1%2")
                           : lowOpen           ? translatable("must be greater than %1")
                                               : translatable("must be at least %1"),
-                          {std::isfinite(high) ? ends() : formatNumber(low), unit}};
+                          {std::isfinite(high) ? ends(unit) : formatNumber(unit.fromSi(low)), name}};
     return value > high && *whyNotMore ? Message("%1: %2", {problem, whyNotMore}) : problem;
+}
+
+const Unit& unitOfRange(Quantity quantity, const Unit& customary) {
+    return quantity == Quantity::share ? customary : unitsOf(quantity).front();
 }
 
 Message rangeProblem(const Parameter& parameter, double value) {
     if (parameter.rules.wholeNumber && std::isfinite(value) && value != std::floor(value))
         return translatable("must be a whole number");
-    return parameter.hard.problem(value, unitsOf(parameter.quantity).front());
+    return parameter.hard.problem(value, unitOfRange(parameter.quantity, parameter.displayUnit()));
 }
 
 Message readBackProblem(const Parameter& parameter, const Scenario& scenario, double wanted) {

@@ -52,11 +52,12 @@ struct Range {
     const char* whyNotMore = "";  ///< why there is an upper end, for messages; may be empty
     bool highOpen = false;
     bool contains(double value) const;
-    /// "(0, 1]", of a range with an upper end.
+    /// "(0, 1]", of a range with an upper end; in a unit.
     std::string ends() const;
-    /// Why a value (SI, finite or not) is outside: "must be in (0, 1]", with the SI unit where it has one;
-    /// empty when it is inside.
-    Message problem(double value, const Unit& si) const;
+    std::string ends(const Unit& unit) const;
+    /// Why a value (SI, finite or not) is outside: "must be in (0, 1]", in the unit given, behind which its
+    /// name stands where it has one; empty when it is inside.
+    Message problem(double value, const Unit& unit) const;
 };
 
 enum class SliderScale { linear, logarithmic };
@@ -173,6 +174,9 @@ bool isGiven(const Parameter& parameter, const Scenario& scenario);
 
 /// Why `value` (SI, finite or not) is outside the hard range: "must be in (0, 1]"; empty when it is inside.
 Message rangeProblem(const Parameter& parameter, double value);
+/// In which unit messages give the ends of a range: SI, but of a share, which everybody reads in per cent,
+/// the customary one.
+const Unit& unitOfRange(Quantity quantity, const Unit& customary);
 
 /// Why the scenario does not hold `wanted` (SI) now that it was assigned: what is kept is the physical value
 /// of a group, or the impulse of a force, and that may be at the end of double precision. "cannot be kept …";

@@ -182,7 +182,7 @@ bool areRivals(const SectionField& a, const SectionField& b) {
 }
 
 Message rangeProblem(const SectionField& field, double value) {
-    return field.hard.problem(value, unitsOf(field.quantity).front());
+    return field.hard.problem(value, unitOfRange(field.quantity, field.displayUnit()));
 }
 
 bool SectionAddress::isCalled(std::string_view section) const {

@@ -331,7 +331,7 @@ void TestDrill::badInputIsRefusedInOneLineEach_data() {
     QTest::newRow("a damper without a body") << QStringList{bare, "--set", "drill.damper_damping=6kNs/m"} << 5
                                              << QByteArray("needs drill.machine_mass");
     QTest::newRow("an impulse as a damping") << set("drill.damper_damping=6kN s") << 5 << QByteArray("N s/m");
-    QTest::newRow("all is lost") << set("drill.wave_loss=100%") << 5 << QByteArray("[0, 1)");
+    QTest::newRow("all is lost") << set("drill.wave_loss=100%") << 5 << QByteArray("[0, 100) %");
     QTest::newRow("half a blow") << set("drill.blows=2.5") << 5 << QByteArray("whole number");
     QTest::newRow("settles all the time") << QStringList{file, "--blows", "5", "--settle", "5"} << 5
                                           << QByteArray("must be less than the blows");

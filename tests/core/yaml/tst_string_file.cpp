@@ -206,7 +206,7 @@ void TestStringFile::wrongFilesAreRefusedWhereTheyAreWrong_data() {
         "s.yaml:12:29: string.1.length = 0 mm (must be greater than 0");
     row("no number", "mass_after: 0.3 kg", "mass_after: .nan",
         "string.9.mass_after = .nan (must be a finite number)");
-    row("more than all", "loss: 2 %", "loss: 120 %", "string.2.loss = 120 % (must be in [0, 1)");
+    row("more than all", "loss: 2 %", "loss: 120 %", "string.2.loss = 120 % (must be in [0, 100) %");
     row("end of an area", "diameter: 45 mm, bore: 12 mm", "area: 1000 mm^2, end_diameter: 60 mm",
         "string.1.end_diameter (goes with a diameter, not with an area)");
     row("end area of a diameter", "bore: 12 mm", "end_area: 1200 mm^2",

@@ -65,7 +65,9 @@ void StringCellEditor::setEditorData(QWidget* editor, const QModelIndex& index) 
     const KeptParameter parameter = m_model.parameterAt(index);
     auto* field = qobject_cast<QuantityField*>(editor);
     if (!field || !parameter) return QStyledItemDelegate::setEditorData(editor, index);
+    const bool isFresh = !field->value() && field->text().isEmpty();
     field->setValue(parameter->value(m_document.scenario()));
+    if (isFresh) field->selectAll();  // what is typed on a selected cell replaces its number
 }
 
 void StringCellEditor::updateEditorGeometry(QWidget* editor, const QStyleOptionViewItem& option,
@@ -85,10 +87,7 @@ void StringCellEditor::setModelData(QWidget* editor, QAbstractItemModel* model,
                                     const QModelIndex& index) const {
     auto* field = qobject_cast<QuantityField*>(editor);
     if (!field) return QStyledItemDelegate::setModelData(editor, model, index);
-    if (!field->problem().isEmpty()) {
-        emit leftOut(field->problem());
-        return;
-    }
+    if (!field->problem().isEmpty()) return;  // the cell shows its value again
     const KeptParameter parameter = m_model.parameterAt(index);
     const bool isNew =
         parameter && field->value() && field->value() != parameter->value(m_document.scenario());

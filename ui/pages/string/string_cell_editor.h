@@ -26,10 +26,6 @@ class StringCellEditor : public QStyledItemDelegate {
                               const QModelIndex& index) const override;
     void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
 
-  signals:
-    /// Why text that was left in a cell was not taken.
-    void leftOut(const QString& reason) const;
-
   protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 

@@ -75,9 +75,7 @@ void StringPage::fillTable() {
     m_table->setObjectName(QStringLiteral("sections"));
     m_table->setAccessibleName(tr("Sections of hammer and string"));
     m_table->setModel(m_model);
-    auto* editor = new StringCellEditor(m_document, *m_model, m_table);
-    m_table->setItemDelegate(editor);
-    connect(editor, &StringCellEditor::leftOut, this, &StringPage::say);
+    m_table->setItemDelegate(new StringCellEditor(m_document, *m_model, m_table));
     m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
     m_table->setSelectionMode(QAbstractItemView::ContiguousSelection);
     m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed |

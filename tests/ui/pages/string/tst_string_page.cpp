@@ -20,6 +20,7 @@
 #include "ui/export/export_menu.h"
 #include "ui/export/report_writer.h"
 #include "ui/form/problem_plate.h"
+#include "ui/form/quantity_field.h"
 #include "ui/form/section_box.h"
 #include "ui/pages/blow/blow_page.h"
 #include "ui/pages/blow/blow_plots.h"
@@ -48,6 +49,7 @@ class TestStringPage : public QObject, private WindowFixture {
 
   private slots:
     void init();
+    void typingOnASelectedCellReplacesItsNumber();
     void aStringIsOpenedOnThePageOnShow();
     void blowAndRockShowAString();
     void runsOfEitherKindLieOverBlowAndRock();
@@ -139,6 +141,36 @@ void TestStringPage::typeIntoCell(int row, int column, const QString& typed) {
     QTest::keyClicks(target, typed);
     QTest::keyClick(target, Qt::Key_Return);
     QCoreApplication::processEvents();
+}
+
+// The digits were put behind the number of the cell, and the reason stood above the table for good.
+void TestStringPage::typingOnASelectedCellReplacesItsNumber() {
+    const auto loss = [&] { return document().scenario().drillString.parts[1].sections[0].loss; };
+    QCOMPARE(QString::fromStdString(document().scenario().drillString.parts[1].sections[0].name),
+             QStringLiteral("coupling"));
+    typeIntoCell(3, StringModel::loss, QStringLiteral("6"));
+    QCOMPARE(loss(), 0.06);
+    QTableView& table = *page().table();
+    const QModelIndex cell = model().index(3, StringModel::loss);
+    table.setCurrentIndex(cell);
+    QTest::keyClick(&table, Qt::Key_1);
+    auto* field = qobject_cast<QuantityField*>(table.indexWidget(cell));
+    QVERIFY(field);
+    QTest::keyClick(field, Qt::Key_0);
+    QCOMPARE(field->text(), QStringLiteral("10"));
+    QTest::keyClick(field, Qt::Key_Return);
+    QCoreApplication::processEvents();
+    QCOMPARE(loss(), 0.1);
+    settle();
+    const QString sentence = words();
+    table.edit(cell);
+    field = qobject_cast<QuantityField*>(table.indexWidget(cell));
+    QTest::keyClicks(field, QStringLiteral("610"));
+    QVERIFY2(field->problem().contains(QStringLiteral("[0, 100) %")), qPrintable(field->problem()));
+    table.setCurrentIndex(model().index(2, StringModel::length));
+    QCoreApplication::processEvents();
+    QCOMPARE(loss(), 0.1);
+    QCOMPARE(words(), sentence);
 }
 
 void TestStringPage::aStringIsOpenedOnThePageOnShow() {
