@@ -163,6 +163,7 @@ void ResultRow::present(const SolvedBlow& blow) const {
 QString ResultRow::changeText(const SolvedBlow& blow, const SolvedBlow* reference) const {
     const UnitSystem units = blow.request.units;
     if (!reference || !m_entry.number || !isThere() || !blow.fault.isEmpty()) return {};
+    if (m_entry.concerns && !m_entry.concerns(reference->scenario)) return {};
     if (m_entry.output && !haveSameUnit(*m_entry.output, blow, *reference, units)) return {};
     const std::optional<double> now = m_entry.number(blow, units);
     const std::optional<double> then = m_entry.number(*reference, units);

@@ -186,6 +186,21 @@ class TestResultPanel : public QObject {
         QCOMPARE(changeOf("Rebound: COR e"), QString());
     }
 
+    // The energy of a hammer was set against the scale of energies of a given blow, W₀.
+    void rowsThatTheReferenceHasNotAreNotCompared() {
+        const auto ofExample = [](const char* name) {
+            const Example& example = *findExample(name);
+            return solved(parseScenario(example.text, example.name).scenario, UnitSystem::si);
+        };
+        ResultPanel panel;
+        panel.present(ofExample("t38_string"));
+        panel.setReference(ofExample("t38_medium_rock"), "A  rod");
+        const auto changeOf = [&](const char* name) { return valueOf(panel, name).section('\t', 1); };
+        QVERIFY(!valueOf(panel, "Energy: hammer energy E₀").isEmpty());
+        QCOMPARE(changeOf("Energy: hammer energy E₀"), QString());
+        QVERIFY(!changeOf("Energy: hammer work W").isEmpty());
+    }
+
     void aLargestStressLeadsToItsPlaceAndTime() {
         ResultPanel panel;
         const SolvedBlowPtr blow = solved(Scenario(), UnitSystem::si);
