@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -122,14 +123,34 @@ bool Assignments::movePulse() const {
     return std::ranges::any_of(m_order, [this](std::size_t number) { return movesPulse(number); });
 }
 
+namespace {
+
+/// The same number of the other form: the material of a rod, and that of the sections of a string.
+KeptParameter counterpartOf(const Parameter& parameter) {
+    static constexpr std::array<std::array<std::string_view, 2>, 2> pairs{
+        {{"rod.youngs_modulus", "material.youngs_modulus"}, {"rod.density", "material.density"}}};
+    for (const auto& [ofRod, ofString] : pairs) {
+        if (parameter.key == ofRod) return findParameter(ofString);
+        if (parameter.key == ofString) return findParameter(ofRod);
+    }
+    return nullptr;
+}
+
+}  // namespace
+
 std::optional<double> valueIn(const Scenario& scenario, const Parameter& parameter) {
-    return parameter.applies(scenario) ? parameter.value(scenario) : std::nullopt;
+    if (parameter.applies(scenario)) return parameter.value(scenario);
+    const KeptParameter other = counterpartOf(parameter);
+    return other && other->applies(scenario) ? other->value(scenario) : std::nullopt;
 }
 
 std::vector<KeptParameter> differingParameters(std::span<const Scenario* const> scenarios) {
     std::vector<KeptParameter> differing;
     const auto look = [&](const KeptParameter& kept) {
         const Parameter& parameter = *kept;
+        const KeptParameter other = counterpartOf(parameter);
+        const auto isListedAs = [&](const KeptParameter& each) { return other && each->key == other->key; };
+        if (std::ranges::any_of(differing, isListedAs)) return;
         const auto gives = [&](const Scenario* each) { return isGiven(parameter, *each); };
         const auto isOther = [&](const Scenario* each) {
             return valueIn(*each, parameter) != valueIn(*scenarios.front(), parameter);

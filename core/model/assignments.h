@@ -79,12 +79,14 @@ class Assignments {
 
 // In which parameters scenarios differ.
 
-/// The value in SI of a parameter; nothing where it does not apply or is not given.
+/// The value in SI of a parameter; of the material of a rod also that of all sections of a string, and the
+/// other way round. Nothing where it does not apply or is not given.
 std::optional<double> valueIn(const Scenario& scenario, const Parameter& parameter);
 
 /// The parameters that at least one of the scenarios gives (isGiven()) and that have not the same value in
 /// all of them, in the order of the table, and of sections after it by place. What only follows from others,
-/// such as the groups of a scenario in physical units, is not among them.
+/// such as the groups of a scenario in physical units, is not among them; nor is one of two parameters that
+/// are the same number of a rod and of a string.
 std::vector<KeptParameter> differingParameters(std::span<const Scenario* const> scenarios);
 
 }  // namespace drillwave

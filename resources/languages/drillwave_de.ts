@@ -3646,6 +3646,10 @@ Nulllinie: der Mittelwert der ersten Abtastwerte, in denen nichts geschieht.
 Bereich: „Spitze“ nimmt das Stück um den größten Wert, „Ansicht“ das, was das Bild zeigt (Strg+Mausrad und Umschalt+Ziehen zoomen dort), „Alles“ die ganze Aufzeichnung.
 Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und e auf 1e-4 gleich lassen, solange Sie keine Anzahl wählen; eine Kurve behält so viele. Die Zusammenfassung sagt, wie weit die übrigen von den Geraden dazwischen entfernt sind.</translation>
     </message>
+    <message>
+        <source>sections that differ</source>
+        <translation>Unterschiede in Abschnitten</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>

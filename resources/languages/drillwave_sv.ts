@@ -3646,6 +3646,10 @@ Nollinje: medelvärdet av de första mätvärdena, då ingenting händer.
 Område: ”Topp” tar stycket kring det största värdet, ”Vy” det som bilden visar (Ctrl+hjul och Skift+dra zoomar där), ”Allt” hela mätningen.
 Högst antal punkter: ett slag behåller så få mätvärden att impuls och e är lika till 1e-4, så länge du inte väljer ett antal; en kurva behåller så många. Sammanfattningen säger hur långt de övriga är från linjerna emellan.</translation>
     </message>
+    <message>
+        <source>sections that differ</source>
+        <translation>sektioner som skiljer sig</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::AccuracyPage</name>

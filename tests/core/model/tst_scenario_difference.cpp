@@ -3,6 +3,8 @@
 #include <QTest>
 
 #include "core/model/assignments.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 #include "tests/support/scenario.h"
 
 using namespace drillwave;
@@ -30,6 +32,7 @@ class TestScenarioDifference : public QObject {
     void lawsDifferInEveryNumber_data();
     void lawsDifferInEveryNumber();
     void aNumberOfTwoFormsIsListedOnce();
+    void theMaterialOfRodAndStringIsOneNumber();
 };
 
 void TestScenarioDifference::theSameScenarioDiffersInNothing() {
@@ -98,6 +101,18 @@ void TestScenarioDifference::aNumberOfTwoFormsIsListedOnce() {
     const QStringList both = keys({&a, &b});
     QCOMPARE(both.count(QStringLiteral("bit_rock.reference_penetration")), 1);
     QCOMPARE(QSet<QString>(both.begin(), both.end()).size(), both.size());
+}
+
+void TestScenarioDifference::theMaterialOfRodAndStringIsOneNumber() {
+    const Scenario rod = parseScenario(findExample("t38_medium_rock")->text, "").scenario;
+    Scenario string = parseScenario(findExample("t38_string")->text, "").scenario;
+    QCOMPARE(valueIn(string, *findParameter("rod.density")), std::optional(7850.0));
+    for (const char* key :
+         {"rod.youngs_modulus", "material.youngs_modulus", "rod.density", "material.density"})
+        QVERIFY2(!keys({&rod, &string}).contains(QLatin1String(key)), key);
+    string.drillString.material.density = 7800;
+    QVERIFY(keys({&rod, &string}).contains(QStringLiteral("rod.density")));
+    QVERIFY(!keys({&rod, &string}).contains(QStringLiteral("material.density")));
 }
 
 QTEST_GUILESS_MAIN(TestScenarioDifference)

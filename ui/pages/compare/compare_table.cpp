@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <utility>
 
 #include "core/model/assignments.h"
@@ -71,10 +72,16 @@ QString nameIn(const Parameter& parameter, const std::vector<const Scenario*>& s
     return parameterName(parameter);
 }
 
-void addParameters(CompareTable& table, const Columns& columns, const UnitChoice& fields) {
-    std::vector<const Scenario*> scenarios;
-    for (const CompareColumn& each : columns) scenarios.push_back(each.scenario);
-    for (const KeptParameter& parameter : differingParameters(scenarios)) {
+/// Of hammer and string together: more rows of sections would push the results out of sight.
+constexpr std::ptrdiff_t mostSectionRows = 12;
+
+bool isOfSection(const KeptParameter& parameter) {
+    return parameter->address || parameter->key == "string.repeat";
+}
+
+void addParameters(CompareTable& table, const std::vector<const Scenario*>& scenarios,
+                   const std::vector<KeptParameter>& parameters, const UnitChoice& fields) {
+    for (const KeptParameter& parameter : parameters) {
         const Unit& unit = fields.fieldUnit(*parameter);
         CompareRow row{.kind = CompareRow::Kind::parameter,
                        .name = nameIn(*parameter, scenarios),
@@ -210,11 +217,23 @@ CompareTable compareTable(const Columns& columns, std::size_t reference, UnitSys
     for (const CompareColumn& each : columns) table.titles << each.title;
     table.rows.push_back(heading(tr("what differs")));
     addBlow(table, columns);
-    addParameters(table, columns, fields);
-    if (table.rows.size() == 1) table.rows.front().name = tr("nothing differs");
+    std::vector<const Scenario*> scenarios;
+    for (const CompareColumn& each : columns) scenarios.push_back(each.scenario);
+    std::vector<KeptParameter> differing = differingParameters(scenarios), ofSections;
+    if (std::ranges::count_if(differing, isOfSection) > mostSectionRows) {
+        const auto rest = std::ranges::stable_partition(differing, std::not_fn(isOfSection));
+        ofSections.assign(rest.begin(), rest.end());
+        differing.erase(rest.begin(), rest.end());
+    }
+    addParameters(table, scenarios, differing, fields);
+    if (table.rows.size() == 1 && ofSections.empty()) table.rows.front().name = tr("nothing differs");
+    if (table.rows.size() == 1 && !ofSections.empty()) table.rows.clear();
     table.rows.push_back(heading(tr("results")));
     addMargins(table, columns, units, chosen);
     addResults(table, columns, units, chosen);
+    if (ofSections.empty()) return table;
+    table.rows.push_back(heading(tr("sections that differ")));
+    addParameters(table, scenarios, ofSections, fields);
     return table;
 }
 

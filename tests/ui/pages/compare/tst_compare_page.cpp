@@ -63,6 +63,7 @@ class TestComparePage : public QObject {
     void longNamesAreBrokenIntoLines();
     void whatIsNotSolvedHasNoNumbers();
     void withoutUnitsARunHasNoForces();
+    void aRodBesideAStringHasOneMaterialAndResultsFirst();
     void stringsHaveTheirResults_data();
     void stringsHaveTheirResults();
     void multiplesOfOtherScalesAreNotCompared();
@@ -147,6 +148,22 @@ void TestComparePage::multiplesOfOtherScalesAreNotCompared() {
         QVERIFY(rowOf(table, "peak force")->numbers[0] && rowOf(table, "peak force")->numbers[1]);
         QCOMPARE(rowOf(table, "peak force")->difference(0, 1).has_value(), units == UnitSystem::si);
     }
+}
+
+// "210 –" above "– 210", and dozens of rows of sections before the first result.
+void TestComparePage::aRodBesideAStringHasOneMaterialAndResultsFirst() {
+    pin("rod.length", 3.0);
+    m_document->startFrom(findExample("t38_string")->text, "string");
+    show();
+    const CompareTable& table = m_page->table();
+    QVERIFY(!rowOf(table, "Young's modulus E"));
+    QVERIFY(!rowOf(table, "density ρ"));
+    const auto placeOf = [&](const QString& name) { return rowOf(table, name) - table.rows.data(); };
+    QVERIFY(rowOf(table, "sections that differ") && rowOf(table, "results"));
+    QVERIFY(placeOf("what differs") < placeOf("results"));
+    QVERIFY(placeOf("results") < placeOf("sections that differ"));
+    QVERIFY(placeOf("peak force") < placeOf("sections that differ"));
+    QCOMPARE(placeOf("what differs"), std::ptrdiff_t(0));
 }
 
 void TestComparePage::withoutRunsItSaysHowToPin() {
