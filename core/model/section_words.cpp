@@ -2,6 +2,7 @@
 #include "core/model/section_words.h"
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 #include <string_view>
@@ -33,8 +34,8 @@ struct NumberedNames {
 
 Message placeWords(const Section& section, std::uint64_t place, const NumberedNames& names) {
     if (section.name.empty()) return {translatable("section %1"), {std::to_string(place)}};
-    if (names.counts.at(section.name) == 1) return section.name;
-    return {translatable("%1 %2"), {ordinal(names.numbers[place - 1]), section.name}};
+    if (names.counts.at(section.name) == 1) return sectionNameMessage(section.name);
+    return {translatable("%1 %2"), {ordinal(names.numbers[place - 1]), sectionNameMessage(section.name)}};
 }
 
 /// A section that has several places.
@@ -49,12 +50,27 @@ Message repeatWords(const Section& section, const std::vector<std::uint64_t>& nu
                 {std::to_string(first), std::to_string(second), std::to_string(last)}};
     }
     if (numbers.size() == 2)
-        return {translatable("%1 and %2 %3"), {ordinal(first), ordinal(last), section.name}};
-    if (follow) return {translatable("%1 to %2 %3"), {ordinal(first), ordinal(last), section.name}};
-    return {translatable("%1, %2 … %3 %4"), {ordinal(first), ordinal(second), ordinal(last), section.name}};
+        return {translatable("%1 and %2 %3"),
+                {ordinal(first), ordinal(last), sectionNameMessage(section.name)}};
+    if (follow)
+        return {translatable("%1 to %2 %3"),
+                {ordinal(first), ordinal(last), sectionNameMessage(section.name)}};
+    return {translatable("%1, %2 … %3 %4"),
+            {ordinal(first), ordinal(second), ordinal(last), sectionNameMessage(section.name)}};
 }
 
 }  // namespace
+
+std::span<const std::string_view> customarySectionNames() {
+    static constexpr std::array<std::string_view, 6> names{"adapter",   "rod",      "coupling",
+                                                           "bit skirt", "bit head", "bit"};
+    return names;
+}
+
+Message sectionNameMessage(const std::string& name) {
+    const auto names = customarySectionNames();
+    return std::ranges::find(names, name) == names.end() ? Message(name) : Message::ofTable(name);
+}
 
 std::vector<Message> stringSectionWords(const DrillString& drillString) {
     const std::vector<const Section*> sections = expandedSections(drillString);

@@ -4,6 +4,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/model/drill_string.h"
@@ -11,6 +14,12 @@
 #include "core/text/message.h"
 
 namespace drillwave {
+
+/// Returns the names that examples and presets give to sections: "rod", "bit skirt". A reader has them in a
+/// language; other names stay as they are.
+std::span<const std::string_view> customarySectionNames();
+/// Returns the name of a section in a sentence, in the words of the reader where it is a customary one.
+Message sectionNameMessage(const std::string& name);
 
 /// Returns "3rd rod" for every section of the string with repeats written out; "adapter" where only one
 /// section has that name, "section 3" where it has none.

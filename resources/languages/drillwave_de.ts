@@ -2749,6 +2749,22 @@ Trotzdem löschen?</translation>
         <source>bit</source>
         <translation>Bohrkrone</translation>
     </message>
+    <message>
+        <source>adapter</source>
+        <translation>Einsteckende</translation>
+    </message>
+    <message>
+        <source>coupling</source>
+        <translation>Kupplungsmuffe</translation>
+    </message>
+    <message>
+        <source>bit skirt</source>
+        <translation>Kronenschaft</translation>
+    </message>
+    <message>
+        <source>bit head</source>
+        <translation>Kronenkopf</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>

@@ -2749,6 +2749,22 @@ Ta bort ändå?</translation>
         <source>bit</source>
         <translation>borrkrona</translation>
     </message>
+    <message>
+        <source>adapter</source>
+        <translation>nackadapter</translation>
+    </message>
+    <message>
+        <source>coupling</source>
+        <translation>skarvhylsa</translation>
+    </message>
+    <message>
+        <source>bit skirt</source>
+        <translation>kronskaft</translation>
+    </message>
+    <message>
+        <source>bit head</source>
+        <translation>kronhuvud</translation>
+    </message>
 </context>
 <context>
     <name>drillwave</name>

@@ -11,6 +11,7 @@
 #include "core/model/parameter.h"
 #include "core/model/preset.h"
 #include "core/model/section_field.h"
+#include "core/model/section_words.h"
 #include "core/report/accuracy_columns.h"
 #include "core/report/feed_words.h"
 #include "core/study/drilling/drilling_record.h"
@@ -55,6 +56,7 @@ inline std::set<std::string> coreTexts() {
         add(output.title);
         add(output.meaning);
     }
+    for (const std::string_view name : customarySectionNames()) add(name);
     for (const PresetPart part : allValues<PresetPart>) add(name(part));
     for (const FeedState state : allValues<FeedState>) add(feedWord(state));
     for (const ThrustCase which : allValues<ThrustCase>) add(labelOf(which));

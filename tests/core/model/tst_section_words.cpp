@@ -3,6 +3,7 @@
 #include <QTest>
 
 #include "core/model/section_words.h"
+#include "core/text/languages.h"
 
 using namespace drillwave;
 
@@ -42,6 +43,17 @@ class TestSectionWords : public QObject {
         QCOMPARE(texts(rowWords(drill)), (Texts{"hammer 1 (piston)", "hammer 2", "adapter", "1st rod",
                                                 "1st and 2nd coupling", "2nd and 3rd rod", "section 7"}));
         QCOMPARE(stringWords(drill).text(), std::string("3 rods, 2 couplings, 2 other sections"));
+    }
+
+    void customaryNamesAreInTheLanguageOfTheReader() {
+        DrillString drill;
+        drill.parts = {{.sections = {named("adapter"), named("rod"), named("coupling"), named("rod")}},
+                       {.sections = {named("bit skirt"), named("my rod")}}};
+        const ReadingStyle& german = styleOf(*findLanguage("de"));
+        std::vector<std::string> words;
+        for (const Message& each : stringSectionWords(drill)) words.push_back(german.said(each));
+        QCOMPARE(words, (Texts{"Einsteckende", "1. Stange", "Kupplungsmuffe", "2. Stange", "Kronenschaft",
+                               "my rod"}));
     }
 
     void rowsOfARepeatHaveAllTheirNumbers() {

@@ -35,8 +35,8 @@ DrillingTable::DrillingTable(QWidget* parent) : QTableWidget(parent), m_rows(row
         tr("Error of the mean, 95 %: by batches of blows, and what larger or smaller cells change"));
     for (int row = 0; row < rowCount(); ++row) {
         const BlowQuantity& quantity = blowQuantities[m_rows[std::size_t(row)]];
-        auto* header = new QTableWidgetItem(coreText(quantity.title));
-        header->setToolTip(coreText(quantity.meaning));
+        auto* header = new QTableWidgetItem(translated(Message(quantity.title)));
+        header->setToolTip(translated(Message(quantity.meaning)));
         setVerticalHeaderItem(row, header);
         for (int column = 0; column < columns; ++column) {
             auto* cell = new QTableWidgetItem;
@@ -64,13 +64,19 @@ void DrillingTable::present(const DrillingResult& result, const UnitChoice& unit
         const std::size_t quantity = m_rows[std::size_t(row)];
         const DrillingMeasure measure = blowQuantities[quantity].measure;
         const DrillingScale scale = scaleOf(measure, result);
-        const auto text = [&](double value, int digits) {
-            const double si = scale.value(value, OutputUnits::si);
-            return QString::fromStdString(measure == DrillingMeasure::count
-                                              ? style.number(si, digits)
-                                              : style.quantity(si, scale.quantity, digits));
-        };
         const BlowSpread& spread = result.spread(quantity);
+        // In one unit, beside its name: cells with units are too wide for the last column to be seen.
+        const ReadUnit read = measure == DrillingMeasure::count
+                                  ? ReadUnit{&unitsOf(Quantity::ratio).front(), {}}
+                                  : style.unitFor(scale.value(spread.q95, OutputUnits::si), scale.quantity);
+        const QString title = translated(Message(blowQuantities[quantity].title));
+        verticalHeaderItem(row)->setText(
+            read.name.empty() ? title
+                              : QStringLiteral("%1 [%2]").arg(title, QString::fromStdString(read.name)));
+        const auto text = [&](double value, int digits) {
+            const double shown = read.unit->fromSi(scale.value(value, OutputUnits::si));
+            return QString::fromStdString(style.number(shown, digits));
+        };
         const std::optional<double> errorOfMean = result.meanError(quantity);
         setText(row, mean, text(spread.mean, 5));
         setText(row, error, errorOfMean ? text(withoutRounding(*errorOfMean), 2) : QString());

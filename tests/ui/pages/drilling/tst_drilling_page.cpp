@@ -15,6 +15,7 @@
 #include "ui/form/quantity_field.h"
 #include "ui/pages/drilling/drilling_page.h"
 #include "ui/pages/drilling/drilling_plot.h"
+#include "ui/pages/drilling/drilling_table.h"
 #include "ui/pages/drilling/march_rects.h"
 #include "ui/pages/drilling/scan_rects.h"
 #include "ui/pages/study/axis_fields.h"
@@ -40,6 +41,7 @@ class TestDrillingPage : public QObject {
     void init();
     void aPageThatCannotBeSeenComputesNothing();
     void blowsTableAndSentenceAreThoseOfTheStudy();
+    void theRowsOfTheTableAreInTheLanguageOfTheWindow();
     void anAnswerThatIsKnownIsNotMarchedAgain();
     void theExportIsWhatTheCopiedCommandWrites();
     void aScanIsAsFarAsTheScenarioAndAClickTakesItsThrust();
@@ -129,8 +131,19 @@ void TestDrillingPage::blowsTableAndSentenceAreThoseOfTheStudy() {
     const auto* table = m_page->findChild<QTableWidget*>(QStringLiteral("statistics"));
     const double mean =
         scaleOf(DrillingMeasure::length, expected).value(expected.spread(3).mean, OutputUnits::si);
-    QCOMPARE(table->verticalHeaderItem(2)->text(), QStringLiteral("penetration"));
-    QCOMPARE(table->item(2, 0)->text(), QString::fromStdString(style.quantity(mean, Quantity::length, 5)));
+    QCOMPARE(table->verticalHeaderItem(2)->text(), QStringLiteral("penetration [mm]"));
+    QCOMPARE(table->item(2, 0)->text(), QString::fromStdString(style.number(mean * millimetres, 5)));
+}
+
+// Titles of the core's table of quantities were looked up where the catalogues do not have them.
+void TestDrillingPage::theRowsOfTheTableAreInTheLanguageOfTheWindow() {
+    speak(*findLanguage("de"));
+    const DrillingTable table;
+    speak(languages[0]);
+    QStringList titles;
+    for (int row = 0; row < table.rowCount(); ++row) titles << table.verticalHeaderItem(row)->text();
+    QCOMPARE(titles.mid(0, 2), (QStringList{"Spalt beim Schlag", "Kraftstoß auf das Gestein"}));
+    QCOMPARE(titles.last(), QStringLiteral("Kontakte"));
 }
 
 void TestDrillingPage::anAnswerThatIsKnownIsNotMarchedAgain() {
