@@ -159,9 +159,14 @@ void DesignPage::showSetup(const DesignSetup& setup) {
             aims.push_back(parsed.aim);
     const QSignalBlocker first(m_aims), second(m_keepEnergy);
     m_aims->setAims(aims.empty() ? customaryAims(scenario()) : aims);
-    m_keepEnergy->setChecked(setup.keepEnergy);
+    if (canKeepEnergy()) m_keepEnergy->setChecked(setup.keepEnergy);  // else its tick waits until it can
     const auto samples = setup.samples.value_or(static_cast<std::uint64_t>(customarySamples(scenario())));
     chooseSamples(static_cast<int>(std::max(leastDesignSamples, std::bit_ceil(samples))));
+}
+
+/// Hammers have the energy of their own.
+bool DesignPage::canKeepEnergy() const {
+    return keepEnergyProblem(scenario()).isEmpty() && !m_presets->hasHammers();
 }
 
 /// Returns the set-up of the controls; limits and seed have none and stay.
@@ -172,7 +177,7 @@ DesignSetup DesignPage::setup() const {
     for (const std::string& text : m_choices->texts()) setup.choose.push_back(text);
     setup.aims.clear();
     for (const DesignAim& aim : m_aims->aims()) setup.aims.push_back(aim.name());
-    setup.keepEnergy = m_keepEnergy->isEnabled() && m_keepEnergy->isChecked();
+    setup.keepEnergy = canKeepEnergy() && m_keepEnergy->isChecked();
     setup.samples = static_cast<std::uint64_t>(m_samples->currentData().toInt());
     return setup;
 }
@@ -180,7 +185,7 @@ DesignSetup DesignPage::setup() const {
 // By the user: what the document has, and its file once it is saved.
 void DesignPage::keepSetup() {
     if (!m_isSetUp) return askSoon();
-    m_keepEnergy->setEnabled(keepEnergyProblem(scenario()).isEmpty() && !m_presets->hasHammers());
+    m_keepEnergy->setEnabled(canKeepEnergy());
     m_setup = setup();
     if (m_setup == document().design()) return askSoon();
     document().setDesign(m_setup);  // which asks
@@ -235,7 +240,7 @@ void DesignPage::ask() {
         if (document().design() != m_setup) showSetup(document().design());
     }
     m_isSetUp = true;
-    m_keepEnergy->setEnabled(keepEnergyProblem(scenario()).isEmpty() && !m_presets->hasHammers());
+    m_keepEnergy->setEnabled(canKeepEnergy());
     Wish now = wish();
     m_problem = now.problem;
     if (!now.study) return m_study.job().cancel();

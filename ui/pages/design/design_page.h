@@ -55,6 +55,7 @@ class DesignPage : public StudyPage {
     void followScenario();
     void chooseSamples(int samples);
     void showSetup(const DesignSetup& setup);
+    bool canKeepEnergy() const;
     DesignSetup setup() const;
     void keepSetup();
     void excludePresetKeys();

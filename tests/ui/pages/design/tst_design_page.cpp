@@ -77,6 +77,7 @@ class TestDesignPage : public QObject {
     void theSetUpOfTheDocumentIsShownAndKept();
     void untouchedControlsChangeNoFile();
     void tickedHammersAreDesigns();
+    void undoWithHammersKeepsTheTickOfTheEnergy();
     void whatNoRowShowsStaysAsText();
     void aStudyOfAStringStopsAndOffersTheRest();
     void theCardHasTheMarksOfTheFiles();
@@ -626,6 +627,26 @@ void TestDesignPage::tickedHammersAreDesigns() {
     emit card->designWanted(1);
     QCOMPARE(m_document->undoStack().count(), steps + 1);
     QVERIFY(m_document->scenario().pulse == expected.pulse);
+}
+
+// The set-up of hammers has no energy to keep, and an undo with them showed that as the tick of the user.
+void TestDesignPage::undoWithHammersKeepsTheTickOfTheEnergy() {
+    showPage();
+    const auto* keeps = m_page->findChild<QCheckBox*>(QStringLiteral("keepEnergy"));
+    auto* menu = m_page->findChild<QToolButton*>(QStringLiteral("hammer"))->menu();
+    const auto click = [&] {
+        for (const char* name : {"light drifter, short blow", "heavy drifter, piston"})
+            menu->findChild<QCheckBox*>(QString::fromLatin1(name))->click();
+    };
+    click();
+    m_page->findChild<QToolButton*>(QStringLiteral("addAim"))->click();
+    QVERIFY(!keeps->isEnabled() && keeps->isChecked());
+    m_document->undoStack().undo();
+    QTRY_COMPARE(m_page->findChild<AimRows*>()->aims().size(), std::size_t{2});
+    QVERIFY(!keeps->isEnabled() && keeps->isChecked());
+    click();
+    QVERIFY(keeps->isEnabled() && keeps->isChecked());
+    QVERIFY(m_document->design().keepEnergy);
 }
 
 void TestDesignPage::whatNoRowShowsStaysAsText() {
