@@ -2,7 +2,9 @@
 // What a curve of a plot stands for: its units, and the exact function behind its drawn points.
 #pragma once
 
-#include <QString>
+#include <QStringList>
+#include <algorithm>
+#include <cmath>
 #include <functional>
 
 namespace drillwave {
@@ -13,6 +15,8 @@ struct CurveMeaning {
     QString yName = {};  ///< "F"; likewise
     QString xUnit = {};  ///< "ms"; empty for a mere number
     QString yUnit = {};  ///< "kN"
+    /// Of an axis of words, those at x = 0, 1, …: between them there is nothing, and no slope.
+    QStringList xWords = {};
     /// Shown slope = slopeFactor · dy/dx, followed by slopeUnit; without a unit "kN/ms".
     QString slopeUnit = {};
     double slopeFactor = 1;
@@ -24,6 +28,12 @@ struct CurveMeaning {
     std::function<double(double x)> value = {};
     /// Exact ∫ y dx from a to b, negative of that from b to a; without it the drawn chords are integrated.
     std::function<double(double a, double b)> integral = {};
+
+    /// The word nearest to x; empty where x is a number, or NaN.
+    QString wordAt(double x) const {
+        if (xWords.isEmpty() || std::isnan(x)) return {};
+        return xWords[std::clamp<qsizetype>(std::lround(x), 0, xWords.size() - 1)];
+    }
 
     /// A result over a parameter.
     static CurveMeaning overParameter(const QString& xUnit, const QString& yUnit) {

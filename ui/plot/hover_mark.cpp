@@ -108,11 +108,14 @@ QString pointText(const CurvePoint& point, const CurveMeaning& meaning, const QL
         const QString number = numberText(value, 6, locale);
         return unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit;
     };
-    const auto line = [&](const QString& name, double value, const QString& unit) {
-        return QStringLiteral("\n%1 = %2").arg(name, quantity(value, unit));
+    const auto line = [&](const QString& name, const QString& value) {
+        return QStringLiteral("\n%1 = %2").arg(name, value);
     };
-    return point.curve->name() + line(xNameOf(*point.curve, meaning), point.x, meaning.xUnit) +
-           line(yNameOf(*point.curve, meaning), point.y, meaning.yUnit);
+    const QString word = meaning.wordAt(point.x);
+    return point.curve->name() +
+           (word.isEmpty() ? line(xNameOf(*point.curve, meaning), quantity(point.x, meaning.xUnit))
+                           : QLatin1Char('\n') + word) +
+           line(yNameOf(*point.curve, meaning), quantity(point.y, meaning.yUnit));
 }
 
 void HoverMark::addItems() {

@@ -29,6 +29,11 @@ QString integralUnitOf(const CurveMeaning& meaning) {
                                           : meaning.integralUnit;
 }
 
+// A place on the horizontal axis.
+ReadingCell placeCell(const QString& name, const QString& label, double x, const CurveMeaning& meaning) {
+    return {name, label, x, meaning.xUnit, meaning.wordAt(x)};
+}
+
 // A symbol; words would leave no room for the number.
 QString shortLabel(const QString& name) {
     return name.size() <= longestLabel ? name : QString();
@@ -37,49 +42,54 @@ QString shortLabel(const QString& name) {
 }  // namespace
 
 QString ReadingCell::text(const QLocale& locale, int digits) const {
+    if (!words.isEmpty()) return words;
     if (!std::isfinite(value)) return noNumber;
     const QString number = numberText(value, digits, locale);
     return unit.isEmpty() ? number : number + QChar(QChar::Nbsp) + unit;
 }
 
 ReadingCells cursorCells(const CursorReading& reading, const CurveMeaning& meaning) {
-    const bool isSummed = meaning.integralFactor != 0;
+    const bool isSummed = meaning.integralFactor != 0, ofWords = !meaning.xWords.isEmpty();
     const QString& x = meaning.xName;
     const QString& y = meaning.yName;
     const QString yLabel = shortLabel(y);
     const bool both = !std::isnan(reading.a) && !std::isnan(reading.b);
     const double none = std::nan("");
-    return {{tr("%1 at A").arg(x), tr("A"), reading.a, meaning.xUnit},
-            {tr("%1 at A").arg(y), yLabel, std::isnan(reading.a) ? none : reading.yA, meaning.yUnit},
-            {tr("%1 at B").arg(x), tr("B"), reading.b, meaning.xUnit},
-            {tr("%1 at B").arg(y), yLabel, std::isnan(reading.b) ? none : reading.yB, meaning.yUnit},
-            {tr("%1 from A to B").arg(x), tr("B − A"), reading.b - reading.a, meaning.xUnit},
-            {tr("%1 from A to B").arg(y), QStringLiteral("Δ") + yLabel, both ? reading.yB - reading.yA : none,
-             meaning.yUnit},
-            isSummed ? ReadingCell{tr("mean"), tr("mean"), both ? reading.mean : none, meaning.yUnit}
-                     : ReadingCell{},
-            {tr("slope"), tr("slope"), both ? reading.slope : none, slopeUnitOf(meaning)},
-            isSummed ? ReadingCell{tr("integral"), tr("∫"), both ? reading.integral : none,
-                                   integralUnitOf(meaning)}
-                     : ReadingCell{}};
+    return {
+        placeCell(tr("%1 at A").arg(x), tr("A"), reading.a, meaning),
+        {tr("%1 at A").arg(y), yLabel, std::isnan(reading.a) ? none : reading.yA, meaning.yUnit},
+        placeCell(tr("%1 at B").arg(x), tr("B"), reading.b, meaning),
+        {tr("%1 at B").arg(y), yLabel, std::isnan(reading.b) ? none : reading.yB, meaning.yUnit},
+        ofWords ? ReadingCell{}
+                : ReadingCell{tr("%1 from A to B").arg(x), tr("B − A"), reading.b - reading.a, meaning.xUnit},
+        {tr("%1 from A to B").arg(y), QStringLiteral("Δ") + yLabel, both ? reading.yB - reading.yA : none,
+         meaning.yUnit},
+        isSummed ? ReadingCell{tr("mean"), tr("mean"), both ? reading.mean : none, meaning.yUnit}
+                 : ReadingCell{},
+        ofWords ? ReadingCell{}
+                : ReadingCell{tr("slope"), tr("slope"), both ? reading.slope : none, slopeUnitOf(meaning)},
+        isSummed
+            ? ReadingCell{tr("integral"), tr("∫"), both ? reading.integral : none, integralUnitOf(meaning)}
+            : ReadingCell{}};
 }
 
 ReadingCells viewCells(const ViewStatistics& statistics, const CurveMeaning& meaning) {
-    const bool isSummed = meaning.integralFactor != 0;
+    const bool isSummed = meaning.integralFactor != 0, ofWords = !meaning.xWords.isEmpty();
     const QString& x = meaning.xName;
     const QString& y = meaning.yName;
-    return {{tr("least %1 in view").arg(y), tr("min"), statistics.least, meaning.yUnit},
-            {tr("%1 of the least").arg(x), tr("at"), statistics.leastAt, meaning.xUnit},
-            {tr("largest %1 in view").arg(y), tr("max"), statistics.largest, meaning.yUnit},
-            {tr("%1 of the largest").arg(x), tr("at"), statistics.largestAt, meaning.xUnit},
-            {tr("%1 from").arg(x), tr("from"), statistics.begin, meaning.xUnit},
-            {tr("%1 to").arg(x), tr("to"), statistics.end, meaning.xUnit},
-            isSummed ? ReadingCell{tr("mean in view"), tr("mean"), statistics.mean, meaning.yUnit}
-                     : ReadingCell{},
-            {},
-            isSummed
-                ? ReadingCell{tr("integral in view"), tr("∫"), statistics.integral, integralUnitOf(meaning)}
-                : ReadingCell{}};
+    return {
+        {tr("least %1 in view").arg(y), tr("min"), statistics.least, meaning.yUnit},
+        placeCell(tr("%1 of the least").arg(x), tr("at"), statistics.leastAt, meaning),
+        {tr("largest %1 in view").arg(y), tr("max"), statistics.largest, meaning.yUnit},
+        placeCell(tr("%1 of the largest").arg(x), tr("at"), statistics.largestAt, meaning),
+        ofWords ? ReadingCell{}
+                : ReadingCell{tr("%1 from").arg(x), tr("from"), statistics.begin, meaning.xUnit},
+        ofWords ? ReadingCell{} : ReadingCell{tr("%1 to").arg(x), tr("to"), statistics.end, meaning.xUnit},
+        isSummed ? ReadingCell{tr("mean in view"), tr("mean"), statistics.mean, meaning.yUnit}
+                 : ReadingCell{},
+        {},
+        isSummed ? ReadingCell{tr("integral in view"), tr("∫"), statistics.integral, integralUnitOf(meaning)}
+                 : ReadingCell{}};
 }
 
 QString readingText(const ReadingCells& cells, const QLocale& locale) {
@@ -96,7 +106,8 @@ QString readingTable(const QString& curve, const ReadingCells& cells) {
         if (cell.name.isEmpty()) continue;
         const QString number =
             std::isfinite(cell.value) ? QString::fromStdString(formatNumber(cell.value)) : QString();
-        table += cell.name + QLatin1Char('\t') + number + QLatin1Char('\t') + cell.unit + QLatin1Char('\n');
+        table += cell.name + QLatin1Char('\t') + (cell.words.isEmpty() ? number : cell.words) +
+                 QLatin1Char('\t') + cell.unit + QLatin1Char('\n');
     }
     return table;
 }

@@ -321,8 +321,12 @@ void DesignPage::draw(const DesignAnswer& answer) {
     const bool wasMap = m_plot->isMap();
     m_plot->present(picture);
     setLeastLines(std::max(plotLinesOfDesigns, plotLinesBesideBars + m_plot->barLines()));
-    for (const QCPGraph* graph : m_plot->curves())
-        plot()->setMeaning(graph, CurveMeaning::overParameter(picture.x.unit, picture.value.unit.unit));
+    for (const QCPGraph* graph : m_plot->curves()) {
+        CurveMeaning meaning = CurveMeaning::overParameter(picture.x.unit, picture.value.unit.unit);
+        meaning.xWords = picture.words;
+        if (!picture.words.isEmpty()) meaning.value = DesignPlot::atWords(*graph);
+        plot()->setMeaning(graph, meaning);
+    }
     plot()->reader().setUsual(picture.map ? nullptr : m_plot->graphs()[picture.marked]);
     if (m_plot->isMap() != wasMap) plot()->keyPoint().offer(m_plot->keyPlaces());
     m_card->present(answer, units);

@@ -198,6 +198,7 @@ DesignPicture designPicture(const DesignReport& report, const DesignUnits& units
             picture.words.append(units.text(axis, axis.value(i)));
         picture.isLogarithmic = axis.kind == SweepAxis::Kind::logarithmic;
     }
+    if (study.choices.empty()) picture.words.append(units.designName(0));
     picture.value = units.of(*study.aims.front().output, largestAimed(read, report, study.aims.front()));
     picture.aimName = aimName(study.aims.front());
     picture.statisticName = statisticWords(study.aims.front().statistic, study.aims.front().sense);

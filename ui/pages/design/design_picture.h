@@ -40,7 +40,7 @@ struct DesignPicture {
     QString xName;  ///< of the last choice; empty where nothing is chosen
     ShownUnit x;
     bool isLogarithmic = false;
-    QVector<QString> words;  ///< of a choice of words, which has their numbers from 0 as x
+    QVector<QString> words;  ///< of a choice of words, which has their numbers from 0 as x; of no choice one
     AimedOutput value;       ///< of the first aim
     QString aimName;         ///< "efficiency in the worst 5 %"
     QString statisticName;   ///< "in the worst 5 %"

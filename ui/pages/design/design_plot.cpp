@@ -16,6 +16,8 @@ constexpr int mostColumnsOfDesigns = 4;  // of the legend
 constexpr double nearDesignPixels = 14;
 constexpr int mostMarkedDesigns = 40;  // beyond, points would be a line
 constexpr double halfWidthOfOne = 0.4;
+constexpr double halfWidthOfWord = 0.3;
+constexpr double halfWidthOfPoint = 1e-3;  // a point that the pointer finds as part of a curve
 constexpr double barWidth = 0.8;
 
 bool haveSameAxes(const DesignPicture& a, const DesignPicture& b) {
@@ -27,10 +29,19 @@ bool haveSameAxes(const DesignPicture& a, const DesignPicture& b) {
                                    a.series[0].aim.last().x() == b.series[0].aim.last().x()));
 }
 
-void setWidened(QCPGraph& graph, QVector<QPointF> points) {
-    // One design alone has a width, or its band could not be seen.
-    if (points.size() == 1)
-        points = {points[0] - QPointF(halfWidthOfOne, 0), points[0], points[0] + QPointF(halfWidthOfOne, 0)};
+// Words have nothing between them: each value has a width of its own, or its band could not be seen.
+void setWidened(QCPGraph& graph, const QVector<QPointF>& points, double halfWidth) {
+    QVector<QCPGraphData> data;
+    for (const QPointF& point : points) {
+        if (!data.isEmpty()) data.append({point.x() - 0.5, std::nan("")});
+        data.append({point.x() - halfWidth, point.y()});
+        data.append({point.x(), point.y()});
+        data.append({point.x() + halfWidth, point.y()});
+    }
+    graph.data()->set(data, true);
+}
+
+void setJoined(QCPGraph& graph, const QVector<QPointF>& points) {
     QVector<QCPGraphData> data;
     for (const QPointF& point : points) data.append({point.x(), point.y()});
     graph.data()->set(data);
@@ -41,7 +52,25 @@ void setPoint(QCPGraph& graph, const std::optional<QPointF>& point) {
     if (point) graph.addData(point->x(), point->y());
 }
 
+// More names stand upright, or they would overlap.
+constexpr qsizetype mostWordsAbreast = 8;
+
 }  // namespace
+
+QString inLines(const QString& name, qsizetype count) {
+    constexpr qsizetype lettersAbreast = 60, leastLetters = 8;
+    const qsizetype most =
+        count > mostWordsAbreast ? 2 * leastLetters : std::max(leastLetters, lettersAbreast / count);
+    QString text;
+    qsizetype line = 0;
+    for (const QString& word : name.split(QLatin1Char(' '))) {
+        const bool isNew = line > 0 && line + 1 + word.size() > most;
+        if (line > 0) text += isNew ? QLatin1Char('\n') : QLatin1Char(' ');
+        line = isNew || line == 0 ? word.size() : line + 1 + word.size();
+        text += word;
+    }
+    return text;
+}
 
 DesignPlot::DesignPlot(QCustomPlot* plot) : StudyFrame(plot) {
     layOutAnew();
@@ -140,9 +169,11 @@ void DesignPlot::nameAxes() {
         if (x()->scaleType() == QCPAxis::stLinear) x()->setTicker(QSharedPointer<QCPAxisTicker>::create());
     } else {
         const auto words = QSharedPointer<QCPAxisTickerText>::create();
-        for (int i = 0; i < m_picture.words.size(); ++i) words->addTick(i, m_picture.words[i]);
+        for (int i = 0; i < m_picture.words.size(); ++i)
+            words->addTick(i, inLines(m_picture.words[i], m_picture.words.size()));
         x()->setTicker(words);
     }
+    x()->setTickLabelRotation(m_picture.words.size() > mostWordsAbreast ? -90 : 0);
     x()->setLabel(m_picture.xName.isEmpty() ? tr("this scenario") : m_picture.x.axisLabel(m_picture.xName));
     x()->setTickLabels(!m_picture.xName.isEmpty());
     const QString value = m_picture.value.output
@@ -182,13 +213,20 @@ void DesignPlot::makeGraphs() {
             m_aims.append(graph);
         }
     }
-    for (int i = 0; i < m_aims.size(); ++i) setWidened(*m_aims[i], m_picture.series[i].aim);
+    const bool ofWords = !m_picture.words.isEmpty(), isOne = m_picture.words.size() == 1;
+    const auto set = [&](QCPGraph& graph, const QVector<QPointF>& points, double halfWidth) {
+        if (ofWords)
+            setWidened(graph, points, isOne ? halfWidthOfOne : halfWidth);
+        else
+            setJoined(graph, points);
+    };
+    for (int i = 0; i < m_aims.size(); ++i) set(*m_aims[i], m_picture.series[i].aim, halfWidthOfPoint);
     const DesignSeries marked =
         m_picture.series.isEmpty() ? DesignSeries() : m_picture.series[m_picture.marked];
-    setWidened(*m_low, marked.low);
-    setWidened(*m_high, marked.high);
-    setWidened(*m_mean, marked.mean);
-    setWidened(*m_nominal, marked.nominal);
+    set(*m_low, marked.low, halfWidthOfWord);
+    set(*m_high, marked.high, halfWidthOfWord);
+    set(*m_mean, marked.mean, halfWidthOfWord);
+    set(*m_nominal, marked.nominal, halfWidthOfWord);
 }
 
 // A map has no curves.
@@ -348,8 +386,17 @@ void DesignPlot::setRanges() {
     const double ratio = m_picture.isLogarithmic ? std::pow(along.upper / along.lower, room) : 1;
     const double step = m_picture.isLogarithmic ? 0 : room * along.size();
     x()->setRange(along.lower / ratio - step, along.upper * ratio + step);
+    // Room for whole names: one that goes over the edge is not drawn.
+    if (m_picture.words.size() > 1) x()->setRange(-0.5, double(m_picture.words.size()) - 0.5);
     const double size = std::max(values.size(), 0.02 * std::abs(values.upper));
     y()->setRange(values.lower - 0.06 * size, values.upper + 0.06 * size);
+}
+
+std::function<double(double x)> DesignPlot::atWords(const QCPGraph& graph) {
+    return [points = graph.data()](double x) {
+        const auto at = points->findBegin(std::round(x) - halfWidthOfPoint / 2, false);
+        return at == points->constEnd() ? std::nan("") : at->value;
+    };
 }
 
 QVector<QCPGraph*> DesignPlot::curves() const {

@@ -27,6 +27,8 @@ class DesignPlot : public StudyFrame {
     const QVector<QCPGraph*>& graphs() const { return m_aims; }
     /// All curves over the choice.
     QVector<QCPGraph*> curves() const;
+    /// The value of a curve over words at the one nearest to x.
+    static std::function<double(double x)> atWords(const QCPGraph& graph);
     /// Whether colours take the place of curves.
     bool isMap() const { return m_picture.map.has_value(); }
     /// What is at a place of the map, in words; empty elsewhere.
@@ -63,5 +65,8 @@ class DesignPlot : public StudyFrame {
     QVector<BarPair> m_bars;
     QVector<QCPItemText*> m_barNames;
 };
+
+/// A name in lines, so that so many of them have room beside each other.
+QString inLines(const QString& name, qsizetype count);
 
 }  // namespace drillwave

@@ -32,6 +32,7 @@
 #include "ui/pages/design/design_page.h"
 #include "ui/pages/design/design_plot.h"
 #include "ui/pages/design/range_rows.h"
+#include "ui/plot/curve_reader.h"
 #include "ui/plot/plot_widget.h"
 
 using namespace drillwave;
@@ -77,6 +78,7 @@ class TestDesignPage : public QObject {
     void theSetUpOfTheDocumentIsShownAndKept();
     void untouchedControlsChangeNoFile();
     void tickedHammersAreDesigns();
+    void hammersAreNamedPointsOfTheirAxis();
     void undoWithHammersKeepsTheTickOfTheEnergy();
     void whatNoRowShowsStaysAsText();
     void aStudyOfAStringStopsAndOffersTheRest();
@@ -627,6 +629,45 @@ void TestDesignPage::tickedHammersAreDesigns() {
     emit card->designWanted(1);
     QCOMPARE(m_document->undoStack().count(), steps + 1);
     QVERIFY(m_document->scenario().pulse == expected.pulse);
+}
+
+// Numbers stood for hammers below the plot, lines joined them, and the last name had no room.
+void TestDesignPage::hammersAreNamedPointsOfTheirAxis() {
+    showPage();
+    auto* menu = m_page->findChild<QToolButton*>(QStringLiteral("hammer"))->menu();
+    for (const char* name : {"light drifter, short blow", "heavy drifter, piston", "Epiroc COP 1838"})
+        menu->findChild<QCheckBox*>(QString::fromLatin1(name))->click();
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
+    QCOMPARE(m_page->designPlot().picture().words.size(), 3);
+    CurveReader& reader = m_page->plot()->reader();
+    reader.setTableShown(true);
+    m_page->plot()->replot();
+    const QCPGraph& aim = *m_page->designPlot().graphs()[0];
+    // the names at the ends have room, and no line leads from one hammer to the next
+    QCOMPARE(aim.keyAxis()->range().lower, -0.5);
+    QCOMPARE(aim.keyAxis()->range().upper, 2.5);
+    for (const double between : {0.5, 1.5}) {
+        const auto at = aim.data()->findBegin(between - 0.1, false);
+        QVERIFY(std::abs(at->key - between) < 0.1 && std::isnan(at->value));
+    }
+    const QString text = reader.text();
+    QVERIFY2(text.contains(QStringLiteral("Epiroc COP 1838")) ||
+                 text.contains(QStringLiteral("heavy drifter, piston")),
+             qPrintable(text));
+    QVERIFY2(!text.contains(QStringLiteral("from")), qPrintable(text));
+    for (const double hammer : {0.0, 1.0, 2.0})
+        QCOMPARE(DesignPlot::atWords(aim)(hammer + 0.2),
+                 m_page->designPlot().picture().series[0].aim[qsizetype(hammer)].y());
+    QCOMPARE(inLines(QStringLiteral("medium drifter, piston"), 6),
+             QStringLiteral("medium\ndrifter,\npiston"));
+    QCOMPARE(inLines(QStringLiteral("medium drifter"), 3), QStringLiteral("medium drifter"));
+    for (const char* name : {"light drifter, short blow", "heavy drifter, piston", "Epiroc COP 1838"})
+        menu->findChild<QCheckBox*>(QString::fromLatin1(name))->click();
+    QVERIFY(rows("choices").rows().empty());
+    QTRY_VERIFY_WITH_TIMEOUT(isAnswered(), patienceForDesigns);
+    m_page->plot()->replot();
+    QVERIFY2(!reader.text().contains(QStringLiteral("0.4")), qPrintable(reader.text()));
+    QVERIFY2(reader.text().contains(QStringLiteral("this scenario")), qPrintable(reader.text()));
 }
 
 // The set-up of hammers has no energy to keep, and an undo with them showed that as the tick of the user.
