@@ -6,6 +6,7 @@
 
 #include "core/model/law_parameter.h"
 #include "core/model/section_field.h"
+#include "core/text/printed_text.h"
 
 namespace drillwave {
 
@@ -38,6 +39,11 @@ Message labelMessage(const Parameter& parameter) {
 Message titleMessage(const Parameter& parameter, std::string_view symbol) {
     if (symbol.empty()) return labelMessage(parameter);
     return {"%1 %2", {labelMessage(parameter), std::string(symbol)}};
+}
+
+Message fieldMessage(const Parameter& parameter, const ReadingStyle& style) {
+    if (!style.isPrinted()) return std::string(parameter.key);
+    return titleMessage(parameter, printedWords(parameter.symbol));
 }
 
 }  // namespace drillwave

@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "core/model/parameter.h"
+#include "core/text/handy_text.h"
 #include "core/text/message.h"
 
 namespace drillwave {
@@ -15,5 +16,9 @@ Message labelMessage(const Parameter& parameter);
 /// "stiffness k", as in the form: the label, and behind it the symbol as it is written there, where it has
 /// one.
 Message titleMessage(const Parameter& parameter, std::string_view symbol);
+
+/// How a sentence names what is to be given: by the key of a file for a command, and in print and in a window
+/// by the title of the field, as the form has it.
+Message fieldMessage(const Parameter& parameter, const ReadingStyle& style);
 
 }  // namespace drillwave

@@ -6,6 +6,7 @@
 
 #include "core/report/curve_text.h"
 #include "core/report/feed_words.h"
+#include "core/report/parameter_words.h"
 #include "core/report/report_text.h"
 
 namespace drillwave {
@@ -50,17 +51,23 @@ const char* reasonWords(UnresolvedReason reason) {
     return "";
 }
 
-const char* remedyWords(UnresolvedReason reason) {
+Message remedyWords(UnresolvedReason reason, const ReadingStyle& style) {
+    const auto field = [&](std::string_view key) { return fieldMessage(*findParameter(key), style); };
     switch (reason) {
         case UnresolvedReason::noWaveLoss:
-            return translatable("Give a wave loss (drill.wave_loss); 1 to 30 % of a round trip is usual.");
+            return {style.isPrinted()
+                        ? translatable("Give a value under “%1”; 1 to 30 % of a round trip is usual.")
+                        : translatable("Give a wave loss (%1); 1 to 30 % of a round trip is usual."),
+                    {field("drill.wave_loss")}};
         case UnresolvedReason::irregular:
         case UnresolvedReason::fewBlows:
-            return translatable("More blows (drill.blows) lower the error.");
+            return {style.isPrinted() ? translatable("A larger number under “%1” lowers the error.")
+                                      : translatable("More blows (%1) lower the error."),
+                    {field("drill.blows")}};
         case UnresolvedReason::lengthsRounded:
             return translatable("Smaller cells, or lengths with a common step, lower it.");
     }
-    return "";
+    return {};
 }
 
 Message penetrationSentence(const Sequence& sequence, const ReadingStyle& style) {
@@ -151,7 +158,7 @@ std::vector<Message> sequenceSentences(const DrillingResult& result, const Readi
     if (sequence->unresolved) {
         sentences.push_back({translatable("This mean is not resolved, its error is above %1, because %2."),
                              {percentText(resolvedShare, style), reasonWords(*sequence->unresolved)}});
-        sentences.emplace_back(remedyWords(*sequence->unresolved));
+        sentences.push_back(remedyWords(*sequence->unresolved, style));
     }
     sentences.push_back({translatable("The bit starts in contact at %1 of blows."),
                          {percentText(sequence->contactShare, style)}});
@@ -176,7 +183,7 @@ std::vector<Message> scanSentences(const DrillingScan& scan, const std::optional
         sentences.push_back({translatable("The scan cannot resolve a difference: +- %1, because %2."),
                              {style.quantity(unresolved.penetration.error.value_or(0), Quantity::length, 2),
                               reasonWords(*unresolved.unresolved)}});
-        sentences.emplace_back(remedyWords(*unresolved.unresolved));
+        sentences.push_back(remedyWords(*unresolved.unresolved, style));
     } else if (comparison->entries.size() > 1 && !comparison->isAnyLower()) {
         sentences.push_back({translatable("All values give the same rate within the errors, %1."),
                              {penetrationRateText(comparison->best().sequence.penetrationRate, style)}});

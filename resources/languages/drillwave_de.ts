@@ -10678,12 +10678,12 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>die Längen keine ganze Zahl von Zellen sind</translation>
     </message>
     <message>
-        <source>Give a wave loss (drill.wave_loss); 1 to 30 % of a round trip is usual.</source>
-        <translation>Einen Wellenverlust angeben (drill.wave_loss); üblich sind 1 bis 30 % je Hin- und Rücklauf.</translation>
+        <source>Give a wave loss (%1); 1 to 30 % of a round trip is usual.</source>
+        <translation>Einen Wellenverlust angeben (%1); üblich sind 1 bis 30 % je Hin- und Rücklauf.</translation>
     </message>
     <message>
-        <source>More blows (drill.blows) lower the error.</source>
-        <translation>Mehr Schläge (drill.blows) verkleinern den Fehler.</translation>
+        <source>More blows (%1) lower the error.</source>
+        <translation>Mehr Schläge (%1) verkleinern den Fehler.</translation>
     </message>
     <message>
         <source>Smaller cells, or lengths with a common step, lower it.</source>
@@ -11512,6 +11512,14 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>%1 makes no difference.</source>
         <translation>%1 macht keinen Unterschied.</translation>
+    </message>
+    <message>
+        <source>Give a value under “%1”; 1 to 30 % of a round trip is usual.</source>
+        <translation>Unter „%1“ einen Wert angeben; üblich sind 1 bis 30 % je Hin- und Rücklauf.</translation>
+    </message>
+    <message>
+        <source>A larger number under “%1” lowers the error.</source>
+        <translation>Eine größere Zahl unter „%1“ verkleinert den Fehler.</translation>
     </message>
 </context>
 <context>

@@ -10678,12 +10678,12 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>längderna inte är ett helt antal celler</translation>
     </message>
     <message>
-        <source>Give a wave loss (drill.wave_loss); 1 to 30 % of a round trip is usual.</source>
-        <translation>Ange en vågförlust (drill.wave_loss); 1 till 30 % per varv är vanligt.</translation>
+        <source>Give a wave loss (%1); 1 to 30 % of a round trip is usual.</source>
+        <translation>Ange en vågförlust (%1); 1 till 30 % per varv är vanligt.</translation>
     </message>
     <message>
-        <source>More blows (drill.blows) lower the error.</source>
-        <translation>Fler slag (drill.blows) minskar felet.</translation>
+        <source>More blows (%1) lower the error.</source>
+        <translation>Fler slag (%1) minskar felet.</translation>
     </message>
     <message>
         <source>Smaller cells, or lengths with a common step, lower it.</source>
@@ -11512,6 +11512,14 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>%1 makes no difference.</source>
         <translation>%1 gör ingen skillnad.</translation>
+    </message>
+    <message>
+        <source>Give a value under “%1”; 1 to 30 % of a round trip is usual.</source>
+        <translation>Ange ett värde under ”%1”; 1 till 30 % per varv är vanligt.</translation>
+    </message>
+    <message>
+        <source>A larger number under “%1” lowers the error.</source>
+        <translation>Ett större tal under ”%1” minskar felet.</translation>
     </message>
 </context>
 <context>

@@ -291,6 +291,9 @@ class TestResultPanel : public QObject {
         QTRY_VERIFY2_WITH_TIMEOUT(
             line->text().contains("no wave loss is defined") && line->text().contains("href=\"loss\""),
             qPrintable(line->text()), 60000);
+        // as the form calls it, not by the key of a file
+        QVERIFY2(line->text().contains("“wave loss η”"), qPrintable(line->text()));
+        QVERIFY2(!line->text().contains("drill."), qPrintable(line->text()));
         QSignalSpy wanted(&panel, &ResultPanel::waveLossWanted);
         emit line->linkActivated("loss");
         QCOMPARE(wanted.count(), 1);
