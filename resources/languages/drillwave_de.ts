@@ -4670,8 +4670,8 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Auch unter konstanter Kraft, und mit einem Dämpfer der halben Impedanz, wo es eine Maschinenmasse gibt: kein Hersteller veröffentlicht seinen Dämpfer</translation>
     </message>
     <message>
-        <source>Drilling is of scenarios in physical units, and this one is given by its dimensionless groups: it has no blow frequency and no thrust. File ▸ New begins a scenario that has them.</source>
-        <translation>Bohren braucht Szenarien in physikalischen Einheiten, und dieses ist durch seine dimensionslosen Kennzahlen gegeben: es hat weder Schlagfrequenz noch Andruck. Datei ▸ Neu beginnt ein Szenario, das sie hat.</translation>
+        <source>Drilling is of scenarios in physical units, and this one is given by its dimensionless groups: it has no blow frequency and no thrust.</source>
+        <translation>Bohren braucht Szenarien in physikalischen Einheiten, und dieses ist durch seine dimensionslosen Kennzahlen gegeben: es hat weder Schlagfrequenz noch Andruck.</translation>
     </message>
     <message>
         <source>blow</source>
@@ -12016,8 +12016,8 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Die Werte sind die keiner Voreinstellung. Eine wählen, um von ihren Werten auszugehen.</translation>
     </message>
     <message>
-        <source>Presets are physical values, and this scenario is given by its dimensionless groups alone. File ▸ New begins one in physical values.</source>
-        <translation>Voreinstellungen sind physikalische Werte, und dieses Szenario ist nur durch seine dimensionslosen Kennzahlen gegeben. Datei ▸ Neu beginnt eines in physikalischen Werten.</translation>
+        <source>Presets are physical values, and this scenario is given by its dimensionless groups alone.</source>
+        <translation>Voreinstellungen sind physikalische Werte, und dieses Szenario ist nur durch seine dimensionslosen Kennzahlen gegeben.</translation>
     </message>
     <message>
         <source>none</source>
@@ -12567,6 +12567,10 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
     <message>
         <source>make a rig of the groups</source>
         <translation>eine Anlage aus den Kennzahlen machen</translation>
+    </message>
+    <message>
+        <source>Edit ▸ Make a rig of these groups gives it physical units; File ▸ New begins another one.</source>
+        <translation>Bearbeiten ▸ Eine Anlage aus diesen Kennzahlen machen gibt ihm physikalische Einheiten; Datei ▸ Neu beginnt ein anderes.</translation>
     </message>
 </context>
 <context>
@@ -14169,8 +14173,8 @@ Festigkeit</translation>
         <translation>über</translation>
     </message>
     <message>
-        <source>Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: without a blow frequency and forces no feed can be judged. File ▸ New begins a scenario that has them.</source>
-        <translation>Andruck braucht Szenarien in physikalischen Einheiten, und dieses ist durch seine dimensionslosen Kennzahlen gegeben: ohne Schlagfrequenz und Kräfte lässt sich kein Vorschub beurteilen. Datei ▸ Neu beginnt ein Szenario, das sie hat.</translation>
+        <source>Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: without a blow frequency and forces no feed can be judged.</source>
+        <translation>Andruck braucht Szenarien in physikalischen Einheiten, und dieses ist durch seine dimensionslosen Kennzahlen gegeben: ohne Schlagfrequenz und Kräfte lässt sich kein Vorschub beurteilen.</translation>
     </message>
     <message>
         <source>Required feed</source>

@@ -4670,8 +4670,8 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Även under konstant kraft, och med en dämpare på halva impedansen där det finns en maskinmassa: ingen tillverkare publicerar sin dämpare</translation>
     </message>
     <message>
-        <source>Drilling is of scenarios in physical units, and this one is given by its dimensionless groups: it has no blow frequency and no thrust. File ▸ New begins a scenario that has them.</source>
-        <translation>Borrning gäller scenarier i fysikaliska enheter, och detta är givet av sina dimensionslösa tal: det har ingen slagfrekvens och ingen matningskraft. Arkiv ▸ Ny börjar ett scenario som har dem.</translation>
+        <source>Drilling is of scenarios in physical units, and this one is given by its dimensionless groups: it has no blow frequency and no thrust.</source>
+        <translation>Borrning gäller scenarier i fysikaliska enheter, och detta är givet av sina dimensionslösa tal: det har ingen slagfrekvens och ingen matningskraft.</translation>
     </message>
     <message>
         <source>blow</source>
@@ -12016,8 +12016,8 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Värdena är inget förvals. Välj ett för att utgå från dess värden.</translation>
     </message>
     <message>
-        <source>Presets are physical values, and this scenario is given by its dimensionless groups alone. File ▸ New begins one in physical values.</source>
-        <translation>Förval är fysikaliska värden, och detta scenario är givet enbart av sina dimensionslösa tal. Arkiv ▸ Ny börjar ett i fysikaliska värden.</translation>
+        <source>Presets are physical values, and this scenario is given by its dimensionless groups alone.</source>
+        <translation>Förval är fysikaliska värden, och detta scenario är givet enbart av sina dimensionslösa tal.</translation>
     </message>
     <message>
         <source>none</source>
@@ -12567,6 +12567,10 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
     <message>
         <source>make a rig of the groups</source>
         <translation>göra en rigg av talen</translation>
+    </message>
+    <message>
+        <source>Edit ▸ Make a rig of these groups gives it physical units; File ▸ New begins another one.</source>
+        <translation>Redigera ▸ Gör en rigg av dessa tal ger det fysikaliska enheter; Arkiv ▸ Ny börjar ett annat.</translation>
     </message>
 </context>
 <context>
@@ -14169,8 +14173,8 @@ fastheten</translation>
         <translation>över</translation>
     </message>
     <message>
-        <source>Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: without a blow frequency and forces no feed can be judged. File ▸ New begins a scenario that has them.</source>
-        <translation>Matningskraft gäller scenarier i fysikaliska enheter, och detta är givet av sina dimensionslösa tal: utan slagfrekvens och krafter kan ingen matning bedömas. Arkiv ▸ Ny börjar ett scenario som har dem.</translation>
+        <source>Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: without a blow frequency and forces no feed can be judged.</source>
+        <translation>Matningskraft gäller scenarier i fysikaliska enheter, och detta är givet av sina dimensionslösa tal: utan slagfrekvens och krafter kan ingen matning bedömas.</translation>
     </message>
     <message>
         <source>Required feed</source>

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 #include <QUrl>
 
+#include "ui/form/rig_dialog.h"
 #include "ui/text/language.h"
 #include "ui/text/shown_text.h"
 
@@ -44,8 +45,8 @@ void PresetBox::present(const Scenario& scenario) {
     QString help = tr("The values are those of no preset. Choose one to start from its values.");
     if (!physical)
         help =
-            tr("Presets are physical values, and this scenario is given by its dimensionless groups alone. "
-               "File ▸ New begins one in physical values.");
+            tr("Presets are physical values, and this scenario is given by its dimensionless groups alone.") +
+            QLatin1Char(' ') + waysToPhysicalUnits();
     else if (preset)
         help = describe(*preset);
     setItemText(0, preset ? coreText(preset->name) : physical ? tr("custom") : tr("none"));

@@ -140,4 +140,9 @@ void RigDialog::accept() {
     m_result->setText(QStringLiteral("⚠ ") + problem);
 }
 
+QString waysToPhysicalUnits() {
+    return RigDialog::tr(
+        "Edit ▸ Make a rig of these groups gives it physical units; File ▸ New begins another one.");
+}
+
 }  // namespace drillwave

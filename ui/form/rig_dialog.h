@@ -43,4 +43,7 @@ class RigDialog : public QDialog {
     QPushButton* m_accept = nullptr;
 };
 
+/// From where a scenario in physical units comes, said where a dimensionless one has nothing to show.
+QString waysToPhysicalUnits();
+
 }  // namespace drillwave

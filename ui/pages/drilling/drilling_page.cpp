@@ -12,6 +12,7 @@
 #include "core/report/drilling_report.h"
 #include "core/report/drilling_scan_report.h"
 #include "core/report/sequence_words.h"
+#include "ui/form/rig_dialog.h"
 #include "ui/pages/drilling/drilling_plot.h"
 #include "ui/pages/drilling/drilling_table.h"
 #include "ui/pages/drilling/march_rects.h"
@@ -85,9 +86,10 @@ QWidget* DrillingPage::makeScanControls() {
 }
 
 QString DrillingPage::elsewhere() const {
-    return tr(
-        "Drilling is of scenarios in physical units, and this one is given by its dimensionless groups: it "
-        "has no blow frequency and no thrust. File ▸ New begins a scenario that has them.");
+    return tr("Drilling is of scenarios in physical units, and this one is given by its dimensionless "
+              "groups: "
+              "it has no blow frequency and no thrust.") +
+           QLatin1Char(' ') + waysToPhysicalUnits();
 }
 
 void DrillingPage::ask() {

@@ -10,6 +10,7 @@
 #include "core/report/blow_csv.h"
 #include "core/report/feed_words.h"
 #include "core/report/thrust_report.h"
+#include "ui/form/rig_dialog.h"
 #include "ui/pages/study/axis_fields.h"
 #include "ui/pages/thrust/missing_fields.h"
 #include "ui/pages/thrust/thrust_drag.h"
@@ -67,10 +68,9 @@ ThrustPage::ThrustPage(Document& document, QWidget* parent)
 }
 
 QString ThrustPage::elsewhere() const {
-    return tr(
-        "Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: "
-        "without "
-        "a blow frequency and forces no feed can be judged. File ▸ New begins a scenario that has them.");
+    return tr("Thrust is of scenarios in physical units, and this one is given by its dimensionless groups: "
+              "without a blow frequency and forces no feed can be judged.") +
+           QLatin1Char(' ') + waysToPhysicalUnits();
 }
 
 void ThrustPage::ask() {

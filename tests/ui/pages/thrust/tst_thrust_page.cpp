@@ -356,6 +356,9 @@ void TestThrustPage::itIsNotThereWithoutUnitsAndKeepsItsChoice() {
     m_page = std::make_unique<ThrustPage>(*m_document);
     QVERIFY(!m_page->shows(m_document->scenario()));
     QVERIFY2(m_page->elsewhere().contains(QStringLiteral("physical units")), qPrintable(m_page->elsewhere()));
+    const qsizetype rig = m_page->elsewhere().indexOf(QStringLiteral("Edit ▸ Make a rig of these groups"));
+    QVERIFY2(rig >= 0 && rig < m_page->elsewhere().indexOf(QStringLiteral("File ▸ New")),
+             qPrintable(m_page->elsewhere()));
     QVERIFY(!m_page->leadsElsewhere());
     QCOMPARE(m_page->studies(), 0);
     // One that it begins with leaves the choice of what comes next as it was.
