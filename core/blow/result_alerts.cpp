@@ -20,6 +20,10 @@ namespace {
 /// domain.
 constexpr double promisedError = 1e-9;
 
+/// The largest error of e that no shown digit has: half of the fourth decimal. Beyond it the result is to be
+/// doubted.
+constexpr double shownError = 5e-5;
+
 void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {
     const std::optional<FeedEstimate> feed =
         feedEstimate(scenario, {summary.cor, summary.corError}, summary.transferred);
@@ -94,8 +98,10 @@ void addAccuracy(const ImpactSummary& summary, std::vector<Alert>& alerts) {
              {{"contacts", static_cast<double>(summary.contacts)}, {"cor_error", summary.corError}}});
         return;
     }
-    alerts.push_back(
-        {AlertLevel::warning, AlertCode::reducedAccuracy, "", {{"cor_error", summary.corError}}});
+    alerts.push_back({summary.corError > shownError ? AlertLevel::warning : AlertLevel::information,
+                      AlertCode::reducedAccuracy,
+                      "",
+                      {{"cor_error", summary.corError}}});
 }
 
 }  // namespace

@@ -186,11 +186,13 @@ std::vector<Alert> stringAlerts(const Scenario& scenario, const Impact& impact) 
                           AlertCode::wavesThinned,
                           "",
                           {{"difference", *impact.wavesDifference}}});
-    if (impact.outcome == Outcome::nextBlow)
+    if (impact.outcome == Outcome::nextBlow) {
         alerts.push_back({AlertLevel::warning,
                           AlertCode::blowNotOver,
                           "",
                           {{"time", impact.endTime * scales.time, Quantity::time}}});
+        if (isForced(scenario)) alerts.back().arguments.push_back({"forced", 1});
+    }
     if (impact.leftOutForces) alerts.push_back({AlertLevel::warning, AlertCode::stressesLeftOut, "", {}});
     return alerts;
 }

@@ -5,6 +5,8 @@
 #include <cassert>
 #include <cmath>
 
+#include "core/model/blow_traits.h"
+#include "core/model/drill_string.h"
 #include "core/model/law_parameter.h"
 #include "core/model/parameter.h"
 #include "core/model/pulse_force.h"
@@ -113,6 +115,12 @@ void addGapWithoutEffect(const Scenario& scenario, std::vector<Alert>& alerts) {
                       {}});
 }
 
+bool hasLosses(const DrillString& drillString) {
+    return std::ranges::any_of(expandedSections(drillString), [](const Section* section) {
+        return section->loss > 0 || section->attenuation > 0;
+    });
+}
+
 void addResidualWaves(const Scenario& scenario, std::vector<Alert>& alerts) {
     const std::optional<double> roundTrips = roundTripsBetweenBlows(scenario);
     if (!roundTrips || *roundTrips >= enoughRoundTrips) return;
@@ -120,6 +128,10 @@ void addResidualWaves(const Scenario& scenario, std::vector<Alert>& alerts) {
                 AlertCode::residualWaves,
                 "drill.blow_frequency",
                 {{"round_trips", *roundTrips}}};
+    if (scenario.drill.waveLoss.value_or(0) > 0)
+        alert.arguments.push_back({"wave_loss", *scenario.drill.waveLoss});
+    else if (hasSections(scenario) && hasLosses(scenario.drillString))
+        alert.arguments.push_back({"losses_of_string", 1});
     if (const std::optional<int> whole = stepOfWaves(*roundTrips)) {
         alert.level = AlertLevel::warning;
         alert.arguments.push_back({"whole", static_cast<double>(*whole)});

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/report/alert_words.h"
 
+#include <cmath>
 #include <utility>
 
 #include "core/model/law_parameter.h"
@@ -95,17 +96,27 @@ Message thrustBelowNeeded(const Alert& alert, const ReadingStyle& style) {
     return {"%1 %2 %3", {requiredFeedMessage({}, feed, style), feedRemedy(feed, style), feedLimitsOfModel}};
 }
 
+/// How the waves of a blow meet the next one.
+Message dampingOfWaves(const Alert& alert, const ReadingStyle& style) {
+    if (alert.has("losses_of_string")) return translatable("damped only by the losses of the string");
+    if (!alert.has("wave_loss")) return translatable("undamped");
+    const double loss = alert.argument("wave_loss").value;
+    const double left = std::pow(1 - loss, alert.argument("round_trips").value);
+    return {translatable("with %1 % left at a wave loss of %2 %"),
+            {style.number(100 * left, 2), style.number(100 * loss, 3)}};
+}
+
 Message residualWaves(const Alert& alert, const ReadingStyle& style) {
     const std::string roundTrips = fourDigits(alert, "round_trips", style);
     if (!alert.has("whole"))
         return {translatable("The waves of a blow make only %1 round trips until the next blow, and "
-                             "meet it undamped: penetration may swing by 10 % up or down with frequency "
+                             "meet it %3: penetration may swing by 10 % up or down with frequency "
                              "times length; %2 follows it."),
-                {roundTrips, drillingWords(style)}};
+                {roundTrips, drillingWords(style), dampingOfWaves(alert, style)}};
     return {translatable("The waves of a blow make only %1 round trips until the next blow, and meet "
-                         "it undamped and nearly in step (close to %2): penetration may swing by 10 % up "
+                         "it %4 and nearly in step (close to %2): penetration may swing by 10 % up "
                          "or down; %3 follows it."),
-            {roundTrips, whole(alert, "whole"), drillingWords(style)}};
+            {roundTrips, whole(alert, "whole"), drillingWords(style), dampingOfWaves(alert, style)}};
 }
 
 Message lengthsRounded(const Alert& alert, const ReadingStyle& style) {
@@ -223,8 +234,11 @@ Message alertMessage(const Alert& alert, const ReadingStyle& style) {
                                  "are of a coarser string, whose COR and efficiency differ by at most %1."),
                     {bound(alert, "difference", style)}};
         case AlertCode::blowNotOver:
-            return {translatable("After %1 bit or hammer may still meet again: these are the numbers at the "
-                                 "next blow, not final ones."),
+            return {alert.has("forced")
+                        ? translatable("After %1 the bit may still meet the rock again: these are the "
+                                       "numbers at the next blow, not final ones.")
+                        : translatable("After %1 bit or hammer may still meet again: these are the numbers "
+                                       "at the next blow, not final ones."),
                     {inUnit(alert, "time", style)}};
         case AlertCode::stressesLeftOut:
             return translatable(

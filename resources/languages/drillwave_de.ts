@@ -3855,11 +3855,11 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>✖ nicht gelöst</translation>
     </message>
     <message>
-        <source>⚠ 1 alert</source>
+        <source>⚠ 1 warning</source>
         <translation>⚠ 1 Warnung</translation>
     </message>
     <message>
-        <source>⚠ %1 alerts</source>
+        <source>⚠ %1 warnings</source>
         <translation>⚠ %1 Warnungen</translation>
     </message>
     <message>
@@ -6134,12 +6134,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Impedanz des Hammers ist größer als die der Stange: er schiebt in einer Treppe immer kleinerer Stufen, von der angenommen wird, dass sie weiterläuft, als wäre die Stange lang.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; %2 follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft: die Eindringung kann mit Frequenz mal Länge um 10&#xa0;% nach oben oder unten schwanken; %2 verfolgt das.</translation>
+        <source>The waves of a blow make only %1 round trips until the next blow, and meet it %3: penetration may swing by 10 % up or down with frequency times length; %2 follows it.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %3: die Eindringung kann mit Frequenz mal Länge um 10 % nach oben oder unten schwanken; %2 verfolgt das.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped and nearly in step (close to %2): penetration may swing by 10 % up or down; %3 follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn ungedämpft und fast im Takt (nahe %2): die Eindringung kann um 10&#xa0;% nach oben oder unten schwanken; %3 verfolgt das.</translation>
+        <source>The waves of a blow make only %1 round trips until the next blow, and meet it %4 and nearly in step (close to %2): penetration may swing by 10 % up or down; %3 follows it.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %4 und fast im Takt (nahe %2): die Eindringung kann um 10 % nach oben oder unten schwanken; %3 verfolgt das.</translation>
     </message>
     <message>
         <source>share but a cell of time of %1, which would take more work than is permitted</source>
@@ -11520,6 +11520,22 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     <message>
         <source>A larger number under “%1” lowers the error.</source>
         <translation>Eine größere Zahl unter „%1“ verkleinert den Fehler.</translation>
+    </message>
+    <message>
+        <source>undamped</source>
+        <translation>ungedämpft</translation>
+    </message>
+    <message>
+        <source>damped only by the losses of the string</source>
+        <translation>gedämpft nur durch die Verluste im Strang</translation>
+    </message>
+    <message>
+        <source>with %1 % left at a wave loss of %2 %</source>
+        <translation>mit noch %1 % bei einem Wellenverlust von %2 %</translation>
+    </message>
+    <message>
+        <source>After %1 the bit may still meet the rock again: these are the numbers at the next blow, not final ones.</source>
+        <translation>Nach %1 kann die Bohrkrone das Gestein noch einmal treffen: dies sind die Zahlen beim nächsten Schlag, keine endgültigen.</translation>
     </message>
 </context>
 <context>

@@ -3855,11 +3855,11 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>✖ inte löst</translation>
     </message>
     <message>
-        <source>⚠ 1 alert</source>
+        <source>⚠ 1 warning</source>
         <translation>⚠ 1 varning</translation>
     </message>
     <message>
-        <source>⚠ %1 alerts</source>
+        <source>⚠ %1 warnings</source>
         <translation>⚠ %1 varningar</translation>
     </message>
     <message>
@@ -6134,12 +6134,12 @@ en projektion av fler dimensioner</translation>
         <translation>Hammarens impedans är högre än stångens: den trycker i en trappa av allt mindre steg, som antas fortsätta som om stången vore lång.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped: penetration may swing by 10 % up or down with frequency times length; %2 follows it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det odämpade: inträngningen kan svänga 10&#xa0;% upp eller ned med frekvens gånger längd; %2 följer det.</translation>
+        <source>The waves of a blow make only %1 round trips until the next blow, and meet it %3: penetration may swing by 10 % up or down with frequency times length; %2 follows it.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %3: inträngningen kan svänga 10 % upp eller ned med frekvens gånger längd; %2 följer det.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it undamped and nearly in step (close to %2): penetration may swing by 10 % up or down; %3 follows it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det odämpade och nästan i takt (nära %2): inträngningen kan svänga 10&#xa0;% upp eller ned; %3 följer det.</translation>
+        <source>The waves of a blow make only %1 round trips until the next blow, and meet it %4 and nearly in step (close to %2): penetration may swing by 10 % up or down; %3 follows it.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %4 och nästan i takt (nära %2): inträngningen kan svänga 10 % upp eller ned; %3 följer det.</translation>
     </message>
     <message>
         <source>share but a cell of time of %1, which would take more work than is permitted</source>
@@ -11520,6 +11520,22 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     <message>
         <source>A larger number under “%1” lowers the error.</source>
         <translation>Ett större tal under ”%1” minskar felet.</translation>
+    </message>
+    <message>
+        <source>undamped</source>
+        <translation>odämpade</translation>
+    </message>
+    <message>
+        <source>damped only by the losses of the string</source>
+        <translation>dämpade bara av strängens förluster</translation>
+    </message>
+    <message>
+        <source>with %1 % left at a wave loss of %2 %</source>
+        <translation>med %1 % kvar vid en vågförlust på %2 %</translation>
+    </message>
+    <message>
+        <source>After %1 the bit may still meet the rock again: these are the numbers at the next blow, not final ones.</source>
+        <translation>Efter %1 kan borrkronan ännu träffa berget igen: detta är talen vid nästa slag, inte slutliga.</translation>
     </message>
 </context>
 <context>

@@ -43,8 +43,7 @@ void AlertList::present(const QString& problem, const std::vector<Alert>& alerts
     if (texts == m_texts && !m_labels.isEmpty()) return;
     m_texts = texts;
     m_hasProblem = !problem.isEmpty();
-    m_hasWarnings =
-        std::ranges::any_of(alerts, [](const Alert& alert) { return alert.level == AlertLevel::warning; });
+    m_warningCount = std::ranges::count(alerts, AlertLevel::warning, &Alert::level);
     if (isVisible()) setMinimumHeight(std::max(minimumHeight(), height()));
     m_rest.start();
     qsizetype row = 0;
@@ -101,15 +100,17 @@ AlertLink::AlertLink(const AlertList& list, WithoutAny withoutAny, QWidget* pare
 }
 
 void AlertLink::present() {
-    const qsizetype count = m_list.texts().size();
-    QString text = tr("✓ nothing unusual");
-    if (m_list.hasProblem())
-        text = tr("✖ not solved");
-    else if (count > 0 && m_list.hasWarnings())
-        text = count == 1 ? tr("⚠ 1 alert") : tr("⚠ %1 alerts").arg(count);
-    else if (count > 0)
-        text = count == 1 ? tr("ℹ 1 note") : tr("ℹ %1 notes").arg(count);
-    setText(text);
+    const qsizetype count = m_list.texts().size(), warnings = m_list.warningCount(),
+                    notes = m_list.noteCount();
+    QStringList parts;
+    if (m_list.hasProblem()) {
+        parts << tr("✖ not solved");
+    } else {
+        if (warnings > 0) parts << (warnings == 1 ? tr("⚠ 1 warning") : tr("⚠ %1 warnings").arg(warnings));
+        if (notes > 0) parts << (notes == 1 ? tr("ℹ 1 note") : tr("ℹ %1 notes").arg(notes));
+        if (parts.isEmpty()) parts << tr("✓ nothing unusual");
+    }
+    setText(parts.join(QStringLiteral(" · ")));
     QString tip;  // as rich text, which is wrapped
     for (const QString& each : m_list.texts()) tip += QStringLiteral("<p>%1</p>").arg(each.toHtmlEscaped());
     setToolTip(tip);

@@ -30,8 +30,9 @@ class AlertList : public QWidget {
     QStringList texts() const { return m_texts; }
     /// Whether they say why there is no solution.
     bool hasProblem() const { return m_hasProblem; }
-    /// Whether there is more than notes among them.
-    bool hasWarnings() const { return m_hasWarnings; }
+    /// How many of them are warnings, and how many mere notes.
+    qsizetype warningCount() const { return m_warningCount; }
+    qsizetype noteCount() const { return m_texts.size() - m_warningCount - (m_hasProblem ? 1 : 0); }
     /// Gives the keyboard to the first of them.
     void takeFocus();
 
@@ -48,7 +49,7 @@ class AlertList : public QWidget {
 
     QStringList m_texts;
     bool m_hasProblem = false;
-    bool m_hasWarnings = false;
+    qsizetype m_warningCount = 0;
     QList<QLabel*> m_labels;
     QTimer m_rest;
 };

@@ -170,6 +170,14 @@ void TestImpactSummary::alertsFollowFromTheResult() {
     // Rigid rock gives e = 1 up to rounding: no super rebound.
     QCOMPARE(codes(drill, 1 + 1e-15, 1e-14), QString());
     QCOMPARE(codes(drill, 0.5, 1e-8), QString("reduced_accuracy"));
+    // no digit that is shown has the one error, each has the other
+    for (const double error : {4e-9, 1e-3}) {
+        ImpactSummary summary;
+        summary.cor = 0.5;
+        summary.corError = error;
+        QCOMPARE(resultAlerts(drill, summary).front().level,
+                 error < 1e-4 ? AlertLevel::information : AlertLevel::warning);
+    }
 }
 
 void TestImpactSummary::severalContactsAreCounted() {

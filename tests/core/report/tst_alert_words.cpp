@@ -130,6 +130,10 @@ const std::vector<Example>& examples() {
          "The waves of a blow make only 4.5 round trips until the next blow, and meet it undamped: "
          "penetration may swing by 10 % up or down with frequency times length; "
          "`drill` follows it."},
+        {{note, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 2}, {"wave_loss", 0.1}}},
+         "The waves of a blow make only 2 round trips until the next blow, and meet it with 81 % left at a "
+         "wave loss of 10 %: penetration may swing by 10 % up or down with frequency times length; "
+         "`drill` follows it."},
         {{warning, AlertCode::residualWaves, "drill.blow_frequency", {{"round_trips", 4.06}, {"whole", 4}}},
          "The waves of a blow make only 4.06 round trips until the next blow, and meet it undamped and "
          "nearly in step (close to 4): penetration may swing by 10 % up or down; "
@@ -169,6 +173,9 @@ const std::vector<Example>& examples() {
          "The transit times of the sections share but a cell of time of 0.4 us, which would take more work "
          "than is permitted: they were rounded by up to 0.2 us, and the efficiency may be off by 0.0011. "
          "Lengths with a larger common divisor share a longer one."},
+        {{warning, AlertCode::blowNotOver, "", {{"time", 0.0167, Quantity::time}, {"forced", 1}}},
+         "After 16.7 ms the bit may still meet the rock again: these are the numbers at the next blow, not "
+         "final ones."},
         {{warning, AlertCode::blowNotOver, "", {{"time", 0.0167, Quantity::time}}},
          "After 16.7 ms bit or hammer may still meet again: these are the numbers at the next blow, not "
          "final "
@@ -265,6 +272,13 @@ class TestAlertWords : public QObject {
         const std::vector<Alert> inStep = remarks(70, 36.6);
         QCOMPARE(inStep[0].level, AlertLevel::warning);
         QVERIFY(textOf(inStep[0]).contains("in step (close to 1)"));
+        QVERIFY(textOf(some[0]).contains("undamped"));
+        Scenario damped;
+        damped.drill.blowFrequency = 60;
+        damped.drill.waveLoss = 0.1;
+        damped.rod.length = 36.6;
+        const std::vector<Alert> withLoss = alertsFor(damped);
+        QVERIFY(!textOf(withLoss[0]).contains("undamped"));
     }
 
     void noCodeIsLeftOut() {

@@ -80,7 +80,7 @@ class TestResultWiring : public QObject {
         panel.alerts()->present({}, {note}, m_style);
         QCOMPARE(link->text(), QString("ℹ 1 note"));
         panel.alerts()->present({}, {note, warning}, m_style);
-        QCOMPARE(link->text(), QString("⚠ 2 alerts"));
+        QCOMPARE(link->text(), QString("⚠ 1 warning · ℹ 1 note"));
         QVERIFY(link->isVisibleTo(&window));
         for (const QString& text : panel.alerts()->texts())
             QVERIFY(link->toolTip().contains(text.toHtmlEscaped()));
