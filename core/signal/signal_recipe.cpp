@@ -213,10 +213,10 @@ class SignalShaper {
         }
         m_result.impulse = impulseOf(points);
         m_result.impulseChange = m_result.impulse - whole;
-        const TablePoint& peak =
-            *std::ranges::max_element(points, {}, [](const TablePoint& p) { return std::abs(p.force); });
-        m_result.peak = peak.force;
-        m_result.peakTime = peak.time;
+        // Thinning may have left the largest sample out.
+        const auto peak = std::ranges::max_element(m_force, {}, [](double force) { return std::abs(force); });
+        m_result.peak = *peak;
+        m_result.peakTime = m_time[static_cast<std::size_t>(peak - m_force.begin())];
         m_result.points = std::move(points);
     }
 

@@ -64,8 +64,8 @@ struct ShapedSignal {
     double clippedImpulse = 0;  ///< what clipping has added to the impulse [N s], ≥ 0
     double impulse = 0;         ///< of the points [N s]
     double impulseChange = 0;   ///< that less the impulse of all samples [N s]
-    double peak = 0;            ///< the largest force of the points in size, with its sign [N]
-    double peakTime = 0;        ///< its time [s]
+    double peak = 0;            ///< the largest force in size of the samples taken, with its sign [N]
+    double peakTime = 0;        ///< its time in the table [s]
     double deviation = 0;       ///< largest distance of a sample from the lines between the points [N]
     std::string problem;        ///< why there is none; then there are no points
 };

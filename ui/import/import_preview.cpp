@@ -229,11 +229,10 @@ RecordSpan ImportPlot::visibleTimes() const {
 QString importSummary(const ImportPreview& preview, const UnitChoice& units) {
     const ShapedSignal& signal = preview.signal;
     const double peak = std::abs(signal.peak);
-    const double peakTime = signal.start + signal.peakTime - signal.points.front().time;
     QStringList parts;
     parts << tr("Impulse %1, peak %2 at %3 in the file.")
                  .arg(units.text(signal.impulse, UnitKind::impulse), units.text(signal.peak, UnitKind::force),
-                      units.text(peakTime, UnitKind::time));
+                      units.text(signal.peakTime, UnitKind::time));
     if (signal.points.size() == signal.samples)
         parts << tr("All of the %1 samples are kept, of %2 in the record.")
                      .arg(countText(signal.samples), countText(preview.samples));

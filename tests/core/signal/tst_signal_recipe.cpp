@@ -73,6 +73,7 @@ class TestSignalRecipe : public QObject {
     void theStatedDeviationHolds_data();
     void theStatedDeviationHolds();
     void straightLinesNeedTheirCornersOnly();
+    void thePeakIsThatOfTheSamples();
     void thinningIsCloseToTheBestThereIs();
     void trimKeepsWhatIsBetween();
     void zeroLineAndSign();
@@ -188,6 +189,22 @@ void TestSignalRecipe::straightLinesNeedTheirCornersOnly() {
     const ShapedSignal curve = shapedSignal(samples, {.points = 100});
     QCOMPARE(curve.points.size(), std::size_t{4});
     QVERIFY(curve.deviation < 1e-6);
+}
+
+// The largest sample of an arc need not be a point of the lines in its place.
+void TestSignalRecipe::thePeakIsThatOfTheSamples() {
+    Samples samples;
+    for (int i = -50; i <= 250; ++i) {
+        samples.time.push_back(i * 1e-6);
+        samples.value.push_back(i > 0 && i < 200 ? 250 * std::sin(M_PI * i / 200) : 0);
+    }
+    for (const std::size_t points : {std::size_t{6}, std::size_t{20}, std::size_t{1000}}) {
+        const ShapedSignal blow =
+            shapedSignal(samples, {.use = SignalUse::blow, .forcePerNumber = 1e3, .points = points});
+        QVERIFY2(blow.problem.empty(), blow.problem.c_str());
+        QCOMPARE(blow.peak, 250e3);
+        QCOMPARE(blow.peakTime, 100e-6);
+    }
 }
 
 // Of a parabola, whose best polygon of n lines with knots on it is known: each line off by (1/n)²/4.
