@@ -12,6 +12,7 @@
 #include "core/model/pulse_force.h"
 #include "core/model/scales.h"
 #include "core/model/section_field.h"
+#include "core/model/section_words.h"
 #include "core/text/enum_names.h"
 
 namespace drillwave {
@@ -54,14 +55,15 @@ void addImplausiblePeak(const Scenario& scenario, std::vector<Alert>& alerts) {
 }
 
 void addImplausibleSection(SectionAddress::Chain chain, std::uint64_t place, const Section& section,
-                           std::vector<Alert>& alerts) {
+                           const DrillString& drillString, std::vector<Alert>& alerts) {
     for (const SectionField& field : sectionFields()) {
         const std::optional<double> value = field.value(section);
         if (!value || field.plausible.contains(*value)) continue;
         alerts.push_back({AlertLevel::warning,
                           AlertCode::implausibleValue,
                           sectionKey(chain, place, field.key),
-                          {{"value", *value, field.quantity}}});
+                          {{"value", *value, field.quantity}},
+                          addressedWords({chain, {}, place, &field}, drillString)});
     }
 }
 
@@ -69,9 +71,9 @@ void addImplausibleSection(SectionAddress::Chain chain, std::uint64_t place, con
 void addImplausibleSections(const DrillString& drillString, std::vector<Alert>& alerts) {
     using Chain = SectionAddress::Chain;
     for (std::size_t i = 0; i < drillString.hammer.sections.size(); ++i)
-        addImplausibleSection(Chain::hammer, i + 1, drillString.hammer.sections[i], alerts);
+        addImplausibleSection(Chain::hammer, i + 1, drillString.hammer.sections[i], drillString, alerts);
     for (const PlacedSection& placed : placedSections(drillString))
-        addImplausibleSection(Chain::string, placed.place, *placed.section, alerts);
+        addImplausibleSection(Chain::string, placed.place, *placed.section, drillString, alerts);
 }
 
 void addLongPulse(const Scenario& scenario, std::vector<Alert>& alerts) {

@@ -65,7 +65,7 @@ struct Alert {
     AlertCode code = AlertCode::implausibleValue;
     std::string parameter;  ///< key of what it is about, may be empty
     std::vector<AlertArgument> arguments;
-    Message subject = {};  ///< words of the section that it is about, "3rd rod"; may be empty
+    Message subject = {};  ///< words of the section that it is about, "3rd rod"; or empty
     bool operator==(const Alert&) const = default;
 
     bool has(std::string_view argument) const;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -123,6 +124,20 @@ std::vector<Message> rowWords(const DrillString& drillString) {
         before += repeat * size;
     }
     return words;
+}
+
+Message addressedWords(const SectionAddress& address, const DrillString& drillString) {
+    const bool ofHammer = address.chain == SectionAddress::Chain::hammer;
+    if (address.place == 0) {
+        const Message name = sectionNameMessage(address.name);
+        return ofHammer ? Message(translatable("hammer %1"), {name}) : name;
+    }
+    std::optional<std::size_t> row;
+    visitNumberedSections(address, drillString, [&](const Section&, std::size_t at) { row = at; });
+    if (!row)
+        return {ofHammer ? translatable("hammer %1") : translatable("section %1"),
+                {std::to_string(address.place)}};
+    return rowWords(drillString)[ofHammer ? *row : *row + drillString.hammer.sections.size()];
 }
 
 Message stringWords(const DrillString& drillString) {

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/model/drill_string.h"
+#include "core/model/section_field.h"
 #include "core/model/string_edit.h"
 #include "core/text/message.h"
 
@@ -34,6 +35,10 @@ std::vector<Message> sectionWords(const DrillString& drillString);
 /// Returns the words of every section as it stands in a file, in the order of sectionSpots(): those of
 /// sectionWords(), and "2nd to 4th rod" of a section in a repeat.
 std::vector<Message> rowWords(const DrillString& drillString);
+
+/// Returns the words of the section that an address is about, as it stands in a file: "2nd to 4th rod",
+/// "hammer 1"; for a name that of the sections, "coupling". "section 9" where the string has none.
+Message addressedWords(const SectionAddress& address, const DrillString& drillString);
 
 /// Returns "6 rods, 3 couplings, 2 other sections".
 Message stringWords(const DrillString& drillString);

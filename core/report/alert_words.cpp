@@ -38,8 +38,9 @@ Message implausible(const Alert& alert, const ReadingStyle& style) {
     const KeptParameter parameter = isByRatio ? inScales(*named) : named;
     const auto end = [&](double value) { return style.quantity(value, parameter->quantity, 4); };
     return {translatable("The %1 = %2 is outside the usual range, %3 to %4."),
-            {titleMessage(*parameter, parameter->symbol), inUnit(alert, "value", style),
-             end(parameter->plausible.low), end(parameter->plausible.high)}};
+            {parameter->address ? labelMessage(*parameter, alert.subject)
+                                : titleMessage(*parameter, parameter->symbol),
+             inUnit(alert, "value", style), end(parameter->plausible.low), end(parameter->plausible.high)}};
 }
 
 Message longPulse(const Alert& alert, const ReadingStyle& style) {

@@ -4,8 +4,10 @@
 #include <string>
 #include <string_view>
 
+#include "core/model/blow_traits.h"
 #include "core/model/law_parameter.h"
 #include "core/model/section_field.h"
+#include "core/model/section_words.h"
 #include "core/text/printed_text.h"
 
 namespace drillwave {
@@ -15,12 +17,10 @@ namespace {
 Message sectionWords(const SectionAddress& address) {
     const bool ofHammer = address.chain == SectionAddress::Chain::hammer;
     if (address.place > 0)
-        return {ofHammer ? translatable("hammer section %1") : translatable("section %1"),
+        return {ofHammer ? translatable("hammer %1") : translatable("section %1"),
                 {std::to_string(address.place)}};
-    SectionAddress named = address;
-    named.chain = SectionAddress::Chain::string;
-    if (!ofHammer) return named.words();
-    return {translatable("hammer %1"), {named.words()}};
+    const Message name = sectionNameMessage(address.name);
+    return ofHammer ? Message(translatable("hammer %1"), {name}) : name;
 }
 
 }  // namespace
@@ -34,6 +34,16 @@ Message labelMessage(const Parameter& parameter) {
                                                         : translatable("slope behind corner %1"),
                 {std::to_string(corner)}};
     return Message::ofTable(parameter.label);
+}
+
+Message labelMessage(const Parameter& parameter, const Message& section) {
+    if (!parameter.address || section.isEmpty()) return labelMessage(parameter);
+    return {translatable("%1 of %2"), {Message::ofTable(parameter.address->field->label), section}};
+}
+
+Message labelMessage(const Parameter& parameter, const Scenario& scenario) {
+    if (!parameter.address || !hasSections(scenario)) return labelMessage(parameter);
+    return labelMessage(parameter, addressedWords(*parameter.address, scenario.drillString));
 }
 
 Message titleMessage(const Parameter& parameter, std::string_view symbol) {

@@ -13,6 +13,12 @@ namespace drillwave {
 /// "stiffness", "length of hammer section 1", "force of corner 2": the label, without the symbol.
 Message labelMessage(const Parameter& parameter);
 
+/// The same with the words of the section that it is of, "length of 2nd rod", where it is of one and there
+/// are any.
+Message labelMessage(const Parameter& parameter, const Message& section);
+/// With the words that tables of the sections of the scenario have.
+Message labelMessage(const Parameter& parameter, const Scenario& scenario);
+
 /// "stiffness k", as in the form: the label, and behind it the symbol as it is written there, where it has
 /// one.
 Message titleMessage(const Parameter& parameter, std::string_view symbol);

@@ -2997,14 +2997,6 @@ Trotzdem löschen?</translation>
         <translation>elastischer Hammer</translation>
     </message>
     <message>
-        <source>%1 of %2 (hammer section %3)</source>
-        <translation>%1 von %2 (Hammerabschnitt %3)</translation>
-    </message>
-    <message>
-        <source>%1 of %2 (section %3)</source>
-        <translation>%1 von %2 (Abschnitt %3)</translation>
-    </message>
-    <message>
         <source>what differs</source>
         <translation>Unterschiede</translation>
     </message>
@@ -3383,10 +3375,6 @@ Trotzdem löschen?</translation>
     <message>
         <source>%1, against %2: %3</source>
         <translation>%1, gegenüber %2: %3</translation>
-    </message>
-    <message>
-        <source>hammer section %1</source>
-        <translation>Hammerabschnitt %1</translation>
     </message>
     <message>
         <source>no %1</source>
@@ -4054,18 +4042,6 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>Impuls des Strangs p</translation>
     </message>
     <message>
-        <source>section %1 of the hammer, %2 from its rear</source>
-        <translation>Abschnitt %1 des Hammers, %2 von hinten</translation>
-    </message>
-    <message>
-        <source>section %1, %2 from its rear</source>
-        <translation>Abschnitt %1, %2 von hinten</translation>
-    </message>
-    <message>
-        <source>section %1 (%2), %3 from its rear</source>
-        <translation>Abschnitt %1 (%2), %3 von hinten</translation>
-    </message>
-    <message>
         <source>closed form, error of e &lt; %1</source>
         <translation>geschlossene Form, Fehler von e &lt; %1</translation>
     </message>
@@ -4088,6 +4064,10 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
     <message>
         <source>Four plots over time from 0 to %1. Waves at x/L = %2: largest N %10, N0p %3, N1n %4, N2p %5, N3n %6. Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.</source>
         <translation>Vier Diagramme über der Zeit von 0 bis %1. Wellen bei x/L = %2: größtes N %10, N0p %3, N1n %4, N2p %5, N3n %6. Stoßkraft bis %7. Kraftstoß bis %8. Impuls der Stange bis %9.</translation>
+    </message>
+    <message>
+        <source>%1, %2 from its rear</source>
+        <translation>%1, %2 von hinten</translation>
     </message>
 </context>
 <context>
@@ -6364,10 +6344,6 @@ eine Projektion weiterer Dimensionen</translation>
     <message>
         <source>elastic rock, worst gap</source>
         <translation>elastisches Gestein, schlechtester Spalt</translation>
-    </message>
-    <message>
-        <source>hammer section %1</source>
-        <translation>Hammerabschnitt %1</translation>
     </message>
     <message>
         <source>section %1</source>

@@ -2997,14 +2997,6 @@ Ta bort ändå?</translation>
         <translation>elastisk hammare</translation>
     </message>
     <message>
-        <source>%1 of %2 (hammer section %3)</source>
-        <translation>%1 för %2 (hammarsektion %3)</translation>
-    </message>
-    <message>
-        <source>%1 of %2 (section %3)</source>
-        <translation>%1 för %2 (sektion %3)</translation>
-    </message>
-    <message>
         <source>what differs</source>
         <translation>skillnader</translation>
     </message>
@@ -3383,10 +3375,6 @@ Ta bort ändå?</translation>
     <message>
         <source>%1, against %2: %3</source>
         <translation>%1, mot %2: %3</translation>
-    </message>
-    <message>
-        <source>hammer section %1</source>
-        <translation>hammarsektion %1</translation>
     </message>
     <message>
         <source>no %1</source>
@@ -4054,18 +4042,6 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>strängens rörelsemängd p</translation>
     </message>
     <message>
-        <source>section %1 of the hammer, %2 from its rear</source>
-        <translation>hammarens sektion %1, %2 från dess bakände</translation>
-    </message>
-    <message>
-        <source>section %1, %2 from its rear</source>
-        <translation>sektion %1, %2 från dess bakände</translation>
-    </message>
-    <message>
-        <source>section %1 (%2), %3 from its rear</source>
-        <translation>sektion %1 (%2), %3 från dess bakände</translation>
-    </message>
-    <message>
         <source>closed form, error of e &lt; %1</source>
         <translation>sluten form, fel i e &lt; %1</translation>
     </message>
@@ -4088,6 +4064,10 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
     <message>
         <source>Four plots over time from 0 to %1. Waves at x/L = %2: largest N %10, N0p %3, N1n %4, N2p %5, N3n %6. Impact force up to %7. Impulse up to %8. Momentum of the rod up to %9.</source>
         <translation>Fyra diagram över tiden från 0 till %1. Vågor vid x/L = %2: största N %10, N0p %3, N1n %4, N2p %5, N3n %6. Stötkraft upp till %7. Impuls upp till %8. Stångens rörelsemängd upp till %9.</translation>
+    </message>
+    <message>
+        <source>%1, %2 from its rear</source>
+        <translation>%1, %2 från dess bakände</translation>
     </message>
 </context>
 <context>
@@ -6364,10 +6344,6 @@ en projektion av fler dimensioner</translation>
     <message>
         <source>elastic rock, worst gap</source>
         <translation>elastiskt berg, sämsta spalt</translation>
-    </message>
-    <message>
-        <source>hammer section %1</source>
-        <translation>hammarsektion %1</translation>
     </message>
     <message>
         <source>section %1</source>

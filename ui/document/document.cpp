@@ -41,17 +41,19 @@ std::string withoutHead(const std::string& text) {
 }
 
 /// "bore must be less than the diameter", where files have a key and its value.
-QString inWordsOfTheForm(const InputProblem& problem) {
+QString inWordsOfTheForm(const InputProblem& problem, const Scenario& scenario) {
     const KeptParameter parameter = findParameter(problem.key);
     if (!parameter || problem.reason.arguments.empty()) return translated(problem.text);
-    return parameterLabel(*parameter) + QLatin1Char(' ') + translated(problem.reason.arguments.back());
+    return parameterLabel(*parameter, scenario) + QLatin1Char(' ') +
+           translated(problem.reason.arguments.back());
 }
 
-QString inWordsOfTheForm(const std::string& name, const std::vector<InputProblem>& problems) {
+QString inWordsOfTheForm(const std::string& name, const std::vector<InputProblem>& problems,
+                         const Scenario& scenario) {
     QStringList lines;
     for (const InputProblem& problem : problems)
         lines << (name.empty() ? QString() : QString::fromStdString(name) + QStringLiteral(": ")) +
-                     inWordsOfTheForm(problem);
+                     inWordsOfTheForm(problem, scenario);
     return lines.join(u'\n');
 }
 
@@ -152,7 +154,7 @@ QString Document::assign(const std::vector<ParameterValue>& values, int gesture)
     if (const QString problem = change(changed, values); !problem.isEmpty()) return problem;
     QStringList steps, keys;
     for (const auto& [parameter, si] : values) {
-        steps << tr("%1 to %2").arg(parameterTitle(*parameter), shownValue(*parameter, si));
+        steps << tr("%1 to %2").arg(parameterTitle(*parameter, m_scenario), shownValue(*parameter, si));
         keys << keyOf(*parameter);
     }
     push(std::move(changed), tr("change %1").arg(steps.join(QStringLiteral(", "))),
@@ -173,7 +175,7 @@ QString Document::change(Scenario& scenario, const std::vector<ParameterValue>& 
     const bool isOfThese = std::ranges::any_of(
         values, [&](const ParameterValue& value) { return value.parameter->key == first.key; });
     return isOfThese && !first.reason.arguments.empty() ? translated(first.reason.arguments.back())
-                                                        : inWordsOfTheForm(first);
+                                                        : inWordsOfTheForm(first, scenario);
 }
 
 QString Document::contentsWith(const std::vector<ParameterValue>& values, ScenarioDocument& changed) const {
@@ -194,7 +196,8 @@ void Document::clear(const Parameter& parameter, int gesture) {
         if (!last || !last->isOf(keyOf(parameter), gesture)) return;
         changed = last->before();
     }
-    push(std::move(changed), tr("clear %1").arg(parameterTitle(parameter)), keyOf(parameter), gesture);
+    push(std::move(changed), tr("clear %1").arg(parameterTitle(parameter, m_scenario)), keyOf(parameter),
+         gesture);
 }
 
 bool Document::canHaveShape(PulseShape shape) const {
@@ -373,7 +376,7 @@ QString Document::applyPreset(const Preset& preset) {
         return tr("A preset has physical units, and this scenario is given by its dimensionless groups.");
     Scenario changed = withPreset(m_scenario, preset);
     const std::vector<InputProblem> problems = m_check(changed);
-    if (!problems.empty()) return inWordsOfTheForm(preset.name, problems);
+    if (!problems.empty()) return inWordsOfTheForm(preset.name, problems, changed);
     if (changed == m_scenario) return {};
     try {
         const std::string text = writeWithPreset({changed, m_text, m_source.source, m_design}, preset);
@@ -387,7 +390,7 @@ QString Document::applyPreset(const Preset& preset) {
 
 QString Document::useScenario(const Scenario& scenario, const QString& step) {
     const std::vector<InputProblem> problems = m_check(scenario);
-    if (!problems.empty()) return inWordsOfTheForm(scenario.title, problems);
+    if (!problems.empty()) return inWordsOfTheForm(scenario.title, problems, scenario);
     push(scenario, step);
     return {};
 }

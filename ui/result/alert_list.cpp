@@ -7,6 +7,7 @@
 
 #include "core/model/parameter.h"
 #include "core/report/alert_words.h"
+#include "core/report/parameter_words.h"
 #include "ui/text/shown_text.h"
 
 namespace drillwave {
@@ -16,9 +17,9 @@ namespace {
 // How long a list that has become shorter keeps its room.
 constexpr std::chrono::milliseconds shorterListRest{1500};
 
-QString fieldName(std::string_view key) {
-    const KeptParameter parameter = findParameter(key);
-    return parameter ? parameterLabel(*parameter) : fromView(key);
+QString fieldName(const Alert& alert) {
+    const KeptParameter parameter = findParameter(alert.parameter);
+    return parameter ? translated(labelMessage(*parameter, alert.subject)) : fromView(alert.parameter);
 }
 
 }  // namespace
@@ -47,14 +48,14 @@ void AlertList::present(const QString& problem, const std::vector<Alert>& alerts
     if (isVisible()) setMinimumHeight(std::max(minimumHeight(), height()));
     m_rest.start();
     qsizetype row = 0;
-    if (!problem.isEmpty()) write(row++, QStringLiteral("✖"), tr("Not solved"), problem, {});
+    if (!problem.isEmpty()) write(row++, QStringLiteral("✖"), tr("Not solved"), problem);
     for (const Alert& alert : alerts) {
         const bool warning = alert.level == AlertLevel::warning;
         const QString& text = texts[row];
         write(row++, warning ? QStringLiteral("⚠") : QStringLiteral("ℹ"),
-              warning ? tr("Warning") : tr("Note"), text, alert.parameter);
+              warning ? tr("Warning") : tr("Note"), text, &alert);
     }
-    if (row == 0) write(row++, QStringLiteral("✓"), tr("Nothing unusual"), tr("Nothing unusual."), {});
+    if (row == 0) write(row++, QStringLiteral("✓"), tr("Nothing unusual"), tr("Nothing unusual."));
     for (qsizetype unused = row; unused < m_labels.size(); ++unused) m_labels[unused]->hide();
     emit changed();
 }
@@ -78,12 +79,13 @@ QLabel* AlertList::labelAt(qsizetype row) {
 }
 
 void AlertList::write(qsizetype row, const QString& mark, const QString& kind, const QString& text,
-                      std::string_view key) {
+                      const Alert* alert) {
     QLabel* label = labelAt(row);
     QString html = mark + QLatin1Char(' ') + text.toHtmlEscaped();
-    if (!key.empty())
+    if (alert && !alert->parameter.empty())
         html += QStringLiteral(" <a href=\"%1\">%2</a>")
-                    .arg(fromView(key).toHtmlEscaped(), tr("Go to “%1”").arg(fieldName(key)).toHtmlEscaped());
+                    .arg(fromView(alert->parameter).toHtmlEscaped(),
+                         tr("Go to “%1”").arg(fieldName(*alert)).toHtmlEscaped());
     if (label->text() != html) label->setText(html);
     label->setAccessibleName(QStringLiteral("%1: %2").arg(kind, text));
     label->setToolTip(kind);

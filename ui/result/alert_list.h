@@ -44,7 +44,7 @@ class AlertList : public QWidget {
 
   private:
     void write(qsizetype row, const QString& mark, const QString& kind, const QString& text,
-               std::string_view key);
+               const Alert* alert = nullptr);
     QLabel* labelAt(qsizetype row);
 
     QStringList m_texts;

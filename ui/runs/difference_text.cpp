@@ -9,6 +9,7 @@
 #include "core/model/assignments.h"
 #include "core/model/blow_traits.h"
 #include "core/model/section_parameter.h"
+#include "core/model/section_words.h"
 #include "ui/text/number_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_text.h"
@@ -22,16 +23,14 @@ constexpr double rounding = 1e-12;  // of results: a smaller difference is none
 
 constexpr qsizetype mostChanges = 4;  // more are no name
 
-// "k", "blow frequency"; of a section "coupling ⌀", "rod length", "section 2 bore".
+// "k", "blow frequency"; of a section "coupling ⌀", "rod length", "hammer 1 bore".
 QString nameWords(const Parameter& parameter, const Scenario& scenario) {
     if (!parameter.address)
         return parameter.symbol.empty() ? parameterLabel(parameter) : shownSymbol(parameter.symbol);
     const SectionAddress& address = *parameter.address;
-    QString section = QString::fromStdString(sectionName(parameter, scenario));
-    if (section.isEmpty())
-        section =
-            (address.chain == SectionAddress::Chain::hammer ? tr("hammer section %1") : tr("section %1"))
-                .arg(address.place);
+    const std::string name = sectionName(parameter, scenario);
+    const QString section =
+        translated(name.empty() ? addressedWords(address, scenario.drillString) : sectionNameMessage(name));
     if (address.field->key == "diameter") return section + QStringLiteral(" ⌀");
     return section + QLatin1Char(' ') + coreText(address.field->label);
 }

@@ -81,6 +81,14 @@ QString parameterLabel(const Parameter& parameter) {
     return translated(labelMessage(parameter));
 }
 
+QString parameterLabel(const Parameter& parameter, const Scenario& scenario) {
+    return translated(labelMessage(parameter, scenario));
+}
+
+QString parameterTitle(const Parameter& parameter, const Scenario& scenario) {
+    return parameter.address ? parameterLabel(parameter, scenario) : parameterTitle(parameter);
+}
+
 QString parameterTitle(const Parameter& parameter) {
     return translated(titleOf(parameter));
 }

@@ -56,8 +56,13 @@ QString coreName(std::string_view name);
 /// "stiffness"; of a section "length of hammer section 1", of the law of the rock "force of corner 2".
 QString parameterLabel(const Parameter& parameter);
 
+/// The same with a section as the tables of its scenario call it: "length of 2nd rod".
+QString parameterLabel(const Parameter& parameter, const Scenario& scenario);
+
 /// Label and symbol, "stiffness k".
 QString parameterTitle(const Parameter& parameter);
+/// The same with a section as above.
+QString parameterTitle(const Parameter& parameter, const Scenario& scenario);
 
 /// A sentence of the core about parameters with their titles in place of their keys, as the form has them.
 Message withTitles(Message message);

@@ -436,7 +436,7 @@ void TestSectionParameter::implausibleSectionsAreRemarkedOn() {
     scenario.drillString.hammer.velocity = 100;
     QCOMPARE(keys(), QStringList({"hammer.velocity", "string.2.length"}));
     QCOMPARE(QString::fromStdString(alertText(alertsFor(scenario)[1])),
-             QString("The length of section 2 = 190 m is outside the usual range, 10 mm to 10 m."));
+             QString("The length of 1st to 3rd coupling = 190 m is outside the usual range, 10 mm to 10 m."));
 }
 
 QTEST_GUILESS_MAIN(TestSectionParameter)

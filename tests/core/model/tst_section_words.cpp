@@ -2,6 +2,7 @@
 // Sections are counted by their names: "3rd rod".
 #include <QTest>
 
+#include "core/model/section_field.h"
 #include "core/model/section_words.h"
 #include "core/text/languages.h"
 
@@ -54,6 +55,24 @@ class TestSectionWords : public QObject {
         for (const Message& each : stringSectionWords(drill)) words.push_back(german.said(each));
         QCOMPARE(words, (Texts{"Einsteckende", "1. Stange", "Kupplungsmuffe", "2. Stange", "Kronenschaft",
                                "my rod"}));
+    }
+
+    void addressesAreCalledAsTheRowsAre() {
+        DrillString drill;
+        drill.hammer.sections = {named(""), named("")};
+        drill.parts = {{.sections = {named("adapter")}},
+                       {.repeat = 2, .group = true, .sections = {named("coupling"), named("rod")}},
+                       {.sections = {named("")}}};
+        const auto words = [&](const char* key) {
+            return addressedWords(findSectionAddress(key).value(), drill).text();
+        };
+        QCOMPARE(words("hammer.2.length"), std::string("hammer 2"));
+        QCOMPARE(words("string.1.length"), std::string("adapter"));
+        for (const char* key : {"string.3.length", "string.5.length"})
+            QCOMPARE(words(key), std::string("1st and 2nd rod"));
+        QCOMPARE(words("string.rod.length"), std::string("rod"));
+        QCOMPARE(words("string.6.length"), std::string("section 6"));
+        QCOMPARE(words("string.9.length"), std::string("section 9"));
     }
 
     void rowsOfARepeatHaveAllTheirNumbers() {

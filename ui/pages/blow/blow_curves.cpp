@@ -9,8 +9,10 @@
 
 #include "core/blow/blow_waves.h"
 #include "core/model/pulse_force.h"
+#include "core/model/section_words.h"
 #include "core/wave/field/rod_state.h"
 #include "core/wave/field/wave_curves.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -56,10 +58,7 @@ void namePlace(BlowCurves& curves, const DrillString& drill) {
     if (sections.empty()) return;
     curves.place = stringPlace(drill, curves.section);
     const Section& at = *sections[curves.place->section];
-    const auto number = static_cast<int>(curves.place->section) + 1;
-    const auto ofHammer = static_cast<int>(drill.hammer.sections.size());
-    curves.sectionNumber = number > ofHammer ? number - ofHammer : -number;
-    curves.sectionName = QString::fromStdString(at.name);
+    curves.sectionWords = translated(sectionWords(drill)[curves.place->section]);
     curves.fromRear = curves.place->share * at.length;
 }
 

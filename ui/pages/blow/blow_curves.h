@@ -20,14 +20,13 @@ struct BlowCurves {
     static constexpr int waveCount = 4;
 
     ShownUnits units;
-    double section = 0.5;                    ///< x/L of the waves
-    std::array<GraphData, waveCount> waves;  ///< N0p, N1n, N2p, N3n, each over its own interval
-    std::array<GraphData, 2> laterWaves;     ///< N4p, N6p … and N5n, N7n …, up to timeEnd
-    GraphData sectionForce;                  ///< N there: the sum of all waves, up to timeEnd
-    std::optional<StringPlace> place;        ///< where in a drill string that is: then the first two
-                                             ///< waves are Np and Nn, and there are no others
-    int sectionNumber = 0;                   ///< from the shank on; of the hammer from its rear on, below 0
-    QString sectionName;
+    double section = 0.5;                           ///< x/L of the waves
+    std::array<GraphData, waveCount> waves;         ///< N0p, N1n, N2p, N3n, each over its own interval
+    std::array<GraphData, 2> laterWaves;            ///< N4p, N6p … and N5n, N7n …, up to timeEnd
+    GraphData sectionForce;                         ///< N there: the sum of all waves, up to timeEnd
+    std::optional<StringPlace> place;               ///< where in a drill string that is: then the first two
+                                                    ///< waves are Np and Nn, and there are no others
+    QString sectionWords;                           ///< of a string: "2nd rod", "hammer 1"
     double fromRear = 0;                            ///< [m]
     GraphData force;                                ///< impact force
     GraphData faceForce = {};                       ///< of hammer and string

@@ -220,13 +220,7 @@ void BlowPlots::nameWaves() {
 QString BlowPlots::placeText(const BlowCurves& curves, const QLocale& locale) {
     const QString length =
         quantityText(curves.fromRear, curves.units.of(UnitKind::length, curves.fromRear), locale);
-    if (curves.sectionNumber < 0)
-        return tr("section %1 of the hammer, %2 from its rear").arg(-curves.sectionNumber).arg(length);
-    return curves.sectionName.isEmpty()
-               ? tr("section %1, %2 from its rear").arg(curves.sectionNumber).arg(length)
-               : tr("section %1 (%2), %3 from its rear")
-                     .arg(curves.sectionNumber)
-                     .arg(curves.sectionName, length);
+    return tr("%1, %2 from its rear").arg(curves.sectionWords, length);
 }
 
 void BlowPlots::showWhereThere(std::size_t index, QCPGraph& graph, const GraphData& data, bool always) {

@@ -59,16 +59,11 @@ void addBlow(CompareTable& table, const Columns& columns) {
     table.rows.push_back(std::move(row));
 }
 
-/// "diameter of coupling (section 2)": as the file calls the section, and where it is.
+/// "diameter of 1st to 3rd coupling": as the page String calls the section.
 QString nameIn(const Parameter& parameter, const std::vector<const Scenario*>& scenarios) {
     for (const Scenario* scenario : scenarios)
-        if (const std::string section = sectionName(parameter, *scenario); !section.empty()) {
-            const SectionAddress& address = *parameter.address;
-            const bool ofHammer = address.chain == SectionAddress::Chain::hammer;
-            return (ofHammer ? tr("%1 of %2 (hammer section %3)") : tr("%1 of %2 (section %3)"))
-                .arg(coreText(address.field->label), QString::fromStdString(section))
-                .arg(address.place);
-        }
+        if (parameter.address && hasSectionFor(parameter, *scenario))
+            return parameterTitle(parameter, *scenario);
     return parameterName(parameter);
 }
 

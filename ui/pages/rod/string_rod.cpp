@@ -73,7 +73,7 @@ StringRod stringRod(const Blow& blow) {
         stretch.toStress = scales.force / scales.stress;
         stretch.section = section;
         stretch.number = j < ofHammer ? -(j + 1) : j - ofHammer + 1;
-        stretch.name = QString::fromStdString(section.name);
+        stretch.name = translated(sectionNameMessage(section.name));
         stretch.words = translated(words[static_cast<std::size_t>(j)]);
         stretch.yieldStrength = section.yieldStrength;
         stretch.fatigueStrength = section.fatigueStrength;

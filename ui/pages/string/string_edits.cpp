@@ -12,6 +12,8 @@
 
 #include "core/model/form_conversion.h"
 #include "core/model/section_pieces.h"
+#include "core/model/section_words.h"
+#include "core/text/handy_text.h"
 #include "core/yaml/examples.h"
 #include "core/yaml/scenario_file.h"
 #include "ui/text/language.h"
@@ -45,7 +47,7 @@ QString describe(const Section& section, const UnitChoice& units) {
     if (!isUniform(section)) size += QStringLiteral("…") + sizeText(outerDiameterAt(section, 1));
     if (!section.area && section.bore > 0) size += QLatin1Char('/') + sizeText(section.bore);
     const QString name =
-        section.name.empty() ? StringEdits::tr("section") : QString::fromStdString(section.name);
+        section.name.empty() ? StringEdits::tr("section") : translated(sectionNameMessage(section.name));
     return QStringLiteral("%1, %2 %3").arg(name, size, shownUnitName(unit.name));
 }
 

@@ -5,7 +5,9 @@
 #include <cmath>
 
 #include "core/model/section_pieces.h"
+#include "core/model/section_words.h"
 #include "ui/text/number_text.h"
+#include "ui/text/shown_text.h"
 
 namespace drillwave {
 namespace {
@@ -46,7 +48,7 @@ std::vector<StringSketch::Piece> StringSketch::piecesOf(const SketchedString& sh
         piece.frontDiameter = shown.across.factor * outerDiameterAt(*section, 1);
         piece.bore = section->area ? 0 : shown.across.factor * section->bore;
         piece.place = static_cast<int>(piece.isHammer ? number + 1 : number + 1 - ofHammer);
-        piece.name = QString::fromStdString(section->name);
+        piece.name = translated(sectionNameMessage(section->name));
         pieces.push_back(piece);
     }
     return pieces;

@@ -5,7 +5,10 @@
 #include <cmath>
 
 #include "core/model/scales.h"
+#include "core/yaml/examples.h"
+#include "core/yaml/scenario_file.h"
 #include "ui/pages/blow/blow_curves.h"
+#include "ui/pages/blow/blow_plots.h"
 #include "ui/pages/rock/rock_plot.h"
 
 using namespace drillwave;
@@ -55,6 +58,7 @@ class TestBlowCurves : public QObject {
     void aWaveEndsBeforeTheJumpOfTheNext();
     void theForceAtTheSectionIsTheSumOfAllWaves();
     void curvesScaleWithTheirUnits();
+    void thePlaceIsCalledAsInTheTableOfSections();
     void everyPointIsFinite();
     void aCutTailEndsOnTheCurve();
     void theRockCurveEnclosesTheRockWork();
@@ -131,6 +135,18 @@ void TestBlowCurves::curvesScaleWithTheirUnits() {
     QCOMPARE(curves.units.time.unit, QStringLiteral("ms"));
     QVERIFY(std::abs(largest(curves.force) / (blow.impact.peakForce * blow.scales.force / 1000) - 1) < 1e-3);
     QVERIFY(std::abs(last(curves.impulse) / ((1 + blow.impact.cor) * scenario.pulse.impulse) - 1) < 1e-12);
+}
+
+// By the number along the chain, "section 4 (rod)", nobody found the rod in the table of the page String.
+void TestBlowCurves::thePlaceIsCalledAsInTheTableOfSections() {
+    const Scenario scenario = parseScenario(findExample("t38_string")->text, "").scenario;
+    const Blow blow = solveBlow(scenario, {}, Detail::histories);
+    const ShownUnits units = shownUnits(UnitSystem::si, blow.scales);
+    const QString near = BlowPlots::placeText(blowCurves(blow, units, 0.5), QLocale::c());
+    QVERIFY2(near.startsWith(QStringLiteral("2nd rod, ")) && near.endsWith(QStringLiteral("from its rear")),
+             qPrintable(near));
+    const QString bit = BlowPlots::placeText(blowCurves(blow, units, 0.999), QLocale::c());
+    QVERIFY2(bit.startsWith(QStringLiteral("bit head, ")), qPrintable(bit));
 }
 
 void TestBlowCurves::everyPointIsFinite() {

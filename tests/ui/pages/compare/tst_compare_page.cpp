@@ -130,7 +130,7 @@ void TestComparePage::stringsHaveTheirResults() {
     const CompareTable& table = m_page->table();
     const auto results = std::ranges::count(table.rows, CompareRow::Kind::result, &CompareRow::kind);
     QVERIFY2(results > 20, qPrintable(QString::number(results)));
-    QVERIFY(rowOf(table, "diameter of coupling (section 2)"));
+    QVERIFY(rowOf(table, "diameter of 1st to 3rd coupling"));
     for (const char* name : {"peak force", "tension, blow", "tension, after", "into the rock"}) {
         const CompareRow* row = rowOf(table, name);
         QVERIFY2(row, name);

@@ -354,7 +354,7 @@ void TestStringPage::aCellIsEditedUndoneByNameSavedAndReadAgain() {
     const QByteArray before = document().text();
     typeIntoCell(3, StringModel::diameter, QStringLiteral("50 mm"));
     QCOMPARE(document().scenario().drillString.parts[1].sections[0].diameter, 0.05);
-    QVERIFY2(undoText().contains(QStringLiteral("diameter of section 2")), qPrintable(undoText()));
+    QVERIFY2(undoText().contains(QStringLiteral("diameter of 1st to 3rd coupling")), qPrintable(undoText()));
     QVERIFY(window().isWindowModified());
     settle();
     const double efficiency = window().shown()->summary.energy.rockWork;
