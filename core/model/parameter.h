@@ -174,8 +174,7 @@ bool isGiven(const Parameter& parameter, const Scenario& scenario);
 
 /// Why `value` (SI, finite or not) is outside the hard range: "must be in (0, 1]"; empty when it is inside.
 Message rangeProblem(const Parameter& parameter, double value);
-/// In which unit messages give the ends of a range: SI, but of a share, which everybody reads in per cent,
-/// the customary one.
+/// In which unit messages give the ends of a range: in SI, and shares in the usual unit of their fields, %.
 const Unit& unitOfRange(Quantity quantity, const Unit& customary);
 
 /// Why the scenario does not hold `wanted` (SI) now that it was assigned: what is kept is the physical value

@@ -15,7 +15,7 @@ struct CurveMeaning {
     QString yName = {};  ///< "F"; likewise
     QString xUnit = {};  ///< "ms"; empty for a mere number
     QString yUnit = {};  ///< "kN"
-    /// Of an axis of words, those at x = 0, 1, …: between them there is nothing, and no slope.
+    /// The words at x = 0, 1, … of an axis of words; between them there is nothing, and no slope.
     QStringList xWords = {};
     /// Shown slope = slopeFactor · dy/dx, followed by slopeUnit; without a unit "kN/ms".
     QString slopeUnit = {};

@@ -18,7 +18,7 @@ struct ReadingCell {
     QString label;  ///< before the number in the table; may be empty
     double value = 0;
     QString unit = {};
-    QString words = {};  ///< in place of the number, on an axis of words
+    QString words = {};  ///< instead of the number, on an axis of words
 
     /// "1.2 ms", "–" where it is not known.
     QString text(const QLocale& locale, int digits) const;

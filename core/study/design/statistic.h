@@ -47,7 +47,7 @@ double errorOf(std::span<const double, replicateCount> replicates);
 /// The same of the difference of two statistics over the same points, replicate by replicate.
 double errorOfDifference(const SampledValue& one, const SampledValue& other);
 /// Whether two values differ by no more than that error, or by so small a part of their own errors that no
-/// digit of them shows it. NaN are equal to each other alone.
+/// digit of them shows it. NaN equals only NaN.
 bool areEqualWithinErrors(const SampledValue& one, const SampledValue& other);
 
 /// The quantile of sorted numbers, at least one: at the position q n + ½ (Hazen), linear between, clamped.

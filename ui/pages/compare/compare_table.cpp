@@ -67,7 +67,7 @@ QString nameIn(const Parameter& parameter, const std::vector<const Scenario*>& s
     return parameterName(parameter);
 }
 
-/// Of hammer and string together: more rows of sections would push the results out of sight.
+/// More rows of sections, hammer and string together, would push the results out of sight.
 constexpr std::ptrdiff_t mostSectionRows = 12;
 
 bool isOfSection(const KeptParameter& parameter) {
