@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/model/blow_traits.h"
 #include "core/model/law_parameter.h"
 #include "core/model/section_parameter.h"
 #include "core/model/validation.h"
