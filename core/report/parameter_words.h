@@ -10,7 +10,7 @@
 
 namespace drillwave {
 
-/// "stiffness", "length of hammer section 1", "force of corner 2": the label, without the symbol.
+/// "stiffness", "length of hammer 1", "force of corner 2": the label, without the symbol.
 Message labelMessage(const Parameter& parameter);
 
 /// The same with the words of the section that it is of, "length of 2nd rod", where it is of one and there

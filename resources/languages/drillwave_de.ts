@@ -6115,11 +6115,11 @@ eine Projektion weiterer Dimensionen</translation>
     </message>
     <message>
         <source>The waves of a blow make only %1 round trips until the next blow, and meet it %3: penetration may swing by 10 % up or down with frequency times length; %2 follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %3: die Eindringung kann mit Frequenz mal Länge um 10 % nach oben oder unten schwanken; %2 verfolgt das.</translation>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %3: die Eindringung kann mit Frequenz mal Länge um 10&#xa0;% nach oben oder unten schwanken; %2 verfolgt das.</translation>
     </message>
     <message>
         <source>The waves of a blow make only %1 round trips until the next blow, and meet it %4 and nearly in step (close to %2): penetration may swing by 10 % up or down; %3 follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %4 und fast im Takt (nahe %2): die Eindringung kann um 10 % nach oben oder unten schwanken; %3 verfolgt das.</translation>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %4 und fast im Takt (nahe %2): die Eindringung kann um 10&#xa0;% nach oben oder unten schwanken; %3 verfolgt das.</translation>
     </message>
     <message>
         <source>share but a cell of time of %1, which would take more work than is permitted</source>

@@ -6115,11 +6115,11 @@ en projektion av fler dimensioner</translation>
     </message>
     <message>
         <source>The waves of a blow make only %1 round trips until the next blow, and meet it %3: penetration may swing by 10 % up or down with frequency times length; %2 follows it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %3: inträngningen kan svänga 10 % upp eller ned med frekvens gånger längd; %2 följer det.</translation>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %3: inträngningen kan svänga 10&#xa0;% upp eller ned med frekvens gånger längd; %2 följer det.</translation>
     </message>
     <message>
         <source>The waves of a blow make only %1 round trips until the next blow, and meet it %4 and nearly in step (close to %2): penetration may swing by 10 % up or down; %3 follows it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %4 och nästan i takt (nära %2): inträngningen kan svänga 10 % upp eller ned; %3 följer det.</translation>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %4 och nästan i takt (nära %2): inträngningen kan svänga 10&#xa0;% upp eller ned; %3 följer det.</translation>
     </message>
     <message>
         <source>share but a cell of time of %1, which would take more work than is permitted</source>

@@ -763,7 +763,7 @@ void TestDesignPage::theHeadlineHasTheUnitsAndWordsOfThePage() {
     const QString first = m_page->card().toPlainText().section(QLatin1Char('\n'), 0, 0);
     QVERIFY2(first.contains(QStringLiteral(" in the worst 5")), qPrintable(first));
     QVERIFY2(first.contains(QStringLiteral(" ± ")), qPrintable(first));
-    for (const char* plain : {"q05", "q95", "+-", " us", "mm", " kN", " m,"})
+    for (const char* plain : {"q05", "q95", "+-", " us", " mm", " kN", " m,"})
         QVERIFY2(!first.contains(QLatin1String(plain)), qPrintable(first));
     QVERIFY2(first.contains(QStringLiteral("µs")), qPrintable(first));
     QVERIFY2(headlineMessage(report).text().find(" us") != std::string::npos, "the command keeps its words");

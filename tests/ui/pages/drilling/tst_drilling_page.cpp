@@ -132,7 +132,7 @@ void TestDrillingPage::blowsTableAndSentenceAreThoseOfTheStudy() {
     const double mean =
         scaleOf(DrillingMeasure::length, expected).value(expected.spread(3).mean, OutputUnits::si);
     QCOMPARE(table->verticalHeaderItem(2)->text(), QStringLiteral("penetration [mm]"));
-    QCOMPARE(table->item(2, 0)->text(), QString::fromStdString(style.number(mean * millimetres, 5)));
+    QCOMPARE(table->item(2, 0)->text(), QString::fromStdString(style.number(1000 * mean, 5)));
 }
 
 // Titles of the core's table of quantities were looked up where the catalogues do not have them.
