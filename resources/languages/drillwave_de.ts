@@ -11513,6 +11513,122 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>After %1 the bit may still meet the rock again: these are the numbers at the next blow, not final ones.</source>
         <translation>Nach %1 kann die Bohrkrone das Gestein noch einmal treffen: dies sind die Zahlen beim nächsten Schlag, keine endgültigen.</translation>
     </message>
+    <message>
+        <source>could not be solved at all gaps: %1</source>
+        <translation>konnte nicht bei allen Spalten gelöst werden: %1</translation>
+    </message>
+    <message>
+        <source>Results repeat with every d₀ of gap.</source>
+        <translation>Ergebnisse wiederholen sich mit jedem d₀ Spalt.</translation>
+    </message>
+    <message>
+        <source>Results repeat with every d₀ = %1 of gap.</source>
+        <translation>Ergebnisse wiederholen sich mit jedem d₀ = %1 Spalt.</translation>
+    </message>
+    <message>
+        <source>How the gap scatters</source>
+        <translation>Wie der Spalt streut</translation>
+    </message>
+    <message>
+        <source>Nobody controls the gap at the rig: all gaps of a period alike, or a normal distribution cut off at no gap</source>
+        <translation>Niemand regelt den Spalt am Bohrgerät: alle Spalte einer Periode gleich, oder eine Normalverteilung, abgeschnitten bei keinem Spalt</translation>
+    </message>
+    <message>
+        <source>all equally likely</source>
+        <translation>alle gleich wahrscheinlich</translation>
+    </message>
+    <message>
+        <source>mean ± deviation</source>
+        <translation>Mittel ± Standardabw.</translation>
+    </message>
+    <message>
+        <source>COR–gap</source>
+        <translation>e–Spalt</translation>
+    </message>
+    <message>
+        <source>Result over the gap, and how its values are distributed</source>
+        <translation>Ergebnis über dem Spalt, und wie seine Werte verteilt sind</translation>
+    </message>
+    <message>
+        <source>mean of the gap</source>
+        <translation>Mittel des Spalts</translation>
+    </message>
+    <message>
+        <source>standard deviation of the gap</source>
+        <translation>Standardabweichung des Spalts</translation>
+    </message>
+    <message>
+        <source>COR e</source>
+        <translation>Stoßzahl e</translation>
+    </message>
+    <message>
+        <source>peak force Fm</source>
+        <translation>Spitzenkraft Fm</translation>
+    </message>
+    <message>
+        <source>A first look; the curve follows.</source>
+        <translation>Ein erster Blick; die Kurve folgt.</translation>
+    </message>
+    <message>
+        <source>A click on the curve takes over the gap there, with Shift it pins it.</source>
+        <translation>Ein Klick auf die Kurve übernimmt den Spalt dort, mit Umschalt heftet er ihn an.</translation>
+    </message>
+    <message>
+        <source>COR–gap is of uniform rods, whose results repeat over the gap; those of a drill string do not, and Efficiency–stiffness shows them over the gap point by point.</source>
+        <translation>e–Spalt ist für gleichförmige Stangen, deren Ergebnisse sich über dem Spalt wiederholen; die eines Bohrstrangs tun das nicht, und Wirkungsgrad–Steifigkeit zeigt sie über dem Spalt Punkt für Punkt.</translation>
+    </message>
+    <message>
+        <source>gap d</source>
+        <translation>Spalt d</translation>
+    </message>
+    <message>
+        <source>δ = gap / d₀</source>
+        <translation>δ = Spalt / d₀</translation>
+    </message>
+    <message>
+        <source>in a band [%]</source>
+        <translation>in einem Band [%]</translation>
+    </message>
+    <message>
+        <source>below [%]</source>
+        <translation>darunter [%]</translation>
+    </message>
+    <message>
+        <source>share in a band</source>
+        <translation>Anteil in einem Band</translation>
+    </message>
+    <message>
+        <source>share below</source>
+        <translation>Anteil darunter</translation>
+    </message>
+    <message>
+        <source>super rebound, e &gt; 1</source>
+        <translation>Überrückprall, e &gt; 1</translation>
+    </message>
+    <message>
+        <source>5 %</source>
+        <translation>5 %</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>scattered gap: mean %1, 5–95 % %2…%3</source>
+        <translation>gestreuter Spalt: Mittel %1, 5–95 % %2…%3</translation>
+    </message>
+    <message>
+        <source>all gaps: mean %1, 5–95 % %2…%3</source>
+        <translation>alle Spalte: Mittel %1, 5–95&#xa0;% %2…%3</translation>
+    </message>
+    <message>
+        <source>e &gt; 1 at %1 of gaps</source>
+        <translation>e &gt; 1 bei %1 der Spalte</translation>
+    </message>
+    <message>
+        <source>thrust for 95 % of gaps %1</source>
+        <translation>95&#xa0;%-Andruck %1</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

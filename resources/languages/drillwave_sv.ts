@@ -11513,6 +11513,122 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>After %1 the bit may still meet the rock again: these are the numbers at the next blow, not final ones.</source>
         <translation>Efter %1 kan borrkronan ännu träffa berget igen: detta är talen vid nästa slag, inte slutliga.</translation>
     </message>
+    <message>
+        <source>could not be solved at all gaps: %1</source>
+        <translation>kunde inte lösas vid alla spalter: %1</translation>
+    </message>
+    <message>
+        <source>Results repeat with every d₀ of gap.</source>
+        <translation>Resultaten upprepas med varje d₀ spalt.</translation>
+    </message>
+    <message>
+        <source>Results repeat with every d₀ = %1 of gap.</source>
+        <translation>Resultaten upprepas med varje d₀ = %1 spalt.</translation>
+    </message>
+    <message>
+        <source>How the gap scatters</source>
+        <translation>Hur spalten sprider</translation>
+    </message>
+    <message>
+        <source>Nobody controls the gap at the rig: all gaps of a period alike, or a normal distribution cut off at no gap</source>
+        <translation>Ingen styr spalten på riggen: alla spalter i en period lika, eller en normalfördelning avskuren vid ingen spalt</translation>
+    </message>
+    <message>
+        <source>all equally likely</source>
+        <translation>alla lika sannolika</translation>
+    </message>
+    <message>
+        <source>mean ± deviation</source>
+        <translation>medel ± standardavv.</translation>
+    </message>
+    <message>
+        <source>COR–gap</source>
+        <translation>e–spalt</translation>
+    </message>
+    <message>
+        <source>Result over the gap, and how its values are distributed</source>
+        <translation>Resultat över spalten, och hur dess värden fördelar sig</translation>
+    </message>
+    <message>
+        <source>mean of the gap</source>
+        <translation>spaltens medelvärde</translation>
+    </message>
+    <message>
+        <source>standard deviation of the gap</source>
+        <translation>spaltens standardavvikelse</translation>
+    </message>
+    <message>
+        <source>COR e</source>
+        <translation>studstal e</translation>
+    </message>
+    <message>
+        <source>peak force Fm</source>
+        <translation>toppkraft Fm</translation>
+    </message>
+    <message>
+        <source>A first look; the curve follows.</source>
+        <translation>En första blick; kurvan följer.</translation>
+    </message>
+    <message>
+        <source>A click on the curve takes over the gap there, with Shift it pins it.</source>
+        <translation>Ett klick på kurvan tar över spalten där, med Skift fäster det den.</translation>
+    </message>
+    <message>
+        <source>COR–gap is of uniform rods, whose results repeat over the gap; those of a drill string do not, and Efficiency–stiffness shows them over the gap point by point.</source>
+        <translation>e–spalt gäller likformiga stänger, vars resultat upprepas över spalten; en borrsträngs resultat gör inte det, och Verkningsgrad–styvhet visar dem över spalten punkt för punkt.</translation>
+    </message>
+    <message>
+        <source>gap d</source>
+        <translation>spalt d</translation>
+    </message>
+    <message>
+        <source>δ = gap / d₀</source>
+        <translation>δ = spalt / d₀</translation>
+    </message>
+    <message>
+        <source>in a band [%]</source>
+        <translation>i ett band [%]</translation>
+    </message>
+    <message>
+        <source>below [%]</source>
+        <translation>under [%]</translation>
+    </message>
+    <message>
+        <source>share in a band</source>
+        <translation>andel i ett band</translation>
+    </message>
+    <message>
+        <source>share below</source>
+        <translation>andel under</translation>
+    </message>
+    <message>
+        <source>super rebound, e &gt; 1</source>
+        <translation>superstuds, e &gt; 1</translation>
+    </message>
+    <message>
+        <source>5 %</source>
+        <translation>5 %</translation>
+    </message>
+    <message>
+        <source>95 %</source>
+        <translation>95 %</translation>
+    </message>
+    <message>
+        <source>scattered gap: mean %1, 5–95 % %2…%3</source>
+        <translation>spridd spalt: medel %1, 5–95 % %2…%3</translation>
+    </message>
+    <message>
+        <source>all gaps: mean %1, 5–95 % %2…%3</source>
+        <translation>alla spalter: medel %1, 5–95&#xa0;% %2…%3</translation>
+    </message>
+    <message>
+        <source>e &gt; 1 at %1 of gaps</source>
+        <translation>e &gt; 1 vid %1 av spalterna</translation>
+    </message>
+    <message>
+        <source>thrust for 95 % of gaps %1</source>
+        <translation>95&#xa0;%-matningskraft %1</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>

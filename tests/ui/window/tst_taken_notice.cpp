@@ -5,8 +5,6 @@
 
 #include "tests/support/window_fixture.h"
 #include "ui/job/study_job.h"
-#include "ui/pages/gap/gap_page.h"
-#include "ui/pages/gap/gap_plot.h"
 #include "ui/pages/study/figure_page.h"
 #include "ui/plot/curve_reading.h"
 #include "ui/plot/plot_widget.h"
