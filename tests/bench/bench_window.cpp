@@ -21,10 +21,10 @@
 #include "ui/job/solve_job.h"
 #include "ui/pages/design/design_page.h"
 #include "ui/pages/drilling/drilling_page.h"
-#include "ui/pages/study/figure_page.h"
 #include "ui/pages/map/map_page.h"
 #include "ui/pages/map/map_plot.h"
 #include "ui/pages/plot_page.h"
+#include "ui/pages/study/figure_page.h"
 #include "ui/plot/plot_widget.h"
 #include "ui/window/page_tabs.h"
 

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: GPL-3.0-or-later
 # What README, CONTRIBUTING and the manual tell people to type must be there: check_commands.sh ROOT
-#   drillwave COMMAND         a command of app/*_command.cpp, or an option, or a file
+#   drillwave COMMAND         a command of app/*_command.cpp or core/report/*_answer.cpp, or an option, or a file
 #   tst_…, bench_…            a test program or benchmark
 #   packaging/…, resources/…, tests/…, core/…, ui/…, app/…   a file or folder of the sources
 #   build/release/…           what the build makes of a source of that name
@@ -13,7 +13,7 @@ pages="README.md CONTRIBUTING.md $(echo resources/manual/*.md)"
 work=$(mktemp -d) || exit 2
 trap 'rm -rf "$work"' EXIT
 
-sed -n 's/^ *\.name = "\([a-z]*\)",.*/\1/p' app/*_command.cpp | sort -u >"$work/commands"
+sed -n 's/^ *\.name = "\([a-z]*\)",.*/\1/p' app/*_command.cpp core/report/*_answer.cpp | sort -u >"$work/commands"
 printf 'help\nversion\n' >>"$work/commands"
 find tests -name 'tst_*.cpp' -o -name 'bench_*.cpp' -o -name screenshots.cpp | sed 's:.*/::; s:\.cpp$::' | sort -u >"$work/programs"
 

@@ -18,9 +18,9 @@
 #include "ui/pages/compare/compare_page.h"
 #include "ui/pages/curve/curve_page.h"
 #include "ui/pages/curve/curve_plot.h"
-#include "ui/pages/study/figure_page.h"
 #include "ui/pages/string/string_page.h"
 #include "ui/pages/study/axis_fields.h"
+#include "ui/pages/study/figure_page.h"
 #include "ui/pages/thrust/thrust_page.h"
 #include "ui/result/result_panel.h"
 #include "ui/text/settings.h"
@@ -333,10 +333,9 @@ void TestPageTabs::noPageIsChosenThatShowsNothingOfAString() {
         if (action->isSeparator()) break;
         if (action->isEnabled()) enabled << action->text();
     }
-    QCOMPARE(enabled,
-             (QStringList{QStringLiteral("Efficiency–stiffness"), QStringLiteral("COR–gap"),
-                          QStringLiteral("Map"), QStringLiteral("Feed"), QStringLiteral("Drilling"),
-                          QStringLiteral("Design"), QStringLiteral("Accuracy")}));
+    QCOMPARE(enabled, (QStringList{QStringLiteral("Efficiency–stiffness"), QStringLiteral("COR–gap"),
+                                   QStringLiteral("Map"), QStringLiteral("Feed"), QStringLiteral("Drilling"),
+                                   QStringLiteral("Design"), QStringLiteral("Accuracy")}));
     // A place of the rod's blow, which is on show until the string is solved.
     emit part<ResultPanel>(*window).placeChosen(0.5, 1);
     QCOMPARE(pages.currentWidget(), &compare);
