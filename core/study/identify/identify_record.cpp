@@ -1,0 +1,281 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/identify/identify_record.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/study/identify/law_checks.h"
+#include "core/study/identify/parameter_verdicts.h"
+
+namespace drillwave {
+
+namespace {
+
+using Eigen::Index;
+
+constexpr double strainedMisfit = 0.01;    ///< of the peak
+constexpr double rejectedMisfit = 0.05;    ///< of the peak
+constexpr double rejectedWave = 0.08;      ///< unexplained, of the peak
+constexpr double usedUpMisfit = 0.003;     ///< of the peak
+constexpr double tooFar = 1.5;             ///< tolerances that a zero line or a size may take
+constexpr double arrivalFrom = 25e-6;      ///< [s]
+constexpr double lagFrom = 10e-6;          ///< [s]
+
+double lagOf(const LawCandidate& candidate) {
+    return candidate.fit.values[static_cast<Index>(candidate.model->find(UnknownKind::lag))];
+}
+
+/// The record as it was prepared, or with the distance of the file where that explains it (C5).
+PreparedRecord arrivalChosen(PreparedRecord seen, const GaugeRecord& record, const std::vector<GaugePlace>& places,
+                             const IdentifyQuestion& question, std::size_t blow, const SizeTolerances& sizes,
+                             const std::stop_token& stop) {
+    if (seen.shift == 0) return seen;
+    Preparation other = prepareRecord(record, places, question, blow, ArrivalChoice::ofFile);
+    if (other.refusal) return seen;
+    RecordModel moved(seen, question, sizes, TrialLaw::bilinear);
+    RecordModel kept(other.record, question, sizes, TrialLaw::bilinear);
+    const LawFit movedFit = fitFromStarts(moved, stop), keptFit = fitFromStarts(kept, stop);
+    const double movedRms = misfitOf(moved, movedFit, 1, 0).rms, keptRms = misfitOf(kept, keptFit, 1, 0).rms;
+    const double lag = keptFit.values[static_cast<Index>(kept.find(UnknownKind::lag))];
+    const double allowed = arrivalFrom + 2 * placeTolerance(question) / places.front().waveSpeed;
+    const bool isNear = std::abs(lag) <= allowed && keptRms < 1.5 * movedRms;
+    return isNear || keptRms < 0.8 * movedRms ? other.record : seen;
+}
+
+double autocorrelationOf(const RecordModel& model, const LawFit& fit) {
+    double own = 0, next = 0;
+    for (std::size_t i = 0; i + 1 < model.returningCount(); ++i) {
+        const double a = fit.residuals[static_cast<Index>(i)], b = fit.residuals[static_cast<Index>(i + 1)];
+        own += a * a;
+        next += a * b;
+    }
+    return own > 0 ? next / own : 0;
+}
+
+void fillMatch(const LawTrials& trials, RecordAnswer& answer) {
+    const LawCandidate& chosen = trials.chosen();
+    const RecordModel& model = *chosen.model;
+    const PreparedRecord& record = model.record();
+    MatchFigures& match = answer.match;
+    const MisfitFound& misfit = chosen.errors.misfit;
+    match.misfit = misfit.misfit;
+    match.noise = record.gauges.front().noise.deviation() / record.peak;
+    match.expected = misfit.noise;
+    match.ratio = misfit.ratio;
+    match.autocorrelation = autocorrelationOf(model, chosen.fit);
+    match.samples = model.returningCount();
+    match.from = record.timeOf(model.firstReturning());
+    match.to = record.timeOf(model.firstReturning() + model.returningCount() - 1);
+    match.roundTripOfFile = record.roundTripToRock();
+    match.roundTrip = match.roundTripOfFile + lagOf(chosen);
+    match.shiftOfSecond = record.secondShift;
+    match.gainOfSecond = record.secondGain;
+    match.quiet = chosen.errors.quiet;
+    match.unexplained = chosen.errors.unexplained;
+    match.before = record.before;
+    match.bending = record.bending;
+    match.isClipped = !record.isLost.empty();
+    match.step = record.gauges.front().recorderStep / record.peak;
+    for (std::size_t g = 0; g < record.gauges.size(); ++g) {
+        const std::string number = std::to_string(g + 1);
+        const auto at = [&](const std::string& key) {
+            return chosen.fit.values[static_cast<Index>(model.shapeUnknown(key))];
+        };
+        match.zero.push_back({at("offset." + number), at("slope." + number)});
+        match.droop = at("droop");
+    }
+    if (model.hasDispersion()) {
+        const auto share = static_cast<Index>(model.shapeUnknown("dispersion"));
+        match.dispersion = chosen.fit.values[share];
+        match.dispersionHalfWidth = chosen.errors.noise[share];
+    }
+    if (chosen.name == "jump") match.jumpTime = trials.jumpTime;
+}
+
+void fillCurves(RecordModel& model, const LawFit& fit, RecordAnswer& answer) {
+    const PreparedRecord& record = model.record();
+    const ChainModel& chain = model.solved(fit.values);
+    MatchCurves& curves = answer.curves;
+    const SeparatedWaves waves = separateWaves(record);
+    const std::vector<double>& f = model.incidentNow();
+    const double lag = fit.values[static_cast<Index>(model.find(UnknownKind::lag))];
+    const auto on = [&](const std::vector<double>& grid, double time) {
+        const double place = (time - model.gridStart()) / model.gridStep();
+        const auto i = static_cast<std::size_t>(std::max(0.0, place));
+        return place >= 0 && i + 1 < grid.size()
+                   ? grid[i] + (place - static_cast<double>(i)) * (grid[i + 1] - grid[i])
+                   : 0.0;
+    };
+    const std::size_t last = model.firstReturning() + model.returningCount();
+    for (std::size_t i = record.quiet; i < last; ++i) {
+        const double t = record.timeOf(i), atRock = t - record.roundTrip - lag;
+        curves.time.push_back(record.startTime + t);
+        curves.incident.push_back(t < record.incidentEnd || record.isPair() ? on(f, t) : 0);
+        const bool isReturning = i >= model.firstReturning();
+        double measured = record.isPair() ? waves.returning[i] : record.gauges.front().force[i];
+        double modelled = 0, residual = 0;
+        if (isReturning) {
+            const std::size_t k = i - model.firstReturning();
+            modelled = model.modelReturning()[k];
+            residual = fit.residuals[static_cast<Index>(k)] / model.weight();
+        }
+        curves.measured.push_back(measured);
+        curves.model.push_back(modelled);
+        curves.residual.push_back(residual);
+        const double incident = on(f, atRock);
+        curves.modelForce.push_back(on(chain.rockForce(), atRock));
+        curves.penetration.push_back(on(chain.penetration(), atRock));
+        curves.force.push_back(isReturning ? incident + measured : 0);
+    }
+}
+
+/// Half-widths at least as wide as the way to the answer with all sizes as in the file.
+void checkSizes(const LawTrials& trials, const std::vector<KnownSize>& sizes, const std::stop_token& stop,
+                std::vector<double>& atLeast, RecordAnswer& answer) {
+    const LawCandidate& chosen = trials.chosen();
+    const UsedUp used = usedUp(*chosen.model, chosen.fit);
+    if (used.sizes <= tooFar) return;
+    RecordModel held = *chosen.model;
+    LawFit fit = chosen.fit;
+    for (std::size_t u = 0; u < held.unknowns().size(); ++u) {
+        const UnknownKind kind = held.unknowns()[u].kind;
+        if (kind == UnknownKind::impedance || kind == UnknownKind::length || kind == UnknownKind::sectionImpedance)
+            fit.values[static_cast<Index>(u)] = 0;
+    }
+    held.holdSizes(true);
+    refit(held, fit, stop);
+    const UnknownKind kinds[] = {UnknownKind::stiffness, UnknownKind::gamma, UnknownKind::gap, UnknownKind::cornerForce, UnknownKind::cornerSlope};
+    for (std::size_t i = 0; i < std::size(kinds); ++i) {
+        const std::size_t u = held.find(kinds[i]);
+        if (u < held.unknowns().size())
+            atLeast[i] = std::abs(fit.values[static_cast<Index>(u)] - chosen.fit.values[static_cast<Index>(u)]);
+    }
+    const Unknown& size = chosen.model->unknowns()[used.size];
+    const double change = chosen.fit.values[static_cast<Index>(used.size)];
+    for (const KnownSize& known : sizes) {
+        const bool isOfGauge = size.kind == UnknownKind::impedance;
+        const bool isLength = size.kind == UnknownKind::length;
+        if (known.isOfGauge != isOfGauge || (!isOfGauge && known.section != size.index)) continue;
+        if ((known.impedance == 0) != isLength) continue;
+        answer.sizeOff = SizeOff{known.key, isLength ? change : change / known.impedance * known.tolerance};
+        break;
+    }
+    answer.remarks.emplace_back("sizes_off");
+}
+
+ModelVerdict verdictOf(const LawTrials& trials, RecordAnswer& answer, const IdentifyQuestion& question) {
+    const LawCandidate& chosen = trials.chosen();
+    const MisfitFound& misfit = chosen.errors.misfit;
+    const PreparedRecord& record = chosen.model->record();
+    ModelVerdict verdict = ModelVerdict::accepted;
+    if (!isAccepted(misfit)) verdict = misfit.misfit <= rejectedMisfit ? ModelVerdict::strained : ModelVerdict::rejected;
+    if (trials.isStrained && verdict == ModelVerdict::accepted) verdict = ModelVerdict::strained;
+    if (chosen.errors.unexplained > rejectedWave) verdict = ModelVerdict::rejected;
+    const UsedUp used = usedUp(*chosen.model, chosen.fit);
+    if (misfit.misfit > usedUpMisfit && misfit.ratio > 1.3 &&
+        std::max({used.zeroLines, used.droop, used.sizes}) > tooFar)
+        verdict = ModelVerdict::rejected;
+    const double lag = std::abs(lagOf(chosen) - record.shift);
+    const double allowed =
+        lagFrom + 4 * placeTolerance(question) / record.places.front().waveSpeed + record.roundTrip * 0.005;
+    if (lag > allowed && misfit.misfit > strainedMisfit) {
+        verdict = ModelVerdict::rejected;
+        answer.remarks.emplace_back("arrival_off");
+    }
+    return verdict;
+}
+
+void addLaws(const LawTrials& trials, RecordAnswer& answer) {
+    for (const LawCandidate& candidate : trials.candidates) {
+        TriedLaw tried{candidate.name, candidate.misfit(), candidate.errors.misfit.ratio, {}};
+        const auto add = [&](const char* key, UnknownKind kind, bool isLog) {
+            const std::size_t u = candidate.model->find(kind);
+            if (u >= candidate.model->unknowns().size()) return;
+            const double value = candidate.fit.values[static_cast<Index>(u)];
+            tried.parameters.emplace_back(key, isLog ? std::exp(value) : value);
+        };
+        add("bit_rock.stiffness", UnknownKind::stiffness, true);
+        add("bit_rock.gamma", UnknownKind::gamma, true);
+        add("bit_rock.gap", UnknownKind::gap, false);
+        add("bit_rock.corner.1.force", UnknownKind::cornerForce, true);
+        add("bit_rock.corner.1.slope", UnknownKind::cornerSlope, true);
+        add("bit_rock.exponent", UnknownKind::exponent, false);
+        add("dashpot", UnknownKind::dashpot, true);
+        answer.laws.push_back(std::move(tried));
+    }
+}
+
+/// The law of the file: timing and zero lines are fitted, and nothing else.
+void checkFileLaw(const IdentifyQuestion& question, const PreparedRecord& record, const std::stop_token& stop,
+                  RecordAnswer& answer) {
+    SizeTolerances none;
+    auto model = std::make_shared<RecordModel>(record, question, none, TrialLaw::held);
+    LawFit fit = fitFromStarts(*model, stop);
+    LawTrials trials;
+    trials.candidates.push_back({"file", model, std::move(fit), {}});
+    LawCandidate& candidate = trials.candidates.front();
+    candidate.errors = heldErrors(*model, candidate.fit, question.seed, stop);
+    answer.model = verdictOf(trials, answer, question);
+    answer.law = "file";
+    fillMatch(trials, answer);
+    fillCurves(*model, candidate.fit, answer);
+    answer.laws.push_back({"file", candidate.misfit(), candidate.errors.misfit.ratio, {}});
+}
+
+}  // namespace
+
+RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord& given,
+                            const std::vector<GaugePlace>& places, std::size_t blow, const std::stop_token& stop) {
+    RecordAnswer answer;
+    answer.file = given.file;
+    answer.blow = blow;
+    Preparation preparation = prepareRecord(given, places, question, blow);
+    answer.refusal = preparation.refusal;
+    if (answer.refusal) return answer;
+    const std::vector<KnownSize> sizes = knownSizes(question, places.front());
+    const SizeTolerances tolerances = sizeTolerances(sizes, places.front());
+    const PreparedRecord record = arrivalChosen(std::move(preparation.record), given, places, question, blow,
+                                                tolerances, stop);
+    answer.remarks = record.remarks;
+    answer.sign = record.sign;
+    answer.peak = record.peak;
+    answer.impedance = places.front().end.impedance;
+    if (record.shift != 0) answer.remarks.emplace_back("distance_off");
+    if (question.law == LawChoice::file) {
+        checkFileLaw(question, record, stop, answer);
+        return answer;
+    }
+    LawTrials trials = tryLaws(record, question, sizes, stop);
+    if (stop.stop_requested()) return answer;
+    const LawCandidate& chosen = trials.chosen();
+    answer.law = chosen.name == "corner" ? "corner" : "bilinear";
+    for (const std::string& remark : chosen.errors.remarks) answer.remarks.push_back(remark);
+    if (trials.candidates.size() > 1) answer.remarks.emplace_back("law_tried");
+    if (trials.isLawOpen) answer.remarks.emplace_back("law_open");
+    if (chosen.name == "jump") answer.remarks.emplace_back("zero_jumps");
+    if (chosen.errors.unexplained > 0.01 && given.gauges.front().opposite.empty())
+        answer.remarks.emplace_back("one_sided");
+    if (chosen.model->hasDispersion() || question.dispersion == DispersionChoice::bar)
+        answer.remarks.emplace_back("dispersion_corrected");
+    for (const BudgetEffect& row : chosen.errors.budget)
+        if (row.isAssumed) {
+            answer.remarks.emplace_back("assumed_tolerances");
+            break;
+        }
+    std::vector<double> atLeast(5, 0);
+    checkSizes(trials, sizes, stop, atLeast, answer);
+    answer.model = verdictOf(trials, answer, question);
+    fillMatch(trials, answer);
+    fillCurves(*chosen.model, chosen.fit, answer);
+    addLaws(trials, answer);
+    fillParameters(trials, atLeast, answer);
+    const IdentifiedParameter* gap = answer.find("bit_rock.gap");
+    if (answer.model != ModelVerdict::rejected && gap && gap->low && *gap->low > 0.02e-3 &&
+        gapMayBeBend(trials, record, question, sizes, stop)) {
+        answer.remarks.emplace_back("gap_or_bend");
+        openGap(answer);
+    }
+    return answer;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/identify/law_checks.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/study/identify/gauge_pair.h"
+
+namespace drillwave {
+
+namespace {
+
+using Eigen::Index;
+
+constexpr double countsWithin = 1.5;      ///< of the misfit of the answer: a law that counts
+constexpr double countsBelow = 0.8;       ///< of that of the bilinear law
+constexpr double cornerShare = 2.0 / 3;   ///< of the misfit that a corner replaces
+constexpr double jumpShare = 0.5;         ///< of that which a jump replaces
+constexpr double jumpTolerance = 0.05;    ///< of the peak
+constexpr double jumpExplains = 0.15;     ///< of Σr² at least
+constexpr double checkedMisfit = 0.003;   ///< of the peak
+
+LawCandidate candidateOf(std::string name, std::shared_ptr<RecordModel> model, LawFit fit,
+                         const IdentifyQuestion& question, const std::vector<KnownSize>& sizes,
+                         const std::stop_token& stop) {
+    LawCandidate candidate{std::move(name), std::move(model), std::move(fit), {}};
+    candidate.errors = fitErrors(*candidate.model, candidate.fit, question, sizes, question.seed, stop);
+    return candidate;
+}
+
+/// Times at which a jump of the zero would explain most, at most three, 60 µs apart [s].
+std::vector<double> jumpTimes(RecordModel& model, const LawFit& fit, const std::stop_token& stop) {
+    const PreparedRecord& record = model.record();
+    struct Scored {
+        double time, share;
+    };
+    std::vector<Scored> scored;
+    Eigen::VectorXd result;
+    std::vector<const std::vector<double>*> signals;
+    const std::vector<double> none(record.count(), 0);
+    for (double time = 0; time < record.end - 20e-6 && !stop.stop_requested(); time += 10e-6) {
+        std::vector<double> step(record.count(), 0);
+        for (std::size_t i = record.front; i < record.count(); ++i)
+            if (record.timeOf(i) >= time) step[i] = 0.01 * record.peak;
+        signals.assign(record.gauges.size(), &none);
+        signals[0] = &step;
+        const SeparatedWaves waves = separateWaves(record, signals, record.transit);
+        std::vector<double> quiet;
+        for (std::size_t i = 0; i < model.quietCount(); ++i) quiet.push_back(step[model.firstQuiet() + i]);
+        model.changedResiduals(fit.values, waves, quiet, result);
+        const Eigen::VectorXd change = result - fit.residuals;
+        const Eigen::VectorXd left = fit.left(change, fit.movedBy(change));
+        const double own = left.squaredNorm();
+        if (own < 1e-12 * change.squaredNorm() || own == 0) continue;
+        const double explained = std::pow(left.dot(fit.residuals), 2) / own;
+        scored.push_back({time, explained / fit.cost});
+    }
+    std::stable_sort(scored.begin(), scored.end(), [](const Scored& a, const Scored& b) { return a.share > b.share; });
+    std::vector<double> times;
+    for (const Scored& one : scored) {
+        if (one.share < jumpExplains || times.size() == 3) break;
+        const bool isApart = std::all_of(times.begin(), times.end(),
+                                         [&](double other) { return std::abs(other - one.time) >= 60e-6; });
+        if (isApart) times.push_back(one.time);
+    }
+    return times;
+}
+
+std::optional<LawCandidate> jumpCandidate(const LawCandidate& bilinear, const IdentifyQuestion& question,
+                                          const std::vector<KnownSize>& sizes, std::optional<double>& bestTime,
+                                          const std::stop_token& stop) {
+    std::optional<LawCandidate> best;
+    for (const double middle : jumpTimes(*bilinear.model, bilinear.fit, stop))
+        for (const double time : {middle - 6e-6, middle, middle + 6e-6}) {
+            auto model = std::make_shared<RecordModel>(*bilinear.model);
+            model->setJump(time, jumpTolerance);
+            LawFit fit;
+            fit.law = TrialLaw::bilinear;
+            fit.values = bilinear.fit.values;
+            fit.values.conservativeResize(fit.values.size() + 1);
+            fit.values[fit.values.size() - 1] = 0;
+            refit(*model, fit, stop);
+            if (best && fit.cost >= best->fit.cost) continue;
+            best = LawCandidate{"jump", model, fit, {}};
+            bestTime = time;
+        }
+    if (best) best = candidateOf("jump", best->model, best->fit, question, sizes, stop);
+    return best;
+}
+
+/// Whether a law counts beside the answer.
+bool counts(const LawTrials& trials, std::size_t i) {
+    const LawCandidate& candidate = trials.candidates[i];
+    const double answer = trials.chosen().misfit(), bilinear = trials.candidates.front().misfit();
+    if (i == trials.answer || candidate.misfit() > countsWithin * answer) return false;
+    return i == 0 || candidate.misfit() <= countsBelow * bilinear;
+}
+
+}  // namespace
+
+bool isAccepted(const MisfitFound& misfit) {
+    return misfit.ratio <= 1.3 || misfit.misfit <= 0.01;
+}
+
+LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question,
+                  const std::vector<KnownSize>& sizes, const std::stop_token& stop) {
+    LawTrials trials;
+    const SizeTolerances tolerances = sizeTolerances(sizes, record.places.front());
+    const auto modelOf = [&](TrialLaw law) {
+        return std::make_shared<RecordModel>(record, question, tolerances, law);
+    };
+    auto model = modelOf(TrialLaw::bilinear);
+    LawFit fit = fitFromStarts(*model, stop);
+    trials.candidates.push_back(candidateOf("bilinear", model, std::move(fit), question, sizes, stop));
+    const auto tryLaw = [&](const char* name, TrialLaw law) {
+        auto other = modelOf(law);
+        LawFit found = fitFrom(*other, *trials.candidates[0].model, trials.candidates[0].fit, stop);
+        trials.candidates.push_back(candidateOf(name, other, std::move(found), question, sizes, stop));
+    };
+    const MisfitFound& misfit = trials.candidates[0].errors.misfit;
+    const bool isOpen = !isAccepted(misfit) ||
+                        (misfit.ratio > std::max(1.3, 1 + 3 * misfit.scatter) && misfit.misfit > checkedMisfit);
+    if (!isOpen && question.law != LawChoice::corner) return trials;
+    tryLaw("corner", TrialLaw::corner);
+    if (isOpen) {
+        tryLaw("power", TrialLaw::power);
+        if (record.places.front().end.bitMass == 0) tryLaw("dashpot", TrialLaw::dashpot);
+        if (auto jump = jumpCandidate(trials.candidates[0], question, sizes, trials.jumpTime, stop))
+            trials.candidates.push_back(std::move(*jump));
+    }
+    const auto indexOf = [&](const char* name) {
+        for (std::size_t i = 0; i < trials.candidates.size(); ++i)
+            if (trials.candidates[i].name == name) return i;
+        return trials.candidates.size();
+    };
+    const std::size_t corner = indexOf("corner"), jump = indexOf("jump");
+    if (question.law == LawChoice::corner) {
+        trials.answer = corner;
+    } else if (question.law == LawChoice::automatic) {
+        const LawCandidate& other = trials.candidates[corner];
+        const bool bilinearHolds = isAccepted(misfit);
+        if ((isAccepted(other.errors.misfit) && !bilinearHolds) || other.misfit() <= cornerShare * misfit.misfit)
+            trials.answer = corner;
+        if (jump < trials.candidates.size()) {
+            const LawCandidate& jumped = trials.candidates[jump];
+            if (jumped.misfit() <= jumpShare * trials.candidates[0].misfit() &&
+                jumped.misfit() <= trials.chosen().misfit())
+                trials.answer = jump;
+        }
+    }
+    const double left = trials.chosen().misfit();
+    for (std::size_t i = 0; i < trials.candidates.size(); ++i) {
+        const std::string& name = trials.candidates[i].name;
+        if ((name == "power" || name == "dashpot") && trials.candidates[i].misfit() < 0.5 * left &&
+            left > checkedMisfit)
+            trials.isStrained = true;
+        if (counts(trials, i)) trials.isLawOpen = true;
+    }
+    return trials;
+}
+
+double widthWithLaws(const LawTrials& trials, Unknown::Kind kind, double own) {
+    double width = own;
+    const LawCandidate& answer = trials.chosen();
+    const std::size_t unknown = answer.model->find(kind);
+    const double value = answer.fit.values[static_cast<Index>(unknown)];
+    for (std::size_t i = 0; i < trials.candidates.size(); ++i) {
+        if (!counts(trials, i)) continue;
+        const LawCandidate& other = trials.candidates[i];
+        const std::size_t same = other.model->find(kind);
+        if (same >= other.model->unknowns().size()) continue;
+        const double theirs = other.errors.halfWidths()[static_cast<Index>(same)];
+        const double distance = std::abs(other.fit.values[static_cast<Index>(same)] - value);
+        width = std::max(width, distance + std::min(theirs, own));
+    }
+    return width;
+}
+
+bool gapMayBeBend(const LawTrials& trials, const PreparedRecord& record, const IdentifyQuestion& question,
+                  const std::vector<KnownSize>& sizes, const std::stop_token& stop) {
+    RecordModel model(record, question, sizeTolerances(sizes, record.places.front()), TrialLaw::power);
+    model.unknowns()[model.find(Unknown::Kind::gap)].high = 0;
+    const LawFit fit = fitFrom(model, *trials.candidates[0].model, trials.candidates[0].fit, stop);
+    const MisfitFound& answer = trials.chosen().errors.misfit;
+    const MisfitFound bend = misfitOf(model, fit, answer.noise, answer.scatter);
+    return bend.rms <= (1 + answer.scatter / 2) * answer.rms;
+}
+
+}  // namespace drillwave

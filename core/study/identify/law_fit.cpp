@@ -1,0 +1,449 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/identify/law_fit.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <Eigen/Cholesky>
+
+namespace drillwave {
+
+namespace {
+
+using Eigen::Index;
+
+constexpr double enoughChange = 1e-9;    ///< of Σr² in a round: the minimum
+constexpr int dampingTries = 24;
+constexpr double quietGaussian = 20e-6;  ///< −3 dB at 6.6 kHz [s]
+constexpr double lastStretch = 120e-6;
+
+/// Slope shapes and sizes act almost linearly: while searching they get one-sided differences.
+bool isNearlyLinear(const Unknown& unknown) {
+    return unknown.kind == Unknown::Kind::shape || unknown.kind == Unknown::Kind::length ||
+           unknown.kind == Unknown::Kind::sectionImpedance || unknown.kind == Unknown::Kind::impedance;
+}
+
+/// Columns for one step of each unknown; `isFree` chooses those that are taken.
+void differences(RecordModel& model, const Eigen::VectorXd& values, const Eigen::VectorXd& residuals, bool isFinal,
+                 const std::vector<bool>& isFree, Eigen::MatrixXd& jacobian) {
+    const std::vector<Unknown>& unknowns = model.unknowns();
+    jacobian.setZero(residuals.size(), values.size());
+    Eigen::VectorXd moved = values, above, below;
+    for (Index j = 0; j < values.size(); ++j) {
+        const Unknown& unknown = unknowns[static_cast<std::size_t>(j)];
+        if (!isFree[static_cast<std::size_t>(j)]) continue;
+        const double step = unknown.step;
+        const bool canRise = values[j] + step <= unknown.high, canFall = values[j] - step >= unknown.low;
+        if (canRise && canFall && (isFinal || !isNearlyLinear(unknown))) {
+            moved[j] = values[j] + step;
+            model.residuals(moved, above);
+            moved[j] = values[j] - step;
+            model.residuals(moved, below);
+            jacobian.col(j) = (above - below) / 2;
+        } else {
+            const double way = canRise ? step : -step;
+            moved[j] = values[j] + way;
+            model.residuals(moved, above);
+            jacobian.col(j) = (above - residuals) * (way > 0 ? 1 : -1);
+        }
+        moved[j] = values[j];
+    }
+}
+
+void clampToBounds(const RecordModel& model, Eigen::VectorXd& values) {
+    for (std::size_t j = 0; j < model.unknowns().size(); ++j) {
+        double& value = values[static_cast<Index>(j)];
+        value = std::clamp(value, model.unknowns()[j].low, model.unknowns()[j].high);
+    }
+}
+
+/// van der Corput's sequence: evenly filled, the same on every machine.
+double evenShare(unsigned index, unsigned base) {
+    double share = 0, part = 1;
+    for (; index > 0; index /= base) {
+        part /= base;
+        share += part * (index % base);
+    }
+    return share;
+}
+
+struct Start {
+    Eigen::VectorXd values;
+    double cost = 0;
+};
+
+void scoreAndSort(RecordModel& model, std::vector<Start>& starts, const std::stop_token& stop) {
+    Eigen::VectorXd residuals;
+    for (Start& start : starts) {
+        if (stop.stop_requested()) return;
+        clampToBounds(model, start.values);
+        model.residuals(start.values, residuals);
+        start.cost = residuals.squaredNorm();
+    }
+    std::stable_sort(starts.begin(), starts.end(),
+                     [](const Start& a, const Start& b) { return a.cost < b.cost; });
+}
+
+/// The best of searches from the best of these starts.
+Start bestOf(RecordModel& model, std::vector<Start> starts, std::size_t most, const std::stop_token& stop) {
+    scoreAndSort(model, starts, stop);
+    starts.resize(std::min(starts.size(), most));
+    for (Start& start : starts) start.cost = minimise(model, start.values, 25, stop);
+    return *std::min_element(starts.begin(), starts.end(),
+                             [](const Start& a, const Start& b) { return a.cost < b.cost; });
+}
+
+std::vector<Start> evenStarts(const RecordModel& model, unsigned from, unsigned count) {
+    using Kind = Unknown::Kind;
+    std::vector<Start> starts;
+    const Eigen::VectorXd base = startValues(model);
+    if (model.law() == TrialLaw::held) return {{base, 0}};
+    const double middle = std::log(model.record().places.front().end.impedance / 200e-6);
+    for (unsigned i = from; i < from + count; ++i) {
+        Start start{base, 0};
+        const auto set = [&](Kind kind, double value) { start.values[static_cast<Index>(model.find(kind))] = value; };
+        set(Kind::stiffness, middle + (evenShare(i + 1, 2) - 0.5) * 4 * std::log(10.0));
+        set(Kind::gamma, std::log(0.03) * evenShare(i + 1, 3));
+        set(Kind::gap, std::pow(evenShare(i + 1, 5), 3) * 2e-3);
+        starts.push_back(std::move(start));
+    }
+    return starts;
+}
+
+/// Moves the line of dispersion to `share`; its unknown is the last one then.
+void takeDispersion(RecordModel& model, Eigen::VectorXd& values, double share, bool isFree) {
+    const std::size_t there = model.shapeUnknown("dispersion");
+    if (there < model.unknowns().size()) {
+        Eigen::VectorXd kept(values.size() - 1);
+        for (Index i = 0, k = 0; i < values.size(); ++i)
+            if (i != static_cast<Index>(there)) kept[k++] = values[i];
+        values = kept;
+    }
+    model.setDispersion(share, isFree);
+    if (model.hasDispersion()) {
+        values.conservativeResize(values.size() + 1);
+        values[values.size() - 1] = share;
+    }
+}
+
+void followDispersion(RecordModel& model, Eigen::VectorXd& values, const std::stop_token& stop) {
+    for (int round = 0; round < 5 && model.hasDispersion() && !stop.stop_requested(); ++round) {
+        const double share = values[static_cast<Index>(model.shapeUnknown("dispersion"))];
+        takeDispersion(model, values, share, true);
+        minimise(model, values, 40, stop);
+        const double now = values[static_cast<Index>(model.shapeUnknown("dispersion"))];
+        if (std::abs(now - share) < 0.005) break;
+    }
+}
+
+/// Fits again until the weights of the quiet stretch move by less than 15 %.
+void followQuiet(RecordModel& model, Eigen::VectorXd& values, const std::stop_token& stop) {
+    if (model.quietCount() == 0) return;
+    const double floor = 0.003 * model.record().peak;
+    double before = floor, last = floor;
+    for (int round = 0; round < 5 && !stop.stop_requested(); ++round) {
+        const QuietErrors errors = quietErrors(model, values);
+        const double nextBefore = std::max(errors.before, floor), nextLast = std::max(errors.last, floor);
+        if (std::abs(nextBefore / before - 1) < 0.15 && std::abs(nextLast / last - 1) < 0.15) break;
+        before = nextBefore;
+        last = nextLast;
+        model.setQuietErrors(before, last);
+        minimise(model, values, 40, stop);
+    }
+}
+
+LawFit finished(RecordModel& model, Eigen::VectorXd values) {
+    LawFit fit;
+    fit.law = model.law();
+    fit.values = std::move(values);
+    fit.linearise(model);
+    return fit;
+}
+
+}  // namespace
+
+Eigen::VectorXd startValues(const RecordModel& model) {
+    Eigen::VectorXd values(static_cast<Index>(model.unknowns().size()));
+    for (std::size_t j = 0; j < model.unknowns().size(); ++j) {
+        const Unknown& unknown = model.unknowns()[j];
+        double value = unknown.mean;
+        if (unknown.kind == Unknown::Kind::lag) value = model.record().shift;
+        if (unknown.kind == Unknown::Kind::exponent) value = 1;
+        if (unknown.kind == Unknown::Kind::dashpot) value = unknown.low + std::log(10.0);
+        if (unknown.kind == Unknown::Kind::cornerForce) value = std::log(0.5 * model.record().peak);
+        if (unknown.kind == Unknown::Kind::cornerSlope) value = 0;
+        values[static_cast<Index>(j)] = value;
+    }
+    return values;
+}
+
+double minimise(RecordModel& model, Eigen::VectorXd& values, int mostRounds, const std::stop_token& stop) {
+    const std::vector<Unknown>& unknowns = model.unknowns();
+    const Index n = values.size();
+    clampToBounds(model, values);
+    Eigen::VectorXd residuals, tried, next;
+    model.residuals(values, residuals);
+    double cost = residuals.squaredNorm(), damping = 1e-3;
+    Eigen::MatrixXd jacobian;
+    for (int round = 0; round < mostRounds && !stop.stop_requested(); ++round) {
+        std::vector<bool> isFree(unknowns.size());
+        for (std::size_t j = 0; j < unknowns.size(); ++j) isFree[j] = !unknowns[j].isHeld;
+        differences(model, values, residuals, false, isFree, jacobian);
+        Eigen::VectorXd gradient = jacobian.transpose() * residuals;
+        for (Index j = 0; j < n; ++j) {
+            const Unknown& unknown = unknowns[static_cast<std::size_t>(j)];
+            const bool isStuck = (values[j] <= unknown.low && gradient[j] > 0) ||
+                                 (values[j] >= unknown.high && gradient[j] < 0);
+            if (!isStuck) continue;
+            jacobian.col(j).setZero();
+            gradient[j] = 0;
+        }
+        const Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
+        const double largest = std::max(normal.diagonal().maxCoeff(), 1e-300);
+        double fall = 0;
+        for (int attempt = 0; attempt < dampingTries; ++attempt) {
+            Eigen::MatrixXd damped = normal;
+            for (Index j = 0; j < n; ++j) damped(j, j) += damping * normal(j, j) + 1e-13 * largest;
+            const Eigen::VectorXd way = damped.ldlt().solve(-gradient);
+            tried = values;
+            for (Index j = 0; j < n; ++j) tried[j] += way[j] * unknowns[static_cast<std::size_t>(j)].step;
+            clampToBounds(model, tried);
+            model.residuals(tried, next);
+            const double now = next.squaredNorm();
+            if (now < cost) {
+                fall = cost - now;
+                values = tried;
+                residuals = next;
+                cost = now;
+                damping = std::max(damping / 6, 1e-10);
+                break;
+            }
+            damping = std::min(damping * 4, 1e12);
+        }
+        if (fall <= enoughChange * cost) break;
+    }
+    return cost;
+}
+
+void LawFit::factorise(std::size_t without, Eigen::MatrixXd& inverse) const {
+    Eigen::MatrixXd jacobian = m_jacobian;
+    if (without < unknownCount()) jacobian.col(static_cast<Index>(without)).setZero();
+    Eigen::VectorXd scales(jacobian.cols());
+    for (Index j = 0; j < jacobian.cols(); ++j) {
+        const double norm = jacobian.col(j).norm();
+        scales[j] = norm > 1e-12 ? 1 / norm : 0;
+        jacobian.col(j) *= scales[j];
+    }
+    Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
+    for (Index j = 0; j < normal.cols(); ++j) normal(j, j) += scales[j] > 0 ? 1e-12 : 1;
+    inverse = scales.asDiagonal() *
+              normal.ldlt().solve(Eigen::MatrixXd::Identity(normal.rows(), normal.cols())) * scales.asDiagonal();
+}
+
+void LawFit::linearise(RecordModel& model) {
+    model.residuals(values, residuals);
+    cost = residuals.squaredNorm();
+    std::vector<bool> isFree;
+    m_steps.resize(values.size());
+    for (std::size_t j = 0; j < model.unknowns().size(); ++j) {
+        isFree.push_back(!model.unknowns()[j].isHeld);
+        m_steps[static_cast<Index>(j)] = model.unknowns()[j].step;
+    }
+    differences(model, values, residuals, true, isFree, m_jacobian);
+    factorise(unknownCount(), m_inverse);
+    factorise(model.find(Unknown::Kind::gap), m_inverseWithoutGap);
+}
+
+Eigen::VectorXd LawFit::moved(const Eigen::MatrixXd& inverse, const Eigen::VectorXd& change) const {
+    return -(m_steps.asDiagonal() * (inverse * (m_jacobian.transpose() * change)));
+}
+
+Eigen::VectorXd LawFit::movedBy(const Eigen::VectorXd& change) const {
+    return moved(m_inverse, change);
+}
+
+Eigen::VectorXd LawFit::movedWithoutGap(const Eigen::VectorXd& change) const {
+    return moved(m_inverseWithoutGap, change);
+}
+
+Eigen::VectorXd LawFit::left(const Eigen::VectorXd& change, const Eigen::VectorXd& way) const {
+    return change + m_jacobian * way.cwiseQuotient(m_steps);
+}
+
+Eigen::VectorXd LawFit::movedByPrior(const RecordModel& model, std::size_t unknown) const {
+    Eigen::VectorXd change = Eigen::VectorXd::Zero(residuals.size());
+    change[static_cast<Index>(model.priorRow(unknown))] = -1.96;
+    return movedBy(change);
+}
+
+Eigen::VectorXd LawFit::column(std::size_t unknown) const {
+    return m_jacobian.col(static_cast<Index>(unknown)) / m_steps[static_cast<Index>(unknown)];
+}
+
+std::vector<double> quietLeft(const RecordModel& model, const Eigen::VectorXd& values) {
+    std::vector<double> left = model.quietSignal();
+    for (std::size_t u = 0; u < model.unknowns().size(); ++u) {
+        if (model.unknowns()[u].kind != Unknown::Kind::shape) continue;
+        const LinearShape& shape = model.shapes()[model.unknowns()[u].index];
+        for (std::size_t i = 0; i < left.size(); ++i) left[i] -= values[static_cast<Index>(u)] * shape.quiet[i];
+    }
+    RecordModel::smooth(left, model.record().step, quietGaussian);
+    return left;
+}
+
+QuietErrors quietErrors(const RecordModel& model, const Eigen::VectorXd& values) {
+    QuietErrors errors;
+    const PreparedRecord& record = model.record();
+    const std::vector<double> left = quietLeft(model, values);
+    if (left.empty()) return errors;
+    // a Gaussian of σ passes as much noise as a mean over 2√π σ
+    const auto span = std::max<std::size_t>(1, static_cast<std::size_t>(3.545 * quietGaussian / record.step));
+    const double noise = record.gauges.front().noise.deviationOfMean(span);
+    double powers[2] = {0, 0};
+    std::size_t counts[2] = {0, 0};
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        const int part = record.timeOf(model.firstQuiet() + i) < record.incidentEnd - lastStretch ? 0 : 1;
+        powers[part] += left[i] * left[i];
+        ++counts[part];
+    }
+    const auto beyond = [&](int part) {
+        if (counts[part] == 0) return 0.0;
+        const double independent = std::max(1.0, static_cast<double>(counts[part]) / static_cast<double>(span));
+        const double scatter = 1 + 2 * std::sqrt(2 / independent);
+        const double power = powers[part] / static_cast<double>(counts[part]);
+        return power > noise * noise * scatter ? std::sqrt(power - noise * noise) : 0.0;
+    };
+    errors.before = beyond(0);
+    errors.last = beyond(1);
+    errors.hasBefore = static_cast<double>(counts[0]) * record.step > 40e-6;
+    return errors;
+}
+
+LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop) {
+    model.holdSizes(true);
+    const double floor = 0.003 * model.record().peak;
+    model.setQuietErrors(floor, floor);
+    model.setDispersion(0.5, true);
+    const bool disperses = model.hasDispersion();
+    Eigen::VectorXd best;
+    double share = 0;
+    const DispersionChoice choice = model.dispersionChoice();
+    const bool isFit = choice == DispersionChoice::fit && disperses;
+    if (!isFit) {
+        share = choice == DispersionChoice::bar ? 1 : 0;
+        model.setDispersion(share, false);
+        best = bestOf(model, evenStarts(model, 0, 120), 4, stop).values;
+    } else {
+        double least = 0;
+        for (int k = 0; k < 3; ++k) {
+            model.setDispersion(0.5 * k, false);
+            Start found = bestOf(model, evenStarts(model, static_cast<unsigned>(40 * k), 60), 3, stop);
+            if (best.size() == 0 || found.cost < least) {
+                least = found.cost;
+                best = found.values;
+                share = 0.5 * k;
+            }
+        }
+        for (const double other : {share - 0.25, share + 0.25}) {
+            if (other < 0 || other > 1) continue;
+            model.setDispersion(other, false);
+            Eigen::VectorXd values = best;
+            const double cost = minimise(model, values, 25, stop);
+            if (cost < least) {
+                least = cost;
+                best = values;
+                share = other;
+            }
+        }
+        model.setDispersion(share, false);
+    }
+    if (model.law() != TrialLaw::held && !stop.stop_requested()) {
+        Eigen::VectorXd closed = best;
+        closed[static_cast<Index>(model.find(Unknown::Kind::gap))] = 0;
+        const double cost = minimise(model, best, 40, stop);
+        if (minimise(model, closed, 40, stop) < cost) best = closed;
+    }
+    if (isFit) {
+        takeDispersion(model, best, share, true);
+        minimise(model, best, 40, stop);
+        followDispersion(model, best, stop);
+    }
+    model.holdSizes(false);
+    minimise(model, best, 60, stop);
+    followQuiet(model, best, stop);
+    followDispersion(model, best, stop);
+    return finished(model, best);
+}
+
+void refit(RecordModel& model, LawFit& fit, const std::stop_token& stop) {
+    minimise(model, fit.values, 60, stop);
+    fit = finished(model, fit.values);
+}
+
+LawFit fitFrom(RecordModel& model, const RecordModel& bilinear, const LawFit& from, const std::stop_token& stop) {
+    using Kind = Unknown::Kind;
+    if (bilinear.quietCount() > 0) {
+        const QuietErrors errors = quietErrors(bilinear, from.values);
+        const double floor = 0.003 * model.record().peak;
+        model.setQuietErrors(std::max(errors.before, floor), std::max(errors.last, floor));
+    }
+    const std::size_t share = bilinear.shapeUnknown("dispersion");
+    if (share < bilinear.unknowns().size()) {
+        model.setDispersion(from.values[static_cast<Index>(share)], true);
+    } else {
+        model.setDispersion(model.dispersionChoice() == DispersionChoice::bar ? 1 : 0, false);
+    }
+    Eigen::VectorXd base = startValues(model);
+    for (std::size_t j = 0; j < model.unknowns().size(); ++j) {
+        const Unknown& unknown = model.unknowns()[j];
+        std::size_t same = unknown.kind == Kind::shape
+                               ? bilinear.shapeUnknown(model.shapes()[unknown.index].key)
+                               : bilinear.find(unknown.kind, unknown.index);
+        if (same < bilinear.unknowns().size()) base[static_cast<Index>(j)] = from.values[static_cast<Index>(same)];
+    }
+    std::vector<Start> starts;
+    const auto set = [&](Start& start, Kind kind, double value) {
+        start.values[static_cast<Index>(model.find(kind))] = value;
+    };
+    const auto get = [&](Kind kind) { return base[static_cast<Index>(model.find(kind))]; };
+    const double peak = model.record().peak;
+    if (model.law() == TrialLaw::corner) {
+        for (const double force : {0.15, 0.35, 0.6, 1.0})
+            for (const double slope : {0.2, 0.45, 1.6, 3.5})
+                for (const double softer : {1.0, 1.7, 3.0}) {
+                    if (slope > 1 && softer > 1.8) continue;
+                    Start start{base, 0};
+                    set(start, Kind::cornerForce, std::log(force * peak));
+                    set(start, Kind::cornerSlope, std::log(slope));
+                    set(start, Kind::stiffness, get(Kind::stiffness) + (slope < 1 ? 1 : -1) * std::log(softer));
+                    starts.push_back(start);
+                    set(start, Kind::gap, 0);
+                    starts.push_back(std::move(start));
+                }
+    } else if (model.law() == TrialLaw::power) {
+        for (const double exponent : {0.6, 0.85, 1.2, 1.5, 2.0})
+            for (const double gap : {0.0, 1.0}) {
+                Start start{base, 0};
+                set(start, Kind::exponent, exponent);
+                set(start, Kind::gap, gap * get(Kind::gap));
+                starts.push_back(std::move(start));
+            }
+    } else if (model.law() == TrialLaw::dashpot) {
+        const double impedance = model.record().places.front().end.impedance;
+        for (const double part : {0.01, 0.06, 0.3}) {
+            Start start{base, 0};
+            set(start, Kind::dashpot, std::log(part * impedance));
+            starts.push_back(std::move(start));
+        }
+    } else {
+        starts.push_back({base, 0});
+    }
+    model.holdSizes(true);
+    Eigen::VectorXd best = bestOf(model, std::move(starts), model.law() == TrialLaw::corner ? 5 : 3, stop).values;
+    model.holdSizes(false);
+    minimise(model, best, 60, stop);
+    followDispersion(model, best, stop);
+    return finished(model, best);
+}
+
+}  // namespace drillwave

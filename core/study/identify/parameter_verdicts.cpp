@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/identify/parameter_verdicts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace drillwave {
+
+namespace {
+
+using Eigen::Index;
+
+constexpr double identifiedShare = 0.2;    ///< half-width at most
+constexpr double identifiedGap = 0.1e-3;   ///< [m]
+constexpr double unloadedShare = 0.05;     ///< of the largest force
+constexpr double contactDeviations = 3;    ///< of the misfit's noise
+constexpr double widestLog = 12;           ///< of an interval in logarithms, beyond it nothing is known
+
+/// What the model's force does within the window.
+struct ForceSeen {
+    double largest = 0;     ///< [N]
+    bool hasUnloaded = false;
+    double advance = 0;     ///< ∫2f dt/Z in the window [m]
+};
+
+ForceSeen forceSeen(RecordModel& model, const LawFit& fit) {
+    const PreparedRecord& record = model.record();
+    const ChainModel& chain = model.solved(fit.values);
+    const double lag = fit.values[static_cast<Index>(model.find(UnknownKind::lag))];
+    const double last = record.timeOf(model.firstReturning() + model.returningCount() - 1) - record.roundTrip - lag -
+                        record.places.front().end.transitTime();
+    ForceSeen seen;
+    double lastForce = 0;
+    const double impedance = record.places.front().end.impedance;
+    const std::vector<double>& f = model.incidentNow();
+    for (std::size_t n = 0; n < chain.rockForce().size(); ++n) {
+        const double t = model.gridStart() + static_cast<double>(n) * model.gridStep();
+        if (t > last) break;
+        seen.largest = std::max(seen.largest, chain.rockForce()[n]);
+        lastForce = chain.rockForce()[n];
+        seen.advance += 2 * f[n] / impedance * model.gridStep();
+    }
+    seen.hasUnloaded = lastForce < (1 - unloadedShare) * seen.largest;
+    return seen;
+}
+
+IdentifiedParameter parameterOf(const LawCandidate& chosen, const char* key, UnknownKind kind, double width) {
+    const std::size_t unknown = chosen.model->find(kind);
+    IdentifiedParameter parameter;
+    parameter.key = key;
+    const double value = chosen.fit.values[static_cast<Index>(unknown)];
+    parameter.halfWidth = width;
+    parameter.noise = chosen.errors.noise[static_cast<Index>(unknown)] *
+                      std::max(1.0, chosen.errors.misfit.ratio);
+    if (parameter.isGap()) {
+        parameter.value = value;
+        parameter.low = std::max(0.0, value - width);
+        parameter.high = value + width;
+    } else {
+        parameter.value = std::exp(value);
+        parameter.low = std::exp(value - std::min(width, widestLog));
+        parameter.high = std::exp(value + std::min(width, widestLog));
+    }
+    for (const BudgetEffect& row : chosen.errors.budget) {
+        const double effect = std::abs(row.effect[static_cast<Index>(unknown)]);
+        parameter.budget.push_back(
+            {row.source, row.key, row.tolerance, std::string(row.unit), row.isAssumed, effect});
+    }
+    const double wave = chosen.errors.unexplainedEffect[static_cast<Index>(unknown)];
+    parameter.budget.push_back({"unexplained_wave", "", chosen.errors.unexplained, "1", false, wave});
+    return parameter;
+}
+
+void judgeLog(IdentifiedParameter& parameter) {
+    parameter.verdict =
+        parameter.halfWidth <= identifiedShare ? ParameterVerdict::identified : ParameterVerdict::uncertain;
+}
+
+void notSeen(IdentifiedParameter& parameter, const char* reason) {
+    parameter.verdict = ParameterVerdict::notSeen;
+    parameter.reason = reason;
+    parameter.low.reset();
+    parameter.high.reset();
+}
+
+void judgeGamma(IdentifiedParameter& gamma) {
+    judgeLog(gamma);
+    const bool isOpenAbove = *gamma.high >= 1, isOpenBelow = *gamma.low <= 0.01;
+    if (!isOpenAbove && !isOpenBelow) return;
+    if (isOpenAbove) gamma.high.reset();
+    if (isOpenBelow) gamma.low.reset();
+    if (!gamma.low && !gamma.high)
+        notSeen(gamma, "no_unloading");
+    else
+        gamma.verdict = ParameterVerdict::bounded;
+}
+
+void judgeGap(IdentifiedParameter& gap) {
+    const bool isNarrow =
+        gap.halfWidth <= identifiedGap || gap.halfWidth <= identifiedShare * gap.value;
+    gap.verdict = isNarrow ? ParameterVerdict::identified : ParameterVerdict::uncertain;
+    if (!isNarrow && *gap.low <= 0) {
+        gap.verdict = ParameterVerdict::bounded;
+        gap.low.reset();
+    }
+}
+
+void fillCovariance(const LawTrials& trials, const std::vector<UnknownKind>& kinds, RecordAnswer& answer) {
+    const LawCandidate& chosen = trials.chosen();
+    const std::size_t count = kinds.size();
+    std::vector<Index> at;
+    for (const UnknownKind kind : kinds) at.push_back(static_cast<Index>(chosen.model->find(kind)));
+    Eigen::MatrixXd covariance = Eigen::MatrixXd::Zero(static_cast<Index>(count), static_cast<Index>(count));
+    const double scale = std::max(1.0, chosen.errors.misfit.ratio * chosen.errors.misfit.ratio);
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < count; ++j) {
+            double sum = scale * chosen.errors.draws.row(at[i]).dot(chosen.errors.draws.row(at[j])) / noiseDraws;
+            for (const BudgetEffect& row : chosen.errors.budget)
+                sum += row.effect[at[i]] * row.effect[at[j]] / (half95 * half95);
+            covariance(static_cast<Index>(i), static_cast<Index>(j)) = sum;
+        }
+    // What is independent of the others makes up the half-widths as reported.
+    for (std::size_t i = 0; i < count; ++i) {
+        const double wanted = std::pow(answer.parameters[i].halfWidth / half95, 2);
+        double& own = covariance(static_cast<Index>(i), static_cast<Index>(i));
+        own = std::max(own, wanted);
+    }
+    answer.covariance.assign(count, std::vector<double>(count));
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = 0; j < count; ++j)
+            answer.covariance[i][j] = covariance(static_cast<Index>(i), static_cast<Index>(j));
+    for (const BudgetEffect& row : chosen.errors.budget) {
+        if (row.source == "tail" || row.source == "timing") continue;
+        std::vector<double> moved;
+        for (const Index unknown : at) moved.push_back(row.effect[unknown]);
+        answer.common.push_back(std::move(moved));
+    }
+}
+
+}  // namespace
+
+void fillParameters(const LawTrials& trials, const std::vector<double>& atLeast, RecordAnswer& answer) {
+    const LawCandidate& chosen = trials.chosen();
+    const Eigen::VectorXd widths = chosen.errors.halfWidths();
+    std::vector<UnknownKind> kinds{UnknownKind::stiffness, UnknownKind::gamma, UnknownKind::gap};
+    const char* keys[] = {"bit_rock.stiffness", "bit_rock.gamma", "bit_rock.gap", "bit_rock.corner.1.force",
+                          "bit_rock.corner.1.slope"};
+    if (chosen.name == "corner") {
+        kinds.push_back(UnknownKind::cornerForce);
+        kinds.push_back(UnknownKind::cornerSlope);
+    }
+    for (std::size_t i = 0; i < kinds.size(); ++i) {
+        const double own = widths[static_cast<Index>(chosen.model->find(kinds[i]))];
+        const double width = std::max(widthWithLaws(trials, kinds[i], own), atLeast[i]);
+        answer.parameters.push_back(parameterOf(chosen, keys[i], kinds[i], width));
+    }
+    fillCovariance(trials, kinds, answer);
+    IdentifiedParameter& stiffness = answer.parameters[0];
+    IdentifiedParameter& gamma = answer.parameters[1];
+    IdentifiedParameter& gap = answer.parameters[2];
+    if (answer.model == ModelVerdict::rejected) {
+        for (IdentifiedParameter& parameter : answer.parameters) {
+            parameter.verdict = ParameterVerdict::rejected;
+            parameter.low.reset();
+            parameter.high.reset();
+        }
+        return;
+    }
+    const PreparedRecord& record = chosen.model->record();
+    const ForceSeen force = forceSeen(*chosen.model, chosen.fit);
+    judgeLog(stiffness);
+    judgeGamma(gamma);
+    judgeGap(gap);
+    for (std::size_t i = 3; i < answer.parameters.size(); ++i) judgeLog(answer.parameters[i]);
+    const double noise = std::max(contactDeviations * chosen.errors.misfit.noise, 0.005) * record.peak;
+    if (force.largest < noise) {
+        notSeen(stiffness, "no_contact");
+        notSeen(gamma, "no_contact");
+        gap.verdict = ParameterVerdict::bounded;
+        gap.low = std::max(0.0, force.advance);
+        gap.high.reset();
+        return;
+    }
+    const double stiffest = answer.impedance / (4 * record.step);
+    if (stiffness.value > stiffest) {
+        stiffness.verdict = ParameterVerdict::bounded;
+        stiffness.low = std::min(stiffest, stiffness.low.value_or(stiffest));
+        stiffness.high.reset();
+        notSeen(gamma, "front");
+        return;
+    }
+    const double deviation = gamma.halfWidth / half95;
+    if (!force.hasUnloaded || deviation > 1) notSeen(gamma, "no_unloading");
+}
+
+void openGap(RecordAnswer& answer) {
+    for (IdentifiedParameter& parameter : answer.parameters) {
+        if (!parameter.isGap()) continue;
+        parameter.halfWidth = std::max(parameter.halfWidth, parameter.value);
+        parameter.low = 0;
+        judgeGap(parameter);
+    }
+}
+
+}  // namespace drillwave
