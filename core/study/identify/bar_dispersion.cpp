@@ -52,10 +52,17 @@ double BarDispersion::slowness(double frequency) const {
 }
 
 std::vector<double> BarDispersion::delayed(const std::vector<double>& wave, double step, double way) const {
+    if (wave.empty()) return {};
     std::size_t length = 64;
     while (length < 2 * wave.size()) length *= 2;
     std::vector<std::complex<double>> time(length, 0.0), spectrum;
     std::copy(wave.begin(), wave.end(), time.begin());
+    // A record that ends inside a wave goes on and fades: a step there would reach back into the window.
+    const std::size_t free = length - wave.size();
+    for (std::size_t i = 0; i < free / 2; ++i) {
+        const double share = static_cast<double>(i) / static_cast<double>(free / 2);
+        time[wave.size() + i] = wave.back() * (0.5 + 0.5 * std::cos(std::numbers::pi * share));
+    }
     Eigen::FFT<double> transform;
     transform.fwd(spectrum, time);
     const double interval = 1 / (static_cast<double>(length) * step);

@@ -214,6 +214,27 @@ void addAssumptions(RecordModel& model, const LawFit& fit, const IdentifyQuestio
     }
 }
 
+/// rms of the quiet stretch about a straight line of its own, noise off [N].
+double aboutOwnLine(const RecordModel& model, const LawFit& fit) {
+    const std::vector<double> left = quietLeft(model, fit.values);
+    const auto n = static_cast<double>(left.size());
+    double mean = 0, moment = 0, spread = 0, power = 0;
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        const double x = static_cast<double>(i) - (n - 1) / 2;
+        mean += left[i] / n;
+        moment += x * left[i];
+        spread += x * x;
+    }
+    for (std::size_t i = 0; i < left.size(); ++i) {
+        const double x = static_cast<double>(i) - (n - 1) / 2;
+        power += std::pow(left[i] - mean - (spread > 0 ? moment / spread * x : 0), 2) / n;
+    }
+    const PreparedRecord& record = model.record();
+    const double noise = record.gauges.front().noise.deviationOfMean(
+        std::max<std::size_t>(1, static_cast<std::size_t>(71e-6 / record.step)));
+    return std::sqrt(std::max(0.0, power - noise * noise));
+}
+
 /// Waves in the quiet stretch: what they move, and how large an unexplained wave they are.
 void addQuiet(const RecordModel& model, const LawFit& fit, FitErrors& errors) {
     const PreparedRecord& record = model.record();
@@ -243,7 +264,13 @@ void addQuiet(const RecordModel& model, const LawFit& fit, FitErrors& errors) {
         isFading = fading <= 0.5;
         wave *= std::min(1.0, std::max(0.3, fading));
     }
-    if (!isFading) wave *= 1.4;
+    if (!isFading) {
+        // A wave that stays: its power over all of the stretch. A zero line through the stretch takes half of it.
+        const double pooled = found.hasBefore ? std::hypot(found.last, found.before) / std::sqrt(2.0) : found.last;
+        wave = std::max(std::sqrt(2.0) * std::max(std::min(pooled, found.last), 1.4 * aboutOwnLine(model, fit)) /
+                            record.peak,
+                        wave);
+    }
     const std::vector<double> left = quietLeft(model, fit.values);
     double power = 0;
     std::size_t count = 0;

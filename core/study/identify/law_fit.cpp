@@ -152,6 +152,60 @@ void followQuiet(RecordModel& model, Eigen::VectorXd& values, const std::stop_to
     }
 }
 
+/// Starts of a law about the solution of the bilinear one.
+std::vector<Start> startsFrom(const RecordModel& model, const RecordModel& bilinear, const LawFit& from) {
+    using Kind = Unknown::Kind;
+    Eigen::VectorXd base = startValues(model);
+    for (std::size_t j = 0; j < model.unknowns().size(); ++j) {
+        const Unknown& unknown = model.unknowns()[j];
+        const std::size_t same = unknown.kind == Kind::shape
+                                     ? bilinear.shapeUnknown(model.shapes()[unknown.index].key)
+                                     : bilinear.find(unknown.kind, unknown.index);
+        // A law that does not fit has bent the zero lines: others begin without.
+        const bool isZeroLine = unknown.kind == Kind::shape && model.law() != TrialLaw::bilinear;
+        if (same < bilinear.unknowns().size() && !isZeroLine)
+            base[static_cast<Index>(j)] = from.values[static_cast<Index>(same)];
+    }
+    std::vector<Start> starts;
+    const auto set = [&](Start& start, Kind kind, double value) {
+        start.values[static_cast<Index>(model.find(kind))] = value;
+    };
+    const auto get = [&](Kind kind) { return base[static_cast<Index>(model.find(kind))]; };
+    const double peak = model.record().peak;
+    if (model.law() == TrialLaw::corner) {
+        for (const double force : {0.15, 0.35, 0.6, 1.0})
+            for (const double slope : {0.2, 0.45, 1.6, 3.5})
+                for (const double softer : {1.0, 1.7, 3.0}) {
+                    if (slope > 1 && softer > 1.8) continue;
+                    Start start{base, 0};
+                    set(start, Kind::cornerForce, std::log(force * peak));
+                    set(start, Kind::cornerSlope, std::log(slope));
+                    set(start, Kind::stiffness, get(Kind::stiffness) + (slope < 1 ? 1 : -1) * std::log(softer));
+                    starts.push_back(start);
+                    set(start, Kind::gap, 0);
+                    starts.push_back(std::move(start));
+                }
+    } else if (model.law() == TrialLaw::power) {
+        for (const double exponent : {0.6, 0.85, 1.2, 1.5, 2.0})
+            for (const double gap : {0.0, 1.0}) {
+                Start start{base, 0};
+                set(start, Kind::exponent, exponent);
+                set(start, Kind::gap, gap * get(Kind::gap));
+                starts.push_back(std::move(start));
+            }
+    } else if (model.law() == TrialLaw::dashpot) {
+        const double impedance = model.record().places.front().end.impedance;
+        for (const double part : {0.01, 0.06, 0.3}) {
+            Start start{base, 0};
+            set(start, Kind::dashpot, std::log(part * impedance));
+            starts.push_back(std::move(start));
+        }
+    } else {
+        starts.push_back({base, 0});
+    }
+    return starts;
+}
+
 LawFit finished(RecordModel& model, Eigen::VectorXd values) {
     LawFit fit;
     fit.law = model.law();
@@ -381,69 +435,39 @@ void refit(RecordModel& model, LawFit& fit, const std::stop_token& stop) {
 }
 
 LawFit fitFrom(RecordModel& model, const RecordModel& bilinear, const LawFit& from, const std::stop_token& stop) {
-    using Kind = Unknown::Kind;
     if (bilinear.quietCount() > 0) {
         const QuietErrors errors = quietErrors(bilinear, from.values);
         const double floor = 0.003 * model.record().peak;
         model.setQuietErrors(std::max(errors.before, floor), std::max(errors.last, floor));
     }
-    const std::size_t share = bilinear.shapeUnknown("dispersion");
-    if (share < bilinear.unknowns().size()) {
-        model.setDispersion(from.values[static_cast<Index>(share)], true);
-    } else {
-        model.setDispersion(model.dispersionChoice() == DispersionChoice::bar ? 1 : 0, false);
-    }
-    Eigen::VectorXd base = startValues(model);
-    for (std::size_t j = 0; j < model.unknowns().size(); ++j) {
-        const Unknown& unknown = model.unknowns()[j];
-        std::size_t same = unknown.kind == Kind::shape
-                               ? bilinear.shapeUnknown(model.shapes()[unknown.index].key)
-                               : bilinear.find(unknown.kind, unknown.index);
-        if (same < bilinear.unknowns().size()) base[static_cast<Index>(j)] = from.values[static_cast<Index>(same)];
-    }
-    std::vector<Start> starts;
-    const auto set = [&](Start& start, Kind kind, double value) {
-        start.values[static_cast<Index>(model.find(kind))] = value;
-    };
-    const auto get = [&](Kind kind) { return base[static_cast<Index>(model.find(kind))]; };
-    const double peak = model.record().peak;
-    if (model.law() == TrialLaw::corner) {
-        for (const double force : {0.15, 0.35, 0.6, 1.0})
-            for (const double slope : {0.2, 0.45, 1.6, 3.5})
-                for (const double softer : {1.0, 1.7, 3.0}) {
-                    if (slope > 1 && softer > 1.8) continue;
-                    Start start{base, 0};
-                    set(start, Kind::cornerForce, std::log(force * peak));
-                    set(start, Kind::cornerSlope, std::log(slope));
-                    set(start, Kind::stiffness, get(Kind::stiffness) + (slope < 1 ? 1 : -1) * std::log(softer));
-                    starts.push_back(start);
-                    set(start, Kind::gap, 0);
-                    starts.push_back(std::move(start));
-                }
-    } else if (model.law() == TrialLaw::power) {
-        for (const double exponent : {0.6, 0.85, 1.2, 1.5, 2.0})
-            for (const double gap : {0.0, 1.0}) {
-                Start start{base, 0};
-                set(start, Kind::exponent, exponent);
-                set(start, Kind::gap, gap * get(Kind::gap));
-                starts.push_back(std::move(start));
-            }
-    } else if (model.law() == TrialLaw::dashpot) {
-        const double impedance = model.record().places.front().end.impedance;
-        for (const double part : {0.01, 0.06, 0.3}) {
-            Start start{base, 0};
-            set(start, Kind::dashpot, std::log(part * impedance));
-            starts.push_back(std::move(start));
-        }
-    } else {
-        starts.push_back({base, 0});
-    }
     model.holdSizes(true);
-    Eigen::VectorXd best = bestOf(model, std::move(starts), model.law() == TrialLaw::corner ? 5 : 3, stop).values;
+    // A law that does not fit may have bent the dispersion, too.
+    const std::size_t unknown = bilinear.shapeUnknown("dispersion");
+    const bool isFree = unknown < bilinear.unknowns().size();
+    std::vector<double> shares{isFree ? from.values[static_cast<Index>(unknown)]
+                                      : (model.dispersionChoice() == DispersionChoice::bar ? 1.0 : 0.0)};
+    if (isFree)
+        for (const double share : {0.0, 0.5, 1.0})
+            if (std::abs(share - shares.front()) > 0.1) shares.push_back(share);
+    Start best;
+    double bestShare = shares.front();
+    const std::size_t most = model.law() == TrialLaw::corner ? 4 : 2;
+    for (const double share : shares) {
+        model.setDispersion(share, false);
+        Start found = bestOf(model, startsFrom(model, bilinear, from), most, stop);
+        if (best.values.size() > 0 && found.cost >= best.cost) continue;
+        best = std::move(found);
+        bestShare = share;
+    }
+    model.setDispersion(bestShare, false);
+    Eigen::VectorXd values = best.values;
+    if (isFree) takeDispersion(model, values, bestShare, true);
+    minimise(model, values, 40, stop);
     model.holdSizes(false);
-    minimise(model, best, 60, stop);
-    followDispersion(model, best, stop);
-    return finished(model, best);
+    minimise(model, values, 60, stop);
+    followDispersion(model, values, stop);
+    followQuiet(model, values, stop);
+    return finished(model, values);
 }
 
 }  // namespace drillwave

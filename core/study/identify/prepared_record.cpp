@@ -118,6 +118,7 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
                           const IdentifyQuestion& question, std::size_t blow, ArrivalChoice arrival) {
     PreparedRecord record;
     record.places = places;
+    for (GaugePlace& place : record.places) place.end.barBehind = question.barBehind;
     if (given.time.size() < leastZeroSamples)
         return refused(std::move(record), "too_short",
                        {translatable("the record has %1 samples; at least 50 are needed before the front"),
