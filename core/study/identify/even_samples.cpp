@@ -222,4 +222,24 @@ double sampleAt(const std::vector<double>& samples, double place) {
     return p1 + 0.5 * u * (p2 - p0 + u * (2 * p0 - 5 * p1 + 4 * p2 - p3 + u * (3 * (p1 - p2) + p3 - p0)));
 }
 
+void smoothSamples(std::vector<double>& values, double step, double deviation) {
+    const auto reach = static_cast<std::ptrdiff_t>(std::ceil(3 * deviation / step));
+    if (reach < 1 || values.empty()) return;
+    std::vector<double> kernel(static_cast<std::size_t>(reach) + 1);
+    for (std::ptrdiff_t k = 0; k <= reach; ++k)
+        kernel[static_cast<std::size_t>(k)] = std::exp(-0.5 * std::pow(static_cast<double>(k) * step / deviation, 2));
+    const auto count = static_cast<std::ptrdiff_t>(values.size());
+    const std::vector<double> given = values;
+    for (std::ptrdiff_t i = 0; i < count; ++i) {
+        double sum = 0, weight = 0;
+        const std::ptrdiff_t from = std::max<std::ptrdiff_t>(0, i - reach), to = std::min(count - 1, i + reach);
+        for (std::ptrdiff_t k = from; k <= to; ++k) {
+            const double w = kernel[static_cast<std::size_t>(std::abs(k - i))];
+            sum += w * given[static_cast<std::size_t>(k)];
+            weight += w;
+        }
+        values[static_cast<std::size_t>(i)] = sum / weight;
+    }
+}
+
 }  // namespace drillwave

@@ -44,4 +44,7 @@ std::vector<std::pair<std::size_t, std::size_t>> blowRanges(const std::vector<do
 /// The value between samples by a cubic through four of them; 0 outside.
 double sampleAt(const std::vector<double>& samples, double place);
 
+/// Smooths samples by a Gaussian of this deviation [s]; at the ends by what there is of it.
+void smoothSamples(std::vector<double>& values, double step, double deviation);
+
 }  // namespace drillwave

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/study/identify/even_samples.h"
 #include "core/study/identify/gauge_pair.h"
 
 namespace drillwave {
@@ -26,7 +27,7 @@ constexpr double defaultGain = 0.02;
 std::vector<double> slowResiduals(const RecordModel& model, const Eigen::VectorXd& residuals) {
     std::vector<double> left(model.returningCount());
     for (std::size_t i = 0; i < left.size(); ++i) left[i] = residuals[static_cast<Index>(i)] / model.weight();
-    RecordModel::smooth(left, model.record().step, misfitGaussian);
+    smoothSamples(left, model.record().step, misfitGaussian);
     return left;
 }
 

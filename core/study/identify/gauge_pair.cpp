@@ -10,24 +10,41 @@ namespace drillwave {
 
 namespace {
 
+constexpr double passageGaussian = 8e-6;  ///< as for the misfit: fronts are sharper than samples [s]
+
 struct PassageFit {
     double gain = 1;
     double power = 0;  ///< mean square of what is left [N²]
 };
 
-PassageFit fitPassage(const PreparedRecord& record, double shift) {
-    const std::vector<double>& near = record.gauges[0].force;
-    const std::vector<double>& far = record.gauges[1].force;
+/// Both signals below 16 kHz, in which the sampling of sharp fronts does not show.
+class Passage {
+  public:
+    explicit Passage(const PreparedRecord& record) : m_record(record) {
+        for (const PreparedGauge& gauge : record.gauges) {
+            std::vector<double> slow = gauge.force;
+            smoothSamples(slow, record.step, passageGaussian);
+            m_signals.push_back(std::move(slow));
+        }
+    }
+    PassageFit fit(double shift) const;
+
+  private:
+    const PreparedRecord& m_record;
+    std::vector<std::vector<double>> m_signals;
+};
+
+PassageFit Passage::fit(double shift) const {
     double cross = 0, square = 0, other = 0;
     std::size_t count = 0;
-    const double places = shift / record.step;
-    for (std::size_t i = 0; i < near.size(); ++i) {
-        const double t = record.timeOf(i);
+    const double places = shift / m_record.step;
+    for (std::size_t i = 0; i < m_signals[0].size(); ++i) {
+        const double t = m_record.timeOf(i);
         if (t < -20e-6) continue;
-        if (t > record.roundTrip - 8e-6) break;
-        const double p2 = sampleAt(far, static_cast<double>(i) - places);
-        cross += p2 * near[i];
-        square += near[i] * near[i];
+        if (t > m_record.roundTrip - 8e-6 - 2 * passageGaussian) break;
+        const double p1 = m_signals[0][i], p2 = sampleAt(m_signals[1], static_cast<double>(i) - places);
+        cross += p2 * p1;
+        square += p1 * p1;
         other += p2 * p2;
         ++count;
     }
@@ -42,28 +59,29 @@ PassageFit fitPassage(const PreparedRecord& record, double shift) {
 
 void matchSecondGauge(PreparedRecord& record) {
     constexpr double range = 15e-6;
-    double best = record.transit, least = fitPassage(record, best).power;
+    const Passage passage(record);
+    double best = record.transit, least = passage.fit(best).power;
     for (double shift = record.transit - range; shift <= record.transit + range; shift += record.step / 2) {
-        const double power = fitPassage(record, shift).power;
+        const double power = passage.fit(shift).power;
         if (power < least) least = power, best = shift;
     }
     double low = best - record.step / 2, high = best + record.step / 2;
     constexpr double golden = 0.618033988749895;
     double a = high - golden * (high - low), b = low + golden * (high - low);
-    double atA = fitPassage(record, a).power, atB = fitPassage(record, b).power;
+    double atA = passage.fit(a).power, atB = passage.fit(b).power;
     for (int i = 0; i < 24; ++i) {
         if (atA < atB) {
             high = b, b = a, atB = atA;
             a = high - golden * (high - low);
-            atA = fitPassage(record, a).power;
+            atA = passage.fit(a).power;
         } else {
             low = a, a = b, atA = atB;
             b = low + golden * (high - low);
-            atB = fitPassage(record, b).power;
+            atB = passage.fit(b).power;
         }
     }
     record.secondShift = (low + high) / 2;
-    record.secondGain = fitPassage(record, record.secondShift).gain;
+    record.secondGain = passage.fit(record.secondShift).gain;
 }
 
 SeparatedWaves separateWaves(const PreparedRecord& record, const std::vector<const std::vector<double>*>& signals,
@@ -105,13 +123,13 @@ SeparatedWaves separateWaves(const PreparedRecord& record) {
 }
 
 double passageDifference(const PreparedRecord& record) {
-    const PassageFit fit = fitPassage(record, record.secondShift);
-    const double one = record.gauges[0].noise.deviation();
-    const double two = record.gauges[1].noise.deviation() / std::abs(record.secondGain);
-    // cubic interpolation takes some of the noise of the far gauge away: count it in full, with its scatter
+    const PassageFit fit = Passage(record).fit(record.secondShift);
+    const auto span = std::max<std::size_t>(1, static_cast<std::size_t>(3.545 * passageGaussian / record.step));
+    const double one = record.gauges[0].noise.deviationOfMean(span);
+    const double two = record.gauges[1].noise.deviationOfMean(span) / std::abs(record.secondGain);
     const double noise = one * one + two * two;
-    const double count = std::max(10.0, record.roundTrip / record.step);
-    return std::sqrt(std::max(0.0, fit.power - noise * (1 + 2 * std::sqrt(2 / count)))) / record.peak;
+    const double independent = std::max(4.0, record.roundTrip / (3.545 * passageGaussian));
+    return std::sqrt(std::max(0.0, fit.power - noise * (1 + 2 * std::sqrt(2 / independent)))) / record.peak;
 }
 
 }  // namespace drillwave

@@ -6,6 +6,8 @@
 
 #include <Eigen/Cholesky>
 
+#include "core/study/identify/even_samples.h"
+
 namespace drillwave {
 
 namespace {
@@ -341,7 +343,7 @@ std::vector<double> quietLeft(const RecordModel& model, const Eigen::VectorXd& v
         const LinearShape& shape = model.shapes()[model.unknowns()[u].index];
         for (std::size_t i = 0; i < left.size(); ++i) left[i] -= values[static_cast<Index>(u)] * shape.quiet[i];
     }
-    RecordModel::smooth(left, model.record().step, quietGaussian);
+    smoothSamples(left, model.record().step, quietGaussian);
     return left;
 }
 

@@ -338,26 +338,6 @@ std::vector<double> RecordModel::onGrid(const std::vector<double>& incident) con
     return grid;
 }
 
-void RecordModel::smooth(std::vector<double>& values, double step, double deviation) {
-    const auto reach = static_cast<std::ptrdiff_t>(std::ceil(3 * deviation / step));
-    if (reach < 1 || values.empty()) return;
-    std::vector<double> kernel(static_cast<std::size_t>(reach) + 1);
-    for (std::ptrdiff_t k = 0; k <= reach; ++k)
-        kernel[static_cast<std::size_t>(k)] = std::exp(-0.5 * std::pow(static_cast<double>(k) * step / deviation, 2));
-    const auto count = static_cast<std::ptrdiff_t>(values.size());
-    const std::vector<double> given = values;
-    for (std::ptrdiff_t i = 0; i < count; ++i) {
-        double sum = 0, weight = 0;
-        const std::ptrdiff_t from = std::max<std::ptrdiff_t>(0, i - reach), to = std::min(count - 1, i + reach);
-        for (std::ptrdiff_t k = from; k <= to; ++k) {
-            const double w = kernel[static_cast<std::size_t>(std::abs(k - i))];
-            sum += w * given[static_cast<std::size_t>(k)];
-            weight += w;
-        }
-        values[static_cast<std::size_t>(i)] = sum / weight;
-    }
-}
-
 TrialRock RecordModel::rockOf(const Eigen::VectorXd& values) const {
     if (m_law == TrialLaw::held) return m_heldRock;
     using Kind = Unknown::Kind;
@@ -453,7 +433,7 @@ void RecordModel::residuals(const Eigen::VectorXd& values, Eigen::VectorXd& resu
     if (!m_record->isLost.empty())
         for (std::size_t i = 0; i < m_left.size(); ++i)
             if (m_record->isLost[m_firstReturning + i]) m_left[i] = 0;
-    smooth(m_left, m_record->step, smoothingSteps * m_record->step);
+    smoothSamples(m_left, m_record->step, smoothingSteps * m_record->step);
     for (std::size_t i = 0; i < m_left.size(); ++i) result[static_cast<Eigen::Index>(i)] = m_weight * m_left[i];
     for (std::size_t i = 0; i < m_quiet.size(); ++i)
         result[static_cast<Eigen::Index>(returning + i)] *= m_quietWeights[i];

@@ -115,8 +115,6 @@ class RecordModel {
     double gridStart() const { return m_gridStart; }
     /// f on the grid of the model.
     std::vector<double> onGrid(const std::vector<double>& incident) const;
-    /// Smooths residuals of b, in place, by a Gaussian of this deviation [s].
-    static void smooth(std::vector<double>& values, double step, double deviation);
 
   private:
     void addUnknowns(const IdentifyQuestion& question, const SizeTolerances& sizes);
