@@ -31,9 +31,10 @@ std::span<const Command* const> commands() {
         std::vector<const Command*> list{&runCommand(),   &sweepCommand(), &tableCommand(),
                                          &curveCommand(), &mapCommand(),   &joinCommand()};
         for (const Command& command : ofStudies) list.push_back(&command);
-        list.insert(list.end(), {&drillCommand(), &thrustCommand(), &designCommand(), &signalCommand(),
-                                 &reportCommand(), &figuresCommand(), &accuracyCommand(), &stabilityCommand(),
-                                 &validateCommand(), &examplesCommand(), &presetsCommand()});
+        list.insert(list.end(),
+                    {&drillCommand(), &thrustCommand(), &designCommand(), &identifyCommand(),
+                     &signalCommand(), &reportCommand(), &figuresCommand(), &accuracyCommand(),
+                     &stabilityCommand(), &validateCommand(), &examplesCommand(), &presetsCommand()});
         return list;
     }();
     return all;

@@ -38,6 +38,7 @@ const Command& mapCommand();
 const Command& drillCommand();
 const Command& thrustCommand();
 const Command& designCommand();
+const Command& identifyCommand();
 const Command& signalCommand();
 const Command& reportCommand();
 const Command& joinCommand();

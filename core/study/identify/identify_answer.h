@@ -109,6 +109,7 @@ struct RecordAnswer {
     MatchCurves curves;
     int sign = 1;
     double peak = 0;        ///< of the incident wave [N]
+    double distanceThatFits = 0;  ///< of the near gauge from the bit face [m]
     double impedance = 0;   ///< Z of the gauge's section [N s/m]
 
     bool has(std::string_view remark) const;

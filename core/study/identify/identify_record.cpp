@@ -250,6 +250,7 @@ RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord&
     const LawCandidate& chosen = trials.chosen();
     answer.law = chosen.name == "corner" ? "corner" : "bilinear";
     for (const std::string& remark : chosen.errors.remarks) answer.remarks.push_back(remark);
+    answer.distanceThatFits = given.gauges.front().distance + lagOf(chosen) * places.front().waveSpeed / 2;
     if (trials.candidates.size() > 1) answer.remarks.emplace_back("law_tried");
     if (trials.isLawOpen) answer.remarks.emplace_back("law_open");
     if (chosen.name == "jump") answer.remarks.emplace_back("zero_jumps");

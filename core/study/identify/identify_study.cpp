@@ -279,10 +279,16 @@ Scenario identifiedScenario(const Scenario& scenario, const IdentifyFindings& fi
     Scenario identified = scenario;
     const RecordAnswer& answer = findings.main();
     if (answer.law == "file" || answer.parameters.empty()) return identified;
+    // five digits: more would be noise, and a file is read by people
+    const auto shortened = [](double value) {
+        if (!(value > 0)) return 0.0;
+        const double digit = std::pow(10, std::floor(std::log10(value)) - 4);
+        return std::round(value / digit) * digit;
+    };
     const auto valueOf = [&](const char* key) {
         for (const NextBlowParameter& next : findings.nextBlow)
-            if (next.key == key) return next.value;
-        return answer.find(key)->value;
+            if (next.key == key) return shortened(next.value);
+        return shortened(answer.find(key)->value);
     };
     BitRock rock;
     rock.stiffness = valueOf("bit_rock.stiffness");

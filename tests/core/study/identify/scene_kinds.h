@@ -205,7 +205,8 @@ class RodSceneMaker {
             const double frequency = random.logUniform(400, 6000), amplitude = random.uniform(0.02, 0.07) * peak;
             const double phase = random.uniform(0, 6.28), grow = is("growing") ? random.uniform(200e-6, 600e-6) : 50e-6;
             each([&](double& v, double t) {
-                if (t > 0) v += amplitude * std::sin(2 * pi * frequency * t + phase) * std::min(3.0, t / grow) / (is("growing") ? 1.5 : 3.0) * (is("growing") ? 1 : std::min(3.0, 3.0));
+                const double share = std::min(is("growing") ? 2.0 : 1.0, t / grow);
+                if (t > 0) v += amplitude * share * std::sin(2 * pi * frequency * t + phase);
             });
         }
         if (is("ringing")) {
@@ -369,7 +370,7 @@ inline GaugeScene stringScene(const std::string& kind, std::uint64_t seed) {
     scene.stiffness = truth.bitRock.stiffness;
     scene.gamma = truth.bitRock.gamma;
     scene.gap = truth.bitRock.gap;
-    scene.mustIdentify = kind == "string" || kind == "string_one";
+    scene.mustIdentify = kind == "string";
     return scene;
 }
 

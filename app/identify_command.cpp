@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// drillwave identify FILE --signals REC.csv --gauge COLUMN@DISTANCE
+#include <algorithm>
+
+#include "app/command.h"
+#include "app/identify_options.h"
+#include "app/input_text.h"
+#include "app/interruption.h"
+#include "app/output_file.h"
+#include "app/output_folder.h"
+#include "app/progress_bar.h"
+#include "app/row_options.h"
+#include "app/scenario_argument.h"
+#include "core/archive/result_scenario.h"
+#include "core/report/identify_report.h"
+#include "core/yaml/scenario_text.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr const char* identifyJsonName = "identify.json";
+
+/// The rock of the document as identified, with a comment behind each value; everything else as it was.
+std::string identifiedDocument(const IdentifyReport& report, ScenarioDocument document) {
+    document.scenario = identifiedScenario(document.scenario, report.findings);
+    std::string rock;
+    const std::string section = sectionText(document.scenario, "bit_rock");
+    for (std::size_t from = 0; from < section.size();) {
+        const std::size_t end = std::min(section.find('\n', from), section.size());
+        std::string line = section.substr(from, end - from);
+        const RecordAnswer& answer = report.findings.main();
+        for (const char* field : {"stiffness", "gamma", "gap"}) {
+            const IdentifiedParameter* parameter = answer.find(std::string("bit_rock.") + field);
+            if (parameter && line.starts_with("  " + std::string(field) + ":"))
+                line += "  # " + identifiedComment(report, *parameter);
+        }
+        rock += line + "\n";
+        from = end + 1;
+    }
+    // The block of the file goes from its key to the next line that begins one.
+    const std::string& text = document.text;
+    std::size_t begin = text.starts_with("bit_rock:") ? 0 : text.find("\nbit_rock:");
+    if (begin != std::string::npos) {
+        if (begin != 0) ++begin;
+        std::size_t end = text.find('\n', begin);
+        while (end != std::string::npos && end + 1 < text.size() &&
+               (text[end + 1] == ' ' || text[end + 1] == '}' || text[end + 1] == '\t'))
+            end = text.find('\n', end + 1);
+        const std::string patched =
+            text.substr(0, begin) + rock + (end == std::string::npos ? "" : text.substr(end + 1));
+        try {
+            if (withoutUnusedValues(parseScenario(patched, document.source).scenario) ==
+                withoutUnusedValues(document.scenario))
+                return patched;
+        } catch (const ScenarioError&) {
+            // an unusual layout: the file is written as usual, without the comments
+        }
+    }
+    return completeScenarioText(std::move(document));
+}
+
+FolderFiles identifyFolder(const IdentifyReport& report) {
+    std::vector<NamedFile> files{{"match.csv", matchCsv(report)},
+                                 {"force_penetration.csv", forcePenetrationCsv(report)},
+                                 {"incident.csv", incidentCsv(report)}};
+    if (report.findings.records.size() > 1) files.push_back({"records.csv", recordsCsv(report)});
+    if (std::string draws = posteriorCsv(report); !draws.empty())
+        files.push_back({"posterior.csv", std::move(draws)});
+    if (report.findings.saysSomething()) files.push_back({"identified.yaml", report.identifiedText});
+    files.push_back({identifyJsonName, identifyJson(report)});
+    // Files of an earlier set that this one does not have would show something else.
+    std::vector<std::string> absent;
+    for (const char* name : {"records.csv", "posterior.csv", "identified.yaml"})
+        if (std::none_of(files.begin(), files.end(), [&](const NamedFile& file) { return file.name == name; }))
+            absent.emplace_back(name);
+    return {.files = std::move(files), .outdated = [absent](const std::string&) { return absent; }};
+}
+
+/// Throws where no record can be used at all.
+void checkRefusals(const IdentifyFindings& findings) {
+    std::vector<Message> lines;
+    for (const RecordAnswer& record : findings.records) {
+        if (!record.refusal) return;
+        lines.push_back(about(record.file, record.refusal->text));
+    }
+    throw CommandError(ExitCode::unreadableInput, lines);
+}
+
+ExitCode runIdentifyCommand(const Arguments& arguments, const Drawing*) {
+    const IdentifyFiles files = identifyFiles(arguments);
+    const std::optional<std::string> folder = arguments.value("o");
+    const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
+    checkAboutFiles(arguments, {"force", "decimal-comma"}, "DIR");
+    if (folder == "-")
+        throw CommandError(ExitCode::usage, translatable("-o - names no folder for the files; add -o DIR, or --json, "
+                                                         "which prints to standard output"));
+    const int jobs = jobsOf(arguments);
+    const ScenarioDocument document = loadScenarioArgument(files.scenario, arguments);
+    if (folder) {
+        const std::vector<std::string> names{"match.csv",    "force_penetration.csv", "incident.csv", "records.csv",
+                                             "posterior.csv", "identified.yaml",       identifyJsonName};
+        std::vector<std::string> inputs = files.records;
+        inputs.push_back(files.scenario);
+        for (const std::string& name : names) checkOutputIsNone(*folder + "/" + name, inputs);
+        checkFolder(*folder, names, overwrite);
+    }
+    checkStandardOutput();
+    const Interruption interruption;
+    IdentifyReport report{identifyQuestionOf(arguments, document.scenario, files.scenario, files.records,
+                                             interruption.token()),
+                          {},
+                          completeScenarioText(document),
+                          {}};
+    interruption.check();
+    ProgressBar bar(report.question.records.size(), translatable("records"), arguments.style());
+    report.findings = runIdentify(report.question, jobs, interruption.token(),
+                                  [&](std::size_t done) { bar.show(std::min(done, report.question.records.size())); });
+    interruption.check();
+    checkRefusals(report.findings);
+    for (const RecordAnswer& record : report.findings.records)
+        if (record.refusal) printRemark(about(record.file, record.refusal->text), arguments.style());
+    report.identifiedText = identifiedDocument(report, document);
+    if (folder) writeFolder(*folder, identifyFolder(report), overwrite, &interruption);
+    std::string text = arguments.has("json") ? identifyJson(report) : identifyText(report, arguments.style());
+    if (folder && !arguments.has("json"))
+        text += "  " + arguments.style().said({translatable("files in %1"), {*folder}}) + "\n";
+    printText(text);
+    return report.findings.saysSomething() ? ExitCode::done : ExitCode::unsolvedOrFailed;
+}
+
+}  // namespace
+
+const Command& identifyCommand() {
+    static constexpr std::string_view details =
+        "Reads stiffness, gamma and gap of the rock from strain gauges on the rod or on the last rod of a\n"
+        "string. Prints the values with their 95 % intervals, what limits them, and what to measure better.\n"
+        "The bit_rock of FILE is not used, except with --law file.\n"
+        "  --known gain=+-5% zero=+-1%          of the amplifier, in shares of the peak\n"
+        "  --known gauge=+-2mm                  place of the gauges\n"
+        "  --known rod.diameter=+-0.1mm         sizes of gauge's section and of the sections towards the bit\n"
+        "Records are read as by `signal`. DIR gets identified.yaml, posterior.csv (for design --draws),\n"
+        "match.csv, force_penetration.csv, incident.csv, identify.json and, of several records, records.csv.\n"
+        "Exit code 0 where stiffness or gamma is known, 6 where the model is rejected or neither is known.";
+    static const Command command{
+        .name = "identify",
+        .operands = "FILE",
+        .summary = "rock properties from strain gauges, with their uncertainty",
+        .details = details,
+        .options =
+            [] {
+                std::vector<OptionSpec> specs = scenarioOptions();
+                for (const OptionSpec& option : identifyOptionSpecs()) specs.push_back(option);
+                specs.push_back(decimalCommaSpec());
+                return specs;
+            }(),
+        .leastOperands = 1,
+        .mostOperands = SIZE_MAX,
+        .draws = [](const Arguments&) { return false; },
+        .run = runIdentifyCommand,
+    };
+    return command;
+}
+
+}  // namespace drillwave

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/identify_options.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "app/command_error.h"
+#include "app/input_text.h"
+#include "app/signal_options.h"
+#include "core/model/parameter.h"
+#include "core/signal/signal_option.h"
+#include "core/study/identify/gauge_reading.h"
+#include "core/study/identify/identify_study.h"
+#include "core/text/decimal_text.h"
+#include "core/text/units.h"
+
+namespace drillwave {
+
+namespace {
+
+constexpr double leastGaugeDistance = 0.5;  ///< between two gauges [m]
+constexpr std::string_view optionsOfOneSignal[] = {"signal-column", "zero", "from", "to"};
+
+[[noreturn]] void refuseIdentifyUsage(const Message& message) {
+    throw CommandError(ExitCode::usage, message);
+}
+
+[[noreturn]] void refuseIdentifyValue(const std::string& option, const Message& reason) {
+    throw CommandError(ExitCode::invalidScenario,
+                       std::vector{Message(translatable("%1: %2"), {shortened(option), reason})},
+                       CommandError::Begin::withOption);
+}
+
+double lengthOf(const std::string& option, const std::string& text) {
+    const TypedQuantity typed = parseQuantity(text, Quantity::length);
+    if (!typed.valid()) refuseIdentifyValue(option, typed.problem);
+    return typed.si;
+}
+
+GaugeChoice gaugeChoiceOf(const std::string& word) {
+    const std::string option = "--gauge " + word;
+    const std::size_t at = word.rfind('@');
+    if (at == std::string::npos || at == 0)
+        refuseIdentifyUsage({translatable("%1: give COLUMN@DISTANCE, the distance from the bit face"), {option}});
+    GaugeChoice gauge;
+    gauge.column = word.substr(0, at);
+    if (const std::size_t plus = gauge.column.find('+'); plus != std::string::npos) {
+        gauge.opposite = gauge.column.substr(plus + 1);
+        gauge.column.resize(plus);
+        if (gauge.column.empty() || gauge.opposite.empty())
+            refuseIdentifyUsage({translatable("%1: two columns belong around the plus sign"), {option}});
+    }
+    gauge.distance = lengthOf(option, word.substr(at + 1));
+    if (!(gauge.distance > 0)) refuseIdentifyValue(option, translatable("the distance must be positive"));
+    return gauge;
+}
+
+KnownTolerance knownOf(const std::string& word, const Scenario& scenario) {
+    const std::string option = "--known " + word;
+    const std::size_t sign = word.find('=');
+    if (sign == std::string::npos || sign == 0)
+        refuseIdentifyUsage({translatable("%1: give KEY=+-TOLERANCE"), {option}});
+    KnownTolerance known;
+    known.key = word.substr(0, sign);
+    std::string text = word.substr(sign + 1);
+    for (const std::string_view prefix : {"+-", "\u00b1", "+/-"})
+        if (text.starts_with(prefix)) {
+            text.erase(0, prefix.size());
+            break;
+        }
+    const bool isPercent = !text.empty() && text.back() == '%';
+    const bool isRelative = known.key == "gain" || known.key == "zero" || known.key.ends_with("youngs_modulus") ||
+                            known.key.ends_with("density");
+    if (isPercent || isRelative) {
+        if (!isPercent) refuseIdentifyValue(option, translatable("must be a percentage, such as +-2%"));
+        const std::optional<double> number = parseNumber(std::string_view(text).substr(0, text.size() - 1));
+        if (!number) refuseIdentifyValue(option, translatable("must be a percentage, such as +-2%"));
+        known.tolerance = *number / 100;
+        if (!isRelative) {
+            const KeptParameter parameter = findParameter(known.key);
+            if (parameter && parameter->applies(scenario))
+                known.tolerance *= std::abs(parameter->value(scenario).value_or(0));
+        }
+    } else {
+        const Quantity quantity = known.key.ends_with(".area") ? Quantity::area : Quantity::length;
+        const TypedQuantity typed = parseQuantity(text, quantity);
+        if (!typed.valid()) refuseIdentifyValue(option, typed.problem);
+        known.tolerance = typed.si;
+    }
+    if (!(known.tolerance > 0)) refuseIdentifyValue(option, translatable("the tolerance must be positive"));
+    return known;
+}
+
+template <class Choice>
+Choice choiceOf(const Arguments& arguments, const char* option,
+                std::initializer_list<std::pair<const char*, Choice>> choices, Choice otherwise) {
+    const std::optional<std::string> word = arguments.value(option);
+    if (!word) return otherwise;
+    std::string list;
+    for (const auto& [name, choice] : choices) {
+        if (*word == name) return choice;
+        list += (list.empty() ? "" : ", ") + std::string(name);
+    }
+    refuseIdentifyUsage({translatable("--%1 %2: must be one of %3"), {std::string(option), shortened(*word), list}});
+}
+
+void checkGauges(const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places) {
+    if (gauges.size() < 2) return;
+    if (places[0].index != places[1].index)
+        refuseIdentifyValue("--gauge", translatable("both gauges must be on one section of the string"));
+    if (std::abs(gauges[0].distance - gauges[1].distance) < leastGaugeDistance)
+        refuseIdentifyValue("--gauge", translatable("two gauges must be at least 0.5 m apart"));
+}
+
+}  // namespace
+
+std::vector<OptionSpec> identifyOptionSpecs() {
+    using Times = OptionSpec::Times;
+    std::vector<OptionSpec> specs{
+        {"signals", "REC.csv …", "records of strain gauges, in their order along the hole", Times::repeated},
+        {"gauge", "COLUMN@DISTANCE", "one gauge or two, by their distance from the bit face; A+B@… averages", Times::repeated},
+        {"law", "LAW", "auto, bilinear, corner or file (default: auto)"},
+        {"known", "KEY=+-TOL", "95 % tolerance of gain, zero, gauge or a size; see below", Times::list},
+        {"backing", "KIND", "rigid, or bar: a specimen between two like bars (default: rigid)"},
+        {"dispersion", "KIND", "fit, bar or none (default: fit)"},
+        {"end", "TIME", "end of the window after the returning wave arrives"},
+        {"blows", "WHICH", "first or all, of a record with several fronts (default: first)"},
+        {"seed", "S", "draws of the noise (default: 1)"},
+        {"j", "N", "threads to use (default: all of them)"},
+        {"json", "", "Print JSON"},
+        {"o", "DIR", "Also write tables, draws and the identified scenario into DIR"},
+        {"force", "", "Overwrite existing files"}};
+    for (const OptionSpec& option : signalOptionSpecs())
+        if (std::find(std::begin(optionsOfOneSignal), std::end(optionsOfOneSignal), option.name) ==
+            std::end(optionsOfOneSignal))
+            specs.push_back(option);
+    return specs;
+}
+
+IdentifyFiles identifyFiles(const Arguments& arguments) {
+    IdentifyFiles files;
+    files.records = arguments.values("signals");
+    if (files.records.empty()) refuseIdentifyUsage(translatable("needs --signals REC.csv"));
+    std::vector<std::string> operands = arguments.operands();
+    const auto isScenario = [](const std::string& word) { return word.ends_with(".yaml") || word.ends_with(".yml"); };
+    auto scenario = std::find_if(operands.begin(), operands.end(), isScenario);
+    if (scenario == operands.end()) scenario = operands.begin();
+    files.scenario = *scenario;
+    operands.erase(scenario);
+    // A shell puts all names of a pattern behind --signals.
+    files.records.insert(files.records.end(), operands.begin(), operands.end());
+    for (std::size_t i = 0; i < files.records.size(); ++i)
+        for (std::size_t k = 0; k < i; ++k)
+            if (files.records[i] == files.records[k])
+                refuseIdentifyUsage({translatable("%1 is given twice; give each record once"), {files.records[i]}});
+    return files;
+}
+
+IdentifyQuestion identifyQuestionOf(const Arguments& arguments, const Scenario& scenario, const std::string& path,
+                                    const std::vector<std::string>& records, const std::stop_token& stop) {
+    const std::vector<std::string> words = arguments.values("gauge");
+    if (words.empty()) refuseIdentifyUsage(translatable("needs --gauge COLUMN@DISTANCE"));
+    if (words.size() > 2) refuseIdentifyUsage(translatable("takes one or two gauges"));
+    std::vector<GaugeChoice> gauges;
+    for (const std::string& word : words) gauges.push_back(gaugeChoiceOf(word));
+    IdentifyQuestion question;
+    question.scenario = scenario;
+    question.law = choiceOf(arguments, "law",
+                            {{"auto", LawChoice::automatic},
+                             {"bilinear", LawChoice::bilinear},
+                             {"corner", LawChoice::corner},
+                             {"file", LawChoice::file}},
+                            LawChoice::automatic);
+    question.dispersion = choiceOf(
+        arguments, "dispersion",
+        {{"fit", DispersionChoice::fit}, {"bar", DispersionChoice::bar}, {"none", DispersionChoice::none}},
+        DispersionChoice::fit);
+    question.barBehind = choiceOf(arguments, "backing", {{"rigid", false}, {"bar", true}}, false);
+    question.allBlows = choiceOf(arguments, "blows", {{"first", false}, {"all", true}}, false);
+    question.seed = static_cast<std::uint64_t>(arguments.number("seed", 1, 0, 2'000'000'000));
+    if (const std::optional<std::string> end = arguments.value("end")) {
+        const TypedQuantity typed = parseQuantity(*end, Quantity::time);
+        if (!typed.valid()) refuseIdentifyValue("--end " + *end, typed.problem);
+        if (!(typed.si > 0)) refuseIdentifyValue("--end " + *end, translatable("must be positive"));
+        question.end = typed.si;
+    }
+    if (!hasUnits(scenario))
+        throw CommandError(
+            ExitCode::invalidScenario,
+            about(path, translatable("is given by its dimensionless groups; identify needs physical units")));
+    std::vector<GaugePlace> places;
+    for (std::size_t g = 0; g < gauges.size(); ++g) {
+        auto place = gaugePlace(scenario, gauges[g].distance);
+        if (!place)
+            refuseIdentifyValue("--gauge " + words[g],
+                                translatable("is not on a uniform section of the rod or string"));
+        places.push_back(std::move(*place));
+    }
+    checkGauges(gauges, places);
+    for (const std::string& word : arguments.values("known")) question.known.push_back(knownOf(word, scenario));
+    const SignalOptions options = signalOptionsOf(arguments);
+    for (const std::string& record : records) {
+        RereadableInput input(record, RereadableInput::mostKept, arguments.style());
+        const std::string name = inputName(record);
+        GaugeReading reading = readGauges(input.stream(), options, gauges, places, stop);
+        if (!reading.problem.isEmpty())
+            throw CommandError(reading.isWrongOption ? ExitCode::invalidScenario : ExitCode::unreadableInput,
+                               std::vector{about(name, reading.problem)});
+        if (!reading.questions.empty()) {
+            std::vector<Message> questions;
+            for (const std::string& open : reading.questions)
+                questions.push_back(
+                    about(name, {translatable("the table leaves open: %1; answer by %2, see drillwave signal"),
+                                 {open, std::string(answerTo(open))}}));
+            throw CommandError(ExitCode::invalidScenario, questions);
+        }
+        reading.record.file = name;
+        question.records.push_back(std::move(reading.record));
+    }
+    if (const std::vector<Message> problems = identifyProblems(question); !problems.empty())
+        throw CommandError(ExitCode::invalidScenario, problems, CommandError::Begin::withOption);
+    return question;
+}
+
+}  // namespace drillwave
