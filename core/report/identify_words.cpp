@@ -84,7 +84,9 @@ Message identifyRemark(std::string_view code, const RecordAnswer& answer, const 
     if (code == "zero_jumps" && match.jumpTime)
         return {translatable("the zero level jumps %1 after the front; check cable and amplifier"),
                 {time(*match.jumpTime)}};
-    constexpr std::array<std::pair<std::string_view, const char*>, 15> sentences{{
+    constexpr std::array<std::pair<std::string_view, const char*>, 16> sentences{{
+        {"crater", translatable("the rock begins as steep as it springs back: the bit may stand in the crater of a "
+                                "blow before, or be pressed into it")},
         {"assumed_tolerances",
          translatable("some tolerances are assumed; give measured ones by --known KEY=+-TOLERANCE")},
         {"zero_line", translatable("the zero line moves by more than its tolerance")},

@@ -19,6 +19,7 @@ constexpr double jumpShare = 0.5;         ///< of that which a jump replaces
 constexpr double jumpTolerance = 0.05;    ///< of the peak
 constexpr double jumpExplains = 0.15;     ///< of Σr² at least
 constexpr double checkedMisfit = 0.003;   ///< of the peak
+constexpr double strainedBilinear = 0.01; ///< of the peak: beyond it the dispersion found is doubtful, too
 
 LawCandidate candidateOf(std::string name, std::shared_ptr<RecordModel> model, LawFit fit,
                          const IdentifyQuestion& question, const std::vector<KnownSize>& sizes,
@@ -70,20 +71,25 @@ std::optional<LawCandidate> jumpCandidate(const LawCandidate& bilinear, const Id
                                           const std::vector<KnownSize>& sizes, std::optional<double>& bestTime,
                                           const std::stop_token& stop) {
     std::optional<LawCandidate> best;
-    for (const double middle : jumpTimes(*bilinear.model, bilinear.fit, stop))
-        for (const double time : {middle - 6e-6, middle, middle + 6e-6}) {
-            auto model = std::make_shared<RecordModel>(*bilinear.model);
-            model->setJump(time, jumpTolerance);
-            LawFit fit;
-            fit.law = TrialLaw::bilinear;
-            fit.values = bilinear.fit.values;
-            fit.values.conservativeResize(fit.values.size() + 1);
-            fit.values[fit.values.size() - 1] = 0;
-            refit(*model, fit, stop);
-            if (best && fit.cost >= best->fit.cost) continue;
-            best = LawCandidate{"jump", model, fit, {}};
-            bestTime = time;
-        }
+    const auto tryAt = [&](double time) {
+        auto model = std::make_shared<RecordModel>(*bilinear.model);
+        model->setJump(time, jumpTolerance);
+        LawFit fit;
+        fit.law = TrialLaw::bilinear;
+        fit.values = bilinear.fit.values;
+        fit.values.conservativeResize(fit.values.size() + 1);
+        fit.values[fit.values.size() - 1] = 0;
+        refit(*model, fit, stop);
+        if (best && fit.cost >= best->fit.cost) return;
+        best = LawCandidate{"jump", model, fit, {}};
+        bestTime = time;
+    };
+    for (const double time : jumpTimes(*bilinear.model, bilinear.fit, stop)) tryAt(time);
+    if (bestTime) {
+        const double middle = *bestTime;
+        tryAt(middle - 6e-6);
+        tryAt(middle + 6e-6);
+    }
     if (best) best = candidateOf("jump", best->model, best->fit, question, sizes, stop);
     return best;
 }
@@ -114,7 +120,8 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
     trials.candidates.push_back(candidateOf("bilinear", model, std::move(fit), question, sizes, stop));
     const auto tryLaw = [&](const char* name, TrialLaw law) {
         auto other = modelOf(law);
-        LawFit found = fitFrom(*other, *trials.candidates[0].model, trials.candidates[0].fit, stop);
+        LawFit found = fitFrom(*other, *trials.candidates[0].model, trials.candidates[0].fit,
+                               trials.candidates[0].misfit() > strainedBilinear, stop);
         trials.candidates.push_back(candidateOf(name, other, std::move(found), question, sizes, stop));
     };
     const MisfitFound& misfit = trials.candidates[0].errors.misfit;
@@ -180,7 +187,7 @@ bool gapMayBeBend(const LawTrials& trials, const PreparedRecord& record, const I
                   const std::vector<KnownSize>& sizes, const std::stop_token& stop) {
     RecordModel model(record, question, sizeTolerances(sizes, record.places.front()), TrialLaw::power);
     model.unknowns()[model.find(Unknown::Kind::gap)].high = 0;
-    const LawFit fit = fitFrom(model, *trials.candidates[0].model, trials.candidates[0].fit, stop);
+    const LawFit fit = fitFrom(model, *trials.candidates[0].model, trials.candidates[0].fit, false, stop);
     const MisfitFound& answer = trials.chosen().errors.misfit;
     const MisfitFound bend = misfitOf(model, fit, answer.noise, answer.scatter);
     return bend.rms <= (1 + answer.scatter / 2) * answer.rms;

@@ -436,7 +436,8 @@ void refit(RecordModel& model, LawFit& fit, const std::stop_token& stop) {
     fit = finished(model, fit.values);
 }
 
-LawFit fitFrom(RecordModel& model, const RecordModel& bilinear, const LawFit& from, const std::stop_token& stop) {
+LawFit fitFrom(RecordModel& model, const RecordModel& bilinear, const LawFit& from, bool searchesDispersion,
+               const std::stop_token& stop) {
     if (bilinear.quietCount() > 0) {
         const QuietErrors errors = quietErrors(bilinear, from.values);
         const double floor = 0.003 * model.record().peak;
@@ -448,7 +449,7 @@ LawFit fitFrom(RecordModel& model, const RecordModel& bilinear, const LawFit& fr
     const bool isFree = unknown < bilinear.unknowns().size();
     std::vector<double> shares{isFree ? from.values[static_cast<Index>(unknown)]
                                       : (model.dispersionChoice() == DispersionChoice::bar ? 1.0 : 0.0)};
-    if (isFree)
+    if (isFree && searchesDispersion)
         for (const double share : {0.0, 0.5, 1.0})
             if (std::abs(share - shares.front()) > 0.1) shares.push_back(share);
     Start best;

@@ -54,8 +54,9 @@ double minimise(RecordModel& model, Eigen::VectorXd& values, int mostRounds, con
 /// best on, and the weights of the quiet stretch follow what is seen in it.
 LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop);
 
-/// Another law from the solution of the bilinear one.
-LawFit fitFrom(RecordModel& model, const RecordModel& bilinear, const LawFit& from, const std::stop_token& stop);
+/// Another law from the solution of the bilinear one; where that fits badly, from several shares of dispersion.
+LawFit fitFrom(RecordModel& model, const RecordModel& bilinear, const LawFit& from, bool searchesDispersion,
+               const std::stop_token& stop);
 
 /// Again from a solution of the same model.
 void refit(RecordModel& model, LawFit& fit, const std::stop_token& stop);

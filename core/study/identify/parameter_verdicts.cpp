@@ -105,6 +105,24 @@ void judgeGap(IdentifiedParameter& gap) {
     }
 }
 
+/// A first line as steep as the way back may be the crater of a blow before, or a bit pressed into it: then the
+/// second line is that of first loading.
+void openCrater(RecordAnswer& answer) {
+    IdentifiedParameter &stiffness = answer.parameters[0], &gamma = answer.parameters[1];
+    const double slope = answer.parameters[4].value;
+    if (slope >= 1 || std::log(gamma.value) + std::max(gamma.halfWidth, std::log(1.4)) < 0) return;
+    const double way = -std::log(slope);
+    const auto widen = [&](IdentifiedParameter& parameter, double atLeast) {
+        if (parameter.halfWidth >= atLeast) return;
+        parameter.halfWidth = atLeast;
+        parameter.low = parameter.value * std::exp(-atLeast);
+        parameter.high = parameter.value * std::exp(atLeast);
+    };
+    widen(stiffness, way + answer.parameters[4].halfWidth + stiffness.halfWidth);
+    widen(gamma, way + answer.parameters[4].halfWidth + gamma.halfWidth);
+    answer.remarks.emplace_back("crater");
+}
+
 void fillCovariance(const LawTrials& trials, const std::vector<UnknownKind>& kinds, RecordAnswer& answer) {
     const LawCandidate& chosen = trials.chosen();
     const std::size_t count = kinds.size();
@@ -154,6 +172,7 @@ void fillParameters(const LawTrials& trials, const std::vector<double>& atLeast,
         const double width = std::max(widthWithLaws(trials, kinds[i], own), atLeast[i]);
         answer.parameters.push_back(parameterOf(chosen, keys[i], kinds[i], width));
     }
+    if (chosen.name == "corner") openCrater(answer);
     fillCovariance(trials, kinds, answer);
     IdentifiedParameter& stiffness = answer.parameters[0];
     IdentifiedParameter& gamma = answer.parameters[1];
@@ -189,7 +208,13 @@ void fillParameters(const LawTrials& trials, const std::vector<double>& atLeast,
         notSeen(gamma, "front");
         return;
     }
-    const double deviation = gamma.halfWidth / half95;
+    // A crater hides γ, but not that the record shows it: both of its values are in the interval.
+    const double deviation = answer.has("crater") ? 0 : gamma.halfWidth / half95;
+    if (answer.has("crater")) {
+        gamma.low = gamma.value * std::exp(-gamma.halfWidth);
+        gamma.high = 1;
+        gamma.verdict = ParameterVerdict::uncertain;
+    }
     if (!force.hasUnloaded || deviation > 1) notSeen(gamma, "no_unloading");
 }
 

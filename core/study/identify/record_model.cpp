@@ -22,6 +22,7 @@ constexpr double leastWeightShare = 2e-4;    ///< of the peak: noise below that 
 constexpr double zeroTolerance = 0.02;       ///< of the peak, and in a millisecond
 constexpr double droopTolerance = 0.3;       ///< 1 ms over the time constant
 constexpr double bendingTolerance = 0.08;    ///< of half the difference of a pair stays in the mean
+constexpr double curveTolerance = 0.04;     ///< of the peak: gain at the peak less than at small values
 constexpr double leastBending = 0.005;       ///< of the peak
 
 double knownOr(const IdentifyQuestion& question, const char* key, double otherwise) {
@@ -190,6 +191,18 @@ void RecordModel::addShapes(const IdentifyQuestion& question) {
     std::vector<const std::vector<double>*> all;
     for (const std::vector<double>& droop : droops) all.push_back(&droop);
     addShape(shapeOf("droop", droopTolerance), all);
+    // A gain that falls with the signal: soft overload of an amplifier, a bridge that is not linear.
+    std::vector<std::vector<double>> curves;
+    for (const PreparedGauge& gauge : record.gauges) {
+        std::vector<double> slow = gauge.force;
+        smoothSamples(slow, record.step, 3e-6);  // noise has no cube
+        for (std::size_t i = 0; i < count; ++i)
+            slow[i] = record.timeOf(i) < -20e-6 ? 0 : -std::pow(slow[i], 3) / (record.peak * record.peak);
+        curves.push_back(std::move(slow));
+    }
+    all.clear();
+    for (const std::vector<double>& curve : curves) all.push_back(&curve);
+    addShape(shapeOf("curvature", curveTolerance), all);
     for (std::size_t g = 0; g < record.gauges.size(); ++g) {
         if (record.gauges[g].opposite.empty() || record.bending < leastBending) continue;
         std::vector<const std::vector<double>*> signals(record.gauges.size(), &none);

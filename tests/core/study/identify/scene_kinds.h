@@ -120,7 +120,8 @@ class RodSceneMaker {
                     return second < b ? second : b + 1.2 * ((first - a) - (b - a) / 0.15);
                 },
                 elastic);
-            truthK = truthGamma = nan;
+            truthK = 1.5 * k;
+            truthGamma = 1.5 * gamma;
         }
         if (is("dashpot")) rock = loadingRock([k](double u) { return k * u; }, elastic, z * random.uniform(0.02, 0.15));
         if (is("chipping")) {
@@ -133,7 +134,6 @@ class RodSceneMaker {
                 }
                 return std::max(0.0, largest - elastic * (deepest - u));
             };
-            truthK = truthGamma = nan;
         }
         if (is("preloaded")) {
             const double before = random.uniform(0.1, 0.4) * force;
