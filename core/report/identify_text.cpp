@@ -109,13 +109,15 @@ class IdentifyWriter {
         if (source == "material") return said(translatable("modulus and density"));
         if (source == "gain") return said(translatable("gain of the amplifier"));
         if (source == "place") return said(translatable("distance between the gauges"));
+        if (source == "resolution") return said(translatable("steepness of the rock in noise"));
         if (source == "step") return said(translatable("step of the recorder"));
         if (source == "unexplained_wave") return said(translatable("unexplained waves"));
         return source;
     }
 
     std::string toleranceText(const BudgetRow& row) const {
-        if (row.tolerance <= 0 || row.source == "tail" || row.source == "unexplained_wave" || row.source == "timing")
+        if (row.tolerance <= 0 || row.source == "tail" || row.source == "unexplained_wave" || row.source == "timing" ||
+            row.source == "resolution")
             return {};
         const std::string value = row.unit == "m"   ? m_style.quantity(row.tolerance, Quantity::length, 2)
                                   : row.unit == "N" ? m_style.quantity(row.tolerance, Quantity::force, 2)

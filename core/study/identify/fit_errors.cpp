@@ -22,6 +22,8 @@ constexpr int unexplainedFrequencies = 18;
 constexpr double shareOnIncident = 0.7;   ///< of an unexplained wave
 constexpr double floorOfQuiet = 0.003;    ///< of the peak
 constexpr double defaultGain = 0.02;
+constexpr double resolvedRise = 10e-6;    ///< a rise Z/k as short as that is lost in noise of 0.5 % [s]
+constexpr double missedRise = 0.12;       ///< by so much, found with random stiff rocks (identify_scenes stiff)
 
 /// Residuals of b below 16 kHz, in N.
 std::vector<double> slowResiduals(const RecordModel& model, const Eigen::VectorXd& residuals) {
@@ -165,6 +167,16 @@ void addAssumptions(RecordModel& model, const LawFit& fit, const IdentifyQuestio
     const std::size_t gap = model.find(Kind::gap), corner = model.find(Kind::cornerForce);
     row.effect[static_cast<Index>(gap)] = gain * fit.values[static_cast<Index>(gap)];
     if (corner < model.unknowns().size()) row.effect[static_cast<Index>(corner)] = gain;
+    errors.budget.push_back(row);
+
+    // Noise of f drives a law with memory: steep rocks have false minima in it, which no linearisation sees.
+    const double stiffnessTime = place.end.impedance / std::exp(fit.values[stiffness]);
+    const double noise = std::min(1.5, record.gauges.front().noise.deviation() / record.peak / 0.005);
+    const double steepness = std::min(3.0, resolvedRise / stiffnessTime);
+    row = {"resolution", "", resolvedRise, "s", false, none};
+    row.effect[stiffness] = missedRise * steepness * noise;
+    row.effect[static_cast<Index>(model.find(Kind::gamma))] = missedRise * steepness * noise;
+    row.effect[static_cast<Index>(gap)] = 0.5 * missedRise * steepness * noise * fit.values[static_cast<Index>(gap)];
     errors.budget.push_back(row);
 
     const double tolerance = placeTolerance(question), speed = place.waveSpeed;

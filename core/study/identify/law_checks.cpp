@@ -18,7 +18,7 @@ constexpr double cornerShare = 2.0 / 3;   ///< of the misfit that a corner repla
 constexpr double jumpShare = 0.5;         ///< of that which a jump replaces
 constexpr double jumpTolerance = 0.05;    ///< of the peak
 constexpr double jumpExplains = 0.15;     ///< of Σr² at least
-constexpr double checkedMisfit = 0.003;   ///< of the peak
+constexpr double checkedMisfit = 0.002;   ///< of the peak
 constexpr double strainedBilinear = 0.01; ///< of the peak: beyond it the dispersion found is doubtful, too
 
 LawCandidate candidateOf(std::string name, std::shared_ptr<RecordModel> model, LawFit fit,
@@ -125,7 +125,8 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
         trials.candidates.push_back(candidateOf(name, other, std::move(found), question, sizes, stop));
     };
     const MisfitFound& misfit = trials.candidates[0].errors.misfit;
-    const bool isOpen = !isAccepted(misfit) ||
+    const UsedUp used = usedUp(*model, trials.candidates[0].fit);
+    const bool isOpen = !isAccepted(misfit) || (misfit.ratio > 1.1 && std::max(used.zeroLines, used.droop) > 1) ||
                         (misfit.ratio > std::max(1.3, 1 + 3 * misfit.scatter) && misfit.misfit > checkedMisfit);
     if (!isOpen && question.law != LawChoice::corner) return trials;
     tryLaw("corner", TrialLaw::corner);

@@ -455,14 +455,18 @@ void RecordModel::residuals(const Eigen::VectorXd& values, Eigen::VectorXd& resu
 void RecordModel::changedResiduals(const Eigen::VectorXd& values, const SeparatedWaves& change,
                                    const std::vector<double>& quietChange, Eigen::VectorXd& result) {
     const std::vector<double> incident = m_incident, returning = m_returning, quiet = m_quiet;
-    const std::vector<double> grid = onGrid(change.incident);
-    for (std::size_t n = 0; n < m_incident.size(); ++n) m_incident[n] += grid[n];
-    for (std::size_t i = 0; i < m_returning.size(); ++i) m_returning[i] += change.returning[m_firstReturning + i];
-    for (std::size_t i = 0; i < m_quiet.size() && i < quietChange.size(); ++i) m_quiet[i] += quietChange[i];
+    addToRecord(change, quietChange);
     residuals(values, result);
     m_incident = incident;
     m_returning = returning;
     m_quiet = quiet;
+}
+
+void RecordModel::addToRecord(const SeparatedWaves& change, const std::vector<double>& quietChange) {
+    const std::vector<double> grid = onGrid(change.incident);
+    for (std::size_t n = 0; n < m_incident.size(); ++n) m_incident[n] += grid[n];
+    for (std::size_t i = 0; i < m_returning.size(); ++i) m_returning[i] += change.returning[m_firstReturning + i];
+    for (std::size_t i = 0; i < m_quiet.size() && i < quietChange.size(); ++i) m_quiet[i] += quietChange[i];
 }
 
 }  // namespace drillwave

@@ -123,6 +123,7 @@ class RecordModel {
     void setShapeUnknown(std::size_t shape);
     void runModel(const Eigen::VectorXd& values, bool keepsRock);
     void setRows();
+    void addToRecord(const SeparatedWaves& change, const std::vector<double>& quietChange);
     RockEnd endOf(const Eigen::VectorXd& values) const;
 
     const PreparedRecord* m_record;

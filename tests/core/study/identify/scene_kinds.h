@@ -181,7 +181,7 @@ class RodSceneMaker {
 
   private:
     bool is(const char* kind) const { return m_kind == kind; }
-    double before() const { return 200e-6; }
+    double before() const { return is("low_rate") ? 700e-6 : 200e-6; }
 
     void distort(const RodRig& rig, std::vector<double>& record, double step, double peak, const IncidentWave&) {
         SceneRandom& random = m_random;
