@@ -3,7 +3,6 @@
 
 #include <QTest>
 
-#include "core/study/identify/record_model.h"
 #include "tests/core/study/identify/scene_kinds.h"
 
 using namespace drillwave;
