@@ -72,7 +72,8 @@ FolderFiles identifyFolder(const IdentifyReport& report) {
     // Files of an earlier set that this one does not have would show something else.
     std::vector<std::string> absent;
     for (const char* name : {"records.csv", "posterior.csv", "identified.yaml"})
-        if (std::none_of(files.begin(), files.end(), [&](const NamedFile& file) { return file.name == name; }))
+        if (std::none_of(files.begin(), files.end(),
+                         [&](const NamedFile& file) { return file.name == name; }))
             absent.emplace_back(name);
     return {.files = std::move(files), .outdated = [absent](const std::string&) { return absent; }};
 }
@@ -93,13 +94,15 @@ ExitCode runIdentifyCommand(const Arguments& arguments, const Drawing*) {
     const Overwrite overwrite = arguments.has("force") ? Overwrite::allowed : Overwrite::refused;
     checkAboutFiles(arguments, {"force", "decimal-comma"}, "DIR");
     if (folder == "-")
-        throw CommandError(ExitCode::usage, translatable("-o - names no folder for the files; add -o DIR, or --json, "
-                                                         "which prints to standard output"));
+        throw CommandError(ExitCode::usage,
+                           translatable("-o - names no folder for the files; add -o DIR, or --json, "
+                                        "which prints to standard output"));
     const int jobs = jobsOf(arguments);
     const ScenarioDocument document = loadScenarioArgument(files.scenario, arguments);
     if (folder) {
-        const std::vector<std::string> names{"match.csv",    "force_penetration.csv", "incident.csv", "records.csv",
-                                             "posterior.csv", "identified.yaml",       identifyJsonName};
+        const std::vector<std::string> names{"match.csv",     "force_penetration.csv", "incident.csv",
+                                             "records.csv",   "posterior.csv",         "identified.yaml",
+                                             identifyJsonName};
         std::vector<std::string> inputs = files.records;
         inputs.push_back(files.scenario);
         for (const std::string& name : names) checkOutputIsNone(*folder + "/" + name, inputs);
@@ -107,15 +110,16 @@ ExitCode runIdentifyCommand(const Arguments& arguments, const Drawing*) {
     }
     checkStandardOutput();
     const Interruption interruption;
-    IdentifyReport report{identifyQuestionOf(arguments, document.scenario, files.scenario, files.records,
-                                             interruption.token()),
-                          {},
-                          completeScenarioText(document),
-                          {}};
+    IdentifyReport report{
+        identifyQuestionOf(arguments, document.scenario, files.scenario, files.records, interruption.token()),
+        {},
+        completeScenarioText(document),
+        {}};
     interruption.check();
     ProgressBar bar(report.question.records.size(), translatable("records"), arguments.style());
-    report.findings = runIdentify(report.question, jobs, interruption.token(),
-                                  [&](std::size_t done) { bar.show(std::min(done, report.question.records.size())); });
+    report.findings = runIdentify(report.question, jobs, interruption.token(), [&](std::size_t done) {
+        bar.show(std::min(done, report.question.records.size()));
+    });
     interruption.check();
     checkRefusals(report.findings);
     for (const RecordAnswer& record : report.findings.records)
@@ -138,9 +142,11 @@ const Command& identifyCommand() {
         "The bit_rock of FILE is not used, except with --law file.\n"
         "  --known gain=+-5% zero=+-1%          of the amplifier, in shares of the peak\n"
         "  --known gauge=+-2mm                  place of the gauges\n"
-        "  --known rod.diameter=+-0.1mm         sizes of gauge's section and of the sections towards the bit\n"
+        "  --known rod.diameter=+-0.1mm         sizes of gauge's section and of the sections towards the "
+        "bit\n"
         "Records are read as by `signal`. DIR gets identified.yaml, posterior.csv (for design --draws),\n"
-        "match.csv, force_penetration.csv, incident.csv, identify.json and, of several records, records.csv.\n"
+        "match.csv, force_penetration.csv, incident.csv, identify.json and, of several records, "
+        "records.csv.\n"
         "Exit code 0 where stiffness or gamma is known, 6 where the model is rejected or neither is known.";
     static const Command command{
         .name = "identify",

@@ -42,7 +42,8 @@ GaugeChoice gaugeChoiceOf(const std::string& word) {
     const std::string option = "--gauge " + word;
     const std::size_t at = word.rfind('@');
     if (at == std::string::npos || at == 0)
-        refuseIdentifyUsage({translatable("%1: give COLUMN@DISTANCE, the distance from the bit face"), {option}});
+        refuseIdentifyUsage(
+            {translatable("%1: give COLUMN@DISTANCE, the distance from the bit face"), {option}});
     GaugeChoice gauge;
     gauge.column = word.substr(0, at);
     if (const std::size_t plus = gauge.column.find('+'); plus != std::string::npos) {
@@ -70,8 +71,8 @@ KnownTolerance knownOf(const std::string& word, const Scenario& scenario) {
             break;
         }
     const bool isPercent = !text.empty() && text.back() == '%';
-    const bool isRelative = known.key == "gain" || known.key == "zero" || known.key.ends_with("youngs_modulus") ||
-                            known.key.ends_with("density");
+    const bool isRelative = known.key == "gain" || known.key == "zero" ||
+                            known.key.ends_with("youngs_modulus") || known.key.ends_with("density");
     if (isPercent || isRelative) {
         if (!isPercent) refuseIdentifyValue(option, translatable("must be a percentage, such as +-2%"));
         const std::optional<double> number = parseNumber(std::string_view(text).substr(0, text.size() - 1));
@@ -102,7 +103,8 @@ Choice choiceOf(const Arguments& arguments, const char* option,
         if (*word == name) return choice;
         list += (list.empty() ? "" : ", ") + std::string(name);
     }
-    refuseIdentifyUsage({translatable("--%1 %2: must be one of %3"), {std::string(option), shortened(*word), list}});
+    refuseIdentifyUsage(
+        {translatable("--%1 %2: must be one of %3"), {std::string(option), shortened(*word), list}});
 }
 
 void checkGauges(const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places) {
@@ -119,7 +121,8 @@ std::vector<OptionSpec> identifyOptionSpecs() {
     using Times = OptionSpec::Times;
     std::vector<OptionSpec> specs{
         {"signals", "REC.csv …", "records of strain gauges, in their order along the hole", Times::repeated},
-        {"gauge", "COLUMN@DISTANCE", "one gauge or two, by their distance from the bit face; A+B@… averages", Times::repeated},
+        {"gauge", "COLUMN@DISTANCE", "one gauge or two, by their distance from the bit face; A+B@… averages",
+         Times::repeated},
         {"law", "LAW", "auto, bilinear, corner or file (default: auto)"},
         {"known", "KEY=+-TOL", "95 % tolerance of gain, zero, gauge or a size; see below", Times::list},
         {"backing", "KIND", "rigid, or bar: a specimen between two like bars (default: rigid)"},
@@ -143,7 +146,9 @@ IdentifyFiles identifyFiles(const Arguments& arguments) {
     files.records = arguments.values("signals");
     if (files.records.empty()) refuseIdentifyUsage(translatable("needs --signals REC.csv"));
     std::vector<std::string> operands = arguments.operands();
-    const auto isScenario = [](const std::string& word) { return word.ends_with(".yaml") || word.ends_with(".yml"); };
+    const auto isScenario = [](const std::string& word) {
+        return word.ends_with(".yaml") || word.ends_with(".yml");
+    };
     auto scenario = std::find_if(operands.begin(), operands.end(), isScenario);
     if (scenario == operands.end()) scenario = operands.begin();
     files.scenario = *scenario;
@@ -153,12 +158,14 @@ IdentifyFiles identifyFiles(const Arguments& arguments) {
     for (std::size_t i = 0; i < files.records.size(); ++i)
         for (std::size_t k = 0; k < i; ++k)
             if (files.records[i] == files.records[k])
-                refuseIdentifyUsage({translatable("%1 is given twice; give each record once"), {files.records[i]}});
+                refuseIdentifyUsage(
+                    {translatable("%1 is given twice; give each record once"), {files.records[i]}});
     return files;
 }
 
-IdentifyQuestion identifyQuestionOf(const Arguments& arguments, const Scenario& scenario, const std::string& path,
-                                    const std::vector<std::string>& records, const std::stop_token& stop) {
+IdentifyQuestion identifyQuestionOf(const Arguments& arguments, const Scenario& scenario,
+                                    const std::string& path, const std::vector<std::string>& records,
+                                    const std::stop_token& stop) {
     const std::vector<std::string> words = arguments.values("gauge");
     if (words.empty()) refuseIdentifyUsage(translatable("needs --gauge COLUMN@DISTANCE"));
     if (words.size() > 2) refuseIdentifyUsage(translatable("takes one or two gauges"));
@@ -198,7 +205,8 @@ IdentifyQuestion identifyQuestionOf(const Arguments& arguments, const Scenario& 
         places.push_back(std::move(*place));
     }
     checkGauges(gauges, places);
-    for (const std::string& word : arguments.values("known")) question.known.push_back(knownOf(word, scenario));
+    for (const std::string& word : arguments.values("known"))
+        question.known.push_back(knownOf(word, scenario));
     const SignalOptions options = signalOptionsOf(arguments);
     for (const std::string& record : records) {
         RereadableInput input(record, RereadableInput::mostKept, arguments.style());
@@ -210,9 +218,9 @@ IdentifyQuestion identifyQuestionOf(const Arguments& arguments, const Scenario& 
         if (!reading.questions.empty()) {
             std::vector<Message> questions;
             for (const std::string& open : reading.questions)
-                questions.push_back(
-                    about(name, {translatable("the table leaves open: %1; answer by %2, see drillwave signal"),
-                                 {open, std::string(answerTo(open))}}));
+                questions.push_back(about(
+                    name, {translatable("the table leaves open: %1; answer by %2, see drillwave signal"),
+                           {open, std::string(answerTo(open))}}));
             throw CommandError(ExitCode::invalidScenario, questions);
         }
         reading.record.file = name;

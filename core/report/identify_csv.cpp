@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/identify_report.h"
+
 #include <utility>
 
-#include "core/report/identify_report.h"
 #include "core/report/report_table.h"
 
 namespace drillwave {
@@ -33,7 +34,8 @@ std::string curvesCsv(const IdentifyReport& report, std::vector<std::string> hea
                         const auto [r, i] = rows[row];
                         Cells cells;
                         if (isSeveral) cells.emplace_back(r + 1);
-                        for (const double value : cellsOf(findings.records[r].curves, i)) cells.emplace_back(value);
+                        for (const double value : cellsOf(findings.records[r].curves, i))
+                            cells.emplace_back(value);
                         return cells;
                     }});
 }
@@ -43,17 +45,17 @@ std::string curvesCsv(const IdentifyReport& report, std::vector<std::string> hea
 std::string matchCsv(const IdentifyReport& report) {
     return curvesCsv(report, {"time [s]", "incident [N]", "measured [N]", "model [N]", "residual [N]"},
                      [](const MatchCurves& curves, std::size_t i) {
-                         return std::vector{curves.time[i], curves.incident[i], curves.measured[i], curves.model[i],
-                                            curves.residual[i]};
+                         return std::vector{curves.time[i], curves.incident[i], curves.measured[i],
+                                            curves.model[i], curves.residual[i]};
                      });
 }
 
 std::string forcePenetrationCsv(const IdentifyReport& report) {
-    return curvesCsv(report, {"time [s]", "penetration [m]", "force [N]", "model_force [N]"},
-                     [](const MatchCurves& curves, std::size_t i) {
-                         return std::vector{curves.time[i], curves.penetration[i], curves.force[i],
-                                            curves.modelForce[i]};
-                     });
+    return curvesCsv(
+        report, {"time [s]", "penetration [m]", "force [N]", "model_force [N]"},
+        [](const MatchCurves& curves, std::size_t i) {
+            return std::vector{curves.time[i], curves.penetration[i], curves.force[i], curves.modelForce[i]};
+        });
 }
 
 std::string posteriorCsv(const IdentifyReport& report) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/model/version.h"
 #include "core/report/identify_report.h"
+
+#include "core/model/version.h"
 
 namespace drillwave {
 
@@ -28,14 +29,10 @@ JsonArray budgetJson(const IdentifiedParameter& parameter) {
 JsonArray parametersJson(const RecordAnswer& answer, const IdentifyFindings* several) {
     JsonArray array;
     for (const IdentifiedParameter& parameter : answer.parameters) {
-        JsonObject object{{"key", parameter.key},
-                          {"unit", unitOfIdentified(parameter.key)},
-                          {"value", parameter.value},
-                          {"low", Json(parameter.low)},
-                          {"high", Json(parameter.high)},
-                          {"verdict", name(parameter.verdict)},
-                          {"reason", parameter.reason},
-                          {"noise", parameter.noise},
+        JsonObject object{{"key", parameter.key},           {"unit", unitOfIdentified(parameter.key)},
+                          {"value", parameter.value},       {"low", Json(parameter.low)},
+                          {"high", Json(parameter.high)},   {"verdict", name(parameter.verdict)},
+                          {"reason", parameter.reason},     {"noise", parameter.noise},
                           {"budget", budgetJson(parameter)}};
         if (several)
             for (const NextBlowParameter& next : several->nextBlow) {
@@ -87,8 +84,10 @@ JsonArray lawsJson(const RecordAnswer& answer) {
     for (const TriedLaw& law : answer.laws) {
         JsonObject parameters;
         for (const auto& [key, value] : law.parameters) parameters[key] = value;
-        array.emplace_back(JsonObject{
-            {"law", law.law}, {"misfit", law.misfit}, {"ratio", law.ratio}, {"parameters", std::move(parameters)}});
+        array.emplace_back(JsonObject{{"law", law.law},
+                                      {"misfit", law.misfit},
+                                      {"ratio", law.ratio},
+                                      {"parameters", std::move(parameters)}});
     }
     return array;
 }
@@ -112,8 +111,7 @@ JsonObject recordJson(const RecordAnswer& answer) {
     JsonObject object{{"file", answer.file}, {"blow", answer.blow + 1}};
     if (answer.refusal) {
         object["model"] = "refused";
-        object["refusal"] =
-            JsonObject{{"code", answer.refusal->code}, {"text", answer.refusal->text.text()}};
+        object["refusal"] = JsonObject{{"code", answer.refusal->code}, {"text", answer.refusal->text.text()}};
         return object;
     }
     object["model"] = name(answer.model);
@@ -142,12 +140,9 @@ std::string identifyJson(const IdentifyReport& report) {
                       {"scenario", report.identifiedText},
                       {"remarks", remarksJson(answer, findings.remarks)}};
     if (const auto next = nextMeasurement(answer))
-        object["next"] = JsonObject{{"source", next->source},
-                                    {"key", next->key},
-                                    {"tolerance", next->tolerance},
-                                    {"unit", next->unit},
-                                    {"parameter", next->parameter},
-                                    {"half_width", next->halfWidth}};
+        object["next"] = JsonObject{{"source", next->source},       {"key", next->key},
+                                    {"tolerance", next->tolerance}, {"unit", next->unit},
+                                    {"parameter", next->parameter}, {"half_width", next->halfWidth}};
     else
         object["next"] = Json();
     if (isSeveral) {

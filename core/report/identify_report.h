@@ -15,8 +15,8 @@ namespace drillwave {
 struct IdentifyReport {
     IdentifyQuestion question;
     IdentifyFindings findings;
-    std::string scenarioText;     ///< of FILE
-    std::string identifiedText;   ///< with the rock as identified; that of FILE where nothing is known
+    std::string scenarioText;    ///< of FILE
+    std::string identifiedText;  ///< with the rock as identified; that of FILE where nothing is known
 };
 
 /// Draws in posterior.csv.
@@ -26,9 +26,10 @@ inline constexpr std::size_t posteriorRows = 200;
 std::string identifyText(const IdentifyReport& report, const ReadingStyle& style = plainStyle());
 std::string identifyJson(const IdentifyReport& report);
 
-/// `time [s]`, `incident [N]`, `measured [N]`, `model [N]`, `residual [N]`; of several records `record` first.
+/// `time [s]`, `incident [N]`, `measured [N]`, `model [N]`, `residual [N]`; of several records `record`
+/// first.
 std::string matchCsv(const IdentifyReport& report);
-/// `time [s]`, `penetration [m]`, `force [N]`, `model_force [N]`; likewise.
+/// `time [s]`, `penetration [m]`, `force [N]`, `model_force [N]`; of several records `record` first.
 std::string forcePenetrationCsv(const IdentifyReport& report);
 /// Draws headed by keys with units, for `design --draws`; empty where there are none.
 std::string posteriorCsv(const IdentifyReport& report);

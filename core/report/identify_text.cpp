@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/identify_report.h"
+
 #include <algorithm>
 #include <cmath>
 
-#include "core/report/identify_report.h"
 #include "core/report/report_text.h"
 
 namespace drillwave {
@@ -13,15 +14,17 @@ constexpr std::size_t mostLimits = 6;  ///< causes of the error that are shown
 
 class IdentifyWriter {
   public:
-    IdentifyWriter(const IdentifyReport& report, const ReadingStyle& style) : m_report(report), m_style(style) {}
+    IdentifyWriter(const IdentifyReport& report, const ReadingStyle& style)
+        : m_report(report), m_style(style) {}
 
     std::string text() {
         const IdentifyFindings& findings = m_report.findings;
         const RecordAnswer& answer = findings.main();
         m_text = m_report.question.scenario.title;
         if (!m_text.empty()) m_text += ", ";
-        m_text += findings.records.size() > 1 ? said({translatable("%1 records"), {std::to_string(findings.records.size())}})
-                                              : answer.file;
+        m_text += findings.records.size() > 1
+                      ? said({translatable("%1 records"), {std::to_string(findings.records.size())}})
+                      : answer.file;
         m_text += "\n";
         m_text += paragraph(m_style.said(identifySentence(answer))) + "\n";
         if (findings.records.size() > 1) addRecords();
@@ -39,7 +42,9 @@ class IdentifyWriter {
 
   private:
     std::string said(const Message& message) const { return m_style.said(message); }
-    std::string percent(double share, int digits = 2) const { return m_style.number(100 * share, digits) + " %"; }
+    std::string percent(double share, int digits = 2) const {
+        return m_style.number(100 * share, digits) + " %";
+    }
 
     void line(const std::string& head, const std::string& words) {
         m_text += "  " + head + std::string(head.size() < 12 ? 12 - head.size() : 1, ' ') + words + "\n";
@@ -51,9 +56,11 @@ class IdentifyWriter {
     };
     static Names namesOf(const std::string& key) {
         if (key == "bit_rock.stiffness")
-            return {translatable("rock when it is first loaded"), translatable("stiffness"), Quantity::stiffness};
+            return {translatable("rock when it is first loaded"), translatable("stiffness"),
+                    Quantity::stiffness};
         if (key == "bit_rock.gamma") return {translatable("springback"), "gamma", Quantity::ratio};
-        if (key == "bit_rock.gap") return {translatable("bit not seated"), translatable("gap"), Quantity::length};
+        if (key == "bit_rock.gap")
+            return {translatable("bit not seated"), translatable("gap"), Quantity::length};
         if (key == "bit_rock.corner.1.force")
             return {translatable("force at which the rock yields"), translatable("corner"), Quantity::force};
         return {translatable("slope after yielding"), translatable("slope"), Quantity::ratio};
@@ -62,8 +69,10 @@ class IdentifyWriter {
     std::string verdictText(const IdentifiedParameter& parameter, const Names& names) const {
         const auto shown = [&](double value) { return m_style.quantity(value, names.quantity, 3); };
         switch (parameter.verdict) {
-            case ParameterVerdict::identified: return said(translatable("known"));
-            case ParameterVerdict::uncertain: return said(translatable("uncertain"));
+            case ParameterVerdict::identified:
+                return said(translatable("known"));
+            case ParameterVerdict::uncertain:
+                return said(translatable("uncertain"));
             case ParameterVerdict::bounded:
                 if (parameter.high) return said({translatable("less than %1"), {shown(*parameter.high)}});
                 if (parameter.low) return said({translatable("more than %1"), {shown(*parameter.low)}});
@@ -72,7 +81,8 @@ class IdentifyWriter {
                 if (parameter.reason == "no_contact") return said(translatable("not seen: no contact"));
                 if (parameter.reason == "front") return said(translatable("not seen: the rock is too stiff"));
                 return said(translatable("not seen: the record ends before the rock unloads"));
-            case ParameterVerdict::rejected: break;
+            case ParameterVerdict::rejected:
+                break;
         }
         return said(translatable("not known"));
     }
@@ -86,8 +96,9 @@ class IdentifyWriter {
             if (parameter.low && parameter.high)
                 interval = m_style.quantity(*parameter.low, names.quantity, 4) + " … " +
                            m_style.quantity(*parameter.high, names.quantity, 4);
-            grid.add({said(names.what), said(names.term), m_style.quantity(parameter.value, names.quantity, 4),
-                      isRejected ? "" : interval, verdictText(parameter, names)});
+            grid.add({said(names.what), said(names.term),
+                      m_style.quantity(parameter.value, names.quantity, 4), isRejected ? "" : interval,
+                      verdictText(parameter, names)});
         }
         for (const NextBlowParameter& next : m_report.findings.nextBlow) {
             const Names names = namesOf(next.key);
@@ -116,8 +127,8 @@ class IdentifyWriter {
     }
 
     std::string toleranceText(const BudgetRow& row) const {
-        if (row.tolerance <= 0 || row.source == "tail" || row.source == "unexplained_wave" || row.source == "timing" ||
-            row.source == "resolution")
+        if (row.tolerance <= 0 || row.source == "tail" || row.source == "unexplained_wave" ||
+            row.source == "timing" || row.source == "resolution")
             return {};
         const std::string value = row.unit == "m"   ? m_style.quantity(row.tolerance, Quantity::length, 2)
                                   : row.unit == "N" ? m_style.quantity(row.tolerance, Quantity::force, 2)
@@ -142,29 +153,32 @@ class IdentifyWriter {
         });
         limits.resize(std::min(limits.size(), mostLimits));
         TextGrid grid(CellAlignment::left);
-        grid.add({said(translatable("What limits this")), said(translatable("stiffness")),
+        grid.add({said(translatable("Limits of the result")), said(translatable("stiffness")),
                   said(translatable("springback")), ""});
         for (const Limit& limit : limits)
             if (std::max(limit.stiffness, limit.gamma) > 5e-4)
-                grid.add({"  " + limit.cause, percent(std::min(limit.stiffness, 99.0)), percent(std::min(limit.gamma, 99.0)),
-                          limit.tolerance});
+                grid.add({"  " + limit.cause, percent(std::min(limit.stiffness, 99.0)),
+                          percent(std::min(limit.gamma, 99.0)), limit.tolerance});
         m_text += "\n" + grid.text();
         if (const auto next = nextMeasurement(answer)) m_text += "  " + said(nextText(*next, answer)) + "\n";
         m_text += "\n";
     }
 
     Message nextText(const NextMeasurement& next, const RecordAnswer& answer) const {
-        const Message gain = {translatable("%1 +-%2"), {said(namesOf(next.parameter).term), percent(next.halfWidth)}};
+        const Message gain = {translatable("%1 +-%2"),
+                              {said(namesOf(next.parameter).term), percent(next.halfWidth)}};
         for (const IdentifiedParameter& parameter : answer.parameters)
             if (parameter.verdict == ParameterVerdict::notSeen && parameter.reason == "no_unloading")
                 return translatable("To know more: record until the rock has unloaded.");
         if (next.source == "noise") return {translatable("To know more: average 4 blows: %1."), {gain}};
         if (next.source == "unexplained_wave" || next.source == "tail")
-            return {translatable("To know more: use gauges on opposite sides, or a second gauge: %1."), {gain}};
+            return {translatable("To know more: use gauges on opposite sides, or a second gauge: %1."),
+                    {gain}};
         if (next.source == "step")
             return {translatable("To know more: use a smaller range or more bits: %1."), {gain}};
         if (next.source == "timing")
-            return {translatable("To know more: measure the distance of the gauge from the bit: %1."), {gain}};
+            return {translatable("To know more: measure the distance of the gauge from the bit: %1."),
+                    {gain}};
         const std::string tolerance = next.unit == "m" ? m_style.quantity(next.tolerance, Quantity::length, 2)
                                                        : percent(next.tolerance);
         return {translatable("To know more: measure %1 to %2: %3."),
@@ -216,7 +230,8 @@ class IdentifyWriter {
                 const IdentifiedParameter* parameter = record.find(key);
                 return parameter ? m_style.quantity(parameter->value, quantity, 3) : std::string();
             };
-            grid.add({name, std::string(drillwave::name(record.model)), value("bit_rock.stiffness", Quantity::stiffness),
+            grid.add({name, std::string(drillwave::name(record.model)),
+                      value("bit_rock.stiffness", Quantity::stiffness),
                       value("bit_rock.gamma", Quantity::ratio), percent(record.match.misfit)});
         }
         m_text += grid.text();

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/report/identify_report.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
-
-#include "core/report/identify_report.h"
 
 namespace drillwave {
 
@@ -18,46 +18,50 @@ bool isKnownOnBothSides(const IdentifiedParameter* parameter) {
 Message rejectionReason(const RecordAnswer& answer) {
     const MatchFigures& match = answer.match;
     if (answer.has("arrival_off") || answer.has("distance_off"))
-        return translatable("The reflection does not arrive when the file says: check the distance of the gauge, "
-                            "the wave speed and the clock.");
+        return translatable(
+            "The reflection does not arrive when the file says: check the distance of the gauge, "
+            "the wave speed and the clock.");
     if (answer.has("sizes_off"))
-        return translatable("A section towards the bit differs from the file: measure the bit head and the rod.");
+        return translatable(
+            "A section towards the bit differs from the file: measure the bit head and the rod.");
     if (match.quiet > 0.02)
-        return translatable("There are waves where none should be: bending (use gauges on opposite sides), the "
-                            "blow before, or couplings.");
+        return translatable(
+            "There are waves where none should be: bending (use gauges on opposite sides), the "
+            "blow before, or couplings.");
     if (answer.has("zero_line"))
-        return translatable("The zero line moves more than the amplifier is said to allow: check zero, drift and "
-                            "coupling of the amplifier.");
+        return translatable(
+            "The zero line moves more than the amplifier is said to allow: check zero, drift and "
+            "coupling of the amplifier.");
     if (answer.has("not_quiet_before"))
         return translatable("The rod still rings before the blow: measure a single blow.");
-    return translatable("The rock follows another law, or the sections towards the bit differ from the file: "
-                        "check the bit head, and look at the residual.");
+    return translatable(
+        "The rock follows another law, or the sections towards the bit differ from the file: "
+        "check the bit head, and look at the residual.");
 }
 
 Message identifySentence(const RecordAnswer& answer) {
     if (answer.refusal) return answer.refusal->text;
     if (answer.model == ModelVerdict::rejected)
-        return {translatable("The model does not agree with the record, so nothing is known about the rock. %1"),
-                {rejectionReason(answer)}};
+        return {
+            translatable("The model does not agree with the record, so nothing is known about the rock. %1"),
+            {rejectionReason(answer)}};
     if (answer.law == "file")
         return answer.model == ModelVerdict::accepted
                    ? translatable("The record agrees with the rock of the file.")
                    : translatable("The record differs from the rock of the file.");
-    const Message agrees = answer.model == ModelVerdict::strained
-                               ? translatable("The record agrees roughly with the model.")
-                           : answer.law == "corner"
-                               ? translatable("The record agrees with a rock that yields once.")
-                               : translatable("The record agrees with a rock of one slope.");
+    const Message agrees =
+        answer.model == ModelVerdict::strained ? translatable("The record agrees roughly with the model.")
+        : answer.law == "corner" ? translatable("The record agrees with a rock that yields once.")
+                                 : translatable("The record agrees with a rock of one slope.");
     const bool hasStiffness = isKnownOnBothSides(answer.find("bit_rock.stiffness"));
     const bool hasGamma = isKnownOnBothSides(answer.find("bit_rock.gamma"));
     const bool hasGap = isKnownOnBothSides(answer.find("bit_rock.gap"));
-    const char* known = hasStiffness && hasGamma && hasGap
-                            ? translatable("Stiffness, springback and gap are known.")
-                        : hasStiffness && hasGamma
-                            ? translatable("Stiffness and springback are known, the gap is not.")
-                        : hasStiffness ? translatable("The stiffness is known, the springback is not.")
-                        : hasGamma     ? translatable("The springback is known, the stiffness is not.")
-                                       : translatable("Neither stiffness nor springback is known to 20 %.");
+    const char* known =
+        hasStiffness && hasGamma && hasGap ? translatable("Stiffness, springback and gap are known.")
+        : hasStiffness && hasGamma ? translatable("Stiffness and springback are known, the gap is not.")
+        : hasStiffness             ? translatable("The stiffness is known, the springback is not.")
+        : hasGamma                 ? translatable("The springback is known, the stiffness is not.")
+                                   : translatable("Neither stiffness nor springback is known to 20 %.");
     return {translatable("%1 %2"), {agrees, Message(known)}};
 }
 
@@ -66,17 +70,20 @@ Message identifyRemark(std::string_view code, const RecordAnswer& answer, const 
     const auto percent = [&](double share) { return style.number(100 * share, 2) + " %"; };
     const auto time = [&](double seconds) { return style.quantity(seconds, Quantity::time, 4); };
     if (code == "unexplained_wave")
-        return {translatable("waves of %1 of the peak are not explained by the model; they widen all intervals"),
-                {percent(match.unexplained)}};
+        return {
+            translatable("waves of %1 of the peak are not explained by the model; they widen all intervals"),
+            {percent(match.unexplained)}};
     if (code == "not_quiet_before")
         return {translatable("waves of %1 of the peak are there before the front; measure a single blow"),
                 {percent(match.before)}};
     if (code == "distance_off")
-        return {translatable("the reflection arrives after %1, the file says %2; a gauge %3 from the bit would fit"),
+        return {translatable(
+                    "the reflection arrives after %1, the file says %2; a gauge %3 from the bit would fit"),
                 {time(match.roundTrip), time(match.roundTripOfFile),
                  style.quantity(answer.distanceThatFits, Quantity::length, 4)}};
     if (code == "arrival_off")
-        return {translatable("the reflection arrives after %1 instead of %2; check distance, wave speed and clock"),
+        return {translatable(
+                    "the reflection arrives after %1 instead of %2; check distance, wave speed and clock"),
                 {time(match.roundTrip), time(match.roundTripOfFile)}};
     if (code == "sizes_off" && answer.sizeOff)
         return {translatable("%1 changed by %2 would explain the record; measure it"),
@@ -85,14 +92,16 @@ Message identifyRemark(std::string_view code, const RecordAnswer& answer, const 
         return {translatable("the zero level jumps %1 after the front; check cable and amplifier"),
                 {time(*match.jumpTime)}};
     constexpr std::array<std::pair<std::string_view, const char*>, 16> sentences{{
-        {"crater", translatable("the rock begins as steep as it springs back: the bit may stand in the crater of a "
-                                "blow before, or be pressed into it")},
+        {"crater",
+         translatable("the rock begins as steep as it springs back: the bit may stand in the crater of a "
+                      "blow before, or be pressed into it")},
         {"assumed_tolerances",
          translatable("some tolerances are assumed; give measured ones by --known KEY=+-TOLERANCE")},
         {"zero_line", translatable("the zero line moves by more than its tolerance")},
         {"clipped", translatable("the returning wave is clipped; those samples are left out")},
-        {"quiet_short", translatable("the quiet time between the blow and its reflection is short; put the gauge "
-                                     "further from the bit")},
+        {"quiet_short",
+         translatable("the quiet time between the blow and its reflection is short; put the gauge "
+                      "further from the bit")},
         {"one_sided", translatable("the gauge is on one side; gauges on opposite sides would show bending")},
         {"dispersion_corrected", translatable("dispersion between gauge and bit is taken into account")},
         {"law_tried", translatable("other laws were tried because the bilinear law leaves more than noise")},

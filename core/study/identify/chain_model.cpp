@@ -8,7 +8,7 @@ namespace drillwave {
 
 double RockEnd::transitTime() const {
     double sum = 0;
-    for (const ChainSection& section : sections) sum += section.transitTime;
+    for (const EndSection& section : sections) sum += section.transitTime;
     return sum;
 }
 
@@ -58,8 +58,9 @@ void ChainModel::run(const RockEnd& end, const TrialRock& rock, const std::vecto
     for (std::size_t n = 0; n < count; ++n) {
         double forward = n < f.size() ? f[n] : 0;
         for (std::size_t j = 0; j < sections; ++j) {
-            const double z1 = j ? end.sections[j - 1].impedance : end.impedance, z2 = end.sections[j].impedance;
-            const ChainJoint& joint = end.joints[j];
+            const double z1 = j ? end.sections[j - 1].impedance : end.impedance,
+                         z2 = end.sections[j].impedance;
+            const EndJoint& joint = end.joints[j];
             const double back = joint.passing * arriving(m_lines[j], m_lines[j].backward, n);
             double near, far;
             if (joint.mass > 0) {

@@ -10,15 +10,15 @@
 namespace drillwave {
 
 /// A uniform section towards the rock, or a piece of a cone.
-struct ChainSection {
-    double impedance = 1;     ///< Z [N s/m], > 0
-    double transitTime = 0;   ///< L/c [s], > 0
-    double passing = 1;       ///< share of an amplitude that is left after one way, (0, 1]
-    std::size_t source = 0;   ///< section of the string towards the bit that it is a piece of, from 0
+struct EndSection {
+    double impedance = 1;    ///< Z [N s/m], > 0
+    double transitTime = 0;  ///< L/c [s], > 0
+    double passing = 1;      ///< share of an amplitude that is left after one way, (0, 1]
+    std::size_t source = 0;  ///< section of the string towards the bit that it is a piece of, from 0
 };
 
 /// Joint at the far end of a section: a lumped mass, a loss (strings §3).
-struct ChainJoint {
+struct EndJoint {
     double mass = 0;     ///< [kg]
     double passing = 1;  ///< √(1 − η)
 };
@@ -26,17 +26,17 @@ struct ChainJoint {
 /// Everything between the end of the gauge's section and the rock, in SI units. The near end takes f and lets
 /// b out: nothing returns from behind the gauge in the time that is looked at.
 struct RockEnd {
-    double impedance = 1;                 ///< of the gauge's section [N s/m]
-    std::vector<ChainSection> sections;   ///< towards the rock; none: the gauge's section ends at the rock
-    std::vector<ChainJoint> joints;       ///< one in front of each section
-    double bitMass = 0;                   ///< [kg]
-    bool barBehind = false;               ///< a specimen before a bar like that of the gauge
+    double impedance = 1;              ///< of the gauge's section [N s/m]
+    std::vector<EndSection> sections;  ///< towards the rock; none: the gauge's section ends at the rock
+    std::vector<EndJoint> joints;      ///< one in front of each section
+    double bitMass = 0;                ///< [kg]
+    bool barBehind = false;            ///< a specimen before a bar like that of the gauge
 
     double transitTime() const;  ///< of all sections, one way [s]
 };
 
-/// Returns the wave b at the end of the gauge's section where f arrives there, both at times n·step. Keeps its
-/// workspace from run to run.
+/// Returns the wave b at the end of the gauge's section where f arrives there, both at times n·step. Keeps
+/// its workspace from run to run.
 class ChainModel {
   public:
     /// `step` > 0 [s]; sections shorter than a step are taken as long as one.

@@ -84,7 +84,8 @@ EvenSamples evenSamples(const GaugeRecord& record) {
     std::vector<double> steps(time.size() - 1);
     for (std::size_t i = 0; i < steps.size(); ++i) steps[i] = time[i + 1] - time[i];
     std::vector<double> sorted = steps;
-    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+    std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
+                     sorted.end());
     even.step = sorted[sorted.size() / 2];
     even.start = time.front();
     // stamps that are rounded have a median of their own: the mean step is that of the clock
@@ -163,7 +164,8 @@ FrontFound findFront(const std::vector<double>& force, std::size_t from, std::si
             squares += (force[i] - found.zero) * (force[i] - found.zero);
         found.deviation = std::sqrt(squares / static_cast<double>(level));
         found.peak = 0;
-        for (std::size_t i = from; i < to; ++i) found.peak = std::max(found.peak, std::abs(force[i] - found.zero));
+        for (std::size_t i = from; i < to; ++i)
+            found.peak = std::max(found.peak, std::abs(force[i] - found.zero));
         const double threshold = std::max(6 * found.deviation, 0.05 * found.peak);
         found.isFound = false;
         for (std::size_t i = from; i < to; ++i)
@@ -227,12 +229,14 @@ void smoothSamples(std::vector<double>& values, double step, double deviation) {
     if (reach < 1 || values.empty()) return;
     std::vector<double> kernel(static_cast<std::size_t>(reach) + 1);
     for (std::ptrdiff_t k = 0; k <= reach; ++k)
-        kernel[static_cast<std::size_t>(k)] = std::exp(-0.5 * std::pow(static_cast<double>(k) * step / deviation, 2));
+        kernel[static_cast<std::size_t>(k)] =
+            std::exp(-0.5 * std::pow(static_cast<double>(k) * step / deviation, 2));
     const auto count = static_cast<std::ptrdiff_t>(values.size());
     const std::vector<double> given = values;
     for (std::ptrdiff_t i = 0; i < count; ++i) {
         double sum = 0, weight = 0;
-        const std::ptrdiff_t from = std::max<std::ptrdiff_t>(0, i - reach), to = std::min(count - 1, i + reach);
+        const std::ptrdiff_t from = std::max<std::ptrdiff_t>(0, i - reach),
+                             to = std::min(count - 1, i + reach);
         for (std::ptrdiff_t k = from; k <= to; ++k) {
             const double w = kernel[static_cast<std::size_t>(std::abs(k - i))];
             sum += w * given[static_cast<std::size_t>(k)];

@@ -13,12 +13,12 @@ namespace drillwave {
 
 /// Samples of all gauges at even times.
 struct EvenSamples {
-    double start = 0;  ///< time of the first sample [s]
-    double step = 0;   ///< [s]
-    std::vector<std::vector<double>> force;      ///< of each gauge [N]
-    std::vector<std::vector<double>> opposite;   ///< of each gauge; empty where it is no pair
-    std::vector<double> recorderStep;            ///< of each gauge, smallest difference between values [N]
-    std::vector<std::vector<bool>> isClipped;    ///< of each gauge; empty: none
+    double start = 0;                              ///< time of the first sample [s]
+    double step = 0;                               ///< [s]
+    std::vector<std::vector<double>> force;        ///< of each gauge [N]
+    std::vector<std::vector<double>> opposite;     ///< of each gauge; empty where it is no pair
+    std::vector<double> recorderStep;              ///< of each gauge, smallest difference between values [N]
+    std::vector<std::vector<bool>> isClipped;      ///< of each gauge; empty: none
     std::optional<std::pair<double, double>> gap;  ///< first pause of more than 20 steps, from and to [s]
     std::size_t count() const { return force.front().size(); }
 };

@@ -14,16 +14,16 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double misfitGaussian = 8e-6;   ///< −3 dB at 16.6 kHz [s]
-constexpr double effectiveRate = 33e3;    ///< independent values per second below 16 kHz
+constexpr double misfitGaussian = 8e-6;  ///< −3 dB at 16.6 kHz [s]
+constexpr double effectiveRate = 33e3;   ///< independent values per second below 16 kHz
 constexpr double highestUnexplained = 16e3;
 constexpr double lowestUnexplained = 300;
 constexpr int unexplainedFrequencies = 18;
-constexpr double shareOnIncident = 0.7;   ///< of an unexplained wave
-constexpr double floorOfQuiet = 0.003;    ///< of the peak
+constexpr double shareOnIncident = 0.7;  ///< of an unexplained wave
+constexpr double floorOfQuiet = 0.003;   ///< of the peak
 constexpr double defaultGain = 0.02;
-constexpr double resolvedRise = 10e-6;    ///< a rise Z/k as short as that is lost in noise of 0.5 % [s]
-constexpr double missedRise = 0.12;       ///< by so much, found with random stiff rocks (identify_scenes stiff)
+constexpr double resolvedRise = 10e-6;  ///< a rise Z/k as short as that is lost in noise of 0.5 % [s]
+constexpr double missedRise = 0.12;     ///< by so much, found with random stiff rocks (identify_scenes stiff)
 
 /// Residuals of b below 16 kHz, in N.
 std::vector<double> slowResiduals(const RecordModel& model, const Eigen::VectorXd& residuals) {
@@ -49,7 +49,8 @@ void finishMisfit(const RecordModel& model, const LawFit& fit, MisfitFound& foun
     for (const Unknown& unknown : model.unknowns()) free += unknown.isHeld || unknown.deviation > 0 ? 0 : 1;
     (void)fit;
     const double lost = static_cast<double>(free);
-    const double factor = independent > lost ? std::min(2.0, std::sqrt(independent / (independent - lost))) : 2;
+    const double factor =
+        independent > lost ? std::min(2.0, std::sqrt(independent / (independent - lost))) : 2;
     const double noise = found.noise * (1 + found.scatter);
     const double beyond = found.rms * found.rms - noise * noise;
     found.unexplained = beyond > 0 ? std::sqrt(2 * beyond) * factor : 0;
@@ -72,8 +73,9 @@ class Perturbation {
 
 std::vector<double> quietPart(const RecordModel& model, const std::vector<double>& signal) {
     const auto first = signal.begin() + static_cast<std::ptrdiff_t>(model.firstQuiet());
-    return model.quietCount() ? std::vector<double>(first, first + static_cast<std::ptrdiff_t>(model.quietCount()))
-                              : std::vector<double>();
+    return model.quietCount()
+               ? std::vector<double>(first, first + static_cast<std::ptrdiff_t>(model.quietCount()))
+               : std::vector<double>();
 }
 
 void drawNoise(RecordModel& model, const LawFit& fit, std::uint64_t seed, const std::stop_token& stop,
@@ -97,7 +99,8 @@ void drawNoise(RecordModel& model, const LawFit& fit, std::uint64_t seed, const 
             if (model.unknowns()[u].kind == Unknown::Kind::shape)
                 change[static_cast<Index>(model.priorRow(u))] -= standardNormal(random);
         Eigen::VectorXd moved = fit.movedBy(change);
-        if (gap < fit.unknownCount() && fit.values[static_cast<Index>(gap)] + moved[static_cast<Index>(gap)] < 0) {
+        if (gap < fit.unknownCount() &&
+            fit.values[static_cast<Index>(gap)] + moved[static_cast<Index>(gap)] < 0) {
             moved = fit.movedWithoutGap(change);
             moved[static_cast<Index>(gap)] = -fit.values[static_cast<Index>(gap)];
         }
@@ -126,18 +129,19 @@ void addSizes(const RecordModel& model, const LawFit& fit, const std::vector<Kno
     for (const KnownSize& size : sizes) {
         const std::string field = size.key.substr(size.key.rfind('.') + 1);
         BudgetEffect row{field, size.key, size.tolerance, size.unit, size.isAssumed, {}};
-        const Kind kind = size.isOfGauge         ? Kind::impedance
+        const Kind kind = size.isOfGauge       ? Kind::impedance
                           : size.impedance > 0 ? Kind::sectionImpedance
-                                                 : Kind::length;
+                                               : Kind::length;
         const std::size_t unknown = model.find(kind, size.isOfGauge ? 0 : size.section);
         if (unknown < model.unknowns().size()) {
-            const double part = size.isOfGauge         ? size.impedance / total[0]
+            const double part = size.isOfGauge       ? size.impedance / total[0]
                                 : size.impedance > 0 ? size.impedance / ofSection[size.section]
-                                                       : 1;
+                                                     : 1;
             row.effect = fit.movedByPrior(model, unknown) * part;
         } else if (size.isOfGauge) {
             row.effect = Eigen::VectorXd::Zero(fit.values.size());
-            row.effect[stiffness] = size.impedance;  // k is proportional to Z, and the record does not tell it
+            row.effect[stiffness] =
+                size.impedance;  // k is proportional to Z, and the record does not tell it
             const std::size_t corner = model.find(Kind::cornerForce);
             if (corner < model.unknowns().size()) row.effect[static_cast<Index>(corner)] = size.impedance;
         } else {
@@ -147,7 +151,8 @@ void addSizes(const RecordModel& model, const LawFit& fit, const std::vector<Kno
     }
 }
 
-void addAssumptions(RecordModel& model, const LawFit& fit, const IdentifyQuestion& question, FitErrors& errors) {
+void addAssumptions(RecordModel& model, const LawFit& fit, const IdentifyQuestion& question,
+                    FitErrors& errors) {
     using Kind = Unknown::Kind;
     const PreparedRecord& record = model.record();
     const GaugePlace& place = record.places.front();
@@ -176,7 +181,8 @@ void addAssumptions(RecordModel& model, const LawFit& fit, const IdentifyQuestio
     row = {"resolution", "", resolvedRise, "s", false, none};
     row.effect[stiffness] = missedRise * steepness * noise;
     row.effect[static_cast<Index>(model.find(Kind::gamma))] = missedRise * steepness * noise;
-    row.effect[static_cast<Index>(gap)] = 0.5 * missedRise * steepness * noise * fit.values[static_cast<Index>(gap)];
+    row.effect[static_cast<Index>(gap)] =
+        0.5 * missedRise * steepness * noise * fit.values[static_cast<Index>(gap)];
     errors.budget.push_back(row);
 
     const double tolerance = placeTolerance(question), speed = place.waveSpeed;
@@ -278,11 +284,14 @@ void addQuiet(const RecordModel& model, const LawFit& fit, FitErrors& errors) {
         wave *= std::min(1.0, std::max(0.3, fading));
     }
     if (!isFading) {
-        // A wave that stays: its power over all of the stretch. A zero line through the stretch takes half of it.
-        const double pooled = found.hasBefore ? std::hypot(found.last, found.before) / std::sqrt(2.0) : found.last;
-        wave = std::max(std::sqrt(2.0) * std::max(std::min(pooled, found.last), 1.4 * aboutOwnLine(model, fit)) /
-                            record.peak,
-                        wave);
+        // A wave that stays: its power over all of the stretch. A zero line through the stretch takes half of
+        // it.
+        const double pooled =
+            found.hasBefore ? std::hypot(found.last, found.before) / std::sqrt(2.0) : found.last;
+        wave =
+            std::max(std::sqrt(2.0) * std::max(std::min(pooled, found.last), 1.4 * aboutOwnLine(model, fit)) /
+                         record.peak,
+                     wave);
     }
     const std::vector<double> left = quietLeft(model, fit.values);
     double power = 0;
@@ -291,7 +300,8 @@ void addQuiet(const RecordModel& model, const LawFit& fit, FitErrors& errors) {
         if (left[i] < -floor) power += left[i] * left[i];
     const double noise = record.gauges.front().noise.deviationOfMean(
         std::max<std::size_t>(1, static_cast<std::size_t>(71e-6 / record.step)));
-    const double negative = count ? std::sqrt(std::max(0.0, power / static_cast<double>(count) - noise * noise)) : 0;
+    const double negative =
+        count ? std::sqrt(std::max(0.0, power / static_cast<double>(count) - noise * noise)) : 0;
     const double below = 2 * negative / record.peak;
     errors.quiet = std::max(found.last, negative) / record.peak;
     errors.unexplained = std::max(wave, below);
@@ -408,7 +418,8 @@ FitErrors fitErrors(RecordModel& model, const LawFit& fit, const IdentifyQuestio
         const Unknown& unknown = model.unknowns()[u];
         if (unknown.kind != Unknown::Kind::shape) continue;
         const LinearShape& shape = model.shapes()[unknown.index];
-        if (!shape.key.starts_with("offset") && !shape.key.starts_with("slope") && shape.key != "droop") continue;
+        if (!shape.key.starts_with("offset") && !shape.key.starts_with("slope") && shape.key != "droop")
+            continue;
         const double amount = std::abs(fit.values[static_cast<Index>(u)]);
         if (amount <= 1.1 * shape.tolerance) continue;
         if (errors.remarks.empty()) errors.remarks.emplace_back("zero_line");

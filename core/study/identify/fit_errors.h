@@ -17,21 +17,21 @@ namespace drillwave {
 
 /// Effect of one cause on all unknowns of a fit, 95 %.
 struct BudgetEffect {
-    std::string source;      ///< "diameter", "length", "gain", "step", "tail", "timing", "material", …
-    std::string key;         ///< of --known, may be empty
-    double tolerance = 0;    ///< [unit]
-    std::string_view unit;   ///< "m", "1" or "s"
+    std::string source;     ///< "diameter", "length", "gain", "step", "tail", "timing", "material", …
+    std::string key;        ///< of --known, may be empty
+    double tolerance = 0;   ///< [unit]
+    std::string_view unit;  ///< "m", "1" or "s"
     bool isAssumed = false;
     Eigen::VectorXd effect;  ///< on each unknown
 };
 
 /// Misfit below 16 kHz against noise (theory of identification §8).
 struct MisfitFound {
-    double rms = 0;       ///< of what is left over, share of the peak
-    double noise = 0;     ///< σ_e, of noise only, share of the peak
-    double scatter = 0;   ///< s, relative deviation of σ_e between draws
-    double ratio = 0;     ///< q
-    double misfit = 0;    ///< m
+    double rms = 0;          ///< of what is left over, share of the peak
+    double noise = 0;        ///< σ_e, of noise only, share of the peak
+    double scatter = 0;      ///< s, relative deviation of σ_e between draws
+    double ratio = 0;        ///< q
+    double misfit = 0;       ///< m
     double unexplained = 0;  ///< share of the misfit in the unexplained wave
 };
 
@@ -45,7 +45,7 @@ struct FitErrors {
     bool isTail = false;     ///< A is of the tail of the blow, which fades: on the returning wave only
     Eigen::VectorXd unexplainedEffect;
     std::vector<std::string> remarks;
-    Eigen::Index gap = 0;  ///< unknown of the gap
+    Eigen::Index gap = 0;                ///< unknown of the gap
     Eigen::VectorXd halfWidths() const;  ///< of all together
 };
 

@@ -23,8 +23,7 @@ GaugeNoise::GaugeNoise(std::span<const double> quiet, double step, double least)
     const std::size_t order = std::min<std::size_t>(8, n / 20);
     std::vector<double> correlation(order + 1, 0);
     for (std::size_t lag = 0; lag <= order; ++lag) {
-        for (std::size_t i = lag; i < n; ++i)
-            correlation[lag] += (quiet[i] - mean) * (quiet[i - lag] - mean);
+        for (std::size_t i = lag; i < n; ++i) correlation[lag] += (quiet[i] - mean) * (quiet[i - lag] - mean);
         correlation[lag] /= static_cast<double>(n);
     }
     m_deviation = std::max(std::sqrt(correlation[0]), least);
@@ -45,7 +44,8 @@ GaugeNoise::GaugeNoise(std::span<const double> quiet, double step, double least)
         }
     }
     const double scale = correlation[0] > 0 ? m_deviation / std::sqrt(correlation[0]) : 0;
-    m_innovation = correlation[0] > 1e-4 * least * least ? std::sqrt(std::max(variance, 0.0)) * scale : m_deviation;
+    m_innovation =
+        correlation[0] > 1e-4 * least * least ? std::sqrt(std::max(variance, 0.0)) * scale : m_deviation;
     const double gain = 1 - std::accumulate(m_coefficients.begin(), m_coefficients.end(), 0.0);
     // A model that blocks the mean weighs as white noise; one near a unit root as far as the stretch shows.
     m_longRun = std::clamp(m_innovation / std::max(gain, 1e-3), 0.3 * m_deviation,

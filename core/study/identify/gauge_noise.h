@@ -15,11 +15,11 @@ namespace drillwave {
 class GaugeNoise {
   public:
     GaugeNoise() = default;
-    /// Of the samples before the front, `step` apart [s]; their mean is taken off. The deviation is at least
-    /// `least` > 0.
+    /// Fits the samples before the front, `step` apart [s]; their mean is taken off. The deviation is at
+    /// least `least` > 0.
     GaugeNoise(std::span<const double> quiet, double step, double least);
 
-    double deviation() const { return m_deviation; }        ///< of a sample
+    double deviation() const { return m_deviation; }  ///< of a sample
     /// Long-run deviation of a sample: σ_e/(1 − Σa).
     double longRun() const { return m_longRun; }
     /// Deviation that this model gives to means over `span` samples.

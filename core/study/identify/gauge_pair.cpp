@@ -84,8 +84,8 @@ void matchSecondGauge(PreparedRecord& record) {
     record.secondGain = passage.fit(record.secondShift).gain;
 }
 
-SeparatedWaves separateWaves(const PreparedRecord& record, const std::vector<const std::vector<double>*>& signals,
-                             double transit) {
+SeparatedWaves separateWaves(const PreparedRecord& record,
+                             const std::vector<const std::vector<double>*>& signals, double transit) {
     const std::vector<double>& near = *signals[0];
     const std::size_t count = near.size();
     SeparatedWaves waves;
@@ -124,7 +124,8 @@ SeparatedWaves separateWaves(const PreparedRecord& record) {
 
 double passageDifference(const PreparedRecord& record) {
     const PassageFit fit = Passage(record).fit(record.secondShift);
-    const auto span = std::max<std::size_t>(1, static_cast<std::size_t>(3.545 * passageGaussian / record.step));
+    const auto span =
+        std::max<std::size_t>(1, static_cast<std::size_t>(3.545 * passageGaussian / record.step));
     const double one = record.gauges[0].noise.deviationOfMean(span);
     const double two = record.gauges[1].noise.deviationOfMean(span) / std::abs(record.secondGain);
     const double noise = one * one + two * two;

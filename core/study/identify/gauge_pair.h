@@ -23,8 +23,8 @@ void matchSecondGauge(PreparedRecord& record);
 ///     f1(t) = P2(t − θ) − P1(t − 2ϑ) + f1(t − 2ϑ),   b1 = P1 − f1        (theory of identification I1)
 ///
 /// Linear in the signals. `transit` is ϑ.
-SeparatedWaves separateWaves(const PreparedRecord& record, const std::vector<const std::vector<double>*>& signals,
-                             double transit);
+SeparatedWaves separateWaves(const PreparedRecord& record,
+                             const std::vector<const std::vector<double>*>& signals, double transit);
 /// The same of the record itself.
 SeparatedWaves separateWaves(const PreparedRecord& record);
 

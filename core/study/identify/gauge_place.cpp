@@ -53,12 +53,12 @@ SizedSection sizesOf(const Scenario& scenario, const std::vector<Section>& all, 
 }
 
 void addPieces(RockEnd& end, const Section& section, const Material& material, std::size_t source,
-               const ChainJoint& before) {
+               const EndJoint& before) {
     const int count =
         isUniform(section) ? 1 : std::clamp(static_cast<int>(std::ceil(section.length / coneStep)), 2, 200);
     const double modulus = section.youngsModulus.value_or(material.youngsModulus);
     const double density = section.density.value_or(material.density);
-    ChainJoint joint = before;
+    EndJoint joint = before;
     for (const Section& piece : uniformPieces(section, count, before.passing < 1)) {
         end.sections.push_back({meanArea(piece) * std::sqrt(modulus * density),
                                 piece.length / std::sqrt(modulus / density),
@@ -100,7 +100,7 @@ std::optional<GaugePlace> gaugePlace(const Scenario& scenario, double distance) 
     place.fromStruckEnd += place.behind;
     place.end.impedance = place.section.impedance;
     const bool isLast = index + 1 == all.size();
-    ChainJoint joint{own.massAfter, std::sqrt(1 - own.loss)};
+    EndJoint joint{own.massAfter, std::sqrt(1 - own.loss)};
     if (isLast) place.end.bitMass = own.massAfter;
     for (std::size_t i = index + 1; i < all.size(); ++i) {
         addPieces(place.end, all[i], material, place.towardsBit.size(), joint);

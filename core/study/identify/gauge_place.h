@@ -24,17 +24,17 @@ struct SizedSection {
 
 /// Place of a gauge on the uniform part of one section.
 struct GaugePlace {
-    SizedSection section;           ///< that the gauge is on
-    std::size_t index = 0;          ///< of that section, from 0 at the struck end
-    double waveSpeed = 0;           ///< c there [m/s]
-    double axialStiffness = 0;      ///< E A [N]
-    double youngsModulus = 0;       ///< [Pa]
-    double attenuation = 0;         ///< α [1/m]
-    double ahead = 0;               ///< a, to the far end of the section [m]
-    double behind = 0;              ///< to its near end [m]
-    double fromStruckEnd = 0;       ///< x [m]
+    SizedSection section;                  ///< that the gauge is on
+    std::size_t index = 0;                 ///< of that section, from 0 at the struck end
+    double waveSpeed = 0;                  ///< c there [m/s]
+    double axialStiffness = 0;             ///< E A [N]
+    double youngsModulus = 0;              ///< [Pa]
+    double attenuation = 0;                ///< α [1/m]
+    double ahead = 0;                      ///< a, to the far end of the section [m]
+    double behind = 0;                     ///< to its near end [m]
+    double fromStruckEnd = 0;              ///< x [m]
     std::vector<SizedSection> towardsBit;  ///< sections between gauge and rock
-    RockEnd end;                    ///< the same as the model takes them
+    RockEnd end;                           ///< the same as the model takes them
 };
 
 /// The place that far from the bit face of a valid scenario with units; nothing where that is not on the

@@ -53,8 +53,9 @@ double powerOf(const std::vector<double>& values) {
 
 }  // namespace
 
-GaugeReading readGauges(std::istream& in, const SignalOptions& options, const std::vector<GaugeChoice>& gauges,
-                        const std::vector<GaugePlace>& places, const std::stop_token& stop) {
+GaugeReading readGauges(std::istream& in, const SignalOptions& options,
+                        const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places,
+                        const std::stop_token& stop) {
     GaugeReading result;
     for (std::size_t g = 0; g < gauges.size(); ++g) {
         ColumnRead one, other;
@@ -63,7 +64,8 @@ GaugeReading readGauges(std::istream& in, const SignalOptions& options, const st
         if (!gauges[g].opposite.empty()) {
             if (!readColumn(in, options, gauges[g].opposite, places[g], stop, other, result)) return result;
             if (other.force.size() != channel.force.size()) {
-                result.problem = translatable("the columns of the two gauges have different numbers of samples");
+                result.problem =
+                    translatable("the columns of the two gauges have different numbers of samples");
                 return result;
             }
             channel.opposite.resize(channel.force.size());
@@ -73,8 +75,9 @@ GaugeReading readGauges(std::istream& in, const SignalOptions& options, const st
                 channel.opposite[i] = (a - b) / 2;
             }
             if (powerOf(channel.opposite) > powerOf(channel.force)) {
-                result.problem = {translatable("%1: the opposite gauges have opposite signs; reverse one of them"),
-                                  {channel.name}};
+                result.problem = {
+                    translatable("%1: the opposite gauges have opposite signs; reverse one of them"),
+                    {channel.name}};
                 return result;
             }
         }

@@ -27,14 +27,15 @@ struct GaugeChoice {
 /// A record, or why there is none.
 struct GaugeReading {
     GaugeRecord record;
-    Message problem;                    ///< the table cannot be read, or a column is not there
-    bool isWrongOption = false;         ///< the problem is one of an option
-    std::vector<std::string> questions; ///< what the table leaves open, as of SignalReading
+    Message problem;                     ///< the table cannot be read, or a column is not there
+    bool isWrongOption = false;          ///< the problem is one of an option
+    std::vector<std::string> questions;  ///< what the table leaves open, as of SignalReading
 };
 
 /// Reads the columns of the gauges as forces of their section; they come out in the order of their distance
 /// from the bit. `places` are those of `gauges`.
-GaugeReading readGauges(std::istream& in, const SignalOptions& options, const std::vector<GaugeChoice>& gauges,
-                        const std::vector<GaugePlace>& places, const std::stop_token& stop = {});
+GaugeReading readGauges(std::istream& in, const SignalOptions& options,
+                        const std::vector<GaugeChoice>& gauges, const std::vector<GaugePlace>& places,
+                        const std::stop_token& stop = {});
 
 }  // namespace drillwave

@@ -7,20 +7,28 @@ namespace drillwave {
 
 std::string_view name(ModelVerdict verdict) {
     switch (verdict) {
-        case ModelVerdict::accepted: return "accepted";
-        case ModelVerdict::strained: return "strained";
-        case ModelVerdict::rejected: break;
+        case ModelVerdict::accepted:
+            return "accepted";
+        case ModelVerdict::strained:
+            return "strained";
+        case ModelVerdict::rejected:
+            break;
     }
     return "rejected";
 }
 
 std::string_view name(ParameterVerdict verdict) {
     switch (verdict) {
-        case ParameterVerdict::identified: return "identified";
-        case ParameterVerdict::uncertain: return "uncertain";
-        case ParameterVerdict::bounded: return "bounded";
-        case ParameterVerdict::notSeen: return "not_seen";
-        case ParameterVerdict::rejected: break;
+        case ParameterVerdict::identified:
+            return "identified";
+        case ParameterVerdict::uncertain:
+            return "uncertain";
+        case ParameterVerdict::bounded:
+            return "bounded";
+        case ParameterVerdict::notSeen:
+            return "not_seen";
+        case ParameterVerdict::rejected:
+            break;
     }
     return "rejected";
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a record says about the rock, and how sure that is.
+// Rock properties that a record shows, and how sure they are.
 #pragma once
 
 #include <array>
@@ -18,7 +18,7 @@ namespace drillwave {
 enum class ModelVerdict { accepted, strained, rejected };
 std::string_view name(ModelVerdict verdict);
 
-/// What is known of one parameter.
+/// Knowledge of one parameter.
 enum class ParameterVerdict {
     identified,  ///< to 20 %, a gap to 0.1 mm or 20 %
     uncertain,   ///< a wider interval
@@ -30,31 +30,32 @@ std::string_view name(ParameterVerdict verdict);
 
 /// One cause of the half-width of a parameter.
 struct BudgetRow {
-    std::string source;      ///< "diameter", "length", "gain", "place", "step", "tail", "timing", "material", …
-    std::string key;         ///< of --known, may be empty
-    double tolerance = 0;    ///< [unit]
-    std::string unit;        ///< "m", "1"
+    std::string source;  ///< "diameter", "length", "gain", "place", "step", "tail", "timing", "material", …
+    std::string key;     ///< of --known, may be empty
+    double tolerance = 0;  ///< [unit]
+    std::string unit;      ///< "m", "1"
     bool isAssumed = false;
-    double effect = 0;       ///< on this parameter, 95 %; relative, of a gap [m]
+    double effect = 0;  ///< on this parameter, 95 %; relative, of a gap [m]
 };
 
 struct IdentifiedParameter {
-    std::string key;  ///< "bit_rock.stiffness", "bit_rock.gamma", "bit_rock.gap", "bit_rock.corner.1.force", …
-    double value = 0;          ///< SI
+    std::string
+        key;  ///< "bit_rock.stiffness", "bit_rock.gamma", "bit_rock.gap", "bit_rock.corner.1.force", …
+    double value = 0;  ///< SI
     std::optional<double> low, high;
     ParameterVerdict verdict = ParameterVerdict::notSeen;
-    std::string reason;        ///< of notSeen: "no_contact", "front", "no_unloading"; else empty
-    double halfWidth = 0;      ///< 95 %; of the logarithm, of a gap [m]
-    double noise = 0;          ///< part of it
+    std::string reason;    ///< of notSeen: "no_contact", "front", "no_unloading"; else empty
+    double halfWidth = 0;  ///< 95 %; of the logarithm, of a gap [m]
+    double noise = 0;      ///< part of it
     std::vector<BudgetRow> budget;
     bool isGap() const { return key == "bit_rock.gap"; }
 };
 
 /// A law that was tried, and how well it fits.
 struct TriedLaw {
-    std::string law;     ///< "bilinear", "corner", "power", "dashpot", "jump"
-    double misfit = 0;   ///< m, share of the peak
-    double ratio = 0;    ///< q
+    std::string law;    ///< "bilinear", "corner", "power", "dashpot", "jump"
+    double misfit = 0;  ///< m, share of the peak
+    double ratio = 0;   ///< q
     std::vector<std::pair<std::string, double>> parameters;  ///< by key, SI
 };
 
@@ -67,9 +68,9 @@ struct ZeroLine95 {
 /// How model and record match.
 struct MatchFigures {
     double misfit = 0, noise = 0, expected = 0, ratio = 0;
-    double autocorrelation = 0;  ///< of neighbouring residuals of b
-    std::size_t samples = 0;     ///< of b
-    double from = 0, to = 0;     ///< of the window after the front [s]
+    double autocorrelation = 0;                 ///< of neighbouring residuals of b
+    std::size_t samples = 0;                    ///< of b
+    double from = 0, to = 0;                    ///< of the window after the front [s]
     double roundTrip = 0, roundTripOfFile = 0;  ///< between gauge and rock [s]
     double shiftOfSecond = 0, gainOfSecond = 1;
     double quiet = 0, unexplained = 0, before = 0, bending = 0;  ///< shares of the peak
@@ -95,22 +96,22 @@ struct MatchCurves {
 
 struct RecordAnswer {
     std::string file;
-    std::size_t blow = 0;  ///< from 0
+    std::size_t blow = 0;                  ///< from 0
     std::optional<RecordRefusal> refusal;  ///< then nothing else holds
     ModelVerdict model = ModelVerdict::rejected;
     std::string law;  ///< "bilinear", "corner" or that of the file
     std::vector<IdentifiedParameter> parameters;
     std::vector<std::vector<double>> covariance;  ///< of ln k, ln γ, gap, ln F1, ln s1, as parameters are
-    std::vector<std::vector<double>> common;  ///< movements of the same by causes that all records share
+    std::vector<std::vector<double>> common;      ///< movements of the same by causes that all records share
     MatchFigures match;
     std::vector<TriedLaw> laws;
     std::vector<std::string> remarks;
     std::optional<SizeOff> sizeOff;
     MatchCurves curves;
     int sign = 1;
-    double peak = 0;        ///< of the incident wave [N]
+    double peak = 0;              ///< of the incident wave [N]
     double distanceThatFits = 0;  ///< of the near gauge from the bit face [m]
-    double impedance = 0;   ///< Z of the gauge's section [N s/m]
+    double impedance = 0;         ///< Z of the gauge's section [N s/m]
 
     bool has(std::string_view remark) const;
     const IdentifiedParameter* find(std::string_view key) const;

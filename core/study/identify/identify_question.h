@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What an identification starts from: a scenario, records of strain gauges, and what is known about them.
+// Input of an identification: a scenario, records of strain gauges, and what is known about them.
 #pragma once
 
 #include <cstdint>
@@ -14,10 +14,10 @@ namespace drillwave {
 
 /// One gauge, or two on opposite sides, as recorded.
 struct GaugeChannel {
-    std::string name;             ///< "near", "top+bottom"
-    double distance = 0;          ///< from the bit face [m], > 0
-    std::vector<double> force;    ///< [N], of a pair the mean; either sign may be compression
-    std::vector<double> opposite; ///< half the difference of a pair [N]; else empty
+    std::string name;              ///< "near", "top+bottom"
+    double distance = 0;           ///< from the bit face [m], > 0
+    std::vector<double> force;     ///< [N], of a pair the mean; either sign may be compression
+    std::vector<double> opposite;  ///< half the difference of a pair [N]; else empty
 };
 
 /// Samples of one recording.
@@ -53,9 +53,9 @@ struct IdentifyQuestion {
     std::vector<GaugeRecord> records;
     LawChoice law = LawChoice::automatic;
     DispersionChoice dispersion = DispersionChoice::fit;
-    bool barBehind = false;        ///< a specimen between two long, like bars
-    bool allBlows = false;         ///< each front of a record is a record of its own
-    std::optional<double> end;     ///< of the window after the reflection arrives [s]
+    bool barBehind = false;     ///< a specimen between two long, like bars
+    bool allBlows = false;      ///< each front of a record is a record of its own
+    std::optional<double> end;  ///< of the window after the reflection arrives [s]
     std::vector<KnownTolerance> known;
     std::uint64_t seed = 1;
 };

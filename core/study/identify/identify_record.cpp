@@ -13,22 +13,22 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double strainedMisfit = 0.01;    ///< of the peak
-constexpr double rejectedMisfit = 0.05;    ///< of the peak
-constexpr double rejectedWave = 0.08;      ///< unexplained, of the peak
-constexpr double usedUpMisfit = 0.003;     ///< of the peak
-constexpr double tooFar = 1.5;             ///< tolerances that a zero line or a size may take
-constexpr double arrivalFrom = 25e-6;      ///< [s]
-constexpr double lagFrom = 10e-6;          ///< [s]
+constexpr double strainedMisfit = 0.01;  ///< of the peak
+constexpr double rejectedMisfit = 0.05;  ///< of the peak
+constexpr double rejectedWave = 0.08;    ///< unexplained, of the peak
+constexpr double usedUpMisfit = 0.003;   ///< of the peak
+constexpr double tooFar = 1.5;           ///< tolerances that a zero line or a size may take
+constexpr double arrivalFrom = 25e-6;    ///< [s]
+constexpr double lagFrom = 10e-6;        ///< [s]
 
 double lagOf(const LawCandidate& candidate) {
     return candidate.fit.values[static_cast<Index>(candidate.model->find(UnknownKind::lag))];
 }
 
 /// The record as it was prepared, or with the distance of the file where that explains it (C5).
-PreparedRecord arrivalChosen(PreparedRecord seen, const GaugeRecord& record, const std::vector<GaugePlace>& places,
-                             const IdentifyQuestion& question, std::size_t blow, const SizeTolerances& sizes,
-                             const std::stop_token& stop) {
+PreparedRecord arrivalChosen(PreparedRecord seen, const GaugeRecord& record,
+                             const std::vector<GaugePlace>& places, const IdentifyQuestion& question,
+                             std::size_t blow, const SizeTolerances& sizes, const std::stop_token& stop) {
     if (seen.shift == 0) return seen;
     Preparation other = prepareRecord(record, places, question, blow, ArrivalChoice::ofFile);
     if (other.refusal) return seen;
@@ -139,16 +139,19 @@ void checkSizes(const LawTrials& trials, const std::vector<KnownSize>& sizes, co
     LawFit fit = chosen.fit;
     for (std::size_t u = 0; u < held.unknowns().size(); ++u) {
         const UnknownKind kind = held.unknowns()[u].kind;
-        if (kind == UnknownKind::impedance || kind == UnknownKind::length || kind == UnknownKind::sectionImpedance)
+        if (kind == UnknownKind::impedance || kind == UnknownKind::length ||
+            kind == UnknownKind::sectionImpedance)
             fit.values[static_cast<Index>(u)] = 0;
     }
     held.holdSizes(true);
     refit(held, fit, stop);
-    const UnknownKind kinds[] = {UnknownKind::stiffness, UnknownKind::gamma, UnknownKind::gap, UnknownKind::cornerForce, UnknownKind::cornerSlope};
+    const UnknownKind kinds[] = {UnknownKind::stiffness, UnknownKind::gamma, UnknownKind::gap,
+                                 UnknownKind::cornerForce, UnknownKind::cornerSlope};
     for (std::size_t i = 0; i < std::size(kinds); ++i) {
         const std::size_t u = held.find(kinds[i]);
         if (u < held.unknowns().size())
-            atLeast[i] = std::abs(fit.values[static_cast<Index>(u)] - chosen.fit.values[static_cast<Index>(u)]);
+            atLeast[i] =
+                std::abs(fit.values[static_cast<Index>(u)] - chosen.fit.values[static_cast<Index>(u)]);
     }
     const Unknown& size = chosen.model->unknowns()[used.size];
     const double change = chosen.fit.values[static_cast<Index>(used.size)];
@@ -168,7 +171,8 @@ ModelVerdict verdictOf(const LawTrials& trials, RecordAnswer& answer, const Iden
     const MisfitFound& misfit = chosen.errors.misfit;
     const PreparedRecord& record = chosen.model->record();
     ModelVerdict verdict = ModelVerdict::accepted;
-    if (!isAccepted(misfit)) verdict = misfit.misfit <= rejectedMisfit ? ModelVerdict::strained : ModelVerdict::rejected;
+    if (!isAccepted(misfit))
+        verdict = misfit.misfit <= rejectedMisfit ? ModelVerdict::strained : ModelVerdict::rejected;
     if (trials.isStrained && verdict == ModelVerdict::accepted) verdict = ModelVerdict::strained;
     if (chosen.errors.unexplained > rejectedWave) verdict = ModelVerdict::rejected;
     const UsedUp used = usedUp(*chosen.model, chosen.fit);
@@ -225,7 +229,8 @@ void checkFileLaw(const IdentifyQuestion& question, const PreparedRecord& record
 }  // namespace
 
 RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord& given,
-                            const std::vector<GaugePlace>& places, std::size_t blow, const std::stop_token& stop) {
+                            const std::vector<GaugePlace>& places, std::size_t blow,
+                            const std::stop_token& stop) {
     RecordAnswer answer;
     answer.file = given.file;
     answer.blow = blow;
@@ -234,8 +239,8 @@ RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord&
     if (answer.refusal) return answer;
     const std::vector<KnownSize> sizes = knownSizes(question, places.front());
     const SizeTolerances tolerances = sizeTolerances(sizes, places.front());
-    const PreparedRecord record = arrivalChosen(std::move(preparation.record), given, places, question, blow,
-                                                tolerances, stop);
+    const PreparedRecord record =
+        arrivalChosen(std::move(preparation.record), given, places, question, blow, tolerances, stop);
     answer.remarks = record.remarks;
     answer.sign = record.sign;
     answer.peak = record.peak;

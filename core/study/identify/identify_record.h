@@ -12,6 +12,7 @@ namespace drillwave {
 /// The answer of one blow, counted from 0, of a record of the question. `places` are those of its gauges, the
 /// one near the bit first, as are the gauges of the record. Stopped, the answer is not to be used.
 RecordAnswer identifyRecord(const IdentifyQuestion& question, const GaugeRecord& record,
-                            const std::vector<GaugePlace>& places, std::size_t blow, const std::stop_token& stop);
+                            const std::vector<GaugePlace>& places, std::size_t blow,
+                            const std::stop_token& stop);
 
 }  // namespace drillwave

@@ -5,10 +5,10 @@
 #include <cmath>
 #include <random>
 
-#include <boost/math/distributions/students_t.hpp>
 #include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <Eigen/Eigenvalues>
+#include <boost/math/distributions/students_t.hpp>
 
 #include "core/numeric/ordered_work.h"
 #include "core/study/identify/even_samples.h"
@@ -59,7 +59,8 @@ double scatteringValue(const IdentifiedParameter& parameter) {
 }
 
 bool isTwoSided(const IdentifiedParameter& parameter) {
-    return parameter.verdict == ParameterVerdict::identified || parameter.verdict == ParameterVerdict::uncertain;
+    return parameter.verdict == ParameterVerdict::identified ||
+           parameter.verdict == ParameterVerdict::uncertain;
 }
 
 void findNextBlow(IdentifyFindings& findings) {
@@ -79,8 +80,8 @@ void findNextBlow(IdentifyFindings& findings) {
             double shared = 0;
             for (const std::vector<double>& row : record->common) shared += row[index] * row[index];
             values.push_back(scatteringValue(*parameter));
-            variances.push_back(
-                std::max(0.0, parameter->halfWidth * parameter->halfWidth - shared) / (half95 * half95));
+            variances.push_back(std::max(0.0, parameter->halfWidth * parameter->halfWidth - shared) /
+                                (half95 * half95));
             common += shared;
         }
         const std::size_t n = values.size();
@@ -93,8 +94,8 @@ void findNextBlow(IdentifyFindings& findings) {
         const double scatter = squares / static_cast<double>(n - 1);
         const boost::math::students_t distribution(static_cast<double>(n - 1));
         const double factor = boost::math::quantile(distribution, 0.975);
-        const double width = std::hypot(factor * std::sqrt(scatter * (1 + 1 / static_cast<double>(n))),
-                                        std::sqrt(common));
+        const double width =
+            std::hypot(factor * std::sqrt(scatter * (1 + 1 / static_cast<double>(n))), std::sqrt(common));
         NextBlowParameter next;
         next.key = key;
         const bool isGap = isGapKey(key);
@@ -146,7 +147,8 @@ std::vector<Message> identifyProblems(const IdentifyQuestion& question) {
             problems.emplace_back(translatable("a gauge is not on a uniform section of rod or string"));
             return problems;
         }
-        for (Message& problem : knownProblems(question, places.front())) problems.push_back(std::move(problem));
+        for (Message& problem : knownProblems(question, places.front()))
+            problems.push_back(std::move(problem));
         if (!problems.empty()) return problems;
     }
     return problems;
@@ -167,8 +169,7 @@ IdentifyFindings runIdentify(const IdentifyQuestion& question, int jobs, const s
         [&] {
             return [&](BlowTask& task, const std::stop_token& ending) {
                 const GaugeRecord& record = question.records[task.record];
-                task.answer =
-                    identifyRecord(question, record, placesOf(question, record), task.blow, ending);
+                task.answer = identifyRecord(question, record, placesOf(question, record), task.blow, ending);
             };
         },
         [&](BlowTask& task) {
@@ -215,8 +216,8 @@ std::optional<NextMeasurement> nextMeasurement(const RecordAnswer& answer) {
     const IdentifiedParameter& parameter = isStiffness ? stiffness : gamma;
     const double effect = isStiffness ? first.onStiffness : first.onGamma;
     next.parameter = parameter.key;
-    next.halfWidth = std::sqrt(std::max(0.0, parameter.halfWidth * parameter.halfWidth -
-                                                 effect * effect * (1 - share * share)));
+    next.halfWidth = std::sqrt(
+        std::max(0.0, parameter.halfWidth * parameter.halfWidth - effect * effect * (1 - share * share)));
     return next;
 }
 

@@ -20,18 +20,18 @@ namespace drillwave {
 struct NextBlowParameter {
     std::string key;
     double value = 0, low = 0, high = 0;  ///< median and 95 % of the next blow, SI
-    double scatter = 0;    ///< τ between blows, of the logarithm, of a gap [m]; 0 where none is seen
+    double scatter = 0;      ///< τ between blows, of the logarithm, of a gap [m]; 0 where none is seen
     bool hasChange = false;  ///< the records differ by more than their errors
 };
 
 /// One measurement that would help most.
 struct NextMeasurement {
-    std::string source;      ///< row of the budget, "noise", "unexplained_wave"
-    std::string key;         ///< of --known, may be empty
-    double tolerance = 0;    ///< that takes the row below the next one; 0 where there is no tolerance
+    std::string source;    ///< row of the budget, "noise", "unexplained_wave"
+    std::string key;       ///< of --known, may be empty
+    double tolerance = 0;  ///< that takes the row below the next one; 0 where there is no tolerance
     std::string unit;
-    std::string parameter;   ///< whose half-width falls
-    double halfWidth = 0;    ///< to which it falls
+    std::string parameter;  ///< whose half-width falls
+    double halfWidth = 0;   ///< to which it falls
 };
 
 struct IdentifyFindings {
@@ -45,7 +45,7 @@ struct IdentifyFindings {
     bool saysSomething() const;
 };
 
-/// What stands in the way before anything is computed: places, tolerances; empty where nothing does.
+/// Returns problems of places and tolerances, before anything is computed; empty where there are none.
 std::vector<Message> identifyProblems(const IdentifyQuestion& question);
 
 /// Identifies every record. The answer does not depend on `jobs` ≥ 1.
@@ -57,8 +57,8 @@ std::optional<NextMeasurement> nextMeasurement(const RecordAnswer& answer);
 
 /// Rows of values that belong together, of the next blow where there are several records.
 struct PosteriorDraws {
-    std::vector<std::string> keys;             ///< of parameters that are identified or uncertain
-    std::vector<std::vector<double>> rows;     ///< SI
+    std::vector<std::string> keys;          ///< of parameters that are identified or uncertain
+    std::vector<std::vector<double>> rows;  ///< SI
 };
 /// Draws of the answer, cut so that every row is a valid law; empty where the model is rejected or neither
 /// stiffness nor gamma is known on both sides.

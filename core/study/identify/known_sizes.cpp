@@ -90,7 +90,8 @@ SizeTolerances sizeTolerances(const std::vector<KnownSize>& sizes, const GaugePl
         if (size.isOfGauge)
             tolerances.impedance = std::hypot(tolerances.impedance, size.impedance);
         else if (size.impedance > 0)
-            tolerances.impedances[size.section] = std::hypot(tolerances.impedances[size.section], size.impedance);
+            tolerances.impedances[size.section] =
+                std::hypot(tolerances.impedances[size.section], size.impedance);
         else
             tolerances.lengths[size.section] = size.tolerance;
     }
@@ -119,8 +120,8 @@ std::vector<Message> knownProblems(const IdentifyQuestion& question, const Gauge
         if (known.key == "gain" || known.key == "zero" || known.key == "gauge") {
             const double most = known.key == "gauge" ? place.ahead : 1;
             if (known.tolerance >= most)
-                problems.push_back({translatable("--known %1: the tolerance must be smaller than the value"),
-                                    {known.key}});
+                problems.push_back(
+                    {translatable("--known %1: the tolerance must be smaller than the value"), {known.key}});
             continue;
         }
         bool isThere = known.key == "material.youngs_modulus" || known.key == "material.density";
@@ -134,9 +135,10 @@ std::vector<Message> knownProblems(const IdentifyQuestion& question, const Gauge
                 if (size.key == at.section->key + "." + field) isThere = true, value = size.value;
         }
         if (!isThere)
-            problems.push_back({translatable("--known %1: is no size of the gauge's section or of a section between "
-                                             "gauge and rock; give gain, zero, gauge, or such a key"),
-                                {known.key}});
+            problems.push_back(
+                {translatable("--known %1: is no size of the gauge's section or of a section between "
+                              "gauge and rock; give gain, zero, gauge, or such a key"),
+                 {known.key}});
         else if (known.tolerance >= value)
             problems.push_back(
                 {translatable("--known %1: the tolerance must be smaller than the value"), {known.key}});

@@ -14,12 +14,12 @@ namespace drillwave {
 
 /// A size or material value with its 95 % tolerance.
 struct KnownSize {
-    std::string key;       ///< "rod.diameter", "string.bit_head.length"
-    std::string_view unit; ///< "m" or "1"
+    std::string key;        ///< "rod.diameter", "string.bit_head.length"
+    std::string_view unit;  ///< "m" or "1"
     double value = 0;
-    double tolerance = 0;   ///< as the parameter; of moduli and densities relative
-    bool isAssumed = true;  ///< not given by --known
-    bool isOfGauge = false; ///< of the section that the gauge is on
+    double tolerance = 0;     ///< as the parameter; of moduli and densities relative
+    bool isAssumed = true;    ///< not given by --known
+    bool isOfGauge = false;   ///< of the section that the gauge is on
     std::size_t section = 0;  ///< of those towards the bit, otherwise
     double impedance = 0;     ///< relative change of Z by the tolerance; 0 of a length
 };
@@ -33,8 +33,8 @@ SizeTolerances sizeTolerances(const std::vector<KnownSize>& sizes, const GaugePl
 /// Relative 95 % tolerance of k from modulus and density of all sections together.
 KnownSize materialTolerance(const IdentifyQuestion& question, const GaugePlace& place);
 
-/// What is wrong with --known: keys that are not of gauge's section or towards the bit, tolerances as large as
-/// their values.
+/// Returns problems of --known: keys that are not of gauge's section or towards the bit, tolerances as large
+/// as their values.
 std::vector<Message> knownProblems(const IdentifyQuestion& question, const GaugePlace& place);
 
 }  // namespace drillwave

@@ -12,14 +12,14 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double countsWithin = 1.5;      ///< of the misfit of the answer: a law that counts
-constexpr double countsBelow = 0.8;       ///< of that of the bilinear law
-constexpr double cornerShare = 2.0 / 3;   ///< of the misfit that a corner replaces
-constexpr double jumpShare = 0.5;         ///< of that which a jump replaces
-constexpr double jumpTolerance = 0.05;    ///< of the peak
-constexpr double jumpExplains = 0.15;     ///< of Σr² at least
-constexpr double checkedMisfit = 0.002;   ///< of the peak
-constexpr double strainedBilinear = 0.01; ///< of the peak: beyond it the dispersion found is doubtful, too
+constexpr double countsWithin = 1.5;       ///< of the misfit of the answer: a law that counts
+constexpr double countsBelow = 0.8;        ///< of that of the bilinear law
+constexpr double cornerShare = 2.0 / 3;    ///< of the misfit that a corner replaces
+constexpr double jumpShare = 0.5;          ///< of that which a jump replaces
+constexpr double jumpTolerance = 0.05;     ///< of the peak
+constexpr double jumpExplains = 0.15;      ///< of Σr² at least
+constexpr double checkedMisfit = 0.002;    ///< of the peak
+constexpr double strainedBilinear = 0.01;  ///< of the peak: beyond it the dispersion found is doubtful, too
 
 LawCandidate candidateOf(std::string name, std::shared_ptr<RecordModel> model, LawFit fit,
                          const IdentifyQuestion& question, const std::vector<KnownSize>& sizes,
@@ -56,7 +56,8 @@ std::vector<double> jumpTimes(RecordModel& model, const LawFit& fit, const std::
         const double explained = std::pow(left.dot(fit.residuals), 2) / own;
         scored.push_back({time, explained / fit.cost});
     }
-    std::stable_sort(scored.begin(), scored.end(), [](const Scored& a, const Scored& b) { return a.share > b.share; });
+    std::stable_sort(scored.begin(), scored.end(),
+                     [](const Scored& a, const Scored& b) { return a.share > b.share; });
     std::vector<double> times;
     for (const Scored& one : scored) {
         if (one.share < jumpExplains || times.size() == 3) break;
@@ -68,8 +69,8 @@ std::vector<double> jumpTimes(RecordModel& model, const LawFit& fit, const std::
 }
 
 std::optional<LawCandidate> jumpCandidate(const LawCandidate& bilinear, const IdentifyQuestion& question,
-                                          const std::vector<KnownSize>& sizes, std::optional<double>& bestTime,
-                                          const std::stop_token& stop) {
+                                          const std::vector<KnownSize>& sizes,
+                                          std::optional<double>& bestTime, const std::stop_token& stop) {
     std::optional<LawCandidate> best;
     const auto tryAt = [&](double time) {
         auto model = std::make_shared<RecordModel>(*bilinear.model);
@@ -126,8 +127,9 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
     };
     const MisfitFound& misfit = trials.candidates[0].errors.misfit;
     const UsedUp used = usedUp(*model, trials.candidates[0].fit);
-    const bool isOpen = !isAccepted(misfit) || (misfit.ratio > 1.1 && std::max(used.zeroLines, used.droop) > 1) ||
-                        (misfit.ratio > std::max(1.3, 1 + 3 * misfit.scatter) && misfit.misfit > checkedMisfit);
+    const bool isOpen =
+        !isAccepted(misfit) || (misfit.ratio > 1.1 && std::max(used.zeroLines, used.droop) > 1) ||
+        (misfit.ratio > std::max(1.3, 1 + 3 * misfit.scatter) && misfit.misfit > checkedMisfit);
     if (!isOpen && question.law != LawChoice::corner) return trials;
     tryLaw("corner", TrialLaw::corner);
     if (isOpen) {
@@ -147,7 +149,8 @@ LawTrials tryLaws(const PreparedRecord& record, const IdentifyQuestion& question
     } else if (question.law == LawChoice::automatic) {
         const LawCandidate& other = trials.candidates[corner];
         const bool bilinearHolds = isAccepted(misfit);
-        if ((isAccepted(other.errors.misfit) && !bilinearHolds) || other.misfit() <= cornerShare * misfit.misfit)
+        if ((isAccepted(other.errors.misfit) && !bilinearHolds) ||
+            other.misfit() <= cornerShare * misfit.misfit)
             trials.answer = corner;
         if (jump < trials.candidates.size()) {
             const LawCandidate& jumped = trials.candidates[jump];

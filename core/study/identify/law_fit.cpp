@@ -14,7 +14,7 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double enoughChange = 1e-9;    ///< of Σr² in a round: the minimum
+constexpr double enoughChange = 1e-9;  ///< of Σr² in a round: the minimum
 constexpr int dampingTries = 24;
 constexpr double quietGaussian = 20e-6;  ///< −3 dB at 6.6 kHz [s]
 constexpr double lastStretch = 120e-6;
@@ -26,8 +26,8 @@ bool isNearlyLinear(const Unknown& unknown) {
 }
 
 /// Columns for one step of each unknown; `isFree` chooses those that are taken.
-void differences(RecordModel& model, const Eigen::VectorXd& values, const Eigen::VectorXd& residuals, bool isFinal,
-                 const std::vector<bool>& isFree, Eigen::MatrixXd& jacobian) {
+void differences(RecordModel& model, const Eigen::VectorXd& values, const Eigen::VectorXd& residuals,
+                 bool isFinal, const std::vector<bool>& isFree, Eigen::MatrixXd& jacobian) {
     const std::vector<Unknown>& unknowns = model.unknowns();
     jacobian.setZero(residuals.size(), values.size());
     Eigen::VectorXd moved = values, above, below;
@@ -103,7 +103,9 @@ std::vector<Start> evenStarts(const RecordModel& model, unsigned from, unsigned 
     const double middle = std::log(model.record().places.front().end.impedance / 200e-6);
     for (unsigned i = from; i < from + count; ++i) {
         Start start{base, 0};
-        const auto set = [&](Kind kind, double value) { start.values[static_cast<Index>(model.find(kind))] = value; };
+        const auto set = [&](Kind kind, double value) {
+            start.values[static_cast<Index>(model.find(kind))] = value;
+        };
         set(Kind::stiffness, middle + (evenShare(i + 1, 2) - 0.5) * 4 * std::log(10.0));
         set(Kind::gamma, std::log(0.03) * evenShare(i + 1, 3));
         set(Kind::gap, std::pow(evenShare(i + 1, 5), 3) * 2e-3);
@@ -182,7 +184,8 @@ std::vector<Start> startsFrom(const RecordModel& model, const RecordModel& bilin
                     Start start{base, 0};
                     set(start, Kind::cornerForce, std::log(force * peak));
                     set(start, Kind::cornerSlope, std::log(slope));
-                    set(start, Kind::stiffness, get(Kind::stiffness) + (slope < 1 ? 1 : -1) * std::log(softer));
+                    set(start, Kind::stiffness,
+                        get(Kind::stiffness) + (slope < 1 ? 1 : -1) * std::log(softer));
                     starts.push_back(start);
                     set(start, Kind::gap, 0);
                     starts.push_back(std::move(start));
@@ -293,7 +296,8 @@ void LawFit::factorise(std::size_t without, Eigen::MatrixXd& inverse) const {
     Eigen::MatrixXd normal = jacobian.transpose() * jacobian;
     for (Index j = 0; j < normal.cols(); ++j) normal(j, j) += scales[j] > 0 ? 1e-12 : 1;
     inverse = scales.asDiagonal() *
-              normal.ldlt().solve(Eigen::MatrixXd::Identity(normal.rows(), normal.cols())) * scales.asDiagonal();
+              normal.ldlt().solve(Eigen::MatrixXd::Identity(normal.rows(), normal.cols())) *
+              scales.asDiagonal();
 }
 
 void LawFit::linearise(RecordModel& model) {
@@ -341,7 +345,8 @@ std::vector<double> quietLeft(const RecordModel& model, const Eigen::VectorXd& v
     for (std::size_t u = 0; u < model.unknowns().size(); ++u) {
         if (model.unknowns()[u].kind != Unknown::Kind::shape) continue;
         const LinearShape& shape = model.shapes()[model.unknowns()[u].index];
-        for (std::size_t i = 0; i < left.size(); ++i) left[i] -= values[static_cast<Index>(u)] * shape.quiet[i];
+        for (std::size_t i = 0; i < left.size(); ++i)
+            left[i] -= values[static_cast<Index>(u)] * shape.quiet[i];
     }
     smoothSamples(left, model.record().step, quietGaussian);
     return left;
@@ -364,7 +369,8 @@ QuietErrors quietErrors(const RecordModel& model, const Eigen::VectorXd& values)
     }
     const auto beyond = [&](int part) {
         if (counts[part] == 0) return 0.0;
-        const double independent = std::max(1.0, static_cast<double>(counts[part]) / static_cast<double>(span));
+        const double independent =
+            std::max(1.0, static_cast<double>(counts[part]) / static_cast<double>(span));
         const double scatter = 1 + 2 * std::sqrt(2 / independent);
         const double power = powers[part] / static_cast<double>(counts[part]);
         return power > noise * noise * scatter ? std::sqrt(power - noise * noise) : 0.0;

@@ -18,9 +18,9 @@ class LawFit {
     LawFit() = default;
 
     TrialLaw law = TrialLaw::bilinear;
-    Eigen::VectorXd values;     ///< of the unknowns
+    Eigen::VectorXd values;  ///< of the unknowns
     Eigen::VectorXd residuals;
-    double cost = 0;            ///< Σr²
+    double cost = 0;  ///< Σr²
 
     /// Takes the Jacobian at the solution.
     void linearise(RecordModel& model);
@@ -54,7 +54,8 @@ double minimise(RecordModel& model, Eigen::VectorXd& values, int mostRounds, con
 /// best on, and the weights of the quiet stretch follow what is seen in it.
 LawFit fitFromStarts(RecordModel& model, const std::stop_token& stop);
 
-/// Another law from the solution of the bilinear one; where that fits badly, from several shares of dispersion.
+/// Another law from the solution of the bilinear one; where that fits badly, from several shares of
+/// dispersion.
 LawFit fitFrom(RecordModel& model, const RecordModel& bilinear, const LawFit& from, bool searchesDispersion,
                const std::stop_token& stop);
 

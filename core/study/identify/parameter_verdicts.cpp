@@ -10,25 +10,25 @@ namespace {
 
 using Eigen::Index;
 
-constexpr double identifiedShare = 0.2;    ///< half-width at most
-constexpr double identifiedGap = 0.1e-3;   ///< [m]
-constexpr double unloadedShare = 0.05;     ///< of the largest force
-constexpr double contactDeviations = 3;    ///< of the misfit's noise
-constexpr double widestLog = 12;           ///< of an interval in logarithms, beyond it nothing is known
+constexpr double identifiedShare = 0.2;   ///< half-width at most
+constexpr double identifiedGap = 0.1e-3;  ///< [m]
+constexpr double unloadedShare = 0.05;    ///< of the largest force
+constexpr double contactDeviations = 3;   ///< of the misfit's noise
+constexpr double widestLog = 12;          ///< of an interval in logarithms, beyond it nothing is known
 
-/// What the model's force does within the window.
+/// Force of the model within the window.
 struct ForceSeen {
-    double largest = 0;     ///< [N]
+    double largest = 0;  ///< [N]
     bool hasUnloaded = false;
-    double advance = 0;     ///< ∫2f dt/Z in the window [m]
+    double advance = 0;  ///< ∫2f dt/Z in the window [m]
 };
 
 ForceSeen forceSeen(RecordModel& model, const LawFit& fit) {
     const PreparedRecord& record = model.record();
     const ChainModel& chain = model.solved(fit.values);
     const double lag = fit.values[static_cast<Index>(model.find(UnknownKind::lag))];
-    const double last = record.timeOf(model.firstReturning() + model.returningCount() - 1) - record.roundTrip - lag -
-                        record.places.front().end.transitTime();
+    const double last = record.timeOf(model.firstReturning() + model.returningCount() - 1) -
+                        record.roundTrip - lag - record.places.front().end.transitTime();
     ForceSeen seen;
     double lastForce = 0;
     const double impedance = record.places.front().end.impedance;
@@ -50,8 +50,8 @@ IdentifiedParameter parameterOf(const LawCandidate& chosen, const char* key, Unk
     parameter.key = key;
     const double value = chosen.fit.values[static_cast<Index>(unknown)];
     parameter.halfWidth = width;
-    parameter.noise = chosen.errors.noise[static_cast<Index>(unknown)] *
-                      std::max(1.0, chosen.errors.misfit.ratio);
+    parameter.noise =
+        chosen.errors.noise[static_cast<Index>(unknown)] * std::max(1.0, chosen.errors.misfit.ratio);
     if (parameter.isGap()) {
         parameter.value = value;
         parameter.low = std::max(0.0, value - width);
@@ -96,8 +96,7 @@ void judgeGamma(IdentifiedParameter& gamma) {
 }
 
 void judgeGap(IdentifiedParameter& gap) {
-    const bool isNarrow =
-        gap.halfWidth <= identifiedGap || gap.halfWidth <= identifiedShare * gap.value;
+    const bool isNarrow = gap.halfWidth <= identifiedGap || gap.halfWidth <= identifiedShare * gap.value;
     gap.verdict = isNarrow ? ParameterVerdict::identified : ParameterVerdict::uncertain;
     if (!isNarrow && *gap.low <= 0) {
         gap.verdict = ParameterVerdict::bounded;
@@ -105,8 +104,8 @@ void judgeGap(IdentifiedParameter& gap) {
     }
 }
 
-/// A first line as steep as the way back may be the crater of a blow before, or a bit pressed into it: then the
-/// second line is that of first loading.
+/// A first line as steep as the way back may be the crater of a blow before, or a bit pressed into it: then
+/// the second line is that of first loading.
 void openCrater(RecordAnswer& answer) {
     IdentifiedParameter &stiffness = answer.parameters[0], &gamma = answer.parameters[1];
     const double slope = answer.parameters[4].value;
@@ -132,12 +131,13 @@ void fillCovariance(const LawTrials& trials, const std::vector<UnknownKind>& kin
     const double scale = std::max(1.0, chosen.errors.misfit.ratio * chosen.errors.misfit.ratio);
     for (std::size_t i = 0; i < count; ++i)
         for (std::size_t j = 0; j < count; ++j) {
-            double sum = scale * chosen.errors.draws.row(at[i]).dot(chosen.errors.draws.row(at[j])) / noiseDraws;
+            double sum =
+                scale * chosen.errors.draws.row(at[i]).dot(chosen.errors.draws.row(at[j])) / noiseDraws;
             for (const BudgetEffect& row : chosen.errors.budget)
                 sum += row.effect[at[i]] * row.effect[at[j]] / (half95 * half95);
             covariance(static_cast<Index>(i), static_cast<Index>(j)) = sum;
         }
-    // What is independent of the others makes up the half-widths as reported.
+    // Independent causes make up the half-widths as reported.
     for (std::size_t i = 0; i < count; ++i) {
         const double wanted = std::pow(answer.parameters[i].halfWidth / half95, 2);
         double& own = covariance(static_cast<Index>(i), static_cast<Index>(i));

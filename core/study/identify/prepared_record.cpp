@@ -13,10 +13,10 @@ namespace drillwave {
 namespace {
 
 constexpr std::size_t leastZeroSamples = 50;
-constexpr double frontMargin = 20e-6;        ///< zero ends that long before the front [s]
-constexpr double quietShare = 0.15;          ///< of the peak: below that for 20 µs the blow is over
-constexpr double quietSpan = 20e-6;          ///< [s]
-constexpr double arrivalShare = 0.22;        ///< of the peak: the reflection
+constexpr double frontMargin = 20e-6;         ///< zero ends that long before the front [s]
+constexpr double quietShare = 0.15;           ///< of the peak: below that for 20 µs the blow is over
+constexpr double quietSpan = 20e-6;           ///< [s]
+constexpr double arrivalShare = 0.22;         ///< of the peak: the reflection
 constexpr double longestPairWindow = 1.4e-3;  ///< of two gauges after the reflection [s]
 constexpr double defaultPlaceTolerance = 5e-3;
 constexpr double clippedMost = 5e-6;  ///< of the incident wave [s]
@@ -137,8 +137,9 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
     double largest = 0;
     for (std::size_t i = from; i < to; ++i) largest = std::max(largest, std::abs(even.force[leader][i]));
     if (!first.isFound || !(first.peak > 1e-9 * largest) || first.peak == 0)
-        return refused(std::move(record), "no_front",
-                       translatable("no front is seen in the record; check the gauge, its column and the trigger"));
+        return refused(
+            std::move(record), "no_front",
+            translatable("no front is seen in the record; check the gauge, its column and the trigger"));
     const auto margin = static_cast<std::size_t>(frontMargin / even.step + 0.5);
     record.quiet = first.front - from > margin ? first.front - from - margin : 0;
     if (first.front - from < leastZeroSamples)
@@ -150,7 +151,8 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
               microseconds(even.start + static_cast<double>(first.front) * even.step)}});
     record.quiet = std::max<std::size_t>(record.quiet, std::min<std::size_t>(first.front - from, 20));
     std::vector<FrontFound> fronts(given.gauges.size(), first);
-    for (std::size_t g = 0; g < given.gauges.size(); ++g) fronts[g] = findFront(even.force[g], from, to, even.step);
+    for (std::size_t g = 0; g < given.gauges.size(); ++g)
+        fronts[g] = findFront(even.force[g], from, to, even.step);
     for (const FrontFound& front : fronts)
         if (!front.isFound)
             return refused(std::move(record), "no_front",
@@ -159,9 +161,10 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
         const double late =
             (static_cast<double>(fronts[0].front) - static_cast<double>(fronts[1].front)) * even.step;
         if (late < -0.3 * (places[1].ahead - places[0].ahead) / places[0].waveSpeed)
-            return refused(std::move(record), "exchanged",
-                           translatable("the front reaches the gauge near the bit first: are the columns of the "
-                                        "two gauges exchanged? Exchange them in --gauge"));
+            return refused(
+                std::move(record), "exchanged",
+                translatable("the front reaches the gauge near the bit first: are the columns of the "
+                             "two gauges exchanged? Exchange them in --gauge"));
     }
     const std::size_t near = fronts[0].front;
     record.front = near - from;
@@ -178,7 +181,8 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
         for (std::size_t i = from; i < from + record.quiet; ++i) zero += even.force[g][i];
         zero /= static_cast<double>(record.quiet);
         gauge.zero = zero;
-        for (std::size_t i = from; i < to; ++i) gauge.force.push_back(record.sign * (even.force[g][i] - zero));
+        for (std::size_t i = from; i < to; ++i)
+            gauge.force.push_back(record.sign * (even.force[g][i] - zero));
         if (!even.opposite[g].empty()) {
             double other = 0;
             for (std::size_t i = from; i < from + record.quiet; ++i) other += even.opposite[g][i];
@@ -213,10 +217,11 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
         record.incidentEnd = record.roundTrip + record.shift - margins;
         if (record.arrival > 0) record.incidentEnd = std::min(record.incidentEnd, record.arrival - 15e-6);
         if (!quiet || *quiet > record.incidentEnd)
-            return refused(std::move(record), "blow_not_over",
-                           {translatable("the blow is not over when its reflection arrives after %1; a second gauge "
-                                         "further from the bit is needed, or a gauge further away"),
-                            {microseconds(record.roundTrip)}});
+            return refused(
+                std::move(record), "blow_not_over",
+                {translatable("the blow is not over when its reflection arrives after %1; a second gauge "
+                              "further from the bit is needed, or a gauge further away"),
+                 {microseconds(record.roundTrip)}});
         if (record.incidentEnd - record.quietFrom < 60e-6) record.remarks.emplace_back("quiet_short");
     } else {
         record.transit = (places[1].ahead - places[0].ahead) / speed;
@@ -232,10 +237,11 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
                         {microseconds(even.gap->first), microseconds(even.gap->second)}});
     const double begin = record.roundTripToRock() + record.shift;
     if ((record.end - begin) < leastZeroSamples * record.step)
-        return refused(std::move(record), "too_short",
-                       {translatable("the window ends %1 after the reflection arrives; record longer, or put the gauge "
-                                     "further from the end behind it"),
-                        {microseconds(std::max(0.0, record.end - begin))}});
+        return refused(
+            std::move(record), "too_short",
+            {translatable("the window ends %1 after the reflection arrives; record longer, or put the gauge "
+                          "further from the end behind it"),
+             {microseconds(std::max(0.0, record.end - begin))}});
     for (std::size_t g = 0; g < given.gauges.size(); ++g) {
         if (even.isClipped[g].empty() ||
             !(record.gauges[g].noise.deviation() > record.gauges[g].recorderStep / 2))
@@ -253,17 +259,19 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
                 lost[k] = true;
         }
         if (inBlow > clippedMost)
-            return refused(std::move(record), "clipped",
-                           {translatable("the incident wave is clipped over %1; choose a larger range of the amplifier "
-                                         "or of the recorder"),
-                            {microseconds(inBlow)}});
+            return refused(
+                std::move(record), "clipped",
+                {translatable("the incident wave is clipped over %1; choose a larger range of the amplifier "
+                              "or of the recorder"),
+                 {microseconds(inBlow)}});
         if (any) {
             record.isLost = std::move(lost);
             record.remarks.emplace_back("clipped");
         }
     }
     // Nothing behind the window is looked at again.
-    const auto used = record.front + static_cast<std::size_t>(std::max(0.0, record.end + 100e-6) / record.step);
+    const auto used =
+        record.front + static_cast<std::size_t>(std::max(0.0, record.end + 100e-6) / record.step);
     for (PreparedGauge& gauge : record.gauges) {
         gauge.force.resize(std::min(gauge.force.size(), used));
         if (!gauge.opposite.empty()) gauge.opposite.resize(gauge.force.size());
@@ -275,7 +283,8 @@ Preparation prepareRecord(const GaugeRecord& given, const std::vector<GaugePlace
         std::size_t count = 0;
         for (std::size_t i = record.front; i < record.count() && record.timeOf(i) < record.end; ++i, ++count)
             power += near0.opposite[i] * near0.opposite[i];
-        record.bending = std::sqrt(power / static_cast<double>(std::max<std::size_t>(count, 1))) / record.peak;
+        record.bending =
+            std::sqrt(power / static_cast<double>(std::max<std::size_t>(count, 1))) / record.peak;
     }
     const double stress = record.peak * places[0].youngsModulus / places[0].axialStiffness;
     if (stress < 1e6 || stress > 1e9) record.remarks.emplace_back("unit_doubtful");

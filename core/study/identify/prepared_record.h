@@ -26,26 +26,26 @@ struct PreparedGauge {
 /// A record before a law is fitted. Times are from the front at the gauge near the bit; sample i is at
 /// (i − front) step.
 struct PreparedRecord {
-    double step = 0;          ///< h [s]
-    std::size_t front = 0;    ///< sample at which the front reaches the gauge near the bit
-    std::size_t quiet = 0;    ///< samples of zero, from the first one
-    double startTime = 0;     ///< time of the record at the front [s]
-    double peak = 0;          ///< of the incident wave [N]
-    int sign = 1;             ///< −1: the record had compression negative
+    double step = 0;                    ///< h [s]
+    std::size_t front = 0;              ///< sample at which the front reaches the gauge near the bit
+    std::size_t quiet = 0;              ///< samples of zero, from the first one
+    double startTime = 0;               ///< time of the record at the front [s]
+    double peak = 0;                    ///< of the incident wave [N]
+    int sign = 1;                       ///< −1: the record had compression negative
     std::vector<PreparedGauge> gauges;  ///< the one near the bit first
     std::vector<GaugePlace> places;     ///< of the gauges
-    double roundTrip = 0;       ///< D0 = 2a/c by the file [s]
-    double arrival = 0;         ///< of the reflection as seen [s]; 0 where it was not looked for
-    double shift = 0;           ///< D0 is moved by that to the arrival seen [s]
-    double incidentEnd = 0;     ///< end of f [s]
-    double quietFrom = 0;       ///< begin of the quiet stretch [s]; of one gauge
-    double end = 0;             ///< of the window [s]
-    double before = 0;          ///< A_pre, waves before the front, share of the peak
-    double bending = 0;         ///< rms of half the difference of a pair, share of the peak
-    std::vector<bool> isLost;   ///< samples of the near gauge that are clipped; empty: none
-    double transit = 0;         ///< ϑ between two gauges [s]
-    double secondShift = 0;     ///< θ of the far gauge [s]
-    double secondGain = 1;      ///< of the far gauge relative to the near one
+    double roundTrip = 0;               ///< D0 = 2a/c by the file [s]
+    double arrival = 0;                 ///< of the reflection as seen [s]; 0 where it was not looked for
+    double shift = 0;                   ///< D0 is moved by that to the arrival seen [s]
+    double incidentEnd = 0;             ///< end of f [s]
+    double quietFrom = 0;               ///< begin of the quiet stretch [s]; of one gauge
+    double end = 0;                     ///< of the window [s]
+    double before = 0;                  ///< A_pre, waves before the front, share of the peak
+    double bending = 0;                 ///< rms of half the difference of a pair, share of the peak
+    std::vector<bool> isLost;           ///< samples of the near gauge that are clipped; empty: none
+    double transit = 0;                 ///< ϑ between two gauges [s]
+    double secondShift = 0;             ///< θ of the far gauge [s]
+    double secondGain = 1;              ///< of the far gauge relative to the near one
     std::size_t furtherBlows = 0;
     std::vector<std::string> remarks;  ///< codes
 

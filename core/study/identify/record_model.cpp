@@ -11,19 +11,19 @@ namespace drillwave {
 
 namespace {
 
-constexpr double leadTime = 24e-6;           ///< of the model before the front [s]
-constexpr double longestLag = 60e-6;         ///< about the arrival [s]
-constexpr double coarsestGrid = 0.6e-6;      ///< [s]
-constexpr double returnMargin = 8e-6;        ///< b is compared from before D0 on [s]
-constexpr double smoothingSteps = 1.5;       ///< Gaussian of model and b against the grid
-constexpr double tailCoherence = 100e-6;     ///< a tail hangs together over that [s]
-constexpr double quietFloor = 0.003;         ///< of the peak: nothing is quieter
-constexpr double leastWeightShare = 2e-4;    ///< of the peak: noise below that is of cells and interpolation
-constexpr double zeroTolerance = 0.02;       ///< of the peak, and in a millisecond
-constexpr double droopTolerance = 0.3;       ///< 1 ms over the time constant
-constexpr double bendingTolerance = 0.08;    ///< of half the difference of a pair stays in the mean
-constexpr double curveTolerance = 0.04;     ///< of the peak: gain at the peak less than at small values
-constexpr double leastBending = 0.005;       ///< of the peak
+constexpr double leadTime = 24e-6;         ///< of the model before the front [s]
+constexpr double longestLag = 60e-6;       ///< about the arrival [s]
+constexpr double coarsestGrid = 0.6e-6;    ///< [s]
+constexpr double returnMargin = 8e-6;      ///< b is compared from before D0 on [s]
+constexpr double smoothingSteps = 1.5;     ///< Gaussian of model and b against the grid
+constexpr double tailCoherence = 100e-6;   ///< a tail hangs together over that [s]
+constexpr double quietFloor = 0.003;       ///< of the peak: nothing is quieter
+constexpr double leastWeightShare = 2e-4;  ///< of the peak: noise below that is of cells and interpolation
+constexpr double zeroTolerance = 0.02;     ///< of the peak, and in a millisecond
+constexpr double droopTolerance = 0.3;     ///< 1 ms over the time constant
+constexpr double bendingTolerance = 0.08;  ///< of half the difference of a pair stays in the mean
+constexpr double curveTolerance = 0.04;    ///< of the peak: gain at the peak less than at small values
+constexpr double leastBending = 0.005;     ///< of the peak
 
 double knownOr(const IdentifyQuestion& question, const char* key, double otherwise) {
     for (const KnownTolerance& known : question.known)
@@ -45,13 +45,13 @@ RecordModel::RecordModel(const PreparedRecord& record, const IdentifyQuestion& q
     m_attenuated = std::exp(-place.attenuation * place.ahead);
     // Short sections need cells that fit into them.
     double shortest = m_gridStep;
-    for (const ChainSection& section : place.end.sections) shortest = std::min(shortest, section.transitTime);
+    for (const EndSection& section : place.end.sections) shortest = std::min(shortest, section.transitTime);
     if (shortest < m_gridStep) m_gridStep /= std::min(4.0, std::ceil(m_gridStep / shortest));
     m_chain = ChainModel(place.end, m_gridStep);
 
     const double arrival = record.roundTrip + record.shift;
-    const auto last = std::min(record.count() - 1,
-                               record.front + static_cast<std::size_t>(std::max(0.0, record.end / record.step)));
+    const auto last = std::min(
+        record.count() - 1, record.front + static_cast<std::size_t>(std::max(0.0, record.end / record.step)));
     m_firstReturning =
         record.front + static_cast<std::size_t>(std::max(0.0, (arrival - returnMargin) / record.step));
     m_gridCount = static_cast<std::size_t>((record.end - arrival + leadTime + longestLag) / m_gridStep) + 4;
@@ -105,12 +105,15 @@ void RecordModel::addUnknowns(const IdentifyQuestion& question, const SizeTolera
             add(Kind::cornerForce, 1e-3, std::log(0.01 * m_record->peak), std::log(2.2 * m_record->peak));
             add(Kind::cornerSlope, 1e-3, std::log(0.01), std::log(20.0));
             break;
-        case TrialLaw::power: add(Kind::exponent, 1e-3, 0.4, 2.5); break;
+        case TrialLaw::power:
+            add(Kind::exponent, 1e-3, 0.4, 2.5);
+            break;
         case TrialLaw::dashpot:
             add(Kind::dashpot, 1e-2, std::log(1e-3 * impedance), std::log(impedance));
             break;
         case TrialLaw::bilinear:
-        case TrialLaw::held: break;
+        case TrialLaw::held:
+            break;
     }
     if (!sizes.lengths.empty() && m_law != TrialLaw::held) {
         const auto addSize = [&](Kind kind, std::size_t index, double tolerance, double bound) {
@@ -120,7 +123,8 @@ void RecordModel::addUnknowns(const IdentifyQuestion& question, const SizeTolera
         addSize(Kind::impedance, 0, sizes.impedance, 2.5);
         for (std::size_t j = 0; j < sizes.lengths.size(); ++j) {
             const double least = 0.8 * m_record->places.front().towardsBit[j].length;
-            addSize(Kind::length, j, sizes.lengths[j], std::min(15.0, least / std::max(sizes.lengths[j], 1e-9)));
+            addSize(Kind::length, j, sizes.lengths[j],
+                    std::min(15.0, least / std::max(sizes.lengths[j], 1e-9)));
             addSize(Kind::sectionImpedance, j, sizes.impedances[j], std::min(8.0, 0.8 / sizes.impedances[j]));
         }
     }
@@ -131,9 +135,9 @@ void RecordModel::addShape(LinearShape shape, const std::vector<const std::vecto
     const PreparedRecord& record = *m_record;
     const SeparatedWaves waves = separateWaves(record, signals, record.transit);
     shape.incident = onGrid(waves.incident);
-    shape.returning.assign(waves.returning.begin() + static_cast<std::ptrdiff_t>(m_firstReturning),
-                           waves.returning.begin() +
-                               static_cast<std::ptrdiff_t>(m_firstReturning + m_returning.size()));
+    shape.returning.assign(
+        waves.returning.begin() + static_cast<std::ptrdiff_t>(m_firstReturning),
+        waves.returning.begin() + static_cast<std::ptrdiff_t>(m_firstReturning + m_returning.size()));
     for (std::size_t i = 0; i < m_quiet.size(); ++i) shape.quiet.push_back((*signals[0])[m_firstQuiet + i]);
     m_shapes.push_back(std::move(shape));
     setShapeUnknown(m_shapes.size() - 1);
@@ -141,8 +145,8 @@ void RecordModel::addShape(LinearShape shape, const std::vector<const std::vecto
 
 void RecordModel::setShapeUnknown(std::size_t index) {
     const LinearShape& shape = m_shapes[index];
-    m_unknowns.push_back({Unknown::Kind::shape, index, 0.02 * shape.deviation, shape.low, shape.high, shape.mean,
-                          shape.deviation, false});
+    m_unknowns.push_back({Unknown::Kind::shape, index, 0.02 * shape.deviation, shape.low, shape.high,
+                          shape.mean, shape.deviation, false});
 }
 
 void RecordModel::addShapes(const IdentifyQuestion& question) {
@@ -232,9 +236,9 @@ void RecordModel::setDispersion(double share, bool isFree) {
         return waves;
     };
     const auto cut = [&](const std::vector<double>& returning) {
-        return std::vector<double>(returning.begin() + static_cast<std::ptrdiff_t>(m_firstReturning),
-                                   returning.begin() +
-                                       static_cast<std::ptrdiff_t>(m_firstReturning + m_returning.size()));
+        return std::vector<double>(
+            returning.begin() + static_cast<std::ptrdiff_t>(m_firstReturning),
+            returning.begin() + static_cast<std::ptrdiff_t>(m_firstReturning + m_returning.size()));
     };
     const SeparatedWaves at = wavesAt(share);
     m_incident = onGrid(at.incident);
@@ -312,8 +316,8 @@ void RecordModel::holdSizes(bool isHeld) {
 void RecordModel::setQuietErrors(double before, double last) {
     for (std::size_t i = 0; i < m_quiet.size(); ++i) {
         const double t = m_record->timeOf(m_firstQuiet + i);
-        const double error = std::max(quietFloor * m_record->peak,
-                                      t < m_record->incidentEnd - 120e-6 ? before : last);
+        const double error =
+            std::max(quietFloor * m_record->peak, t < m_record->incidentEnd - 120e-6 ? before : last);
         m_quietWeights[i] =
             m_weight * std::min(1.0, std::sqrt(m_record->step / tailCoherence) / (m_weight * error));
     }
@@ -347,7 +351,8 @@ std::vector<double> RecordModel::onGrid(const std::vector<double>& incident) con
     std::vector<double> grid(m_gridCount);
     const double first = m_gridStart / m_record->step + static_cast<double>(m_record->front);
     const double ratio = m_gridStep / m_record->step;
-    for (std::size_t n = 0; n < m_gridCount; ++n) grid[n] = sampleAt(incident, first + static_cast<double>(n) * ratio);
+    for (std::size_t n = 0; n < m_gridCount; ++n)
+        grid[n] = sampleAt(incident, first + static_cast<double>(n) * ratio);
     return grid;
 }
 
@@ -382,15 +387,15 @@ RockEnd RecordModel::endOf(const Eigen::VectorXd& values) const {
         const Unknown& unknown = m_unknowns[i];
         const double value = values[static_cast<Eigen::Index>(i)];
         if (unknown.kind == Unknown::Kind::impedance) scale = 1 + value;
-        for (ChainSection& section : end.sections) {
+        for (EndSection& section : end.sections) {
             if (section.source != unknown.index) continue;
             if (unknown.kind == Unknown::Kind::length)
                 section.transitTime *= 1 + value / place.towardsBit[section.source].length;
             if (unknown.kind == Unknown::Kind::sectionImpedance) section.impedance *= 1 + value;
         }
     }
-    for (ChainSection& section : end.sections) section.impedance /= scale;
-    for (ChainJoint& joint : end.joints) joint.mass /= scale;
+    for (EndSection& section : end.sections) section.impedance /= scale;
+    for (EndJoint& joint : end.joints) joint.mass /= scale;
     end.bitMass /= scale;
     return end;
 }
@@ -431,7 +436,8 @@ void RecordModel::residuals(const Eigen::VectorXd& values, Eigen::VectorXd& resu
     m_left = m_model;
     for (std::size_t i = 0; i < m_left.size(); ++i) m_left[i] -= m_returning[i];
     const std::size_t returning = m_returning.size();
-    for (std::size_t i = 0; i < m_quiet.size(); ++i) result[static_cast<Eigen::Index>(returning + i)] = m_quiet[i];
+    for (std::size_t i = 0; i < m_quiet.size(); ++i)
+        result[static_cast<Eigen::Index>(returning + i)] = m_quiet[i];
     for (std::size_t u = 0; u < m_unknowns.size(); ++u) {
         const Unknown& unknown = m_unknowns[u];
         const double value = values[static_cast<Eigen::Index>(u)];
@@ -447,7 +453,8 @@ void RecordModel::residuals(const Eigen::VectorXd& values, Eigen::VectorXd& resu
         for (std::size_t i = 0; i < m_left.size(); ++i)
             if (m_record->isLost[m_firstReturning + i]) m_left[i] = 0;
     smoothSamples(m_left, m_record->step, smoothingSteps * m_record->step);
-    for (std::size_t i = 0; i < m_left.size(); ++i) result[static_cast<Eigen::Index>(i)] = m_weight * m_left[i];
+    for (std::size_t i = 0; i < m_left.size(); ++i)
+        result[static_cast<Eigen::Index>(i)] = m_weight * m_left[i];
     for (std::size_t i = 0; i < m_quiet.size(); ++i)
         result[static_cast<Eigen::Index>(returning + i)] *= m_quietWeights[i];
 }
@@ -465,7 +472,8 @@ void RecordModel::changedResiduals(const Eigen::VectorXd& values, const Separate
 void RecordModel::addToRecord(const SeparatedWaves& change, const std::vector<double>& quietChange) {
     const std::vector<double> grid = onGrid(change.incident);
     for (std::size_t n = 0; n < m_incident.size(); ++n) m_incident[n] += grid[n];
-    for (std::size_t i = 0; i < m_returning.size(); ++i) m_returning[i] += change.returning[m_firstReturning + i];
+    for (std::size_t i = 0; i < m_returning.size(); ++i)
+        m_returning[i] += change.returning[m_firstReturning + i];
     for (std::size_t i = 0; i < m_quiet.size() && i < quietChange.size(); ++i) m_quiet[i] += quietChange[i];
 }
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a record should show for trial values of all unknowns, and how far it is from that.
+// Record expected for trial values of all unknowns, and its residuals.
 #pragma once
 
 #include <cstddef>
@@ -50,17 +50,17 @@ inline constexpr double half95 = 1.96;
 struct LinearShape {
     std::string key;  ///< "offset.1", "slope.1", "droop", "dispersion", "bending.1", "jump"
     double mean = 0, deviation = 0, low = 0, high = 0;
-    double tolerance = 0;            ///< 95 % of the prior
-    std::vector<double> incident;    ///< on the grid of the model [N for 1]
-    std::vector<double> returning;   ///< at the samples of b
-    std::vector<double> quiet;       ///< at those of the quiet stretch
+    double tolerance = 0;           ///< 95 % of the prior
+    std::vector<double> incident;   ///< on the grid of the model [N for 1]
+    std::vector<double> returning;  ///< at the samples of b
+    std::vector<double> quiet;      ///< at those of the quiet stretch
 };
 
-/// What is known of the section sizes towards the bit and of Z of the gauge's section, 95 %.
+/// Tolerances of the section sizes towards the bit and of Z of the gauge's section, 95 %.
 struct SizeTolerances {
-    double impedance = 0;                   ///< relative, of the gauge's section
-    std::vector<double> lengths;            ///< [m] of each section towards the bit
-    std::vector<double> impedances;         ///< relative
+    double impedance = 0;            ///< relative, of the gauge's section
+    std::vector<double> lengths;     ///< [m] of each section towards the bit
+    std::vector<double> impedances;  ///< relative
 };
 
 /// Residuals of one prepared record under one law. Not copied while in use: it keeps workspace.
@@ -103,14 +103,14 @@ class RecordModel {
     double quietWeight(std::size_t i) const { return m_quietWeights[i]; }
     const std::vector<double>& quietSignal() const { return m_quiet; }
     std::size_t find(Unknown::Kind kind, std::size_t index = 0) const;  ///< size() where there is none
-    std::size_t findShape(const std::string& key) const;               ///< likewise
-    std::size_t shapeUnknown(const std::string& key) const;            ///< likewise
+    std::size_t findShape(const std::string& key) const;                ///< count where there is none
+    std::size_t shapeUnknown(const std::string& key) const;             ///< count where there is none
 
     TrialRock rockOf(const Eigen::VectorXd& values) const;
     /// Runs the model for these values, keeping force and penetration; b at the samples of the window [N].
     const ChainModel& solved(const Eigen::VectorXd& values);
-    const std::vector<double>& modelReturning() const { return m_model; }   ///< of the last run [N]
-    const std::vector<double>& incidentNow() const { return m_now; }        ///< f of the last run [N]
+    const std::vector<double>& modelReturning() const { return m_model; }  ///< of the last run [N]
+    const std::vector<double>& incidentNow() const { return m_now; }       ///< f of the last run [N]
     double gridStep() const { return m_gridStep; }
     double gridStart() const { return m_gridStart; }
     /// f on the grid of the model.
@@ -131,10 +131,10 @@ class RecordModel {
     TrialRock m_heldRock;
     std::vector<Unknown> m_unknowns;
     std::vector<LinearShape> m_shapes;
-    SeparatedWaves m_waves;             ///< of the record as prepared, plane waves
+    SeparatedWaves m_waves;  ///< of the record as prepared, plane waves
     bool m_hasDispersion = false;
     DispersionChoice m_dispersion;
-    std::vector<double> m_incident;     ///< f on the grid
+    std::vector<double> m_incident;  ///< f on the grid
     std::vector<double> m_returning, m_quiet, m_quietWeights;
     std::size_t m_firstReturning = 0, m_firstQuiet = 0;
     double m_gridStep = 0, m_gridStart = 0;

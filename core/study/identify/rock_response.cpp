@@ -145,9 +145,15 @@ void RockResponse::fly(const Wave& wave, double& left) {
 bool RockResponse::follow(Wave& wave, double& left) {
     const double before = left;
     switch (m_line) {
-        case Line::apart: fly(wave, left); break;
-        case Line::primary: load(wave, left); break;
-        case Line::elastic: unload(wave, left); break;
+        case Line::apart:
+            fly(wave, left);
+            break;
+        case Line::primary:
+            load(wave, left);
+            break;
+        case Line::elastic:
+            unload(wave, left);
+            break;
     }
     wave.g += wave.rate * (before - left);
     return left > 0;
@@ -164,7 +170,8 @@ void RockResponse::advance(double g0, double g1) {
     }
     m_force = m_spring;
     if (m_dashpot > 0 && m_line != Line::apart)
-        m_force = std::max(0.0, m_spring + m_dashpot * (m_double * g1 - m_spring) / (m_impedance + m_dashpot));
+        m_force =
+            std::max(0.0, m_spring + m_dashpot * (m_double * g1 - m_spring) / (m_impedance + m_dashpot));
 }
 
 void RockResponse::advanceMass(double g0, double g1) {

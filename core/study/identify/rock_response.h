@@ -42,9 +42,7 @@ class RockResponse {
 
     double force() const { return m_force; }  ///< F ≥ 0 [N] at the end of the step
     /// The wave b that leaves the rock where g arrives [N].
-    double reflected(double g) const {
-        return m_mass > 0 ? g - m_impedance * m_velocity : m_force - g;
-    }
+    double reflected(double g) const { return m_mass > 0 ? g - m_impedance * m_velocity : m_force - g; }
     double penetration() const;  ///< of the bit from the untouched rock, negative across the gap [m]
     bool hasUnloaded(double share) const { return m_spring < (1 - share) * m_largest; }
 
@@ -72,13 +70,13 @@ class RockResponse {
     double m_dashpot;
     double m_step;
     Line m_line = Line::apart;
-    std::size_t m_loading = 0;        ///< line of the loading curve
-    double m_loadedPenetration = 0;   ///< where that line begins [m]
-    double m_spring = 0;              ///< force without the dashpot
-    double m_largest = 0;             ///< Fm
-    double m_place = 0;               ///< of the bit while apart [m]
-    double m_contact = 0;             ///< place of the rock's surface [m]
-    double m_velocity = 0;            ///< of the mass
+    std::size_t m_loading = 0;       ///< line of the loading curve
+    double m_loadedPenetration = 0;  ///< where that line begins [m]
+    double m_spring = 0;             ///< force without the dashpot
+    double m_largest = 0;            ///< Fm
+    double m_place = 0;              ///< of the bit while apart [m]
+    double m_contact = 0;            ///< place of the rock's surface [m]
+    double m_velocity = 0;           ///< of the mass
     double m_force = 0;
 };
 

@@ -101,8 +101,9 @@ inline std::vector<double> rodRecord(const RodRig& rig, const IncidentWave& f, S
 }
 
 /// Forces at places of a string, compression positive, by the solver of strings.
-inline std::vector<std::vector<double>> stringRecords(const Scenario& scenario, const std::vector<double>& distances,
-                                                      double step, double before, double end, double& arrival) {
+inline std::vector<std::vector<double>> stringRecords(const Scenario& scenario,
+                                                      const std::vector<double>& distances, double step,
+                                                      double before, double end, double& arrival) {
     Scenario solved = scenario;
     solved.drillString.endTime = end + 2e-3;
     const Blow blow = solveBlow(solved, {}, Detail::histories);
@@ -113,7 +114,8 @@ inline std::vector<std::vector<double>> stringRecords(const Scenario& scenario, 
     const double far = *std::max_element(distances.begin(), distances.end());
     arrival = 0;
     for (double t = 0; t < 2e-3; t += step) {
-        if (std::abs(waves.value(WaveQuantity::force, 1 - far / length, t / blow.scales.time)) < 0.02) continue;
+        if (std::abs(waves.value(WaveQuantity::force, 1 - far / length, t / blow.scales.time)) < 0.02)
+            continue;
         arrival = t;
         break;
     }
@@ -126,7 +128,8 @@ inline std::vector<std::vector<double>> stringRecords(const Scenario& scenario, 
                 const double at = t + (p + 0.5 - parts / 2.0) / parts * step * (parts > 1 ? 1 : 0);
                 if (at >= 0)
                     sum -= blow.scales.force *
-                           waves.value(WaveQuantity::force, 1 - distance / length, at / blow.scales.time) / parts;
+                           waves.value(WaveQuantity::force, 1 - distance / length, at / blow.scales.time) /
+                           parts;
             }
             record.push_back(sum);
         }
@@ -163,13 +166,16 @@ inline void addNoise(std::vector<double>& signal, const std::string& kind, doubl
             const double frequency = low * std::pow(high / low, (i + 0.5) / count);
             const double amplitude = deviation * std::sqrt(2.0 / count), phase = random.uniform(0, 6.2832);
             for (std::size_t k = 0; k < signal.size(); ++k)
-                signal[k] += amplitude * std::sin(2 * std::numbers::pi * frequency * step * static_cast<double>(k) + phase);
+                signal[k] +=
+                    amplitude *
+                    std::sin(2 * std::numbers::pi * frequency * step * static_cast<double>(k) + phase);
         }
     } else if (kind == "tone") {
         const double phase = random.uniform(0, 6.2832);
         for (std::size_t k = 0; k < signal.size(); ++k)
-            signal[k] += deviation * (0.5 * random.normal() +
-                                      std::sin(2 * std::numbers::pi * 2000 * step * static_cast<double>(k) + phase));
+            signal[k] +=
+                deviation * (0.5 * random.normal() +
+                             std::sin(2 * std::numbers::pi * 2000 * step * static_cast<double>(k) + phase));
     }
 }
 

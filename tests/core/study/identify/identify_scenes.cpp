@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Coverage of identifications over random rigs and troubles: identify_scenes [--seed S] [--count N] [--detail] [KIND …]
-// Without KIND all of them. Prints for each how many records are refused, rejected and identified, and how many intervals
-// hold the truth; then each interval that misses, with the seed that makes it again.
+// Coverage of identifications over random rigs and troubles: identify_scenes [--seed S] [--count N]
+// [--detail] [KIND …] Without KIND all of them. Prints for each how many records are refused, rejected and
+// identified, and how many intervals hold the truth; then each interval that misses, with the seed that makes
+// it again.
 #include <cstdio>
 #include <cstdlib>
 #include <map>
@@ -30,8 +31,8 @@ void judge(const GaugeScene& scene, const RecordAnswer& answer, std::uint64_t se
     if (answer.refusal) {
         ++tally.refused;
         if (scene.mustIdentify)
-            std::printf("   %s seed %llu refused: %s\n", scene.kind.c_str(), static_cast<unsigned long long>(seed),
-                        answer.refusal->text.text().c_str());
+            std::printf("   %s seed %llu refused: %s\n", scene.kind.c_str(),
+                        static_cast<unsigned long long>(seed), answer.refusal->text.text().c_str());
         return;
     }
     if (answer.model == ModelVerdict::rejected) {
@@ -59,10 +60,11 @@ void judge(const GaugeScene& scene, const RecordAnswer& answer, std::uint64_t se
             continue;
         }
         tally.worst = std::max(tally.worst, ratio);
-        std::printf("   %s seed %llu: %s %.5g for %.5g, error %.2f half-widths of %.3g (%s; m %.2f %% A %.1f %%)",
-                    scene.kind.c_str(), static_cast<unsigned long long>(seed), parameter.key.c_str(), parameter.value,
-                    truths[i], ratio, parameter.halfWidth, answer.law.c_str(), 100 * answer.match.misfit,
-                    100 * answer.match.unexplained);
+        std::printf(
+            "   %s seed %llu: %s %.5g for %.5g, error %.2f half-widths of %.3g (%s; m %.2f %% A %.1f %%)",
+            scene.kind.c_str(), static_cast<unsigned long long>(seed), parameter.key.c_str(), parameter.value,
+            truths[i], ratio, parameter.halfWidth, answer.law.c_str(), 100 * answer.match.misfit,
+            100 * answer.match.unexplained);
         for (const std::string& remark : answer.remarks) std::printf(" %s", remark.c_str());
         std::printf("\n");
     }
@@ -81,19 +83,24 @@ void detail(const GaugeScene& scene, const RecordAnswer& answer) {
         return;
     }
     const MatchFigures& match = answer.match;
-    std::printf("  %s %s m %.2f %% q %.2f noise %.2f (%.2f) %% quiet %.2f %% A %.2f %% before %.2f %% round trip %.1f of %.1f us\n",
-                std::string(name(answer.model)).c_str(), answer.law.c_str(), 100 * match.misfit, match.ratio,
-                100 * match.expected, 100 * match.noise, 100 * match.quiet, 100 * match.unexplained, 100 * match.before,
-                1e6 * match.roundTrip, 1e6 * match.roundTripOfFile);
-    std::printf("  truth %.4g %.4g %.4g; dispersion %.2f droop %.2f gain %.4f shift %.2f us", scene.stiffness, scene.gamma,
-                scene.gap, match.dispersion.value_or(-1), match.droop, match.gainOfSecond, 1e6 * match.shiftOfSecond);
-    for (const ZeroLine95& zero : match.zero) std::printf(" zero %.2f %.2f %%", 100 * zero.offset, 100 * zero.slope);
+    std::printf(
+        "  %s %s m %.2f %% q %.2f noise %.2f (%.2f) %% quiet %.2f %% A %.2f %% before %.2f %% round trip "
+        "%.1f of %.1f us\n",
+        std::string(name(answer.model)).c_str(), answer.law.c_str(), 100 * match.misfit, match.ratio,
+        100 * match.expected, 100 * match.noise, 100 * match.quiet, 100 * match.unexplained,
+        100 * match.before, 1e6 * match.roundTrip, 1e6 * match.roundTripOfFile);
+    std::printf("  truth %.4g %.4g %.4g; dispersion %.2f droop %.2f gain %.4f shift %.2f us", scene.stiffness,
+                scene.gamma, scene.gap, match.dispersion.value_or(-1), match.droop, match.gainOfSecond,
+                1e6 * match.shiftOfSecond);
+    for (const ZeroLine95& zero : match.zero)
+        std::printf(" zero %.2f %.2f %%", 100 * zero.offset, 100 * zero.slope);
     std::printf("\n");
     for (const IdentifiedParameter& parameter : answer.parameters) {
-        std::printf("  %s %.5g ± %.3g %s noise %.3g:", parameter.key.c_str(), parameter.value, parameter.halfWidth,
-                    std::string(name(parameter.verdict)).c_str(), parameter.noise);
+        std::printf("  %s %.5g ± %.3g %s noise %.3g:", parameter.key.c_str(), parameter.value,
+                    parameter.halfWidth, std::string(name(parameter.verdict)).c_str(), parameter.noise);
         for (const BudgetRow& row : parameter.budget)
-            if (row.effect > 0.1 * parameter.halfWidth) std::printf(" %s %.3g", row.source.c_str(), row.effect);
+            if (row.effect > 0.1 * parameter.halfWidth)
+                std::printf(" %s %.3g", row.source.c_str(), row.effect);
         std::printf("\n");
     }
     for (const TriedLaw& law : answer.laws) {
@@ -111,11 +118,11 @@ void detail(const GaugeScene& scene, const RecordAnswer& answer) {
 }
 
 void print(const std::string& kind, const Tally& tally) {
-    std::printf("%-18s %4d %7d %8d %10d", kind.c_str(), tally.records, tally.refused, tally.rejected, tally.identified);
-    for (int i = 0; i < 3; ++i)
-        std::printf("  %4d/%-4d", tally.held[i], tally.intervals[i]);
-    std::printf(" %6.1f %6.1f  %5.2f %6.2f\n", 100 * medianOf(tally.widths[0]), 100 * medianOf(tally.widths[1]),
-                tally.worst, tally.seconds / std::max(1, tally.records));
+    std::printf("%-18s %4d %7d %8d %10d", kind.c_str(), tally.records, tally.refused, tally.rejected,
+                tally.identified);
+    for (int i = 0; i < 3; ++i) std::printf("  %4d/%-4d", tally.held[i], tally.intervals[i]);
+    std::printf(" %6.1f %6.1f  %5.2f %6.2f\n", 100 * medianOf(tally.widths[0]),
+                100 * medianOf(tally.widths[1]), tally.worst, tally.seconds / std::max(1, tally.records));
     std::fflush(stdout);
 }
 
@@ -163,7 +170,9 @@ int main(int argc, char** argv) {
         all.worst = std::max(all.worst, tally.worst);
         all.seconds += tally.seconds;
     }
-    std::printf("\nkind             records refused rejected identified  k in       gamma in   gap in      ± k    ± γ  worst   s/record\n");
+    std::printf(
+        "\nkind             records refused rejected identified  k in       gamma in   gap in      ± k    ± "
+        "γ  worst   s/record\n");
     for (const auto& [kind, tally] : rows) print(kind, tally);
     print("all", all);
 }

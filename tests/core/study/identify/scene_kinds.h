@@ -10,12 +10,13 @@
 namespace drillwave {
 
 inline std::vector<std::string> sceneKinds() {
-    return {"rod",         "ar",          "band",       "slow",       "tone",       "piston",      "string",
-            "string_one",  "hum",         "ac",         "fast_ac",    "bending",    "pair",        "pair_off",
-            "distance",    "speed",       "clock",      "worn_rod",   "worn_bit",   "bits",        "ringing",
-            "jump",        "soft_gain",   "filter",     "slow_filter", "channel_filter", "dashpot", "power", "hardening",  "chipping",
-            "preloaded",   "double_hit",  "bursts",     "growing",    "delay",      "late_loss",   "play",
-            "corner",      "stiff",       "soft",       "cut",        "clip",       "low_rate", "head_missing", "gain_jump"};
+    return {"rod",        "ar",           "band",      "slow",        "tone",           "piston",  "string",
+            "string_one", "hum",          "ac",        "fast_ac",     "bending",        "pair",    "pair_off",
+            "distance",   "speed",        "clock",     "worn_rod",    "worn_bit",       "bits",    "ringing",
+            "jump",       "soft_gain",    "filter",    "slow_filter", "channel_filter", "dashpot", "power",
+            "hardening",  "chipping",     "preloaded", "double_hit",  "bursts",         "growing", "delay",
+            "late_loss",  "play",         "corner",    "stiff",       "soft",           "cut",     "clip",
+            "low_rate",   "head_missing", "gain_jump"};
 }
 
 /// A rod scenario for the question of a rig.
@@ -30,7 +31,8 @@ inline Scenario rodScenario(const RodRig& rig) {
     return scenario;
 }
 
-/// A pulse of a hammer: rectangle with a rise, half sine, stepped piston, exponential, with an adapter's tail.
+/// A pulse of a hammer: rectangle with a rise, half sine, stepped piston, exponential, with an adapter's
+/// tail.
 inline IncidentWave pulseOf(SceneRandom& random, double force, bool withTail) {
     const int shape = random.below(4);
     const double rise = random.uniform(12e-6, 40e-6), length = random.uniform(130e-6, 260e-6);
@@ -38,7 +40,9 @@ inline IncidentWave pulseOf(SceneRandom& random, double force, bool withTail) {
     const double ring = withTail ? random.uniform(0.005, 0.02) : 0, ringing = random.uniform(6e3, 15e3);
     return [=](double t) {
         if (t < 0) return 0.0;
-        const auto ramp = [&](double at) { return 0.5 - 0.5 * std::cos(std::numbers::pi * std::clamp(at / rise, 0.0, 1.0)); };
+        const auto ramp = [&](double at) {
+            return 0.5 - 0.5 * std::cos(std::numbers::pi * std::clamp(at / rise, 0.0, 1.0));
+        };
         double value = 0;
         if (shape == 0) value = ramp(t) - ramp(t - length);
         if (shape == 1) value = t < 1.3 * length ? std::sin(std::numbers::pi * t / (1.3 * length)) : 0;
@@ -48,7 +52,8 @@ inline IncidentWave pulseOf(SceneRandom& random, double force, bool withTail) {
             const double step = ramp(t - length) - ramp(t - length - second);
             value += share * step * 0.6;
         }
-        if (ring > 0) value += ring * std::sin(2 * std::numbers::pi * ringing * t) * std::exp(-t / 150e-6) * ramp(t);
+        if (ring > 0)
+            value += ring * std::sin(2 * std::numbers::pi * ringing * t) * std::exp(-t / 150e-6) * ramp(t);
         return force * value;
     };
 }
@@ -63,7 +68,8 @@ class RodSceneMaker {
     GaugeScene make() {
         SceneRandom& random = m_random;
         RodRig rig;
-        const double sizes[][2] = {{0.039, 0.0145}, {0.032, 0.0}, {0.0455, 0.017}, {0.052, 0.021}, {0.025, 0.007}};
+        const double sizes[][2] = {
+            {0.039, 0.0145}, {0.032, 0.0}, {0.0455, 0.017}, {0.052, 0.021}, {0.025, 0.007}};
         const auto& size = sizes[random.below(5)];
         rig.diameter = size[0];
         rig.bore = size[1];
@@ -71,7 +77,8 @@ class RodSceneMaker {
         rig.length = rig.ahead + random.uniform(1.6, 2.6);
         const double z = rig.impedance(), force = z * random.uniform(3.5, 5.5);
         const double beta = random.logUniform(0.35, 2.2);
-        double k = beta * z / 200e-6, gamma = random.uniform(0.07, 0.35), gap = random.chance(0.5) ? 0 : random.uniform(2e-5, 4e-4);
+        double k = beta * z / 200e-6, gamma = random.uniform(0.07, 0.35),
+               gap = random.chance(0.5) ? 0 : random.uniform(2e-5, 4e-4);
         double step = random.chance(0.3) ? 0.5e-6 : random.chance(0.5) ? 1e-6 : 2e-6;
         if (is("low_rate")) step = random.uniform(4e-6, 8e-6);
         if (is("stiff")) k = random.uniform(5, 60) * z / 200e-6;
@@ -103,11 +110,16 @@ class RodSceneMaker {
             k *= 1.6;
             truthK = k;
             elastic = k / gamma;
-            rock = loadingRock([k, corner, slope](double u) { return k * u < corner ? k * u : corner + slope * (k * u - corner); }, elastic);
+            rock = loadingRock(
+                [k, corner, slope](double u) {
+                    return k * u < corner ? k * u : corner + slope * (k * u - corner);
+                },
+                elastic);
         }
         if (is("power")) {
             const double p = random.uniform(1.15, 1.6), u1 = 0.6 * peakPenetration;
-            rock = loadingRock([k, p, u1](double u) { return u > 0 ? k * u1 * std::pow(u / u1, p) : 0.0; }, 1.6 * elastic);
+            rock = loadingRock([k, p, u1](double u) { return u > 0 ? k * u1 * std::pow(u / u1, p) : 0.0; },
+                               1.6 * elastic);
             truthK = truthGamma = nan;
         }
         if (is("hardening")) {
@@ -123,10 +135,12 @@ class RodSceneMaker {
             truthK = 1.5 * k;
             truthGamma = 1.5 * gamma;
         }
-        if (is("dashpot")) rock = loadingRock([k](double u) { return k * u; }, elastic, z * random.uniform(0.02, 0.15));
+        if (is("dashpot"))
+            rock = loadingRock([k](double u) { return k * u; }, elastic, z * random.uniform(0.02, 0.15));
         if (is("chipping")) {
             const double at = random.uniform(0.3, 0.7) * peakPenetration, drop = random.uniform(0.2, 0.5);
-            rock = [k, elastic, at, drop, largest = 0.0, deepest = 0.0, fallen = false](double u, double, double) mutable {
+            rock = [k, elastic, at, drop, largest = 0.0, deepest = 0.0, fallen = false](double u, double,
+                                                                                        double) mutable {
                 if (u > deepest) {
                     deepest = u;
                     if (!fallen && u > at) fallen = true;
@@ -140,7 +154,12 @@ class RodSceneMaker {
             const double deep = before / k;
             gap = 0;
             truthGap = nan;
-            rock = loadingRock([=](double u) { const double d = u + deep - before * gamma / k * 1.0; return d < deep ? before - elastic * (deep - d) : k * d; }, elastic);
+            rock = loadingRock(
+                [=](double u) {
+                    const double d = u + deep - before * gamma / k * 1.0;
+                    return d < deep ? before - elastic * (deep - d) : k * d;
+                },
+                elastic);
             truthGamma = gamma;
         }
         std::vector<double> record = rodRecord(rig, f, rock, gap, step, before(), end);
@@ -151,11 +170,16 @@ class RodSceneMaker {
         const std::string colour = is("ar") || is("band") || is("slow") || is("tone") ? m_kind : "white";
         std::vector<double> opposite;
         if (is("pair") || is("pair_off")) {
-            const double frequency = random.logUniform(600, 6000), amplitude = random.uniform(0.03, 0.1) * peak;
-            const double phase = random.uniform(0, 6.28), stays = is("pair_off") ? random.uniform(-0.08, 0.08) : 0;
+            const double frequency = random.logUniform(600, 6000),
+                         amplitude = random.uniform(0.03, 0.1) * peak;
+            const double phase = random.uniform(0, 6.28),
+                         stays = is("pair_off") ? random.uniform(-0.08, 0.08) : 0;
             for (std::size_t i = 0; i < record.size(); ++i) {
                 const double t = static_cast<double>(i) * step - before();
-                const double bend = t > 0 ? amplitude * std::sin(2 * std::numbers::pi * frequency * t + phase) * std::min(1.0, t / 50e-6) : 0;
+                const double bend = t > 0
+                                        ? amplitude * std::sin(2 * std::numbers::pi * frequency * t + phase) *
+                                              std::min(1.0, t / 50e-6)
+                                        : 0;
                 record[i] += stays * bend;
                 opposite.push_back(bend + noise * 0.7 * random.normal());
             }
@@ -183,10 +207,12 @@ class RodSceneMaker {
     bool is(const char* kind) const { return m_kind == kind; }
     double before() const { return is("low_rate") ? 700e-6 : 200e-6; }
 
-    void distort(const RodRig& rig, std::vector<double>& record, double step, double peak, const IncidentWave&) {
+    void distort(const RodRig& rig, std::vector<double>& record, double step, double peak,
+                 const IncidentWave&) {
         SceneRandom& random = m_random;
         const auto each = [&](auto change) {
-            for (std::size_t i = 0; i < record.size(); ++i) change(record[i], static_cast<double>(i) * step - before());
+            for (std::size_t i = 0; i < record.size(); ++i)
+                change(record[i], static_cast<double>(i) * step - before());
         };
         const double pi = std::numbers::pi;
         if (is("hum")) {
@@ -202,22 +228,29 @@ class RodSceneMaker {
             });
         }
         if (is("bending") || is("growing")) {
-            const double frequency = random.logUniform(400, 6000), amplitude = random.uniform(0.02, 0.07) * peak;
-            const double phase = random.uniform(0, 6.28), grow = is("growing") ? random.uniform(200e-6, 600e-6) : 50e-6;
+            const double frequency = random.logUniform(400, 6000),
+                         amplitude = random.uniform(0.02, 0.07) * peak;
+            const double phase = random.uniform(0, 6.28),
+                         grow = is("growing") ? random.uniform(200e-6, 600e-6) : 50e-6;
             each([&](double& v, double t) {
                 const double share = std::min(is("growing") ? 2.0 : 1.0, t / grow);
                 if (t > 0) v += amplitude * share * std::sin(2 * pi * frequency * t + phase);
             });
         }
         if (is("ringing")) {
-            const double frequency = random.logUniform(700, 4000), amplitude = random.uniform(0.02, 0.06) * peak;
+            const double frequency = random.logUniform(700, 4000),
+                         amplitude = random.uniform(0.02, 0.06) * peak;
             const double phase = random.uniform(0, 6.28);
-            each([&](double& v, double t) { v += amplitude * std::sin(2 * pi * frequency * t + phase) * std::exp(-(t + before()) / 3e-3); });
+            each([&](double& v, double t) {
+                v += amplitude * std::sin(2 * pi * frequency * t + phase) * std::exp(-(t + before()) / 3e-3);
+            });
         }
         const double trip = 2 * rig.ahead / rig.speed();
         if (is("jump")) {
             const double at = random.uniform(0.05, 1.5) * trip, size = random.uniform(-0.05, 0.05) * peak;
-            each([&](double& v, double t) { if (t > at) v += size; });
+            each([&](double& v, double t) {
+                if (t > at) v += size;
+            });
         }
         if (is("soft_gain")) {
             const double soft = random.uniform(0.03, 0.15);
@@ -225,7 +258,9 @@ class RodSceneMaker {
         }
         if (is("gain_jump")) {
             const double at = random.uniform(0.3, 1.2) * trip, change = 1 - random.uniform(0.03, 0.15);
-            each([&](double& v, double t) { if (t > at) v *= change; });
+            each([&](double& v, double t) {
+                if (t > at) v *= change;
+            });
         }
         if (is("filter") || is("slow_filter")) {
             const double corner = is("filter") ? random.uniform(10e3, 40e3) : random.uniform(2e3, 8e3);
@@ -259,7 +294,8 @@ class RodSceneMaker {
         for (std::size_t i = 0; i < record.size(); ++i)
             made.time.push_back((static_cast<double>(i) * step - before()) * clock);
         // a recorder keeps a few digits
-        const double digit = is("bits") ? 0 : 1e-5 * std::abs(*std::max_element(record.begin(), record.end()));
+        const double digit =
+            is("bits") ? 0 : 1e-5 * std::abs(*std::max_element(record.begin(), record.end()));
         if (digit > 0)
             for (double& value : record) value = digit * std::round(value / digit);
         // strain gauges: the file's area makes forces of strains, the truth another one
@@ -323,7 +359,8 @@ inline GaugeScene stringScene(const std::string& kind, std::uint64_t seed) {
     scenario.bitRock.stiffness = random.logUniform(0.35, 2.2) * z / 200e-6;
     scenario.bitRock.gamma = random.uniform(0.07, 0.35);
     scenario.bitRock.gap = random.chance(0.5) ? 0 : random.uniform(2e-5, 3e-4);
-    const double head = chain.parts.back().sections[0].length + chain.parts[chain.parts.size() - 2].sections[0].length;
+    const double head =
+        chain.parts.back().sections[0].length + chain.parts[chain.parts.size() - 2].sections[0].length;
     const double step = random.chance(0.5) ? 1e-6 : 2e-6;
     Scenario truth = scenario;
     const auto section = [&](std::size_t fromEnd) -> Section& {
@@ -341,11 +378,12 @@ inline GaugeScene stringScene(const std::string& kind, std::uint64_t seed) {
     else
         distances.push_back(distances[0] + random.uniform(1.0, 1.6));
     double arrival = 0;
-    auto records = stringRecords(truth, distances, step, 220e-6, kind == "string_one" ? 2e-3 : 1.6e-3, arrival);
+    auto records =
+        stringRecords(truth, distances, step, 220e-6, kind == "string_one" ? 2e-3 : 1.6e-3, arrival);
     double peak = 0;
     for (const double value : records[0]) peak = std::max(peak, std::abs(value));
     const double noise = random.uniform(0.002, 0.01) * peak;
-    if (kind == "delay" ) {
+    if (kind == "delay") {
         const auto shift = static_cast<std::size_t>(random.uniform(1, 5e-6 / step + 1.5));
         records[1].erase(records[1].begin(), records[1].begin() + static_cast<std::ptrdiff_t>(shift));
         records[1].resize(records[0].size(), records[1].back());
@@ -375,7 +413,8 @@ inline GaugeScene stringScene(const std::string& kind, std::uint64_t seed) {
 }
 
 inline GaugeScene sceneOf(const std::string& kind, std::uint64_t seed) {
-    for (const char* ofString : {"string", "string_one", "worn_bit", "late_loss", "play", "delay", "channel_filter", "head_missing"})
+    for (const char* ofString :
+         {"string", "string_one", "worn_bit", "late_loss", "play", "delay", "channel_filter", "head_missing"})
         if (kind == ofString) return stringScene(kind, seed);
     return RodSceneMaker(kind, seed).make();
 }

@@ -20,8 +20,8 @@ struct PlainScene {
             return t > 0 && t < 220e-6 ? 200e3 * std::pow(std::sin(std::numbers::pi * t / 220e-6), 2) : 0.0;
         };
         const double k = stiffness;
-        std::vector<double> record = rodRecord(rig, f, loadingRock([k](double u) { return k * u; }, k / gamma), gap, step,
-                                               200e-6, 1.35e-3);
+        std::vector<double> record = rodRecord(
+            rig, f, loadingRock([k](double u) { return k * u; }, k / gamma), gap, step, 200e-6, 1.35e-3);
         SceneRandom random(seed);
         addNoise(record, "white", noise * 200e3, step, random);
         GaugeRecord made;
@@ -181,7 +181,8 @@ void TestIdentify::clippedIncidentWave_isRefused() {
     PlainScene scene;
     scene.noise = 0.01;
     IdentifyQuestion question = scene.question();
-    for (double& value : question.records[0].gauges[0].force) value = std::clamp(std::round(value / 100) * 100, -180e3, 180e3);
+    for (double& value : question.records[0].gauges[0].force)
+        value = std::clamp(std::round(value / 100) * 100, -180e3, 180e3);
     QCOMPARE(answerOf(question).refusal->code, std::string("clipped"));
 }
 

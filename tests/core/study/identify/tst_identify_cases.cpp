@@ -83,7 +83,8 @@ void TestIdentifyCases::givenRecord_isAnsweredAsExpected_data() {
         QTest::newRow(qPrintable(value.toObject()["id"].toString())) << value.toObject();
 }
 
-void TestIdentifyCases::check(const RecordAnswer& answer, const QJsonObject& truth, const QJsonObject& expected) {
+void TestIdentifyCases::check(const RecordAnswer& answer, const QJsonObject& truth,
+                              const QJsonObject& expected) {
     for (const IdentifiedParameter& parameter : answer.parameters) {
         const QString key = QString::fromStdString(parameter.key);
         const QJsonObject wanted = expected[key].toObject();
@@ -95,12 +96,16 @@ void TestIdentifyCases::check(const RecordAnswer& answer, const QJsonObject& tru
                                 parameter.verdict == ParameterVerdict::uncertain;
         const double value = truth[key].toDouble();
         if (isTwoSided && truth.contains(key)) {
-            const double error = parameter.isGap() ? parameter.value - value : std::log(parameter.value / value);
+            const double error =
+                parameter.isGap() ? parameter.value - value : std::log(parameter.value / value);
             // none may miss by its own half-width
             QVERIFY2(std::abs(error) < 2 * parameter.halfWidth, qPrintable(key));
-            if (wanted["contains"].toBool()) QVERIFY2(std::abs(error) <= parameter.halfWidth, qPrintable(key));
-            if (wanted.contains("error")) QVERIFY2(std::abs(error) <= wanted["error"].toDouble(), qPrintable(key));
-            if (wanted.contains("error_m")) QVERIFY2(std::abs(error) <= wanted["error_m"].toDouble(), qPrintable(key));
+            if (wanted["contains"].toBool())
+                QVERIFY2(std::abs(error) <= parameter.halfWidth, qPrintable(key));
+            if (wanted.contains("error"))
+                QVERIFY2(std::abs(error) <= wanted["error"].toDouble(), qPrintable(key));
+            if (wanted.contains("error_m"))
+                QVERIFY2(std::abs(error) <= wanted["error_m"].toDouble(), qPrintable(key));
             if (wanted.contains("half_width"))
                 QVERIFY2(parameter.halfWidth <= wanted["half_width"].toDouble(), qPrintable(key));
             if (wanted.contains("half_width_m") && parameter.verdict == ParameterVerdict::identified)
@@ -110,7 +115,8 @@ void TestIdentifyCases::check(const RecordAnswer& answer, const QJsonObject& tru
         }
         if (wanted.contains("reason"))
             QCOMPARE(QString::fromStdString(parameter.reason), wanted["reason"].toString());
-        if (wanted.contains("low_at_least")) QVERIFY(parameter.low.value_or(0) >= wanted["low_at_least"].toDouble());
+        if (wanted.contains("low_at_least"))
+            QVERIFY(parameter.low.value_or(0) >= wanted["low_at_least"].toDouble());
     }
 }
 
