@@ -153,13 +153,7 @@ const Command& identifyCommand() {
         .operands = "FILE",
         .summary = "rock properties from strain gauges, with their uncertainty",
         .details = details,
-        .options =
-            [] {
-                std::vector<OptionSpec> specs = scenarioOptions();
-                for (const OptionSpec& option : identifyOptionSpecs()) specs.push_back(option);
-                specs.push_back(decimalCommaSpec());
-                return specs;
-            }(),
+        .options = identifyOptionSpecs(),
         .leastOperands = 1,
         .mostOperands = SIZE_MAX,
         .draws = [](const Arguments&) { return false; },

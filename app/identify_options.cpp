@@ -7,6 +7,8 @@
 
 #include "app/command_error.h"
 #include "app/input_text.h"
+#include "app/output_file.h"
+#include "app/scenario_argument.h"
 #include "app/signal_options.h"
 #include "core/model/parameter.h"
 #include "core/signal/signal_option.h"
@@ -20,7 +22,9 @@ namespace drillwave {
 namespace {
 
 constexpr double leastGaugeDistance = 0.5;  ///< between two gauges [m]
-constexpr std::string_view optionsOfOneSignal[] = {"signal-column", "zero", "from", "to"};
+/// Options of a blow read by --signal that have no meaning for gauges.
+constexpr std::string_view optionsOfOneSignal[] = {"signal", "all-samples", "signal-column",
+                                                   "zero",   "from",        "to"};
 
 [[noreturn]] void refuseIdentifyUsage(const Message& message) {
     throw CommandError(ExitCode::usage, message);
@@ -134,10 +138,13 @@ std::vector<OptionSpec> identifyOptionSpecs() {
         {"json", "", "Print JSON"},
         {"o", "DIR", "Also write tables, draws and the identified scenario into DIR"},
         {"force", "", "Overwrite existing files"}};
-    for (const OptionSpec& option : signalOptionSpecs())
-        if (std::find(std::begin(optionsOfOneSignal), std::end(optionsOfOneSignal), option.name) ==
-            std::end(optionsOfOneSignal))
-            specs.push_back(option);
+    std::vector<OptionSpec> all = scenarioOptions();
+    std::erase_if(all, [](const OptionSpec& option) {
+        return std::find(std::begin(optionsOfOneSignal), std::end(optionsOfOneSignal), option.name) !=
+               std::end(optionsOfOneSignal);
+    });
+    specs.insert(specs.begin(), all.begin(), all.end());
+    specs.push_back(decimalCommaSpec());
     return specs;
 }
 

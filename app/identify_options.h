@@ -12,7 +12,7 @@
 
 namespace drillwave {
 
-/// The options of `identify`.
+/// The options of `identify`: of scenarios, of reading, and its own.
 std::vector<OptionSpec> identifyOptionSpecs();
 
 /// FILE and the records of --signals, in their order.

@@ -133,6 +133,7 @@ void applySignal(ScenarioDocument& document, const Arguments& arguments, const s
     Scenario& scenario = document.scenario;
     const std::optional<std::string> record = arguments.value("signal");
     if (!record) {
+        if (arguments.has("signals")) return;  // `identify` reads records of gauges by the same options
         for (const OptionSpec& option : recordOptionSpecs())
             if (arguments.has(option.name))
                 refuseUsage({translatable("%1 is about a record; add --signal FILE"), {option.text()}});
