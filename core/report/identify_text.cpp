@@ -26,7 +26,7 @@ class IdentifyWriter {
                       ? said({translatable("%1 records"), {std::to_string(findings.records.size())}})
                       : answer.file;
         m_text += "\n";
-        m_text += paragraph(m_style.said(identifySentence(answer))) + "\n";
+        m_text += paragraph(m_style.said(identifySentence(answer)));
         if (findings.records.size() > 1) addRecords();
         if (answer.refusal) return m_text;
         addParameters(answer);

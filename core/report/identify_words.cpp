@@ -132,6 +132,7 @@ std::string identifiedComment(const IdentifyReport& report, const IdentifiedPara
                        : parameter.key == "bit_rock.corner.1.force" ? " kN"
                                                                     : "";
     std::string from = report.findings.main().file;
+    from.erase(0, from.find_last_of('/') + 1);  // npos + 1 is 0
     if (report.findings.records.size() > 1)
         from = std::to_string(report.findings.records.size()) + " records";
     std::optional<double> low = parameter.low, high = parameter.high;
