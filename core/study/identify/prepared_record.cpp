@@ -29,7 +29,7 @@ Preparation refused(PreparedRecord record, const char* code, Message text) {
     return {std::move(record), RecordRefusal{code, std::move(text)}};
 }
 
-/// Waves before the front that the noise does not explain, share of the peak (theory §2.3).
+/// Waves before the front that the noise does not explain, share of the peak (theory §13).
 double wavesBefore(const PreparedGauge& gauge, std::size_t quiet, double step, double peak) {
     const auto span = std::max<std::size_t>(2, static_cast<std::size_t>(40e-6 / step + 0.5));
     if (quiet < 4 * span) return 0;
