@@ -147,7 +147,8 @@ const Command& identifyCommand() {
         "Records are read as by `signal`. DIR gets identified.yaml, posterior.csv (for design --draws),\n"
         "match.csv, force_penetration.csv, incident.csv, identify.json and, of several records, "
         "records.csv.\n"
-        "Exit code 0 where stiffness or gamma is known, 6 where the model is rejected or neither is known.";
+        "Exit code 0 where stiffness or gamma is known, 6 where the model is rejected or neither is known.\n"
+        "Rock that does not load and unload along two lines can give too narrow intervals (commands §4.17).";
     static const Command command{
         .name = "identify",
         .operands = "FILE",

@@ -135,9 +135,9 @@ std::vector<OptionSpec> identifyOptionSpecs() {
         {"blows", "WHICH", "first or all, of a record with several fronts (default: first)"},
         {"seed", "S", "draws of the noise (default: 1)"},
         {"j", "N", "threads to use (default: all of them)"},
-        {"json", "", "Print JSON"},
+        {"json", "", "print one JSON object instead of the table"},
         {"o", "DIR", "Also write tables, draws and the identified scenario into DIR"},
-        {"force", "", "Overwrite existing files"}};
+        {"force", "", "overwrite existing files"}};
     std::vector<OptionSpec> all = scenarioOptions();
     std::erase_if(all, [](const OptionSpec& option) {
         return std::find(std::begin(optionsOfOneSignal), std::end(optionsOfOneSignal), option.name) !=

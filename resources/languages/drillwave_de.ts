@@ -11629,6 +11629,490 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <source>thrust for 95 % of gaps %1</source>
         <translation>95&#xa0;%-Andruck %1</translation>
     </message>
+    <message>
+        <source>records</source>
+        <translation>Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: give COLUMN@DISTANCE, the distance from the bit face</source>
+        <translation>%1: COLUMN@DISTANCE angeben, den Abstand von der Stirnfläche der Krone</translation>
+    </message>
+    <message>
+        <source>%1: two columns belong around the plus sign</source>
+        <translation>%1: um das Pluszeichen gehören zwei Spalten</translation>
+    </message>
+    <message>
+        <source>the distance must be positive</source>
+        <translation>der Abstand muss positiv sein</translation>
+    </message>
+    <message>
+        <source>%1: give KEY=+-TOLERANCE</source>
+        <translation>%1: KEY=+-TOLERANCE angeben</translation>
+    </message>
+    <message>
+        <source>must be a percentage, such as +-2%</source>
+        <translation>muss ein Prozentsatz sein, etwa +-2%</translation>
+    </message>
+    <message>
+        <source>the tolerance must be positive</source>
+        <translation>die Toleranz muss positiv sein</translation>
+    </message>
+    <message>
+        <source>--%1 %2: must be one of %3</source>
+        <translation>--%1 %2: muss eines von %3 sein</translation>
+    </message>
+    <message>
+        <source>both gauges must be on one section of the string</source>
+        <translation>beide Messstellen müssen auf einem Abschnitt des Strangs liegen</translation>
+    </message>
+    <message>
+        <source>two gauges must be at least 0.5 m apart</source>
+        <translation>zwei Messstellen müssen mindestens 0,5 m voneinander entfernt sein</translation>
+    </message>
+    <message>
+        <source>needs --signals REC.csv</source>
+        <translation>braucht --signals REC.csv</translation>
+    </message>
+    <message>
+        <source>%1 is given twice; give each record once</source>
+        <translation>%1 ist zweimal angegeben; jede Aufzeichnung einmal angeben</translation>
+    </message>
+    <message>
+        <source>needs --gauge COLUMN@DISTANCE</source>
+        <translation>braucht --gauge COLUMN@DISTANCE</translation>
+    </message>
+    <message>
+        <source>takes one or two gauges</source>
+        <translation>nimmt eine oder zwei Messstellen</translation>
+    </message>
+    <message>
+        <source>must be positive</source>
+        <translation>muss positiv sein</translation>
+    </message>
+    <message>
+        <source>is given by its dimensionless groups; identify needs physical units</source>
+        <translation>ist durch seine dimensionslosen Kennzahlen gegeben; identify braucht physikalische Einheiten</translation>
+    </message>
+    <message>
+        <source>is not on a uniform section of the rod or string</source>
+        <translation>liegt nicht auf einem gleichförmigen Abschnitt der Stange oder des Strangs</translation>
+    </message>
+    <message>
+        <source>%1 records</source>
+        <translation>%1 Aufzeichnungen</translation>
+    </message>
+    <message>
+        <source>rock when it is first loaded</source>
+        <translation>Gestein bei der ersten Belastung</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>springback</source>
+        <translation>Rückfederung</translation>
+    </message>
+    <message>
+        <source>bit not seated</source>
+        <translation>Krone liegt nicht an</translation>
+    </message>
+    <message>
+        <source>force at which the rock yields</source>
+        <translation>Kraft, bei der das Gestein nachgibt</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>Ecke</translation>
+    </message>
+    <message>
+        <source>slope after yielding</source>
+        <translation>Steigung nach dem Nachgeben</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>Steigung</translation>
+    </message>
+    <message>
+        <source>known</source>
+        <translation>bekannt</translation>
+    </message>
+    <message>
+        <source>uncertain</source>
+        <translation>unsicher</translation>
+    </message>
+    <message>
+        <source>less than %1</source>
+        <translation>kleiner als %1</translation>
+    </message>
+    <message>
+        <source>more than %1</source>
+        <translation>größer als %1</translation>
+    </message>
+    <message>
+        <source>bounded</source>
+        <translation>eingegrenzt</translation>
+    </message>
+    <message>
+        <source>not seen: no contact</source>
+        <translation>nicht zu sehen: kein Kontakt</translation>
+    </message>
+    <message>
+        <source>not seen: the rock is too stiff</source>
+        <translation>nicht zu sehen: das Gestein ist zu steif</translation>
+    </message>
+    <message>
+        <source>not seen: the record ends before the rock unloads</source>
+        <translation>nicht zu sehen: die Aufzeichnung endet, bevor sich das Gestein entlastet</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>nicht bekannt</translation>
+    </message>
+    <message>
+        <source>next blow</source>
+        <translation>nächster Schlag</translation>
+    </message>
+    <message>
+        <source>changes from blow to blow</source>
+        <translation>ändert sich von Schlag zu Schlag</translation>
+    </message>
+    <message>
+        <source>no change is seen</source>
+        <translation>keine Änderung ist zu sehen</translation>
+    </message>
+    <message>
+        <source>tail of the blow</source>
+        <translation>Ende des Schlags</translation>
+    </message>
+    <message>
+        <source>arrival of the reflection</source>
+        <translation>Ankunft der Reflexion</translation>
+    </message>
+    <message>
+        <source>modulus and density</source>
+        <translation>E-Modul und Dichte</translation>
+    </message>
+    <message>
+        <source>gain of the amplifier</source>
+        <translation>Verstärkung des Verstärkers</translation>
+    </message>
+    <message>
+        <source>distance between the gauges</source>
+        <translation>Abstand der Messstellen voneinander</translation>
+    </message>
+    <message>
+        <source>steepness of the rock in noise</source>
+        <translation>Steilheit des Gesteins im Rauschen</translation>
+    </message>
+    <message>
+        <source>step of the recorder</source>
+        <translation>Auflösungsstufe des Messgeräts</translation>
+    </message>
+    <message>
+        <source>unexplained waves</source>
+        <translation>unerklärte Wellen</translation>
+    </message>
+    <message>
+        <source>assumed +-%1</source>
+        <translation>angenommen ±%1</translation>
+    </message>
+    <message>
+        <source>Limits of the result</source>
+        <translation>Was das Ergebnis begrenzt</translation>
+    </message>
+    <message>
+        <source>%1 +-%2</source>
+        <translation>%1 ±%2</translation>
+    </message>
+    <message>
+        <source>To know more: record until the rock has unloaded.</source>
+        <translation>Um mehr zu wissen: aufzeichnen, bis sich das Gestein entlastet hat.</translation>
+    </message>
+    <message>
+        <source>To know more: average 4 blows: %1.</source>
+        <translation>Um mehr zu wissen: 4 Schläge mitteln: %1.</translation>
+    </message>
+    <message>
+        <source>To know more: use gauges on opposite sides, or a second gauge: %1.</source>
+        <translation>Um mehr zu wissen: Messstreifen auf gegenüberliegenden Seiten oder eine zweite Messstelle verwenden: %1.</translation>
+    </message>
+    <message>
+        <source>To know more: use a smaller range or more bits: %1.</source>
+        <translation>Um mehr zu wissen: einen kleineren Messbereich oder mehr Bit verwenden: %1.</translation>
+    </message>
+    <message>
+        <source>To know more: measure the distance of the gauge from the bit: %1.</source>
+        <translation>Um mehr zu wissen: den Abstand der Messstelle von der Krone messen: %1.</translation>
+    </message>
+    <message>
+        <source>To know more: measure %1 to %2: %3.</source>
+        <translation>Um mehr zu wissen: %1 auf %2 genau messen: %3.</translation>
+    </message>
+    <message>
+        <source>match</source>
+        <translation>Übereinstimmung</translation>
+    </message>
+    <message>
+        <source>the model leaves %1 of the peak, noise leaves %2</source>
+        <translation>das Modell lässt %1 der Spitze übrig, das Rauschen %2</translation>
+    </message>
+    <message>
+        <source>in quiet</source>
+        <translation>in der Ruhe</translation>
+    </message>
+    <message>
+        <source>%1 of the peak where nothing should be (bending and the like)</source>
+        <translation>%1 der Spitze, wo nichts sein sollte (Biegung und dergleichen)</translation>
+    </message>
+    <message>
+        <source>reflection after %1, the file says %2</source>
+        <translation>Reflexion nach %1, die Datei sagt %2</translation>
+    </message>
+    <message>
+        <source>%1; gain of the second gauge %2</source>
+        <translation>%1; Verstärkung der zweiten Messstelle %2</translation>
+    </message>
+    <message>
+        <source>timing</source>
+        <translation>Zeiten</translation>
+    </message>
+    <message>
+        <source>zero line</source>
+        <translation>Nulllinie</translation>
+    </message>
+    <message>
+        <source>%1 of the peak, %2 in a millisecond</source>
+        <translation>%1 der Spitze, %2 in einer Millisekunde</translation>
+    </message>
+    <message>
+        <source>laws tried</source>
+        <translation>versuchte Gesetze</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>abgelehnt</translation>
+    </message>
+    <message>
+        <source>The reflection does not arrive when the file says: check the distance of the gauge, the wave speed and the clock.</source>
+        <translation>Die Reflexion kommt nicht an, wenn die Datei es sagt: den Abstand der Messstelle, die Wellengeschwindigkeit und den Takt prüfen.</translation>
+    </message>
+    <message>
+        <source>A section towards the bit differs from the file: measure the bit head and the rod.</source>
+        <translation>Ein Abschnitt zur Krone hin weicht von der Datei ab: den Kronenkopf und die Stange messen.</translation>
+    </message>
+    <message>
+        <source>There are waves where none should be: bending (use gauges on opposite sides), the blow before, or couplings.</source>
+        <translation>Es gibt Wellen, wo keine sein sollten: Biegung (Messstreifen auf gegenüberliegenden Seiten verwenden), der Schlag davor oder Kupplungsmuffen.</translation>
+    </message>
+    <message>
+        <source>The zero line moves more than the amplifier is said to allow: check zero, drift and coupling of the amplifier.</source>
+        <translation>Die Nulllinie bewegt sich mehr, als der Verstärker laut Angabe darf: Nullpunkt, Drift und Kopplung des Verstärkers prüfen.</translation>
+    </message>
+    <message>
+        <source>The rod still rings before the blow: measure a single blow.</source>
+        <translation>Die Stange schwingt vor dem Schlag noch nach: einen einzelnen Schlag messen.</translation>
+    </message>
+    <message>
+        <source>The rock follows another law, or the sections towards the bit differ from the file: check the bit head, and look at the residual.</source>
+        <translation>Das Gestein folgt einem anderen Gesetz, oder die Abschnitte zur Krone hin weichen von der Datei ab: den Kronenkopf prüfen und den Rest ansehen.</translation>
+    </message>
+    <message>
+        <source>The model does not agree with the record, so nothing is known about the rock. %1</source>
+        <translation>Das Modell stimmt nicht mit der Aufzeichnung überein, daher ist über das Gestein nichts bekannt. %1</translation>
+    </message>
+    <message>
+        <source>The record agrees with the rock of the file.</source>
+        <translation>Die Aufzeichnung stimmt mit dem Gestein der Datei überein.</translation>
+    </message>
+    <message>
+        <source>The record differs from the rock of the file.</source>
+        <translation>Die Aufzeichnung weicht vom Gestein der Datei ab.</translation>
+    </message>
+    <message>
+        <source>The record agrees roughly with the model.</source>
+        <translation>Die Aufzeichnung stimmt ungefähr mit dem Modell überein.</translation>
+    </message>
+    <message>
+        <source>The record agrees with a rock that yields once.</source>
+        <translation>Die Aufzeichnung stimmt mit einem Gestein überein, das einmal nachgibt.</translation>
+    </message>
+    <message>
+        <source>The record agrees with a rock of one slope.</source>
+        <translation>Die Aufzeichnung stimmt mit einem Gestein mit einer einzigen Steigung überein.</translation>
+    </message>
+    <message>
+        <source>Stiffness, springback and gap are known.</source>
+        <translation>Steifigkeit, Rückfederung und Spalt sind bekannt.</translation>
+    </message>
+    <message>
+        <source>Stiffness and springback are known, the gap is not.</source>
+        <translation>Steifigkeit und Rückfederung sind bekannt, der Spalt nicht.</translation>
+    </message>
+    <message>
+        <source>The stiffness is known, the springback is not.</source>
+        <translation>Die Steifigkeit ist bekannt, die Rückfederung nicht.</translation>
+    </message>
+    <message>
+        <source>The springback is known, the stiffness is not.</source>
+        <translation>Die Rückfederung ist bekannt, die Steifigkeit nicht.</translation>
+    </message>
+    <message>
+        <source>Neither stiffness nor springback is known to 20 %.</source>
+        <translation>Weder Steifigkeit noch Rückfederung sind auf 20 % genau bekannt.</translation>
+    </message>
+    <message>
+        <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
+        <translation>Wellen von %1 der Spitze erklärt das Modell nicht; sie verbreitern alle Intervalle</translation>
+    </message>
+    <message>
+        <source>waves of %1 of the peak are there before the front; measure a single blow</source>
+        <translation>vor der Front gibt es Wellen von %1 der Spitze; einen einzelnen Schlag messen</translation>
+    </message>
+    <message>
+        <source>the reflection arrives after %1, the file says %2; a gauge %3 from the bit would fit</source>
+        <translation>die Reflexion kommt nach %1 an, die Datei sagt %2; eine Messstelle %3 von der Krone würde passen</translation>
+    </message>
+    <message>
+        <source>the reflection arrives after %1 instead of %2; check distance, wave speed and clock</source>
+        <translation>die Reflexion kommt nach %1 statt %2 an; Abstand, Wellengeschwindigkeit und Takt prüfen</translation>
+    </message>
+    <message>
+        <source>%1 changed by %2 would explain the record; measure it</source>
+        <translation>%1, um %2 geändert, würde die Aufzeichnung erklären; nachmessen</translation>
+    </message>
+    <message>
+        <source>the zero level jumps %1 after the front; check cable and amplifier</source>
+        <translation>der Nullpunkt springt %1 nach der Front; Kabel und Verstärker prüfen</translation>
+    </message>
+    <message>
+        <source>the rock begins as steep as it springs back: the bit may stand in the crater of a blow before, or be pressed into it</source>
+        <translation>das Gestein beginnt so steil, wie es zurückfedert: die Krone steht vielleicht im Krater eines früheren Schlags oder ist hineingedrückt</translation>
+    </message>
+    <message>
+        <source>some tolerances are assumed; give measured ones by --known KEY=+-TOLERANCE</source>
+        <translation>einige Toleranzen sind angenommen; gemessene mit --known KEY=+-TOLERANCE angeben</translation>
+    </message>
+    <message>
+        <source>the zero line moves by more than its tolerance</source>
+        <translation>die Nulllinie bewegt sich um mehr als ihre Toleranz</translation>
+    </message>
+    <message>
+        <source>the returning wave is clipped; those samples are left out</source>
+        <translation>die zurückkehrende Welle ist abgeschnitten; diese Abtastwerte sind weggelassen</translation>
+    </message>
+    <message>
+        <source>the quiet time between the blow and its reflection is short; put the gauge further from the bit</source>
+        <translation>die ruhige Zeit zwischen dem Schlag und seiner Reflexion ist kurz; die Messstelle weiter von der Krone entfernt anbringen</translation>
+    </message>
+    <message>
+        <source>the gauge is on one side; gauges on opposite sides would show bending</source>
+        <translation>der Messstreifen sitzt auf einer Seite; Messstreifen auf gegenüberliegenden Seiten würden Biegung zeigen</translation>
+    </message>
+    <message>
+        <source>dispersion between gauge and bit is taken into account</source>
+        <translation>die Dispersion zwischen Messstelle und Krone ist berücksichtigt</translation>
+    </message>
+    <message>
+        <source>other laws were tried because the bilinear law leaves more than noise</source>
+        <translation>andere Gesetze wurden versucht, weil das bilineare Gesetz mehr als Rauschen übrig lässt</translation>
+    </message>
+    <message>
+        <source>another law explains the record as well; the intervals include it</source>
+        <translation>ein anderes Gesetz erklärt die Aufzeichnung ebenso gut; die Intervalle schließen es ein</translation>
+    </message>
+    <message>
+        <source>fewer than five records say little about how the rock changes</source>
+        <translation>weniger als fünf Aufzeichnungen sagen wenig darüber, wie sich das Gestein ändert</translation>
+    </message>
+    <message>
+        <source>the record holds further blows; --blows all identifies each</source>
+        <translation>die Aufzeichnung enthält weitere Schläge; --blows all identifiziert jeden</translation>
+    </message>
+    <message>
+        <source>the second gauge has the other sign; it is reversed</source>
+        <translation>die zweite Messstelle hat das andere Vorzeichen; sie wird umgekehrt</translation>
+    </message>
+    <message>
+        <source>the peak stress is unlikely; check the unit of the record</source>
+        <translation>die Spitzenspannung ist unwahrscheinlich; die Einheit der Aufzeichnung prüfen</translation>
+    </message>
+    <message>
+        <source>a rock that stiffens from the start explains the record as well as a gap</source>
+        <translation>ein Gestein, das von Anfang an steifer wird, erklärt die Aufzeichnung ebenso gut wie ein Spalt</translation>
+    </message>
+    <message>
+        <source>a section differs from the file by more than its tolerance</source>
+        <translation>ein Abschnitt weicht um mehr als seine Toleranz von der Datei ab</translation>
+    </message>
+    <message>
+        <source>the zero level jumps within the record</source>
+        <translation>der Nullpunkt springt innerhalb der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>the columns of the two gauges have different numbers of samples</source>
+        <translation>die Spalten der beiden Messstellen haben verschieden viele Abtastwerte</translation>
+    </message>
+    <message>
+        <source>%1: the opposite gauges have opposite signs; reverse one of them</source>
+        <translation>%1: die gegenüberliegenden Messstreifen haben entgegengesetzte Vorzeichen; einen von ihnen umkehren</translation>
+    </message>
+    <message>
+        <source>a gauge is not on a uniform section of rod or string</source>
+        <translation>eine Messstelle liegt nicht auf einem gleichförmigen Abschnitt der Stange oder des Strangs</translation>
+    </message>
+    <message>
+        <source>--known %1: the tolerance must be smaller than the value</source>
+        <translation>--known %1: die Toleranz muss kleiner als der Wert sein</translation>
+    </message>
+    <message>
+        <source>--known %1: is no size of the gauge&apos;s section or of a section between gauge and rock; give gain, zero, gauge, or such a key</source>
+        <translation>--known %1: ist kein Maß des Abschnitts der Messstelle oder eines Abschnitts zwischen Messstelle und Gestein; gain, zero, gauge oder einen solchen Schlüssel angeben</translation>
+    </message>
+    <message>
+        <source>the record has %1 samples; at least 50 are needed before the front</source>
+        <translation>die Aufzeichnung hat %1 Abtastwerte; vor der Front sind mindestens 50 nötig</translation>
+    </message>
+    <message>
+        <source>there is no such blow in the record</source>
+        <translation>einen solchen Schlag gibt es in der Aufzeichnung nicht</translation>
+    </message>
+    <message>
+        <source>no front is seen in the record; check the gauge, its column and the trigger</source>
+        <translation>in der Aufzeichnung ist keine Front zu sehen; die Messstelle, ihre Spalte und den Trigger prüfen</translation>
+    </message>
+    <message>
+        <source>only %1 samples stand before the front at %2; record at least 50 before it (trigger with more pre-trigger time)</source>
+        <translation>nur %1 Abtastwerte stehen vor der Front bei %2; mindestens 50 davor aufzeichnen (mit mehr Vorlaufzeit triggern)</translation>
+    </message>
+    <message>
+        <source>one of the gauges sees no front; check its column and its cable</source>
+        <translation>eine der Messstellen sieht keine Front; ihre Spalte und ihr Kabel prüfen</translation>
+    </message>
+    <message>
+        <source>the front reaches the gauge near the bit first: are the columns of the two gauges exchanged? Exchange them in --gauge</source>
+        <translation>die Front erreicht die Messstelle nahe der Krone zuerst: sind die Spalten der beiden Messstellen vertauscht? In --gauge tauschen</translation>
+    </message>
+    <message>
+        <source>the blow is not over when its reflection arrives after %1; a second gauge further from the bit is needed, or a gauge further away</source>
+        <translation>der Schlag ist nicht vorbei, wenn seine Reflexion nach %1 ankommt; nötig ist eine zweite Messstelle weiter von der Krone oder eine Messstelle weiter weg</translation>
+    </message>
+    <message>
+        <source>samples are missing from %1 to %2; record without a pause</source>
+        <translation>Abtastwerte fehlen von %1 bis %2; ohne Pause aufzeichnen</translation>
+    </message>
+    <message>
+        <source>the window ends %1 after the reflection arrives; record longer, or put the gauge further from the end behind it</source>
+        <translation>das Fenster endet %1 nach der Ankunft der Reflexion; länger aufzeichnen oder die Messstelle weiter vom Ende dahinter entfernt anbringen</translation>
+    </message>
+    <message>
+        <source>the incident wave is clipped over %1; choose a larger range of the amplifier or of the recorder</source>
+        <translation>die einlaufende Welle ist über %1 abgeschnitten; einen größeren Bereich des Verstärkers oder des Messgeräts wählen</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -15525,6 +16009,86 @@ Befehle, die ein Szenario nehmen, nehmen mit --signal FILE und denselben Optione
     <message>
         <source>most moves of waves by a segment in the lattices (default: 1000000000, half a minute)</source>
         <translation>höchste Zahl der Schritte von Wellen um ein Segment in den Gittern (Vorgabe: 1000000000, eine halbe Minute)</translation>
+    </message>
+    <message>
+        <source>rock properties from strain gauges, with their uncertainty</source>
+        <translation>Gesteinseigenschaften aus Dehnungsmessstreifen, mit ihrer Unsicherheit</translation>
+    </message>
+    <message>
+        <source>Reads stiffness, gamma and gap of the rock from strain gauges on the rod or on the last rod of a
+string. Prints the values with their 95 % intervals, what limits them, and what to measure better.
+The bit_rock of FILE is not used, except with --law file.
+  --known gain=+-5% zero=+-1%          of the amplifier, in shares of the peak
+  --known gauge=+-2mm                  place of the gauges
+  --known rod.diameter=+-0.1mm         sizes of gauge&apos;s section and of the sections towards the bit
+Records are read as by `signal`. DIR gets identified.yaml, posterior.csv (for design --draws),
+match.csv, force_penetration.csv, incident.csv, identify.json and, of several records, records.csv.
+Exit code 0 where stiffness or gamma is known, 6 where the model is rejected or neither is known.
+Rock that does not load and unload along two lines can give too narrow intervals (commands §4.17).</source>
+        <translation>Liest Steifigkeit, gamma und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange oder auf
+der letzten Stange eines Strangs. Gibt die Werte mit ihren 95 %-Intervallen aus, was sie begrenzt
+und was besser zu messen ist. bit_rock von FILE wird nicht verwendet, außer mit --law file.
+  --known gain=+-5% zero=+-1%          des Verstärkers, in Anteilen der Spitze
+  --known gauge=+-2mm                  Ort der Messstellen
+  --known rod.diameter=+-0.1mm         Maße des Abschnitts der Messstelle und derer zur Krone hin
+Aufzeichnungen werden wie von `signal` gelesen. DIR erhält identified.yaml, posterior.csv (für
+design --draws), match.csv, force_penetration.csv, incident.csv, identify.json und bei mehreren
+Aufzeichnungen records.csv.
+Exit-Code 0, wenn Steifigkeit oder gamma bekannt ist, 6, wenn das Modell verworfen wird oder keines
+von beiden bekannt ist.
+Gestein, das nicht längs zweier Geraden be- und entlastet, kann zu enge Intervalle ergeben (commands §4.17).</translation>
+    </message>
+    <message>
+        <source>records of strain gauges, in their order along the hole</source>
+        <translation>Aufzeichnungen von Dehnungsmessstreifen, in ihrer Folge entlang des Bohrlochs</translation>
+    </message>
+    <message>
+        <source>one gauge or two, by their distance from the bit face; A+B@… averages</source>
+        <translation>eine oder zwei Messstellen, durch ihren Abstand von der Stirnfläche der Krone; A+B@… mittelt</translation>
+    </message>
+    <message>
+        <source>auto, bilinear, corner or file (default: auto)</source>
+        <translation>auto, bilinear, corner oder file (Vorgabe: auto)</translation>
+    </message>
+    <message>
+        <source>95 % tolerance of gain, zero, gauge or a size; see below</source>
+        <translation>95 %-Toleranz von gain, zero, gauge oder einem Maß; siehe unten</translation>
+    </message>
+    <message>
+        <source>rigid, or bar: a specimen between two like bars (default: rigid)</source>
+        <translation>rigid, oder bar: eine Probe zwischen zwei gleichen Stäben (Vorgabe: rigid)</translation>
+    </message>
+    <message>
+        <source>fit, bar or none (default: fit)</source>
+        <translation>fit, bar oder none (Vorgabe: fit)</translation>
+    </message>
+    <message>
+        <source>end of the window after the returning wave arrives</source>
+        <translation>Ende des Fensters nach der Ankunft der zurückkehrenden Welle</translation>
+    </message>
+    <message>
+        <source>first or all, of a record with several fronts (default: first)</source>
+        <translation>first oder all, bei einer Aufzeichnung mit mehreren Fronten (Vorgabe: first)</translation>
+    </message>
+    <message>
+        <source>draws of the noise (default: 1)</source>
+        <translation>Startwert der Ziehungen des Rauschens (Vorgabe: 1)</translation>
+    </message>
+    <message>
+        <source>threads to use (default: all of them)</source>
+        <translation>Zahl der Threads (Vorgabe: alle)</translation>
+    </message>
+    <message>
+        <source>Print JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also write tables, draws and the identified scenario into DIR</source>
+        <translation>Auch Tabellen, Ziehungen und das identifizierte Szenario nach DIR schreiben</translation>
+    </message>
+    <message>
+        <source>Overwrite existing files</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -11629,6 +11629,490 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <source>thrust for 95 % of gaps %1</source>
         <translation>95&#xa0;%-matningskraft %1</translation>
     </message>
+    <message>
+        <source>records</source>
+        <translation>mätningar</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1: give COLUMN@DISTANCE, the distance from the bit face</source>
+        <translation>%1: ange COLUMN@DISTANCE, avståndet från kronans frontyta</translation>
+    </message>
+    <message>
+        <source>%1: two columns belong around the plus sign</source>
+        <translation>%1: kring plustecknet hör två kolumner hemma</translation>
+    </message>
+    <message>
+        <source>the distance must be positive</source>
+        <translation>avståndet måste vara positivt</translation>
+    </message>
+    <message>
+        <source>%1: give KEY=+-TOLERANCE</source>
+        <translation>%1: ange KEY=+-TOLERANCE</translation>
+    </message>
+    <message>
+        <source>must be a percentage, such as +-2%</source>
+        <translation>måste vara en procentsats, till exempel +-2%</translation>
+    </message>
+    <message>
+        <source>the tolerance must be positive</source>
+        <translation>toleransen måste vara positiv</translation>
+    </message>
+    <message>
+        <source>--%1 %2: must be one of %3</source>
+        <translation>--%1 %2: måste vara något av %3</translation>
+    </message>
+    <message>
+        <source>both gauges must be on one section of the string</source>
+        <translation>båda givarna måste sitta på samma sektion av strängen</translation>
+    </message>
+    <message>
+        <source>two gauges must be at least 0.5 m apart</source>
+        <translation>två givare måste sitta minst 0,5 m från varandra</translation>
+    </message>
+    <message>
+        <source>needs --signals REC.csv</source>
+        <translation>behöver --signals REC.csv</translation>
+    </message>
+    <message>
+        <source>%1 is given twice; give each record once</source>
+        <translation>%1 är angivet två gånger; ange varje mätning en gång</translation>
+    </message>
+    <message>
+        <source>needs --gauge COLUMN@DISTANCE</source>
+        <translation>behöver --gauge COLUMN@DISTANCE</translation>
+    </message>
+    <message>
+        <source>takes one or two gauges</source>
+        <translation>tar en eller två givare</translation>
+    </message>
+    <message>
+        <source>must be positive</source>
+        <translation>måste vara positivt</translation>
+    </message>
+    <message>
+        <source>is given by its dimensionless groups; identify needs physical units</source>
+        <translation>är givet av sina dimensionslösa tal; identify kräver fysikaliska enheter</translation>
+    </message>
+    <message>
+        <source>is not on a uniform section of the rod or string</source>
+        <translation>sitter inte på en likformig sektion av stången eller strängen</translation>
+    </message>
+    <message>
+        <source>%1 records</source>
+        <translation>%1 mätningar</translation>
+    </message>
+    <message>
+        <source>rock when it is first loaded</source>
+        <translation>berget när det först belastas</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>styvhet</translation>
+    </message>
+    <message>
+        <source>springback</source>
+        <translation>återfjädring</translation>
+    </message>
+    <message>
+        <source>bit not seated</source>
+        <translation>kronan ligger inte an</translation>
+    </message>
+    <message>
+        <source>force at which the rock yields</source>
+        <translation>kraft vid vilken berget ger efter</translation>
+    </message>
+    <message>
+        <source>corner</source>
+        <translation>hörn</translation>
+    </message>
+    <message>
+        <source>slope after yielding</source>
+        <translation>lutning efter att berget gett efter</translation>
+    </message>
+    <message>
+        <source>slope</source>
+        <translation>lutning</translation>
+    </message>
+    <message>
+        <source>known</source>
+        <translation>känt</translation>
+    </message>
+    <message>
+        <source>uncertain</source>
+        <translation>osäkert</translation>
+    </message>
+    <message>
+        <source>less than %1</source>
+        <translation>mindre än %1</translation>
+    </message>
+    <message>
+        <source>more than %1</source>
+        <translation>större än %1</translation>
+    </message>
+    <message>
+        <source>bounded</source>
+        <translation>begränsat</translation>
+    </message>
+    <message>
+        <source>not seen: no contact</source>
+        <translation>syns inte: ingen kontakt</translation>
+    </message>
+    <message>
+        <source>not seen: the rock is too stiff</source>
+        <translation>syns inte: berget är för styvt</translation>
+    </message>
+    <message>
+        <source>not seen: the record ends before the rock unloads</source>
+        <translation>syns inte: mätningen slutar innan berget avlastas</translation>
+    </message>
+    <message>
+        <source>not known</source>
+        <translation>inte känt</translation>
+    </message>
+    <message>
+        <source>next blow</source>
+        <translation>nästa slag</translation>
+    </message>
+    <message>
+        <source>changes from blow to blow</source>
+        <translation>ändras från slag till slag</translation>
+    </message>
+    <message>
+        <source>no change is seen</source>
+        <translation>ingen ändring syns</translation>
+    </message>
+    <message>
+        <source>tail of the blow</source>
+        <translation>slagets svans</translation>
+    </message>
+    <message>
+        <source>arrival of the reflection</source>
+        <translation>reflexionens ankomst</translation>
+    </message>
+    <message>
+        <source>modulus and density</source>
+        <translation>E-modul och densitet</translation>
+    </message>
+    <message>
+        <source>gain of the amplifier</source>
+        <translation>förstärkarens förstärkning</translation>
+    </message>
+    <message>
+        <source>distance between the gauges</source>
+        <translation>avstånd mellan givarna</translation>
+    </message>
+    <message>
+        <source>steepness of the rock in noise</source>
+        <translation>bergets branthet i bruset</translation>
+    </message>
+    <message>
+        <source>step of the recorder</source>
+        <translation>mätinstrumentets upplösningssteg</translation>
+    </message>
+    <message>
+        <source>unexplained waves</source>
+        <translation>oförklarade vågor</translation>
+    </message>
+    <message>
+        <source>assumed +-%1</source>
+        <translation>antaget ±%1</translation>
+    </message>
+    <message>
+        <source>Limits of the result</source>
+        <translation>Vad som begränsar resultatet</translation>
+    </message>
+    <message>
+        <source>%1 +-%2</source>
+        <translation>%1 ±%2</translation>
+    </message>
+    <message>
+        <source>To know more: record until the rock has unloaded.</source>
+        <translation>För att veta mer: mät tills berget har avlastats.</translation>
+    </message>
+    <message>
+        <source>To know more: average 4 blows: %1.</source>
+        <translation>För att veta mer: ta medelvärdet av 4 slag: %1.</translation>
+    </message>
+    <message>
+        <source>To know more: use gauges on opposite sides, or a second gauge: %1.</source>
+        <translation>För att veta mer: använd givare på motstående sidor, eller en andra givare: %1.</translation>
+    </message>
+    <message>
+        <source>To know more: use a smaller range or more bits: %1.</source>
+        <translation>För att veta mer: använd ett mindre mätområde eller fler bitar: %1.</translation>
+    </message>
+    <message>
+        <source>To know more: measure the distance of the gauge from the bit: %1.</source>
+        <translation>För att veta mer: mät givarens avstånd från kronan: %1.</translation>
+    </message>
+    <message>
+        <source>To know more: measure %1 to %2: %3.</source>
+        <translation>För att veta mer: mät %1 med noggrannheten %2: %3.</translation>
+    </message>
+    <message>
+        <source>match</source>
+        <translation>överensstämmelse</translation>
+    </message>
+    <message>
+        <source>the model leaves %1 of the peak, noise leaves %2</source>
+        <translation>modellen lämnar kvar %1 av toppen, bruset %2</translation>
+    </message>
+    <message>
+        <source>in quiet</source>
+        <translation>i lugnet</translation>
+    </message>
+    <message>
+        <source>%1 of the peak where nothing should be (bending and the like)</source>
+        <translation>%1 av toppen där inget borde finnas (böjning och liknande)</translation>
+    </message>
+    <message>
+        <source>reflection after %1, the file says %2</source>
+        <translation>reflexion efter %1, filen säger %2</translation>
+    </message>
+    <message>
+        <source>%1; gain of the second gauge %2</source>
+        <translation>%1; den andra givarens förstärkning %2</translation>
+    </message>
+    <message>
+        <source>timing</source>
+        <translation>tider</translation>
+    </message>
+    <message>
+        <source>zero line</source>
+        <translation>nollinje</translation>
+    </message>
+    <message>
+        <source>%1 of the peak, %2 in a millisecond</source>
+        <translation>%1 av toppen, %2 på en millisekund</translation>
+    </message>
+    <message>
+        <source>laws tried</source>
+        <translation>prövade lagar</translation>
+    </message>
+    <message>
+        <source>refused</source>
+        <translation>avvisad</translation>
+    </message>
+    <message>
+        <source>The reflection does not arrive when the file says: check the distance of the gauge, the wave speed and the clock.</source>
+        <translation>Reflexionen kommer inte när filen säger det: kontrollera givarens avstånd, våghastigheten och klockan.</translation>
+    </message>
+    <message>
+        <source>A section towards the bit differs from the file: measure the bit head and the rod.</source>
+        <translation>En sektion mot kronan avviker från filen: mät kronhuvudet och stången.</translation>
+    </message>
+    <message>
+        <source>There are waves where none should be: bending (use gauges on opposite sides), the blow before, or couplings.</source>
+        <translation>Det finns vågor där inga borde finnas: böjning (använd givare på motstående sidor), slaget innan, eller skarvhylsor.</translation>
+    </message>
+    <message>
+        <source>The zero line moves more than the amplifier is said to allow: check zero, drift and coupling of the amplifier.</source>
+        <translation>Nollinjen rör sig mer än förstärkaren sägs få göra: kontrollera förstärkarens nollpunkt, drift och koppling.</translation>
+    </message>
+    <message>
+        <source>The rod still rings before the blow: measure a single blow.</source>
+        <translation>Stången svänger fortfarande före slaget: mät ett enstaka slag.</translation>
+    </message>
+    <message>
+        <source>The rock follows another law, or the sections towards the bit differ from the file: check the bit head, and look at the residual.</source>
+        <translation>Berget följer en annan lag, eller så avviker sektionerna mot kronan från filen: kontrollera kronhuvudet, och se på resten.</translation>
+    </message>
+    <message>
+        <source>The model does not agree with the record, so nothing is known about the rock. %1</source>
+        <translation>Modellen stämmer inte med mätningen, så inget är känt om berget. %1</translation>
+    </message>
+    <message>
+        <source>The record agrees with the rock of the file.</source>
+        <translation>Mätningen stämmer med filens berg.</translation>
+    </message>
+    <message>
+        <source>The record differs from the rock of the file.</source>
+        <translation>Mätningen avviker från filens berg.</translation>
+    </message>
+    <message>
+        <source>The record agrees roughly with the model.</source>
+        <translation>Mätningen stämmer ungefär med modellen.</translation>
+    </message>
+    <message>
+        <source>The record agrees with a rock that yields once.</source>
+        <translation>Mätningen stämmer med ett berg som ger efter en gång.</translation>
+    </message>
+    <message>
+        <source>The record agrees with a rock of one slope.</source>
+        <translation>Mätningen stämmer med ett berg med en enda lutning.</translation>
+    </message>
+    <message>
+        <source>Stiffness, springback and gap are known.</source>
+        <translation>Styvhet, återfjädring och spalt är kända.</translation>
+    </message>
+    <message>
+        <source>Stiffness and springback are known, the gap is not.</source>
+        <translation>Styvhet och återfjädring är kända, men inte spalten.</translation>
+    </message>
+    <message>
+        <source>The stiffness is known, the springback is not.</source>
+        <translation>Styvheten är känd, men inte återfjädringen.</translation>
+    </message>
+    <message>
+        <source>The springback is known, the stiffness is not.</source>
+        <translation>Återfjädringen är känd, men inte styvheten.</translation>
+    </message>
+    <message>
+        <source>Neither stiffness nor springback is known to 20 %.</source>
+        <translation>Varken styvhet eller återfjädring är känd på 20 % när.</translation>
+    </message>
+    <message>
+        <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
+        <translation>vågor på %1 av toppen förklaras inte av modellen; de vidgar alla intervall</translation>
+    </message>
+    <message>
+        <source>waves of %1 of the peak are there before the front; measure a single blow</source>
+        <translation>det finns vågor på %1 av toppen före vågfronten; mät ett enstaka slag</translation>
+    </message>
+    <message>
+        <source>the reflection arrives after %1, the file says %2; a gauge %3 from the bit would fit</source>
+        <translation>reflexionen kommer efter %1, filen säger %2; en givare %3 från kronan skulle passa</translation>
+    </message>
+    <message>
+        <source>the reflection arrives after %1 instead of %2; check distance, wave speed and clock</source>
+        <translation>reflexionen kommer efter %1 i stället för %2; kontrollera avstånd, våghastighet och klocka</translation>
+    </message>
+    <message>
+        <source>%1 changed by %2 would explain the record; measure it</source>
+        <translation>%1, ändrat med %2, skulle förklara mätningen; mät det</translation>
+    </message>
+    <message>
+        <source>the zero level jumps %1 after the front; check cable and amplifier</source>
+        <translation>nollnivån hoppar %1 efter vågfronten; kontrollera kabel och förstärkare</translation>
+    </message>
+    <message>
+        <source>the rock begins as steep as it springs back: the bit may stand in the crater of a blow before, or be pressed into it</source>
+        <translation>berget börjar lika brant som det fjädrar tillbaka: kronan kan stå i kratern efter ett tidigare slag, eller vara intryckt i den</translation>
+    </message>
+    <message>
+        <source>some tolerances are assumed; give measured ones by --known KEY=+-TOLERANCE</source>
+        <translation>några toleranser är antagna; ange uppmätta med --known KEY=+-TOLERANCE</translation>
+    </message>
+    <message>
+        <source>the zero line moves by more than its tolerance</source>
+        <translation>nollinjen rör sig mer än sin tolerans</translation>
+    </message>
+    <message>
+        <source>the returning wave is clipped; those samples are left out</source>
+        <translation>den återvändande vågen är klippt; dessa mätvärden är utelämnade</translation>
+    </message>
+    <message>
+        <source>the quiet time between the blow and its reflection is short; put the gauge further from the bit</source>
+        <translation>den lugna tiden mellan slaget och dess reflexion är kort; sätt givaren längre från kronan</translation>
+    </message>
+    <message>
+        <source>the gauge is on one side; gauges on opposite sides would show bending</source>
+        <translation>givaren sitter på en sida; givare på motstående sidor skulle visa böjning</translation>
+    </message>
+    <message>
+        <source>dispersion between gauge and bit is taken into account</source>
+        <translation>dispersionen mellan givare och krona är medräknad</translation>
+    </message>
+    <message>
+        <source>other laws were tried because the bilinear law leaves more than noise</source>
+        <translation>andra lagar prövades, eftersom den bilinjära lagen lämnar kvar mer än brus</translation>
+    </message>
+    <message>
+        <source>another law explains the record as well; the intervals include it</source>
+        <translation>en annan lag förklarar mätningen lika bra; intervallen omfattar den</translation>
+    </message>
+    <message>
+        <source>fewer than five records say little about how the rock changes</source>
+        <translation>färre än fem mätningar säger lite om hur berget ändras</translation>
+    </message>
+    <message>
+        <source>the record holds further blows; --blows all identifies each</source>
+        <translation>mätningen innehåller fler slag; --blows all identifierar vart och ett</translation>
+    </message>
+    <message>
+        <source>the second gauge has the other sign; it is reversed</source>
+        <translation>den andra givaren har omvänt tecken; den vänds</translation>
+    </message>
+    <message>
+        <source>the peak stress is unlikely; check the unit of the record</source>
+        <translation>toppspänningen är osannolik; kontrollera mätningens enhet</translation>
+    </message>
+    <message>
+        <source>a rock that stiffens from the start explains the record as well as a gap</source>
+        <translation>ett berg som styvnar från början förklarar mätningen lika bra som en spalt</translation>
+    </message>
+    <message>
+        <source>a section differs from the file by more than its tolerance</source>
+        <translation>en sektion avviker från filen med mer än sin tolerans</translation>
+    </message>
+    <message>
+        <source>the zero level jumps within the record</source>
+        <translation>nollnivån hoppar inom mätningen</translation>
+    </message>
+    <message>
+        <source>the columns of the two gauges have different numbers of samples</source>
+        <translation>de två givarnas kolumner har olika antal mätvärden</translation>
+    </message>
+    <message>
+        <source>%1: the opposite gauges have opposite signs; reverse one of them</source>
+        <translation>%1: de motstående givarna har motsatta tecken; vänd en av dem</translation>
+    </message>
+    <message>
+        <source>a gauge is not on a uniform section of rod or string</source>
+        <translation>en givare sitter inte på en likformig sektion av stången eller strängen</translation>
+    </message>
+    <message>
+        <source>--known %1: the tolerance must be smaller than the value</source>
+        <translation>--known %1: toleransen måste vara mindre än värdet</translation>
+    </message>
+    <message>
+        <source>--known %1: is no size of the gauge&apos;s section or of a section between gauge and rock; give gain, zero, gauge, or such a key</source>
+        <translation>--known %1: är inget mått på givarens sektion eller på en sektion mellan givare och berg; ange gain, zero, gauge eller en sådan nyckel</translation>
+    </message>
+    <message>
+        <source>the record has %1 samples; at least 50 are needed before the front</source>
+        <translation>mätningen har %1 mätvärden; minst 50 behövs före vågfronten</translation>
+    </message>
+    <message>
+        <source>there is no such blow in the record</source>
+        <translation>det finns inget sådant slag i mätningen</translation>
+    </message>
+    <message>
+        <source>no front is seen in the record; check the gauge, its column and the trigger</source>
+        <translation>ingen vågfront syns i mätningen; kontrollera givaren, dess kolumn och triggern</translation>
+    </message>
+    <message>
+        <source>only %1 samples stand before the front at %2; record at least 50 before it (trigger with more pre-trigger time)</source>
+        <translation>bara %1 mätvärden står före vågfronten vid %2; mät minst 50 före den (trigga med längre förtid)</translation>
+    </message>
+    <message>
+        <source>one of the gauges sees no front; check its column and its cable</source>
+        <translation>en av givarna ser ingen vågfront; kontrollera dess kolumn och kabel</translation>
+    </message>
+    <message>
+        <source>the front reaches the gauge near the bit first: are the columns of the two gauges exchanged? Exchange them in --gauge</source>
+        <translation>vågfronten når givaren nära kronan först: är de två givarnas kolumner förväxlade? Byt plats på dem i --gauge</translation>
+    </message>
+    <message>
+        <source>the blow is not over when its reflection arrives after %1; a second gauge further from the bit is needed, or a gauge further away</source>
+        <translation>slaget är inte över när dess reflexion kommer efter %1; det behövs en andra givare längre från kronan, eller en givare längre bort</translation>
+    </message>
+    <message>
+        <source>samples are missing from %1 to %2; record without a pause</source>
+        <translation>mätvärden saknas från %1 till %2; mät utan uppehåll</translation>
+    </message>
+    <message>
+        <source>the window ends %1 after the reflection arrives; record longer, or put the gauge further from the end behind it</source>
+        <translation>fönstret slutar %1 efter att reflexionen kommit; mät längre, eller sätt givaren längre från änden bakom den</translation>
+    </message>
+    <message>
+        <source>the incident wave is clipped over %1; choose a larger range of the amplifier or of the recorder</source>
+        <translation>den infallande vågen är klippt under %1; välj ett större område på förstärkaren eller mätinstrumentet</translation>
+    </message>
 </context>
 <context>
     <name>drillwave::MissingFields</name>
@@ -15515,6 +15999,84 @@ Kommandon som tar ett scenario tar ett slag från en mätning med --signal FILE 
     <message>
         <source>most moves of waves by a segment in the lattices (default: 1000000000, half a minute)</source>
         <translation>högsta antal steg av vågor med ett segment i gittren (standard: 1000000000, en halv minut)</translation>
+    </message>
+    <message>
+        <source>rock properties from strain gauges, with their uncertainty</source>
+        <translation>bergets egenskaper från töjningsgivare, med deras osäkerhet</translation>
+    </message>
+    <message>
+        <source>Reads stiffness, gamma and gap of the rock from strain gauges on the rod or on the last rod of a
+string. Prints the values with their 95 % intervals, what limits them, and what to measure better.
+The bit_rock of FILE is not used, except with --law file.
+  --known gain=+-5% zero=+-1%          of the amplifier, in shares of the peak
+  --known gauge=+-2mm                  place of the gauges
+  --known rod.diameter=+-0.1mm         sizes of gauge&apos;s section and of the sections towards the bit
+Records are read as by `signal`. DIR gets identified.yaml, posterior.csv (for design --draws),
+match.csv, force_penetration.csv, incident.csv, identify.json and, of several records, records.csv.
+Exit code 0 where stiffness or gamma is known, 6 where the model is rejected or neither is known.
+Rock that does not load and unload along two lines can give too narrow intervals (commands §4.17).</source>
+        <translation>Läser bergets styvhet, gamma och spalt från töjningsgivare på stången eller på den sista stången i
+en sträng. Skriver ut värdena med deras 95 %-intervall, vad som begränsar dem och vad som bör mätas
+bättre. bit_rock i FILE används inte, utom med --law file.
+  --known gain=+-5% zero=+-1%          för förstärkaren, i andelar av toppen
+  --known gauge=+-2mm                  givarnas plats
+  --known rod.diameter=+-0.1mm         mått på givarens sektion och på sektionerna mot kronan
+Mätningar läses som av `signal`. DIR får identified.yaml, posterior.csv (för design --draws),
+match.csv, force_penetration.csv, incident.csv, identify.json och, för flera mätningar, records.csv.
+Slutkod 0 om styvhet eller gamma är känd, 6 om modellen förkastas eller ingen av dem är känd.
+Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva intervall (commands §4.17).</translation>
+    </message>
+    <message>
+        <source>records of strain gauges, in their order along the hole</source>
+        <translation>mätningar från töjningsgivare, i ordning längs borrhålet</translation>
+    </message>
+    <message>
+        <source>one gauge or two, by their distance from the bit face; A+B@… averages</source>
+        <translation>en givare eller två, med avståndet från kronans frontyta; A+B@… tar medelvärdet</translation>
+    </message>
+    <message>
+        <source>auto, bilinear, corner or file (default: auto)</source>
+        <translation>auto, bilinear, corner eller file (standard: auto)</translation>
+    </message>
+    <message>
+        <source>95 % tolerance of gain, zero, gauge or a size; see below</source>
+        <translation>95 %-tolerans för gain, zero, gauge eller ett mått; se nedan</translation>
+    </message>
+    <message>
+        <source>rigid, or bar: a specimen between two like bars (default: rigid)</source>
+        <translation>rigid, eller bar: ett provstycke mellan två lika stänger (standard: rigid)</translation>
+    </message>
+    <message>
+        <source>fit, bar or none (default: fit)</source>
+        <translation>fit, bar eller none (standard: fit)</translation>
+    </message>
+    <message>
+        <source>end of the window after the returning wave arrives</source>
+        <translation>fönstrets slut efter den återvändande vågens ankomst</translation>
+    </message>
+    <message>
+        <source>first or all, of a record with several fronts (default: first)</source>
+        <translation>first eller all, för en mätning med flera vågfronter (standard: first)</translation>
+    </message>
+    <message>
+        <source>draws of the noise (default: 1)</source>
+        <translation>startvärde för brusets dragningar (standard: 1)</translation>
+    </message>
+    <message>
+        <source>threads to use (default: all of them)</source>
+        <translation>antal trådar (standard: alla)</translation>
+    </message>
+    <message>
+        <source>Print JSON</source>
+        <translation type="unfinished"></translation>
+    </message>
+    <message>
+        <source>Also write tables, draws and the identified scenario into DIR</source>
+        <translation>Skriv även tabeller, dragningar och det identifierade scenariot till DIR</translation>
+    </message>
+    <message>
+        <source>Overwrite existing files</source>
+        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>
