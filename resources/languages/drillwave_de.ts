@@ -11963,7 +11963,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
     </message>
     <message>
         <source>Neither stiffness nor springback is known to 20 %.</source>
-        <translation>Weder Steifigkeit noch Rückfederung sind auf 20 % genau bekannt.</translation>
+        <translation>Weder Steifigkeit noch Rückfederung sind auf 20&#xa0;% genau bekannt.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
@@ -16026,7 +16026,7 @@ match.csv, force_penetration.csv, incident.csv, identify.json and, of several re
 Exit code 0 where stiffness or gamma is known, 6 where the model is rejected or neither is known.
 Rock that does not load and unload along two lines can give too narrow intervals (commands §4.17).</source>
         <translation>Liest Steifigkeit, gamma und Spalt des Gesteins aus Dehnungsmessstreifen auf der Stange oder auf
-der letzten Stange eines Strangs. Gibt die Werte mit ihren 95 %-Intervallen aus, was sie begrenzt
+der letzten Stange eines Strangs. Gibt die Werte mit ihren 95&#xa0;%-Intervallen aus, was sie begrenzt
 und was besser zu messen ist. bit_rock von FILE wird nicht verwendet, außer mit --law file.
   --known gain=+-5% zero=+-1%          des Verstärkers, in Anteilen der Spitze
   --known gauge=+-2mm                  Ort der Messstellen
@@ -16052,7 +16052,7 @@ Gestein, das nicht längs zweier Geraden be- und entlastet, kann zu enge Interva
     </message>
     <message>
         <source>95 % tolerance of gain, zero, gauge or a size; see below</source>
-        <translation>95 %-Toleranz von gain, zero, gauge oder einem Maß; siehe unten</translation>
+        <translation>95&#xa0;%-Toleranz von gain, zero, gauge oder einem Maß; siehe unten</translation>
     </message>
     <message>
         <source>rigid, or bar: a specimen between two like bars (default: rigid)</source>
@@ -16079,16 +16079,8 @@ Gestein, das nicht längs zweier Geraden be- und entlastet, kann zu enge Interva
         <translation>Zahl der Threads (Vorgabe: alle)</translation>
     </message>
     <message>
-        <source>Print JSON</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Also write tables, draws and the identified scenario into DIR</source>
         <translation>Auch Tabellen, Ziehungen und das identifizierte Szenario nach DIR schreiben</translation>
-    </message>
-    <message>
-        <source>Overwrite existing files</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>

@@ -11963,7 +11963,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
     </message>
     <message>
         <source>Neither stiffness nor springback is known to 20 %.</source>
-        <translation>Varken styvhet eller återfjädring är känd på 20 % när.</translation>
+        <translation>Varken styvhet eller återfjädring är känd på 20&#xa0;% när.</translation>
     </message>
     <message>
         <source>waves of %1 of the peak are not explained by the model; they widen all intervals</source>
@@ -16016,7 +16016,7 @@ match.csv, force_penetration.csv, incident.csv, identify.json and, of several re
 Exit code 0 where stiffness or gamma is known, 6 where the model is rejected or neither is known.
 Rock that does not load and unload along two lines can give too narrow intervals (commands §4.17).</source>
         <translation>Läser bergets styvhet, gamma och spalt från töjningsgivare på stången eller på den sista stången i
-en sträng. Skriver ut värdena med deras 95 %-intervall, vad som begränsar dem och vad som bör mätas
+en sträng. Skriver ut värdena med deras 95&#xa0;%-intervall, vad som begränsar dem och vad som bör mätas
 bättre. bit_rock i FILE används inte, utom med --law file.
   --known gain=+-5% zero=+-1%          för förstärkaren, i andelar av toppen
   --known gauge=+-2mm                  givarnas plats
@@ -16040,7 +16040,7 @@ Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva 
     </message>
     <message>
         <source>95 % tolerance of gain, zero, gauge or a size; see below</source>
-        <translation>95 %-tolerans för gain, zero, gauge eller ett mått; se nedan</translation>
+        <translation>95&#xa0;%-tolerans för gain, zero, gauge eller ett mått; se nedan</translation>
     </message>
     <message>
         <source>rigid, or bar: a specimen between two like bars (default: rigid)</source>
@@ -16067,16 +16067,8 @@ Berg som inte belastas och avlastas längs två räta linjer kan ge för snäva 
         <translation>antal trådar (standard: alla)</translation>
     </message>
     <message>
-        <source>Print JSON</source>
-        <translation type="unfinished"></translation>
-    </message>
-    <message>
         <source>Also write tables, draws and the identified scenario into DIR</source>
         <translation>Skriv även tabeller, dragningar och det identifierade scenariot till DIR</translation>
-    </message>
-    <message>
-        <source>Overwrite existing files</source>
-        <translation type="unfinished"></translation>
     </message>
 </context>
 </TS>
