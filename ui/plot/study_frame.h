@@ -31,8 +31,9 @@ class StudyFrame : public QObject {
     /// Where pinned runs are and, of a plot that has them, their curves; in units of the axes.
     void setRuns(const QVector<RunMark>& marks, const QVector<RunCurve>& curves = {});
     const QVector<RunMark>& runMarks() const { return m_runMarks->marks(); }
-    QVector<QCPGraph*> runCurves() const {
-        return m_runCurves ? m_runCurves->graphs() : QVector<QCPGraph*>();
+    const QVector<QCPGraph*>& runCurves() const {
+        static const QVector<QCPGraph*> none;  // before the plot has runs
+        return m_runCurves ? m_runCurves->graphs() : none;
     }
     void setStyle(const PlotStyle& style);
     /// Everything in view.
