@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/study_command.h"
 
-#include <algorithm>
-#include <thread>
-
 #include "app/input_text.h"
 #include "app/interruption.h"
 #include "app/output_file.h"
@@ -11,6 +8,7 @@
 #include "app/scenario_argument.h"
 #include "app/study_plots.h"
 #include "core/archive/result_scenario.h"
+#include "core/numeric/available_threads.h"
 #include "core/report/blow_csv.h"
 #include "core/text/decimal_text.h"
 
@@ -60,10 +58,8 @@ ExitCode runStudy(const Study& study, const Arguments& arguments, const Drawing*
     const Interruption interruption;
     remarkOnValues(document.scenario, path, arguments.style());
     ShareBar bar(arguments.style());
-    const StudyAnswerPtr answer =
-        study.run(question, {.stop = interruption.token(),
-                             .progress = bar.progress(),
-                             .threads = int(std::max(1U, std::thread::hardware_concurrency()))});
+    const StudyAnswerPtr answer = study.run(
+        question, {.stop = interruption.token(), .progress = bar.progress(), .threads = availableThreads()});
     interruption.check();
     if (const Message gap = answer->gap(); !gap.isEmpty())
         throw CommandError(ExitCode::unsolvedOrFailed, about(path, gap));

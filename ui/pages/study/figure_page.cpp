@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <thread>
 
 #include "core/archive/result_scenario.h"
+#include "core/numeric/available_threads.h"
 #include "core/report/blow_csv.h"
 #include "ui/form/choice_box.h"
 #include "ui/pages/study/option_fields.h"
@@ -17,10 +17,6 @@
 
 namespace drillwave {
 namespace {
-
-int threads() {
-    return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
-}
 
 [[noreturn]] void fail(const Message& reason) {
     throw std::runtime_error(translated(reason).toStdString());
@@ -38,7 +34,7 @@ StudyAnswerPtr answered(const Study& study, const StudyQuestion& question,
                            feed.tell({.done = static_cast<std::size_t>(share * parts), .wanted = parts});
                        },
                    .show = feed.show,
-                   .threads = threads()});
+                   .threads = availableThreads()});
     if (!feed.stop.stop_requested() && !answer->gap().isEmpty()) fail(answer->gap());
     return answer;
 }
