@@ -205,11 +205,11 @@ std::vector<OptionSpec> curveOptions() {
 const Command& curveCommand() {
     static constexpr std::string_view details =
         "Follows outputs along a parameter by smooth pieces between kinks, which are found where the order\n"
-        "of events changes; no grid to be chosen. Tells where each output is least and largest, its local\n"
-        "extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is not\n"
-        "smooth within the work permitted it is known by points alone, and the table says so.\n"
-        "--goal asks the other way round: where along KEY the output is X. Each place is solved for, with "
-        "its\nerror, and it is told whether there may be others; where there is none, what comes nearest.\n"
+        "of events changes; no grid to be chosen. Prints where each output is least and largest, its local\n"
+        "extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is "
+        "not\nsmooth within the work permitted, only points of it are known, and the table says so.\n"
+        "--goal asks the other way round: where along KEY the output is X. Prints each place with its\nerror "
+        "and whether there may be others; where there is none, the nearest value.\n"
         "Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log";
     static const Command command{
         .name = "curve",

@@ -118,7 +118,7 @@ RereadableInput::Buffer::int_type RereadableInput::Buffer::underflow() {
     } catch (const std::ios_base::failure& failure) {
         throw CommandError(
             ExitCode::unreadableInput,
-            Message(translatable("%1: cannot be read: %2; copy it to another disk, or get it anew"),
+            Message(translatable("%1: cannot be read: %2; copy it to another disk, or get it again"),
                     {m_name, failure.code().message()}));
     }
 }

@@ -169,10 +169,8 @@ std::string outputHelp(const ReadingStyle& style) {
     for (const Output& output : outputs()) add(output.name, output.meaning);
     add("all", translatable("all of these that FILE has: some need a blow frequency, "
                             "thrust_margin a thrust too"));
-    help +=
-        "\n" + style.said(translatable(
-                   "Of many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency "
-                   "and drill.thrust:"));
+    help += "\n" + style.said(translatable("Results of many blows, only by name (each takes a march); FILE "
+                                           "needs drill.blow_frequency and drill.thrust:"));
     for (const Output& output : drillOutputs()) add(output.name, output.meaning);
     return help;
 }

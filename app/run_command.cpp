@@ -150,7 +150,7 @@ const Command& runCommand() {
     static const std::string details =
         "With -o, DIR gets scenario.yaml, summary.json, histories.csv, "
         "events.csv and the plots: each of the\n"
-        "first four can be run again. Of a drill string the histories hold the waves in the middle of its "
+        "first four can be run again. For drill strings, the histories are taken at the middle of the "
         "longest\nsection. The plots are blow.*, rock.*, wave_picture.* and rod.*.";
     static const Command command{
         .name = "run",

@@ -105,7 +105,7 @@ constexpr auto outputTable = std::to_array<Output>({
     {"energy_residual", "error of the energy balance, fraction of the hammer work", Measure::error,
      Detail::ledger, [](const From& f) -> Number { return f.summary.energy.residual; },
      "error of the energy balance", OutputOf::anyBlow, OutputGroup::share,
-     "What all the shares together miss", std::nullopt, std::nullopt, nullptr, "balance error"},
+     "Difference of all shares together from 1", std::nullopt, std::nullopt, nullptr, "balance error"},
     {"cor_error", "bound on the numerical error of cor", Measure::error, Detail::cor,
      number<&ImpactSummary::corError>, "bound on the error of e"},
     {"thrust", "blow frequency times impulse, N, when the scenario has a frequency", Measure::newton,

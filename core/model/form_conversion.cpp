@@ -215,8 +215,8 @@ Conversion forcedStringOf(const Scenario& scenario) {
     Conversion converted{scenario, {}};
     converted.scenario.pulse = pistonOf(scenario.drillString, converted.lost);
     converted.scenario.drillString.hammer = Hammer();
-    converted.lost.emplace_back(
-        translatable("What comes back to the hammer: the force is that of the hammer on a rod without end."));
+    converted.lost.emplace_back(translatable(
+        "Waves reflected to the hammer are left out: the force is that of the hammer on an endless rod."));
     return converted;
 }
 

@@ -54,7 +54,7 @@ Message refusal(std::string_view key, std::string_view text, const Message& reas
 constexpr const char* notOfString =
     translatable("only a uniform rod has it (`drillwave: 1`), this is a drill string");
 constexpr const char* notOfHammer =
-    translatable("only a force in place of the hammer has it (`pulse`), this string is struck by a hammer");
+    translatable("only a force instead of the hammer has it (`pulse`), this string is struck by a hammer");
 constexpr const char* notOfForce =
     translatable("only a hammer of sections has it (`hammer`), this string is driven by a force (`pulse`)");
 

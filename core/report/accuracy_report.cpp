@@ -60,7 +60,7 @@ std::string legend(const Accuracy& accuracy, const ReadingStyle& style) {
                              "middles. A force that is constant in each step cannot come closer than half "
                              "its change in a step."),
                 style);
-    const Message times{translatable("Times: processor time of a solve for e alone. speed: how many times "
+    const Message times{translatable("Times: processor time of a solve for e only. speed: how many times "
                                      "faster than the paper's choice,\n"
                                      "the lattice of %1 segments with moved waves."),
                         {std::to_string(paperSegments)}};

@@ -42,7 +42,7 @@ Message chosenMessage(const DesignStudy& study) {
             joined(std::move(list), "%1, %2",
                    {translatable("%1 (%2 values)"), {std::string(axis.key()), std::to_string(axis.count)}});
     }
-    if (list.isEmpty()) list = translatable("nothing, the design of FILE alone");
+    if (list.isEmpty()) list = translatable("nothing, only the design of FILE");
     return {study.keepsEnergy ? translatable("Chosen: %1; every blow has the energy of FILE's.")
                               : translatable("Chosen: %1."),
             {list}};
@@ -118,7 +118,7 @@ std::string costText(const DesignReport& report, const ReadingStyle& style) {
         return (difference > 0 ? "+" : "") + outputText(report.study, *aim.output, difference, style, 3);
     };
     return paragraph(style.said(
-        {translatable("%1 in place of %2: %3 %4, where all is as in FILE %5."),
+        {translatable("%1 instead of %2: %3 %4, with the values of FILE %5."),
          {designName(report.study, *best.robust, style), designName(report.study, *best.nominal, style),
           aimedName(aim), change(brings), change(costs)}}));
 }
@@ -177,7 +177,7 @@ std::string sensitivityText(const DesignReport& report, const ReadingStyle& styl
     for (std::size_t o = 0; o < report.findings.sensitivity.outputs.size(); ++o)
         addOutput(report, o, style, grid);
     return "\n" +
-           style.said(translatable("What is worth measuring: share of the scatter, # alone, - with others")) +
+           style.said(translatable("Worth measuring: share of the scatter, # by itself, - with others")) +
            "\n" + grid.text();
 }
 

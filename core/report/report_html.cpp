@@ -363,10 +363,9 @@ class Page {
                paragraph(strengthSentence(blow().scenario, sectionStresses(blow().scenario, blow().impact),
                                           m_style)) +
                tableOf("stresses", htmlRows(rows)) + rest(sections) +
-               paragraph(translatable(
-                   "Places are from the rear end of a section. What a joint reflects is the energy of the "
-                   "waves from the hammer that the far end of the section throws back, of that of the "
-                   "hammer."));
+               paragraph(translatable("Places are from the rear end of a section. Reflected at a joint: the "
+                                      "energy that the far end of the section reflects of the waves from the "
+                                      "hammer, as a share of the hammer energy."));
     }
 
     std::string thrust() const {

@@ -105,10 +105,9 @@ bool checkKeysOfFormat(SectionReader& reader, const YamlEntries& file, int forma
         refuse(stringKeys,
                translatable("belongs to a drill string: a file that has it begins with `drillwave: 2`"));
     else
-        refuse(
-            rodKeys,
-            translatable("belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill "
-                         "string has `string` in place of `rod`, and `hammer` or `pulse`"));
+        refuse(rodKeys,
+               translatable("belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a "
+                            "drill string has `string` instead of `rod`, and `hammer` or `pulse`"));
     const auto isThere = [&](std::string_view key) { return file.contains(key); };
     return !std::ranges::any_of(keysOf(format == rodFormat ? stringFormat : rodFormat), isThere) ||
            std::ranges::any_of(keysOf(format), isThere) || isThere("pulse");

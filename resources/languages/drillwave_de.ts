@@ -8,7 +8,7 @@
         <translation>Messstelle</translation>
     </message>
     <message>
-        <source>Whose E and area make a force of a strain</source>
+        <source>Bar used to convert strain to force</source>
         <translation>Deren E-Modul und Querschnitt machen aus einer Dehnung eine Kraft</translation>
     </message>
     <message>
@@ -32,7 +32,7 @@
         <translation>Durchmesser</translation>
     </message>
     <message>
-        <source>Of the solid bar where the gauge is</source>
+        <source>Diameter of the solid bar at the gauge</source>
         <translation>Des vollen Stabs an der Messstelle</translation>
     </message>
     <message>
@@ -790,11 +790,11 @@ Trotzdem löschen?</translation>
         <translation>Querschnitt am gesteinsseitigen Ende eines Kegels, dessen `area` die des hinteren Endes ist</translation>
     </message>
     <message>
-        <source>Cross-section of the rod, in place of its diameter and bore</source>
+        <source>Cross-section of the rod, instead of diameter and bore</source>
         <translation>Querschnitt der Stange, anstelle von Durchmesser und Bohrung</translation>
     </message>
     <message>
-        <source>Cross-section, in place of diameter and bore</source>
+        <source>Cross-section, instead of diameter and bore</source>
         <translation>Querschnitt, anstelle von Durchmesser und Bohrung</translation>
     </message>
     <message>
@@ -810,7 +810,7 @@ Trotzdem löschen?</translation>
         <translation>Dichte jedes Abschnitts, der keine eigene hat</translation>
     </message>
     <message>
-        <source>Density of the elastic hammer, the rod&apos;s if not given</source>
+        <source>Density of the elastic hammer (default: that of the rod)</source>
         <translation>Dichte des elastischen Hammers, die der Stange, wenn nicht gegeben</translation>
     </message>
     <message>
@@ -818,7 +818,7 @@ Trotzdem löschen?</translation>
         <translation>Dichte der Stange</translation>
     </message>
     <message>
-        <source>Density, that of the material if not given</source>
+        <source>Density (default: that of the material)</source>
         <translation>Dichte, die des Werkstoffs, wenn nicht gegeben</translation>
     </message>
     <message>
@@ -930,8 +930,8 @@ Trotzdem löschen?</translation>
         <translation>Anzahl der Spitzen der Stoßkraft über 1 % der größten</translation>
     </message>
     <message>
-        <source>Of the scatter of the intervals</source>
-        <translation>Für die Streuung der Abstände zwischen den Schlägen</translation>
+        <source>Start of the random numbers for the scatter of the intervals</source>
+        <translation>Startwert der Zufallszahlen für die Streuung der Abstände</translation>
     </message>
     <message>
         <source>Outer diameter at the end towards the rock of a cone, whose `diameter` is that of its rear end; the bore is constant</source>
@@ -1006,7 +1006,7 @@ Trotzdem löschen?</translation>
         <translation>Steifigkeit von Bohrkrone und Gestein bei Erstbelastung</translation>
     </message>
     <message>
-        <source>Stiffness of the contact of hammer and string; rigid if not given</source>
+        <source>Stiffness of the contact of hammer and string (default: rigid)</source>
         <translation>Steifigkeit des Kontakts von Hammer und Strang; starr, wenn nicht gegeben</translation>
     </message>
     <message>
@@ -1054,7 +1054,7 @@ Trotzdem löschen?</translation>
         <translation>Zeit der letzten Trennung</translation>
     </message>
     <message>
-        <source>Time until when the blow of a drill string is followed; to its end if not given</source>
+        <source>Time until when the blow on a drill string is followed (default: to its end)</source>
         <translation>Zeit, bis zu der der Schlag eines Bohrstrangs verfolgt wird; bis zu seinem Ende, wenn nicht gegeben</translation>
     </message>
     <message>
@@ -1074,8 +1074,8 @@ Trotzdem löschen?</translation>
         <translation>Geschwindigkeit des Hammers, wenn er den Strang trifft</translation>
     </message>
     <message>
-        <source>What all the shares together miss</source>
-        <translation>Was alle Anteile zusammen verfehlen</translation>
+        <source>Difference of all shares together from 1</source>
+        <translation>Abweichung der Summe aller Anteile von 1</translation>
     </message>
     <message>
         <source>Work of the hammer on the rod</source>
@@ -1094,7 +1094,7 @@ Trotzdem löschen?</translation>
         <translation>E-Modul jedes Abschnitts, der keinen eigenen hat</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus of the elastic hammer, the rod&apos;s if not given</source>
+        <source>Young&apos;s modulus of the elastic hammer (default: that of the rod)</source>
         <translation>E-Modul des elastischen Hammers, der der Stange, wenn nicht gegeben</translation>
     </message>
     <message>
@@ -1102,7 +1102,7 @@ Trotzdem löschen?</translation>
         <translation>E-Modul der Stange; bestimmt mit der Dichte ihre Wellengeschwindigkeit</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus, that of the material if not given</source>
+        <source>Young&apos;s modulus (default: that of the material)</source>
         <translation>E-Modul, der des Werkstoffs, wenn nicht gegeben</translation>
     </message>
     <message>
@@ -3515,7 +3515,7 @@ Die Datei bleibt als %2 erhalten und wird nicht noch einmal angeboten.</translat
         <translation>Die Kraft N %1 und ihre Wellen, die Stoßkraft, ihr Kraftstoß und der Impuls der Stange über der Zeit.</translation>
     </message>
     <message>
-        <source>What was measured is dashed.</source>
+        <source>Measured signals are dashed.</source>
         <translation>Gemessenes ist gestrichelt.</translation>
     </message>
     <message>
@@ -3912,7 +3912,7 @@ Höchstens Punkte: Ein Schlag behält so wenige Abtastwerte, wie Kraftstoß und 
         <translation>%1: logarithmisch</translation>
     </message>
     <message>
-        <source>Even ratios in place of even steps</source>
+        <source>Even ratios instead of even steps</source>
         <translation>Gleiche Verhältnisse statt gleicher Schritte</translation>
     </message>
     <message>
@@ -4092,7 +4092,7 @@ F7 (oder Anheften, rechts neben den Reitern) behält das gegenwärtige Ergebnis 
 Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zeiger an.</translation>
     </message>
     <message>
-        <source>What the differences are taken from: here, in the list of runs and in the result</source>
+        <source>Reference of all differences: here, in the list of runs and in the result</source>
         <translation>Wovon die Unterschiede genommen werden: hier, in der Liste der Läufe und im Ergebnis</translation>
     </message>
     <message>
@@ -4306,11 +4306,11 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>&lt;b&gt;Dieses Szenario&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>The samples do not tell it apart from %1: any of them will do.</source>
+        <source>The samples do not distinguish it from %1: any of them will do.</source>
         <translation>Die Stichproben unterscheiden sie nicht von %1: jede davon ist recht.</translation>
     </message>
     <message>
-        <source>Of them %1 has the %2: %3.</source>
+        <source>Among them, %1 has the %2: %3.</source>
         <translation>Unter ihnen hat %1 %2: %3.</translation>
     </message>
     <message>
@@ -4346,7 +4346,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
         <translation>Der Wirkungsgrad streut fast nur mit γ; die Belastungsarbeit zeigt, was Welle und Maschine können.</translation>
     </message>
     <message>
-        <source>What the designs say</source>
+        <source>Answer of the study</source>
         <translation>Was die Auslegungen sagen</translation>
     </message>
     <message>
@@ -4458,7 +4458,7 @@ Auf den Seiten der Studien heften Umschalt und ein Klick den Punkt unter dem Zei
     </message>
     <message>
         <source>⚠ %1
-What is shown is of the value before.</source>
+The page shows the answer for the value before.</source>
         <translation>⚠ %1
 Gezeigt wird der Wert davor.</translation>
     </message>
@@ -4471,7 +4471,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Bisher %1 Stichproben je Auslegung, verfeinert auf %2</translation>
     </message>
     <message>
-        <source>There is no design to be told of.</source>
+        <source>There is no design study to report.</source>
         <translation>Es gibt keine Auslegung, von der zu berichten wäre.</translation>
     </message>
     <message>
@@ -4535,7 +4535,7 @@ Gezeigt wird der Wert davor.</translation>
     </message>
     <message>
         <source>share of the scatter
-(filled: alone)</source>
+(filled: by itself)</source>
         <translation>Anteil an der Streuung
 (gefüllt: allein)</translation>
     </message>
@@ -4674,7 +4674,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Bohren</translation>
     </message>
     <message>
-        <source>Blow %1 of %2 under the feed, with the waves and the motion that it began with: gap %3, penetration %4. What Result says is of a single blow that begins at rest.</source>
+        <source>Blow %1 of %2 under the feed, with the waves and the motion it started with: gap %3, penetration %4. The panel Result shows a single blow from rest.</source>
         <translation>Schlag %1 von %2 unter dem Vorschub, mit den Wellen und der Bewegung, mit denen er begann: Spalt %3, Eindringung %4. Was das Ergebnis sagt, ist von einem einzelnen Schlag, der in Ruhe beginnt.</translation>
     </message>
     <message>
@@ -4815,7 +4815,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>&amp;Über dieses Beispiel</translation>
     </message>
     <message>
-        <source>What to look at in the example that is open</source>
+        <source>Things to look at in the open example</source>
         <translation>Worauf im geöffneten Beispiel zu achten ist</translation>
     </message>
     <message>
@@ -4922,7 +4922,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>&amp;Zahlen als Tabelle</translation>
     </message>
     <message>
-        <source>What this page draws, number by number, in a window of its own: to be read and copied</source>
+        <source>The numbers this page draws, in a window of their own, to read and copy</source>
         <translation>Was diese Seite zeichnet, Zahl für Zahl, in einem eigenen Fenster: zum Lesen und Kopieren</translation>
     </message>
     <message>
@@ -5056,7 +5056,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>neu</translation>
     </message>
     <message>
-        <source>A scenario given by its groups β, γ, τ and δ alone, without units</source>
+        <source>A scenario given only by its groups β, γ, τ and δ, without units</source>
         <translation>Ein Szenario, das nur durch seine Kennzahlen β, γ, τ und δ gegeben ist, ohne Einheiten</translation>
     </message>
     <message>
@@ -5120,7 +5120,7 @@ Gezeigt wird der Wert davor.</translation>
         <translation>Abbildung &amp;%1: %2</translation>
     </message>
     <message>
-        <source>Computed anew, beside the numbers that the paper prints</source>
+        <source>Computed again, beside the numbers that the paper prints</source>
         <translation>Neu berechnet, neben den Zahlen, die die Veröffentlichung druckt</translation>
     </message>
     <message>
@@ -5255,7 +5255,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>Zur gleichförmigen Stange &amp;vereinfachen</translation>
     </message>
     <message>
-        <source>Put a &amp;force in place of the hammer</source>
+        <source>Use a &amp;force instead of the hammer</source>
         <translation>&amp;Kraft anstelle des Hammers setzen</translation>
     </message>
     <message>
@@ -5283,7 +5283,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>Das ist jetzt eine gleichförmige Stange, durch die Wellen so lange laufen wie durch den Strang.</translation>
     </message>
     <message>
-        <source>put a force in place of the hammer</source>
+        <source>use a force instead of the hammer</source>
         <translation>eine Kraft anstelle des Hammers setzen</translation>
     </message>
     <message>
@@ -5307,7 +5307,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>Nicht in diesem Szenario: %1</translation>
     </message>
     <message>
-        <source>The rod alone, as long for the waves as the string, struck by a uniform piston</source>
+        <source>Only the rod, as long for the waves as the string, struck by a uniform piston</source>
         <translation>Die Stange allein, für die Wellen so lang wie der Strang, von einem gleichförmigen Kolben geschlagen</translation>
     </message>
     <message>
@@ -5319,7 +5319,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>Dieses Szenario treibt schon eine Kraft</translation>
     </message>
     <message>
-        <source>A force that does not feel what comes back, as a measured blow is</source>
+        <source>A force that reflected waves do not change, as a measured blow is</source>
         <translation>Eine Kraft, die nicht spürt, was zurückkommt, wie ein gemessener Schlag</translation>
     </message>
     <message>
@@ -5346,7 +5346,7 @@ Speichern überschreibt, was jenes Programm geschrieben hat.</translation>
         <translation>keines</translation>
     </message>
     <message>
-        <source>What the result is to be: the values of the parameter that give it are marked, and a click takes one</source>
+        <source>Wanted result: the values of the parameter that give it are marked, and a click takes one</source>
         <translation>Was das Ergebnis sein soll: die Werte des Parameters, die es ergeben, werden markiert, und ein Klick übernimmt einen</translation>
     </message>
 </context>
@@ -5460,8 +5460,8 @@ Freie Software unter der GNU General Public License, Version 3 oder später.</tr
         <translation>importieren als</translation>
     </message>
     <message>
-        <source>What the signal is for</source>
-        <translation>Wofür das Signal ist</translation>
+        <source>Use of the signal in the program</source>
+        <translation>Verwendung des Signals im Programm</translation>
     </message>
     <message>
         <source>hammer blow</source>
@@ -6094,47 +6094,47 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>%1 = %2 liegt außerhalb des üblichen Bereichs, %3 bis %4.</translation>
     </message>
     <message>
-        <source>The first reflection is back while %1 % of the blow is still to come; a real hammer would feel it, here its force is prescribed.</source>
-        <translation>Die erste Reflexion ist zurück, während %1&#xa0;% des Schlags noch ausstehen; ein wirklicher Hammer würde sie spüren, hier ist seine Kraft vorgegeben.</translation>
+        <source>The first reflection returns before the last %1 % of the blow. A real hammer would feel it, but here the force is prescribed. To include it, use a drill string with a hammer.</source>
+        <translation>Die erste Reflexion kommt vor den letzten %1 % des Schlags zurück. Ein wirklicher Hammer würde sie spüren, hier aber ist die Kraft vorgegeben. Ein Bohrstrang mit Hammer berücksichtigt sie.</translation>
     </message>
     <message>
-        <source>The hammer&apos;s impedance is that of the rod, the value assumed where none is given: its blow is one step.</source>
-        <translation>Die Impedanz des Hammers ist die der Stange, der Wert, der angenommen wird, wo keiner angegeben ist: sein Schlag ist eine Stufe.</translation>
+        <source>The hammer has the impedance of the rod, which is the default: its blow is one step. Give the data of the piston.</source>
+        <translation>Der Hammer hat die Impedanz der Stange, den Standardwert: sein Schlag ist eine Stufe. Die Daten des Kolbens angeben.</translation>
     </message>
     <message>
-        <source>The hammer is the one assumed where none is given (%1, the material of the rod): give the data of the rock drill&apos;s piston.</source>
-        <translation>Der Hammer ist der, der angenommen wird, wo keiner angegeben ist (%1, Werkstoff der Stange): die Daten des Kolbens des Bohrhammers angeben.</translation>
+        <source>The hammer is the default one (%1, the material of the rod). Give the data of the rock drill&apos;s piston.</source>
+        <translation>Der Hammer ist der Standardhammer (%1, Werkstoff der Stange). Die Daten des Kolbens des Bohrhammers angeben.</translation>
     </message>
     <message>
-        <source>The hammer&apos;s impedance is below the rod&apos;s: it bounces back after one step, so that the rod takes over more than its momentum.</source>
+        <source>The impedance of the hammer is below that of the rod: the hammer bounces back after one step, and the rod receives more than its momentum.</source>
         <translation>Die Impedanz des Hammers ist kleiner als die der Stange: er prallt nach einer Stufe zurück, so dass die Stange mehr als seinen Impuls übernimmt.</translation>
     </message>
     <message>
-        <source>The hammer&apos;s impedance is above the rod&apos;s: it pushes in a staircase of ever smaller steps, assumed to run on as if the rod were long.</source>
-        <translation>Die Impedanz des Hammers ist größer als die der Stange: er schiebt in einer Treppe immer kleinerer Stufen, von der angenommen wird, dass sie weiterläuft, als wäre die Stange lang.</translation>
+        <source>The impedance of the hammer is above that of the rod: the force falls in ever smaller steps, computed for a long rod.</source>
+        <translation>Die Impedanz des Hammers ist größer als die der Stange: die Kraft fällt in immer kleineren Stufen, berechnet für eine lange Stange.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it %3: penetration may swing by 10 % up or down with frequency times length; %2 follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %3: die Eindringung kann mit Frequenz mal Länge um 10&#xa0;% nach oben oder unten schwanken; %2 verfolgt das.</translation>
+        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %3. Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %3. Die Eindringung kann sich mit Schlagfrequenz und Stranglänge um bis zu 10 % ändern; %2 berechnet das.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it %4 and nearly in step (close to %2): penetration may swing by 10 % up or down; %3 follows it.</source>
-        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %4 und fast im Takt (nahe %2): die Eindringung kann um 10&#xa0;% nach oben oder unten schwanken; %3 verfolgt das.</translation>
+        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %4 and nearly in step (close to %2). Penetration may change by up to 10 %; %3 computes it.</source>
+        <translation>Die Wellen eines Schlags machen nur %1 Hin- und Rückläufe bis zum nächsten Schlag und treffen ihn %4 und fast im Takt (nahe %2). Die Eindringung kann sich um bis zu 10 % ändern; %3 berechnet das.</translation>
     </message>
     <message>
-        <source>share but a cell of time of %1, which would take more work than is permitted</source>
-        <translation>haben nur eine Zeitzelle von %1 gemeinsam, die mehr Aufwand kosten würde, als erlaubt ist</translation>
+        <source>only share a time step of %1, which takes more work than is permitted</source>
+        <translation>haben nur einen Zeitschritt von %1 gemeinsam, der mehr Aufwand kostet, als erlaubt ist</translation>
     </message>
     <message>
-        <source>share no cell of time</source>
-        <translation>haben keine Zeitzelle gemeinsam</translation>
+        <source>share no time step</source>
+        <translation>haben keinen Zeitschritt gemeinsam</translation>
     </message>
     <message>
-        <source>the force on the rock and the rebound are off: e by up to %1</source>
+        <source>force on the rock and rebound have errors: e by up to %1</source>
         <translation>Kraft auf das Gestein und Rückprall weichen ab: e um bis zu %1</translation>
     </message>
     <message>
-        <source>the efficiency may be off by %1</source>
+        <source>the efficiency may have an error of %1</source>
         <translation>der Wirkungsgrad kann um %1 abweichen</translation>
     </message>
     <message>
@@ -6142,12 +6142,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Die Laufzeiten der Abschnitte %1: sie wurden um bis zu %2 gerundet, und %3. %4</translation>
     </message>
     <message>
-        <source>Lengths with a larger common divisor share a longer one.</source>
-        <translation>Längen mit einem größeren gemeinsamen Teiler haben eine längere gemeinsam.</translation>
+        <source>Lengths with a larger common divisor share a longer time step.</source>
+        <translation>Längen mit einem größeren gemeinsamen Teiler haben einen längeren Zeitschritt gemeinsam.</translation>
     </message>
     <message>
-        <source>Lengths in whole millimetres of one steel share one and are exact.</source>
-        <translation>Längen in ganzen Millimetern aus einem Stahl haben eine gemeinsam und sind genau.</translation>
+        <source>Lengths in whole millimetres of one steel share a time step and are exact.</source>
+        <translation>Längen in ganzen Millimetern aus einem Stahl haben einen Zeitschritt gemeinsam und sind genau.</translation>
     </message>
     <message>
         <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
@@ -6158,7 +6158,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>die Bohrkrone das Gestein mitten in einer Welle trifft (delta = %1 ist keine ganze Zahl)</translation>
     </message>
     <message>
-        <source>the loading curve of the rock is no straight line</source>
+        <source>the loading curve of the rock is not a straight line</source>
         <translation>die Belastungskurve des Gesteins keine Gerade ist</translation>
     </message>
     <message>
@@ -6166,12 +6166,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>die Bohrkrone noch auf dem Gestein ist, wenn die nächste Reflexion ankommt</translation>
     </message>
     <message>
-        <source>The closed form for elastic rock does not hold, because %1: its e = %2 is off by %3.</source>
+        <source>The closed form for elastic rock does not apply, because %1: its e = %2 has an error of %3.</source>
         <translation>Die geschlossene Form für elastisches Gestein gilt nicht, weil %1: ihr e = %2 weicht um %3 ab.</translation>
     </message>
     <message>
-        <source>The bit chatters on the rock (%1 contacts), so that e depends on the last digits of the input: it is known to %2 only, and no calculation knows it better. A longer rod, a shorter blow or a softer rock chatters less.</source>
-        <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass e an den letzten Stellen der Eingabe hängt: es ist nur auf %2 bekannt, und keine Rechnung kennt es besser. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein rattert weniger.</translation>
+        <source>The bit chatters on the rock (%1 contacts), so e depends on the last digits of the input: no calculation can know it better than to %2. A longer rod, a shorter blow or a softer rock chatters less.</source>
+        <translation>Die Bohrkrone rattert auf dem Gestein (%1 Kontakte), so dass e von den letzten Stellen der Eingabe abhängt: keine Rechnung kann es genauer als auf %2 kennen. Eine längere Stange, ein kürzerer Schlag oder weicheres Gestein rattert weniger.</translation>
     </message>
     <message>
         <source>compression</source>
@@ -6186,12 +6186,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Auf eine Bewegung als starrer Körper hat der Spalt keine Wirkung: er verschiebt nur die Zeit des Kontakts.</translation>
     </message>
     <message>
-        <source>The rod leaves with more momentum than it came with (e = %1): rigid rock, e = 1, would underestimate the thrust.</source>
-        <translation>Die Stange prallt mit mehr Impuls zurück, als sie ankam (e = %1): mit starrem Gestein, e = 1, würde der Andruck unterschätzt.</translation>
+        <source>The rod rebounds with more momentum than it had before impact (e = %1). An estimate for rigid rock (e = 1) gives too small a feed force.</source>
+        <translation>Die Stange prallt mit mehr Impuls zurück, als sie vor dem Aufprall hatte (e = %1). Eine Schätzung für starres Gestein (e = 1) ergibt einen zu kleinen Andruck.</translation>
     </message>
     <message>
-        <source>The bit hits the rock %1 times in this blow: the waves on their way bring it back.</source>
-        <translation>Die Bohrkrone trifft das Gestein in diesem Schlag %1-mal: die Wellen unterwegs bringen sie zurück.</translation>
+        <source>The bit hits the rock %1 times in this blow: reflected waves push it back to the rock.</source>
+        <translation>Die Bohrkrone trifft das Gestein in diesem Schlag %1-mal: reflektierte Wellen drücken sie zum Gestein zurück.</translation>
     </message>
     <message>
         <source>The numerical error of e may be as large as %1.</source>
@@ -6202,60 +6202,60 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>würde fließen</translation>
     </message>
     <message>
-        <source>is fatigued by every blow</source>
+        <source>suffers fatigue at every blow</source>
         <translation>überschreitet mit jedem Schlag die Dauerfestigkeit</translation>
     </message>
     <message>
-        <source>After %1 bit or hammer may still meet again: these are the numbers at the next blow, not final ones.</source>
-        <translation>Nach %1 können Bohrkrone oder Hammer noch einmal auftreffen: dies sind die Zahlen beim nächsten Schlag, keine endgültigen.</translation>
+        <source>After %1 bit and rock, or hammer and string, may still meet again: these are the values at the next blow, not the final ones.</source>
+        <translation>Nach %1 können sich Bohrkrone und Gestein oder Hammer und Strang noch einmal treffen: dies sind die Werte beim nächsten Schlag, nicht die endgültigen.</translation>
     </message>
     <message>
-        <source>The largest stresses of the sections take more work than is permitted: they were left out and no strength was checked. A shorter end_time may leave room for them.</source>
-        <translation>Die größten Spannungen der Abschnitte kosten mehr Aufwand, als erlaubt ist: sie wurden weggelassen, und keine Festigkeit wurde geprüft. Eine frühere end_time kann Platz für sie lassen.</translation>
+        <source>The largest stresses of the sections take more work than is permitted. They were not computed, and no strength was checked. Try a shorter end_time.</source>
+        <translation>Die größten Spannungen der Abschnitte kosten mehr Aufwand, als erlaubt ist. Sie wurden nicht berechnet, und keine Festigkeit wurde geprüft. Eine kürzere end_time versuchen.</translation>
     </message>
     <message>
-        <source>The force stays below the first corner of the loading curve (%1 of %2): the law acts as the bilinear one.</source>
+        <source>The force stays below the first corner of the loading curve (%1 of %2): the law acts like a bilinear one.</source>
         <translation>Die Kraft bleibt unter der ersten Ecke der Belastungskurve (%1 von %2): das Gesetz wirkt wie das bilineare.</translation>
     </message>
     <message>
-        <source>The feed, %1, is less than the mean reaction of the blows, %2, or so near to it that gaps grow without bound.</source>
-        <translation>Der Vorschub, %1, ist kleiner als die mittlere Reaktion der Schläge, %2, oder ihr so nahe, dass Spalte ohne Grenze wachsen.</translation>
+        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it: gaps grow without bound. Increase the feed force.</source>
+        <translation>Der Andruck von %1 liegt unter der mittleren Kraft der Schläge, %2, oder zu nahe daran: Spalte wachsen ohne Grenze. Den Andruck erhöhen.</translation>
     </message>
     <message>
-        <source>Nothing damps the waves: jumps never fade. A wave loss of 1 to 30 % in a round trip is usual.</source>
-        <translation>Die Wellen verlieren nichts: Sprünge klingen nie ab. Ein Wellenverlust von 1 bis 30&#xa0;% in einem Hin- und Rücklauf ist üblich.</translation>
+        <source>Nothing damps the waves: jumps never fade. Give a wave loss; 1 to 30 % per round trip is usual.</source>
+        <translation>Nichts dämpft die Wellen: Sprünge klingen nie ab. Einen Wellenverlust angeben; 1 bis 30 % je Hin- und Rücklauf ist üblich.</translation>
     </message>
     <message>
-        <source>After it has separated, the piston still passes up to %1 % of its momentum: it is in the way of the rebounding string, where a machine would have drawn it back; “may strike again” switched off (restrike: false in the file) says so.</source>
-        <translation>Nachdem sich der Kolben getrennt hat, gibt er noch bis zu %1&#xa0;% seines Impulses weiter: er ist dem zurückprallenden Strang im Weg, wo eine Maschine ihn zurückgezogen hätte; das sagt „darf wieder schlagen“ ausgeschaltet (restrike: false in der Datei).</translation>
+        <source>After separation the piston still transfers up to %1 % of its momentum: it is in the way of the rebounding string. If the machine has drawn it back by then, switch off “may strike again” (restrike: false in the file).</source>
+        <translation>Nach der Trennung gibt der Kolben noch bis zu %1 % seines Impulses ab: er ist dem zurückprallenden Strang im Weg. Hat die Maschine ihn bis dahin zurückgezogen, „darf wieder schlagen“ ausschalten (restrike: false in der Datei).</translation>
     </message>
     <message>
-        <source>At a blow the shank is up to %1 off its mean place in the machine: the stroke, and so the blow, would be another one. A dashpot lets it creep; the spring of the damper brings it back.</source>
-        <translation>Bei einem Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt: der Hub, und damit der Schlag, wäre ein anderer. Ein Dämpfer lässt es kriechen; die Feder des Dämpfers bringt es zurück.</translation>
+        <source>At a blow the shank is up to %1 away from its mean position in the machine: stroke and blow would differ. With only a dashpot it creeps; give the damper a spring.</source>
+        <translation>Bei einem Schlag ist das Einsteckende bis zu %1 von seiner mittleren Lage in der Maschine entfernt: Hub und Schlag wären andere. Nur mit einem Dämpfer kriecht es; dem Dämpfer eine Feder geben.</translation>
     </message>
     <message>
-        <source>The blow frequency is marched as %1, so that blows come at the end of a cell.</source>
-        <translation>Die Schlagfrequenz wird mit %1 gerechnet, damit Schläge am Ende einer Zelle kommen.</translation>
+        <source>The blow frequency is computed as %1, so that each blow falls on a time step.</source>
+        <translation>Die Schlagfrequenz wird mit %1 gerechnet, damit jeder Schlag auf einen Zeitschritt fällt.</translation>
     </message>
     <message>
-        <source>The means of the first and the second half of the blows differ by more than three of their errors: more blows, or more that settle, are needed.</source>
-        <translation>Die Mittel der ersten und der zweiten Hälfte der Schläge unterscheiden sich um mehr als das Dreifache ihrer Fehler: es braucht mehr Schläge, oder mehr davon zum Einschwingen.</translation>
+        <source>The means of the first and second half of the blows differ by more than three times their error. Increase the number of blows, or of transient blows.</source>
+        <translation>Die Mittel der ersten und der zweiten Hälfte der Schläge unterscheiden sich um mehr als das Dreifache ihres Fehlers. Die Zahl der Schläge oder der Schläge zum Einschwingen erhöhen.</translation>
     </message>
     <message>
-        <source>Two motions coexist. The start or the time step decides which one is computed; which one a machine takes is not known.</source>
-        <translation>Zwei Bewegungen sind möglich. Welche berechnet wird, entscheidet der Anfang oder der Zeitschritt; welche eine Maschine ausführt, ist nicht bekannt.</translation>
+        <source>Two steady motions are possible. The start or the time step decides which one is computed; a real drill may settle into either.</source>
+        <translation>Zwei stetige Bewegungen sind möglich. Anfang oder Zeitschritt entscheiden, welche berechnet wird; eine wirkliche Maschine kann jede der beiden annehmen.</translation>
     </message>
     <message>
-        <source>The motion does not repeat: means are results, single blows are none.</source>
-        <translation>Die Bewegung wiederholt sich nicht: Mittel sind Ergebnisse, einzelne Schläge keine.</translation>
+        <source>The motion does not repeat: use the means, not the values of single blows.</source>
+        <translation>Die Bewegung wiederholt sich nicht: die Mittelwerte verwenden, nicht die Werte einzelner Schläge.</translation>
     </message>
     <message>
-        <source>The energy of all blows closes to %1 % only: the cells are long for these contacts; shorter ones take it down with their length.</source>
-        <translation>Die Energiebilanz aller Schläge geht nur auf %1&#xa0;% genau auf: die Zellen sind lang für diese Kontakte; kürzere verringern den Fehler mit ihrer Länge.</translation>
+        <source>The energy balance of all blows has an error of %1 %: the time step is long for these contacts. A shorter one reduces the error in proportion.</source>
+        <translation>Die Energiebilanz aller Schläge hat einen Fehler von %1 %: der Zeitschritt ist lang für diese Kontakte. Ein kürzerer verringert den Fehler im gleichen Verhältnis.</translation>
     </message>
     <message>
-        <source>No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the rod.</source>
-        <translation>Kein Hersteller veröffentlicht seinen Dämpfer: Dämpfer vom 0,05- bis 0,5-Fachen der Impedanz der Stange versuchen.</translation>
+        <source>The damper is assumed, because makers do not publish theirs. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
+        <translation>Der Dämpfer ist angenommen, weil Hersteller ihren nicht veröffentlichen. Dämpfer vom 0,05- bis 0,5-Fachen der Impedanz der Stange versuchen.</translation>
     </message>
     <message>
         <source>a dashpot of %1 and a spring of %2</source>
@@ -6314,11 +6314,11 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>bei jedem Spalt</translation>
     </message>
     <message>
-        <source>The feed is not judged: the scenario is given by its dimensionless groups, not in physical units.</source>
+        <source>The feed cannot be judged: the scenario has dimensionless groups, not physical units.</source>
         <translation>Der Vorschub wird nicht beurteilt: das Szenario ist durch seine dimensionslosen Kennzahlen gegeben, nicht in physikalischen Einheiten.</translation>
     </message>
     <message>
-        <source>The feed is not judged: no blow frequency is given.</source>
+        <source>The feed cannot be judged: no blow frequency is given.</source>
         <translation>Der Vorschub wird nicht beurteilt: es ist keine Schlagfrequenz angegeben.</translation>
     </message>
     <message>
@@ -6726,7 +6726,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>Größte Spannungen jedes Abschnitts</translation>
     </message>
     <message>
-        <source>Places are from the rear end of a section. What a joint reflects is the energy of the waves from the hammer that the far end of the section throws back, of that of the hammer.</source>
+        <source>Places are from the rear end of a section. Reflected at a joint: the energy that the far end of the section reflects of the waves from the hammer, as a share of the hammer energy.</source>
         <translation>Orte zählen vom hinteren Ende eines Abschnitts. Die Reflexion ist der Anteil der Energie des Hammers, den die Verbindung am gesteinsseitigen Ende des Abschnitts von dem reflektiert, was vom Hammer kommt.</translation>
     </message>
     <message>
@@ -7002,12 +7002,12 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>der Zug erreicht %1</translation>
     </message>
     <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the waves left (which nothing damps here), against a strength of %5.</source>
-        <translation>Die Stange %1: %2, %3 vom Hammer bei %4, nach dem Schlag, in den verbliebenen Wellen (die hier nichts dämpft), gegenüber einer Festigkeit von %5.</translation>
+        <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the residual waves (undamped here); its strength is %5.</source>
+        <translation>Die Stange %1: %2, %3 vom Hammer bei %4, nach dem Schlag, in den Restwellen (hier ungedämpft); ihre Festigkeit ist %5.</translation>
     </message>
     <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, during the blow, against a strength of %5.</source>
-        <translation>Die Stange %1: %2, %3 vom Hammer bei %4, während des Schlags, gegenüber einer Festigkeit von %5.</translation>
+        <source>The rod %1: %2, %3 from the hammer at %4, during the blow; its strength is %5.</source>
+        <translation>Die Stange %1: %2, %3 vom Hammer bei %4, während des Schlags; ihre Festigkeit ist %5.</translation>
     </message>
     <message>
         <source>must be a finite number</source>
@@ -7326,7 +7326,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>gehört zu einem Bohrstrang: eine Datei, die es hat, beginnt mit `drillwave: 2`</translation>
     </message>
     <message>
-        <source>belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill string has `string` in place of `rod`, and `hammer` or `pulse`</source>
+        <source>belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill string has `string` instead of `rod`, and `hammer` or `pulse`</source>
         <translation>gehört zu einer gleichförmigen Stange: eine Datei, die es hat, beginnt mit `drillwave: 1`; ein Bohrstrang hat `string` anstelle von `rod`, und `hammer` oder `pulse`</translation>
     </message>
     <message>
@@ -7458,7 +7458,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>das hat nur eine gleichförmige Stange (`drillwave: 1`), dies ist ein Bohrstrang</translation>
     </message>
     <message>
-        <source>only a force in place of the hammer has it (`pulse`), this string is struck by a hammer</source>
+        <source>only a force instead of the hammer has it (`pulse`), this string is struck by a hammer</source>
         <translation>das hat nur eine Kraft anstelle des Hammers (`pulse`), diesen Strang schlägt ein Hammer</translation>
     </message>
     <message>
@@ -7550,7 +7550,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>ein Anker (&amp;) wird hier nicht angenommen: den Wert selbst schreiben</translation>
     </message>
     <message>
-        <source>a tag (!) is not accepted here: write the value alone</source>
+        <source>a tag (!) is not accepted here: write only the value</source>
         <translation>ein Tag (!) wird hier nicht angenommen: den Wert allein schreiben</translation>
     </message>
     <message>
@@ -7606,7 +7606,7 @@ eine Projektion weiterer Dimensionen</translation>
         <translation>der Referenzfall einer Stange, die ohne Wellen ankommt, hat keinen Hammer</translation>
     </message>
     <message>
-        <source>What comes back to the hammer: the force is that of the hammer on a rod without end.</source>
+        <source>Waves reflected to the hammer are left out: the force is that of the hammer on an endless rod.</source>
         <translation>Was zum Hammer zurückkommt: die Kraft ist die des Hammers auf eine Stange ohne Ende.</translation>
     </message>
     <message>
@@ -8028,7 +8028,7 @@ Kraft: größte Abweichung des Kraftverlaufs an Enden und Mitten aller Schritte;
 den Mitten. Eine je Schritt konstante Kraft weicht mindestens um ihre halbe Änderung je Schritt ab.</translation>
     </message>
     <message>
-        <source>Times: processor time of a solve for e alone. speed: how many times faster than the paper&apos;s choice,
+        <source>Times: processor time of a solve for e only. speed: how many times faster than the paper&apos;s choice,
 the lattice of %1 segments with moved waves.</source>
         <translation>Zeiten: Rechenzeit einer Lösung nur für e. Tempo: wievielmal so schnell wie das Gitter der
 Veröffentlichung, %1 Segmente mit verschobenen Wellen.</translation>
@@ -8334,7 +8334,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 (%2 Werte)</translation>
     </message>
     <message>
-        <source>nothing, the design of FILE alone</source>
+        <source>nothing, only the design of FILE</source>
         <translation>nichts, nur die Auslegung von FILE</translation>
     </message>
     <message>
@@ -8374,7 +8374,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>nominal beste</translation>
     </message>
     <message>
-        <source>%1 in place of %2: %3 %4, where all is as in FILE %5.</source>
+        <source>%1 instead of %2: %3 %4, with the values of FILE %5.</source>
         <translation>%1 anstelle von %2: %3 %4, wenn alles wie in FILE ist, %5.</translation>
     </message>
     <message>
@@ -8398,7 +8398,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>wirkt im Zusammenspiel</translation>
     </message>
     <message>
-        <source>What is worth measuring: share of the scatter, # alone, - with others</source>
+        <source>Worth measuring: share of the scatter, # by itself, - with others</source>
         <translation>Was sich zu messen lohnt: Anteil an der Streuung, # allein, - mit anderen</translation>
     </message>
     <message>
@@ -8430,8 +8430,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 Auslegungen mit mehr als 0,1&#xa0;% davon haben keine Statistik.</translation>
     </message>
     <message>
-        <source>Up to %1 % of the samples of a design have an error of their own that is larger than that of the statistics: blows that chatter.</source>
-        <translation>Bis zu %1&#xa0;% der Stichproben einer Auslegung haben einen eigenen Fehler, der größer ist als der der Statistik: Schläge, bei denen die Bohrkrone rattert.</translation>
+        <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
+        <translation>Bei bis zu %1 % der Stichproben einer Auslegung ist der numerische Fehler größer als der der Statistik: die Bohrkrone rattert bei diesen Schlägen.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -8442,23 +8442,23 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 oder %2 weitere</translation>
     </message>
     <message>
-        <source>The samples do not tell the best designs apart: take any of %1.</source>
+        <source>The samples cannot distinguish the best designs: take any of %1.</source>
         <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede davon ist recht: %1.</translation>
     </message>
     <message>
-        <source>The samples do not tell the best designs apart: take any of %1; of them %2 has the largest %3, %4.</source>
+        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the largest %3, %4.</source>
         <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede davon ist recht: %1; unter ihnen hat %2 den größten Wert (%3), %4.</translation>
     </message>
     <message>
-        <source>The samples do not tell the best designs apart: take any of %1; of them %2 has the least %3, %4.</source>
+        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the smallest %3, %4.</source>
         <translation>Die Stichproben unterscheiden die besten Auslegungen nicht; jede davon ist recht: %1; unter ihnen hat %2 den kleinsten Wert (%3), %4.</translation>
     </message>
     <message>
-        <source>The robust best is at the upper end of %1: widen the choice.</source>
+        <source>The best design for uncertain rock is at the upper end of %1: widen the choice.</source>
         <translation>Die robusteste Auslegung liegt am oberen Ende von %1: die Wahl erweitern.</translation>
     </message>
     <message>
-        <source>The robust best is at the lower end of %1: widen the choice.</source>
+        <source>The best design for uncertain rock is at the lower end of %1: widen the choice.</source>
         <translation>Die robusteste Auslegung liegt am unteren Ende von %1: die Wahl erweitern.</translation>
     </message>
     <message>
@@ -8466,7 +8466,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Die Wahl ändert die Energie des Schlags um bis zu %1&#xa0;%: verglichen werden Maschinen verschiedener Leistung; --keep-energy hält die Energie.</translation>
     </message>
     <message>
-        <source>The scatter of the efficiency is nearly all that of gamma; loading_work shows what wave and machine can do: --aim max:loading_work@q05.</source>
+        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, aim at the loading work: --aim max:loading_work@q05.</source>
         <translation>Der Wirkungsgrad streut fast nur mit gamma; loading_work zeigt, was Welle und Maschine können: --aim max:loading_work@q05.</translation>
     </message>
     <message>
@@ -8594,7 +8594,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>zwischen Punkten, von %1 auf %2</translation>
     </message>
     <message>
-        <source>where it is known by points alone</source>
+        <source>where only points of it are known</source>
         <translation>wo das Ergebnis nur von einzelnen Punkten bekannt ist</translation>
     </message>
     <message>
@@ -8602,7 +8602,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>wo es keine Antwort gibt</translation>
     </message>
     <message>
-        <source>where it is known by points alone or has no answer</source>
+        <source>where only points of it are known or it has no answer</source>
         <translation>wo das Ergebnis nur von einzelnen Punkten bekannt ist oder es keine Antwort gibt</translation>
     </message>
     <message>
@@ -9054,7 +9054,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 und %2 %3; eines davon variieren</translation>
     </message>
     <message>
-        <source>`all` are all outputs already; give it alone</source>
+        <source>`all` are all outputs already; give nothing else</source>
         <translation>`all` sind schon alle Ergebnisse; allein angeben</translation>
     </message>
     <message>
@@ -9090,7 +9090,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>eine logarithmische Achse von %1 muss über 0 beginnen und enden</translation>
     </message>
     <message>
-        <source>%1 takes whole numbers alone; give a COUNT that hits them, or a list A,B,C</source>
+        <source>%1 takes only whole numbers; give a COUNT that hits them, or a list A,B,C</source>
         <translation>%1 nimmt nur ganze Zahlen; ein COUNT angeben, das sie trifft, oder eine Liste A,B,C</translation>
     </message>
     <message>
@@ -9118,7 +9118,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>`%1` ist keine Achse: KEY=START:STOP oder KEY=START:STOP:log schreiben</translation>
     </message>
     <message>
-        <source>%1 has whole numbers alone; make a family of them, or sweep it</source>
+        <source>%1 has only whole numbers; make a family of them, or sweep it</source>
         <translation>%1 hat nur ganze Zahlen; eine Schar daraus machen, oder sweep nehmen</translation>
     </message>
     <message>
@@ -9158,7 +9158,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>höchstens %1 Zeilen lassen sich zeichnen, nicht %2; weniger nehmen</translation>
     </message>
     <message>
-        <source>at most %1 curves can be told apart, and %2 has %3 values; take fewer, or draw a map (drillwave map)</source>
+        <source>at most %1 curves can be distinguished, and %2 has %3 values; take fewer, or draw a map (drillwave map)</source>
         <translation>höchstens %1 Kurven lassen sich unterscheiden, und %2 hat %3 Werte; weniger nehmen, oder ein Kennfeld zeichnen (drillwave map)</translation>
     </message>
     <message>
@@ -9560,7 +9560,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>liest die Standardeingabe; Strg-D beendet sie</translation>
     </message>
     <message>
-        <source>%1: cannot be read: %2; copy it to another disk, or get it anew</source>
+        <source>%1: cannot be read: %2; copy it to another disk, or get it again</source>
         <translation>%1: kann nicht gelesen werden: %2; auf einen anderen Datenträger kopieren oder neu beschaffen</translation>
     </message>
     <message>
@@ -9652,7 +9652,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>interner Fehler: %1; bitte mit dem Befehl melden, der dazu geführt hat</translation>
     </message>
     <message>
-        <source>needs --x KEY=START:STOP:COUNT[:log] and --y likewise; %1 is missing</source>
+        <source>needs --x KEY=START:STOP:COUNT[:log] and --y KEY=START:STOP:COUNT[:log]; %1 is missing</source>
         <translation>braucht --x KEY=START:STOP:COUNT[:log] und ebenso --y; %1 fehlt</translation>
     </message>
     <message>
@@ -9680,7 +9680,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 von %2 Punkten ohne Lösung und ohne Ergebnis; %3</translation>
     </message>
     <message>
-        <source>--shard: a part of a map has rows alone; add -o FILE.csv</source>
+        <source>--shard: a part of a map has only rows; add -o FILE.csv</source>
         <translation>--shard: ein Teil eines Kennfelds hat nur Zeilen; -o FILE.csv hinzufügen</translation>
     </message>
     <message>
@@ -9856,7 +9856,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>alle davon, die FILE hat; manche brauchen eine Frequenz, thrust_margin auch Andruck</translation>
     </message>
     <message>
-        <source>Of many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency and drill.thrust:</source>
+        <source>Results of many blows, only by name (each takes a march); FILE needs drill.blow_frequency and drill.thrust:</source>
         <translation>Aus vielen Schlägen, nur namentlich (je Fall eine Rechnung); mit drill.blow_frequency und drill.thrust:</translation>
     </message>
     <message>
@@ -9956,7 +9956,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>was alles verliert, trägt keine Welle</translation>
     </message>
     <message>
-        <source>no design has it</source>
+        <source>no design reaches it</source>
         <translation>keine Auslegung erfüllt das</translation>
     </message>
     <message>
@@ -10546,7 +10546,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>+- enthält die Streuung der Schläge und das Dreifache dessen, was halb oder doppelt so viele Zellen ändern. Eindringungen sind obere Grenzen: alles Gestein unter der Bohrkrone gibt nach, und das Bohrklein verschwindet.</translation>
     </message>
     <message>
-        <source>The single-blow estimate does not apply: the waves of a blow are still in the string when the next one comes.</source>
+        <source>The single-blow estimate does not apply: the waves of a blow are still in the string at the next blow.</source>
         <translation>Die Schätzung aus einem Schlag gilt nicht: die Wellen eines Schlags sind noch im Strang, wenn der nächste kommt.</translation>
     </message>
     <message>
@@ -10594,7 +10594,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 decken diesen Schlag ab (%2 erforderlich), aber nicht starres Gestein (%3); Spalte wurden nicht untersucht.</translation>
     </message>
     <message>
-        <source>No feed force is given: at %1 the weight along the hole alone covers this blow and rigid rock.</source>
+        <source>No feed force is given: at %1 the weight along the hole already covers this blow and rigid rock.</source>
         <translation>Es ist kein Andruck angegeben: bei %1 deckt das Gewicht längs des Bohrlochs allein diesen Schlag und starres Gestein ab.</translation>
     </message>
     <message>
@@ -10610,7 +10610,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Es ist kein Andruck angegeben: dieser Schlag erfordert bei %2 mindestens %1, starres Gestein mindestens %3.</translation>
     </message>
     <message>
-        <source>The feed is not judged: neither blow frequency nor feed force is given.</source>
+        <source>The feed cannot be judged: neither blow frequency nor feed force is given.</source>
         <translation>Der Vorschub wird nicht beurteilt: weder Schlagfrequenz noch Andruck sind angegeben.</translation>
     </message>
     <message>
@@ -10650,8 +10650,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>nur wenige Schläge verfolgt wurden</translation>
     </message>
     <message>
-        <source>the lengths are no whole number of cells</source>
-        <translation>die Längen keine ganze Zahl von Zellen sind</translation>
+        <source>the lengths are not whole numbers of time steps</source>
+        <translation>die Längen keine ganze Zahl von Zeitschritten sind</translation>
     </message>
     <message>
         <source>Give a wave loss (%1); 1 to 30 % of a round trip is usual.</source>
@@ -10662,8 +10662,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Mehr Schläge (%1) verkleinern den Fehler.</translation>
     </message>
     <message>
-        <source>Smaller cells, or lengths with a common step, lower it.</source>
-        <translation>Kleinere Zellen oder Längen mit gemeinsamem Schritt verkleinern ihn.</translation>
+        <source>Shorter time steps, or lengths with a common step, lower it.</source>
+        <translation>Kürzere Zeitschritte oder Längen mit gemeinsamem Schritt verringern ihn.</translation>
     </message>
     <message>
         <source>%1 per blow, %2.</source>
@@ -10674,8 +10674,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>%1 je Schlag, %2: %3 eines einzelnen Schlags aus der Ruhe.</translation>
     </message>
     <message>
-        <source>The machine is pushed back: its motion has no bound.</source>
-        <translation>Die Maschine weicht zurück: ihre Bewegung hat keine Grenze.</translation>
+        <source>The machine is pushed back without limit.</source>
+        <translation>Die Maschine wird ohne Grenze zurückgedrückt.</translation>
     </message>
     <message>
         <source>A feed of %1</source>
@@ -10714,8 +10714,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Alle Werte ergeben innerhalb der Fehler denselben Bohrfortschritt, %1.</translation>
     </message>
     <message>
-        <source>%1 gives the most, %2%3.</source>
-        <translation>%1 ergibt das meiste, %2%3.</translation>
+        <source>%1 gives the highest rate, %2%3.</source>
+        <translation>%1 ergibt die höchste Rate, %2%3.</translation>
     </message>
     <message>
         <source>Margin over the largest of the four required forces (%1): %2.</source>
@@ -11450,7 +11450,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>Zuerst fließt: %1, durch einen Druck von %2, %3 der Streckgrenze von %4.</translation>
     </message>
     <message>
-        <source>No section has a strength: give `fatigue_strength` to see which breaks first.</source>
+        <source>No section has a strength: give `fatigue_strength` to find the one that breaks first.</source>
         <translation>Kein Abschnitt hat eine Festigkeit: `fatigue_strength` angeben, um zu sehen, welcher zuerst bricht.</translation>
     </message>
     <message>
@@ -11470,11 +11470,11 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>ist leer; ein Abschnitt, der aus keiner Voreinstellung ist, wird ohne es geschrieben</translation>
     </message>
     <message>
-        <source>%1 %2: %3, %4 from its rear end at %5, against a strength of %6.</source>
+        <source>%1 %2: %3, %4 from its rear end at %5; its strength is %6.</source>
         <translation>%1 %2: %3, %4 von ihrem hinteren Ende, nach %5; die Festigkeit ist %6.</translation>
     </message>
     <message>
-        <source>The waves of this blow are too many to be kept: plots of waves and forces are of a coarser string, whose COR and efficiency differ by at most %1.</source>
+        <source>This blow has too many waves to keep. Plots of waves and forces show a coarser string, whose COR and efficiency differ by at most %1.</source>
         <translation>Dieser Schlag hat zu viele Wellen, um sie alle zu speichern: Wellen und Kräfte in den Diagrammen gehören zu einem gröber geteilten Strang, dessen Stoßzahl und Wirkungsgrad um höchstens %1 abweichen.</translation>
     </message>
     <message>
@@ -11510,8 +11510,8 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>mit noch %1 % bei einem Wellenverlust von %2 %</translation>
     </message>
     <message>
-        <source>After %1 the bit may still meet the rock again: these are the numbers at the next blow, not final ones.</source>
-        <translation>Nach %1 kann die Bohrkrone das Gestein noch einmal treffen: dies sind die Zahlen beim nächsten Schlag, keine endgültigen.</translation>
+        <source>After %1 the bit may still hit the rock again: these are the values at the next blow, not the final ones.</source>
+        <translation>Nach %1 kann die Bohrkrone das Gestein noch einmal treffen: dies sind die Werte beim nächsten Schlag, nicht die endgültigen.</translation>
     </message>
     <message>
         <source>could not be solved at all gaps: %1</source>
@@ -12192,7 +12192,7 @@ plain: ein Gitter konstanter Zellen, wie bei anderen</translation>
         <translation>&amp;Vorige Seite</translation>
     </message>
     <message>
-        <source>of drill strings alone, and this scenario is a uniform rod: a click makes a drill string of it, as Edit ▸ Make a drill string of this does</source>
+        <source>only for drill strings, and this scenario is a uniform rod: a click converts it, as Edit ▸ Make a drill string of this does</source>
         <translation>nur für Bohrstränge, und dieses Szenario ist eine gleichförmige Stange: ein Klick macht einen Bohrstrang daraus, wie Bearbeiten ▸ Bohrstrang daraus machen</translation>
     </message>
 </context>
@@ -12363,7 +12363,7 @@ Sie bleiben in der Liste, bis das Fenster geschlossen wird.</translation>
     </message>
     <message>
         <source>%1
-Those that are not on the list here would be lost.</source>
+Runs that are not on the list here would be lost.</source>
         <translation>%1
 Jene, die hier nicht in der Liste sind, gingen verloren.</translation>
     </message>
@@ -12551,7 +12551,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Tabelle dar&amp;unter kopieren</translation>
     </message>
     <message>
-        <source>What is read at the cursors, or in view, to paste into a spreadsheet</source>
+        <source>The readings at the cursors, or the numbers in view, to paste into a spreadsheet</source>
         <translation>Was an den Cursorn oder im Bild abgelesen ist, zum Einfügen in eine Tabellenkalkulation</translation>
     </message>
 </context>
@@ -12608,7 +12608,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>Die Werte sind die keiner Voreinstellung. Eine wählen, um von ihren Werten auszugehen.</translation>
     </message>
     <message>
-        <source>Presets are physical values, and this scenario is given by its dimensionless groups alone.</source>
+        <source>Presets are physical values, and this scenario has only dimensionless groups.</source>
         <translation>Voreinstellungen sind physikalische Werte, und dieses Szenario ist nur durch seine dimensionslosen Kennzahlen gegeben.</translation>
     </message>
     <message>
@@ -12882,7 +12882,7 @@ Hoch und Runter verschieben sie um 0,01, Bild auf und Bild ab um 0,1.</translati
         <translation>log</translation>
     </message>
     <message>
-        <source>Even ratios in place of even steps</source>
+        <source>Even ratios instead of even steps</source>
         <translation>Gleiche Verhältnisse statt gleicher Schritte</translation>
     </message>
     <message>
@@ -13562,7 +13562,7 @@ in %4</translation>
         <translation>Das ist schon der Lauf %1.</translation>
     </message>
     <message>
-        <source>There are %1 runs, which is as many as can be told apart: remove one first.</source>
+        <source>There are %1 runs already, the most that can be distinguished: remove one first.</source>
         <translation>Es gibt %1 Läufe, so viele, wie sich unterscheiden lassen: erst einen entfernen.</translation>
     </message>
     <message>
@@ -13670,7 +13670,7 @@ in %4</translation>
         <translation>Stelle x</translation>
     </message>
     <message>
-        <source>Of the gauge, from the struck end; below 0 in the hammer</source>
+        <source>Distance of the gauge from the struck end; negative in the hammer</source>
         <translation>Der Messstelle, vom Schlagende; unter 0 im Hammer</translation>
     </message>
     <message>
@@ -13682,8 +13682,8 @@ in %4</translation>
         <translation>Signal ist</translation>
     </message>
     <message>
-        <source>What the numbers are</source>
-        <translation>Was die Zahlen sind</translation>
+        <source>Quantity that was recorded</source>
+        <translation>Aufgezeichnete Größe</translation>
     </message>
     <message>
         <source>force</source>
@@ -13702,15 +13702,15 @@ in %4</translation>
         <translation>Einheit</translation>
     </message>
     <message>
-        <source>In what the numbers are</source>
-        <translation>Worin die Zahlen angegeben sind</translation>
+        <source>Unit of the numbers</source>
+        <translation>Einheit der Zahlen</translation>
     </message>
     <message>
         <source>positive is</source>
         <translation>positiv ist</translation>
     </message>
     <message>
-        <source>What a number greater than 0 means. Here tension is positive in a rod, and pressing is in a blow and on the rock.</source>
+        <source>Meaning of positive numbers. In this program tension is positive in rods; on the rock and in a blow, compression is.</source>
         <translation>Was eine Zahl größer als 0 bedeutet. Hier ist Zug in einer Stange positiv, und Drücken in einem Schlag und auf das Gestein.</translation>
     </message>
     <message>
@@ -13726,7 +13726,7 @@ in %4</translation>
         <translation>Nulllinie</translation>
     </message>
     <message>
-        <source>What is taken off all samples</source>
+        <source>Zero level, subtracted from all samples</source>
         <translation>Was von allen Abtastwerten abgezogen wird</translation>
     </message>
     <message>
@@ -14073,7 +14073,7 @@ in %4</translation>
         <translation>Stangen</translation>
     </message>
     <message>
-        <source>Hammer, in place of this one</source>
+        <source>Hammer, instead of this one</source>
         <translation>Hammer, anstelle des gegenwärtigen</translation>
     </message>
     <message>
@@ -14192,7 +14192,7 @@ fung</translation>
         <translation>Name des Abschnitts; auch Parameter gehen danach</translation>
     </message>
     <message>
-        <source>Share of the energy of the hammer that the joint behind %1 throws back of what comes from the hammer</source>
+        <source>Share of the hammer energy reflected by the joint after %1</source>
         <translation>Anteil der Energie des Hammers, den die Verbindung hinter %1 von dem reflektiert, was vom Hammer kommt</translation>
     </message>
     <message>
@@ -14222,7 +14222,7 @@ der Wellen, die der Schlag hinterlässt: %1</translation>
         <translation>Größter Zug im Abschnitt, solange der Schlag dauert</translation>
     </message>
     <message>
-        <source>Share of the energy of the hammer that the joint behind the section throws back of what comes from the hammer; of a repeat, by the joint that throws back most</source>
+        <source>Share of the hammer energy reflected by the joint after the section; of a repeat, by the joint that reflects most</source>
         <translation>Anteil der Energie des Hammers, den die Verbindung hinter dem Abschnitt von dem reflektiert, was vom Hammer kommt; in einer Wiederholung der Verbindung, die am meisten reflektiert</translation>
     </message>
     <message>
@@ -14311,7 +14311,7 @@ Festigkeit</translation>
 <context>
     <name>drillwave::StringPage</name>
     <message>
-        <source>Of uniform sections: threads and shoulders raise stresses locally</source>
+        <source>Stresses of uniform sections: threads and shoulders raise them locally</source>
         <translation>Der gleichförmigen Abschnitte: Gewinde und Absätze erhöhen Spannungen örtlich</translation>
     </message>
     <message>
@@ -14548,7 +14548,7 @@ Festigkeit</translation>
         <translation>Trennzeichen</translation>
     </message>
     <message>
-        <source>What stands between the cells</source>
+        <source>Character between the cells</source>
         <translation>Was zwischen den Zellen steht</translation>
     </message>
     <message>
@@ -14572,7 +14572,7 @@ Festigkeit</translation>
         <translation>Dezimalzeichen</translation>
     </message>
     <message>
-        <source>What stands before the decimals of a number</source>
+        <source>Decimal sign of the numbers</source>
         <translation>Was vor den Dezimalen einer Zahl steht</translation>
     </message>
     <message>
@@ -14940,7 +14940,7 @@ Festigkeit</translation>
         <translation>Teilchengeschwindigkeit v</translation>
     </message>
     <message>
-        <source>What the colours show</source>
+        <source>Quantity shown by the colours</source>
         <translation>Was die Farben zeigen</translation>
     </message>
     <message>
@@ -15118,7 +15118,7 @@ map.csv.yaml …), der Name eines eingebauten Beispiels oder - für die Standard
     </message>
     <message>
         <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
-first four can be run again. Of a drill string the histories hold the waves in the middle of its longest
+first four can be run again. For drill strings, the histories are taken at the middle of the longest
 section. The plots are blow.*, rock.*, wave_picture.* and rod.*.</source>
         <translation>Mit -o bekommt DIR scenario.yaml, summary.json, histories.csv, events.csv und die Diagramme: aus
 jeder der ersten vier Dateien lässt sich der Lauf wiederholen. Von einem Bohrstrang enthalten die
@@ -15219,11 +15219,11 @@ CASES darf - oder eine Pipe sein. FILE.csv.yaml neben FILE.csv sagt, was die Zei
     </message>
     <message>
         <source>Follows outputs along a parameter by smooth pieces between kinks, which are found where the order
-of events changes; no grid to be chosen. Tells where each output is least and largest, its local
+of events changes; no grid to be chosen. Prints where each output is least and largest, its local
 extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is not
-smooth within the work permitted it is known by points alone, and the table says so.
---goal asks the other way round: where along KEY the output is X. Each place is solved for, with its
-error, and it is told whether there may be others; where there is none, what comes nearest.
+smooth within the work permitted, only points of it are known, and the table says so.
+--goal asks the other way round: where along KEY the output is X. Prints each place with its
+error and whether there may be others; where there is none, the nearest value.
 Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
         <translation>Verfolgt Ergebnisse entlang eines Parameters in glatten Stücken zwischen Knicken, die sich dort
 finden, wo die Reihenfolge der Ereignisse wechselt; ein Raster ist nicht zu wählen. Sagt, wo jedes
@@ -15273,12 +15273,12 @@ bestimmt, nicht durch Interpolation: FILE_contours.csv sagt, wie nahe er dem Wer
 Ergebnis dort springt.</translation>
     </message>
     <message>
-        <source>the first parameter and its values; :log behind for even ratios</source>
-        <translation>der erste Parameter und seine Werte; :log dahinter für gleiche Verhältnisse</translation>
+        <source>parameter across and its values; :log after the count for even ratios</source>
+        <translation>Parameter nach rechts und seine Werte; :log nach der Anzahl für gleiche Verhältnisse</translation>
     </message>
     <message>
-        <source>the second one likewise</source>
-        <translation>ebenso der zweite</translation>
+        <source>parameter upwards and its values; also :log</source>
+        <translation>Parameter nach oben und seine Werte; auch :log</translation>
     </message>
     <message>
         <source>place the contour of this value; may be given again</source>
@@ -15493,7 +15493,7 @@ und index.html mit allem. Die Kurven des Referenzfalls gibt es mit k0 = Z/(2T), 
 Veröffentlichung sie zeichnet, und mit k0 = Z/t0, wie sie es definiert.</translation>
     </message>
     <message>
-        <source>where to write; - prints discrepancies.csv alone</source>
+        <source>where to write; - prints only discrepancies.csv</source>
         <translation>wohin geschrieben wird; - gibt nur discrepancies.csv aus</translation>
     </message>
     <message>
@@ -15502,8 +15502,8 @@ Veröffentlichung sie zeichnet, und mit k0 = Z/t0, wie sie es definiert.</transl
     </message>
     <message>
         <source>Solves the blow exactly, in closed form where that applies, and with the paper&apos;s lattice of
-100 to 20000 segments, and compares errors and run times. Takes some ten seconds. Of a drill
-string: polynomial cells of several sizes beside a plain lattice.</source>
+100 to 20000 segments, and compares errors and run times. Takes some ten seconds. For drill
+strings: polynomial cells of several sizes beside a plain lattice.</source>
         <translation>Löst den Schlag exakt, in geschlossener Form, wo sie gilt, und mit dem Gitter der Veröffentlichung
 (100 bis 20000 Segmente), und vergleicht Fehler und Rechenzeiten. Dauert etwa zehn Sekunden. Bei
 einem Bohrstrang: polynomiale Zellen mehrerer Größen neben einem einfachen Gitter.</translation>
@@ -15560,7 +15560,7 @@ unter 1, und tau unter 0,1 bei exponentiellen Schlägen und Kolbenschlägen.</tr
         <translation>Stangen, Hämmer, Gesteine und Teile von Bohrsträngen auflisten, mit ihren Quellen</translation>
     </message>
     <message>
-        <source>Those that are built in, or those of a file in the same format. A command takes them with --rod
+        <source>Lists the built-in presets, or those of a file in the same format. A command takes them with --rod
 NAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has it. Pistons,
 adapters, couplings and bits are pieces of drill strings, to be put in on the page String of the window.</source>
         <translation>Die eingebauten, oder die einer Datei im selben Format. Ein Befehl nimmt sie mit --rod NAME,

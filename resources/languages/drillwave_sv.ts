@@ -8,7 +8,7 @@
         <translation>givaren sitter på</translation>
     </message>
     <message>
-        <source>Whose E and area make a force of a strain</source>
+        <source>Bar used to convert strain to force</source>
         <translation>Vars E-modul och area gör en kraft av en töjning</translation>
     </message>
     <message>
@@ -32,7 +32,7 @@
         <translation>diameter</translation>
     </message>
     <message>
-        <source>Of the solid bar where the gauge is</source>
+        <source>Diameter of the solid bar at the gauge</source>
         <translation>På den massiva stången där givaren sitter</translation>
     </message>
     <message>
@@ -790,11 +790,11 @@ Ta bort ändå?</translation>
         <translation>Tvärsnittsarea vid änden mot berget för en kon, vars `area` är bakändens</translation>
     </message>
     <message>
-        <source>Cross-section of the rod, in place of its diameter and bore</source>
+        <source>Cross-section of the rod, instead of diameter and bore</source>
         <translation>Stångens tvärsnittsarea, i stället för dess diameter och spolhål</translation>
     </message>
     <message>
-        <source>Cross-section, in place of diameter and bore</source>
+        <source>Cross-section, instead of diameter and bore</source>
         <translation>Tvärsnittsarea, i stället för diameter och spolhål</translation>
     </message>
     <message>
@@ -810,7 +810,7 @@ Ta bort ändå?</translation>
         <translation>Densitet hos varje sektion som inte har en egen</translation>
     </message>
     <message>
-        <source>Density of the elastic hammer, the rod&apos;s if not given</source>
+        <source>Density of the elastic hammer (default: that of the rod)</source>
         <translation>Den elastiska hammarens densitet, stångens om inte angiven</translation>
     </message>
     <message>
@@ -818,7 +818,7 @@ Ta bort ändå?</translation>
         <translation>Stångens densitet</translation>
     </message>
     <message>
-        <source>Density, that of the material if not given</source>
+        <source>Density (default: that of the material)</source>
         <translation>Densitet, materialets om inte angiven</translation>
     </message>
     <message>
@@ -930,8 +930,8 @@ Ta bort ändå?</translation>
         <translation>Antal toppar i stötkraften över 1 % av den största</translation>
     </message>
     <message>
-        <source>Of the scatter of the intervals</source>
-        <translation>För slumptalen i intervallens spridning</translation>
+        <source>Start of the random numbers for the scatter of the intervals</source>
+        <translation>Startvärde för slumptalen till spridningen i intervallen</translation>
     </message>
     <message>
         <source>Outer diameter at the end towards the rock of a cone, whose `diameter` is that of its rear end; the bore is constant</source>
@@ -1006,7 +1006,7 @@ Ta bort ändå?</translation>
         <translation>Styvhet hos borrkrona och berg vid första belastning</translation>
     </message>
     <message>
-        <source>Stiffness of the contact of hammer and string; rigid if not given</source>
+        <source>Stiffness of the contact of hammer and string (default: rigid)</source>
         <translation>Styvhet i kontakten mellan hammare och sträng; stel om inte angiven</translation>
     </message>
     <message>
@@ -1054,7 +1054,7 @@ Ta bort ändå?</translation>
         <translation>Tid för den sista separationen</translation>
     </message>
     <message>
-        <source>Time until when the blow of a drill string is followed; to its end if not given</source>
+        <source>Time until when the blow on a drill string is followed (default: to its end)</source>
         <translation>Tid till vilken en borrsträngs slag följs; till slagets slut om inte angiven</translation>
     </message>
     <message>
@@ -1074,8 +1074,8 @@ Ta bort ändå?</translation>
         <translation>Hammarens hastighet när den träffar strängen</translation>
     </message>
     <message>
-        <source>What all the shares together miss</source>
-        <translation>Vad som fattas när alla andelar läggs ihop</translation>
+        <source>Difference of all shares together from 1</source>
+        <translation>Avvikelse från 1 för summan av alla andelar</translation>
     </message>
     <message>
         <source>Work of the hammer on the rod</source>
@@ -1094,7 +1094,7 @@ Ta bort ändå?</translation>
         <translation>E-modul hos varje sektion som inte har en egen</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus of the elastic hammer, the rod&apos;s if not given</source>
+        <source>Young&apos;s modulus of the elastic hammer (default: that of the rod)</source>
         <translation>Den elastiska hammarens E-modul, stångens om inte angiven</translation>
     </message>
     <message>
@@ -1102,7 +1102,7 @@ Ta bort ändå?</translation>
         <translation>Stångens E-modul; ger med densiteten dess våghastighet</translation>
     </message>
     <message>
-        <source>Young&apos;s modulus, that of the material if not given</source>
+        <source>Young&apos;s modulus (default: that of the material)</source>
         <translation>E-modul, materialets om inte angiven</translation>
     </message>
     <message>
@@ -3515,7 +3515,7 @@ Filen sparas som %2 och erbjuds inte igen.</translation>
         <translation>Kraften N %1 och dess vågor, stötkraften, dess impuls och stångens rörelsemängd över tiden.</translation>
     </message>
     <message>
-        <source>What was measured is dashed.</source>
+        <source>Measured signals are dashed.</source>
         <translation>Det uppmätta är streckat.</translation>
     </message>
     <message>
@@ -3912,7 +3912,7 @@ Högst antal punkter: ett slag behåller så få mätvärden att impuls och e ä
         <translation>%1: logaritmisk</translation>
     </message>
     <message>
-        <source>Even ratios in place of even steps</source>
+        <source>Even ratios instead of even steps</source>
         <translation>Lika förhållanden i stället för lika steg</translation>
     </message>
     <message>
@@ -4092,7 +4092,7 @@ F7 (eller Fäst, till höger om flikarna) behåller det aktuella resultatet med 
 På studiernas sidor fäster Skift och ett klick punkten under pekaren.</translation>
     </message>
     <message>
-        <source>What the differences are taken from: here, in the list of runs and in the result</source>
+        <source>Reference of all differences: here, in the list of runs and in the result</source>
         <translation>Vad skillnaderna räknas från: här, i listan över körningar och i resultatet</translation>
     </message>
     <message>
@@ -4306,11 +4306,11 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>&lt;b&gt;Detta scenario&lt;/b&gt;</translation>
     </message>
     <message>
-        <source>The samples do not tell it apart from %1: any of them will do.</source>
+        <source>The samples do not distinguish it from %1: any of them will do.</source>
         <translation>Stickproven skiljer den inte från %1: vilken som helst av dem duger.</translation>
     </message>
     <message>
-        <source>Of them %1 has the %2: %3.</source>
+        <source>Among them, %1 has the %2: %3.</source>
         <translation>Av dem har %1 %2: %3.</translation>
     </message>
     <message>
@@ -4346,7 +4346,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
         <translation>Verkningsgraden sprider nästan bara med γ; belastningsarbetet visar vad våg och maskin förmår.</translation>
     </message>
     <message>
-        <source>What the designs say</source>
+        <source>Answer of the study</source>
         <translation>Vad konstruktionerna säger</translation>
     </message>
     <message>
@@ -4458,7 +4458,7 @@ På studiernas sidor fäster Skift och ett klick punkten under pekaren.</transla
     </message>
     <message>
         <source>⚠ %1
-What is shown is of the value before.</source>
+The page shows the answer for the value before.</source>
         <translation>⚠ %1
 Det som visas gäller värdet dessförinnan.</translation>
     </message>
@@ -4471,7 +4471,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Hittills %1 stickprov per konstruktion, förfinat till %2</translation>
     </message>
     <message>
-        <source>There is no design to be told of.</source>
+        <source>There is no design study to report.</source>
         <translation>Det finns ingen konstruktion att berätta om.</translation>
     </message>
     <message>
@@ -4535,7 +4535,7 @@ Det som visas gäller värdet dessförinnan.</translation>
     </message>
     <message>
         <source>share of the scatter
-(filled: alone)</source>
+(filled: by itself)</source>
         <translation>andel av spridningen
 (fylld: ensam)</translation>
     </message>
@@ -4674,7 +4674,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Borrning</translation>
     </message>
     <message>
-        <source>Blow %1 of %2 under the feed, with the waves and the motion that it began with: gap %3, penetration %4. What Result says is of a single blow that begins at rest.</source>
+        <source>Blow %1 of %2 under the feed, with the waves and the motion it started with: gap %3, penetration %4. The panel Result shows a single blow from rest.</source>
         <translation>Slag %1 av %2 under matningen, med de vågor och den rörelse som det började med: spalt %3, inträngning %4. Det som resultatet säger gäller ett enstaka slag som börjar i vila.</translation>
     </message>
     <message>
@@ -4815,7 +4815,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>O&amp;m detta exempel</translation>
     </message>
     <message>
-        <source>What to look at in the example that is open</source>
+        <source>Things to look at in the open example</source>
         <translation>Vad man ska titta på i exemplet som är öppet</translation>
     </message>
     <message>
@@ -4922,7 +4922,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>&amp;Siffrorna som tabell</translation>
     </message>
     <message>
-        <source>What this page draws, number by number, in a window of its own: to be read and copied</source>
+        <source>The numbers this page draws, in a window of their own, to read and copy</source>
         <translation>Det som sidan ritar, siffra för siffra, i ett eget fönster: för att läsas och kopieras</translation>
     </message>
     <message>
@@ -5056,7 +5056,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>ny</translation>
     </message>
     <message>
-        <source>A scenario given by its groups β, γ, τ and δ alone, without units</source>
+        <source>A scenario given only by its groups β, γ, τ and δ, without units</source>
         <translation>Ett scenario givet enbart av sina tal β, γ, τ och δ, utan enheter</translation>
     </message>
     <message>
@@ -5120,7 +5120,7 @@ Det som visas gäller värdet dessförinnan.</translation>
         <translation>Figur &amp;%1: %2</translation>
     </message>
     <message>
-        <source>Computed anew, beside the numbers that the paper prints</source>
+        <source>Computed again, beside the numbers that the paper prints</source>
         <translation>Beräknad på nytt, bredvid talen som artikeln trycker</translation>
     </message>
     <message>
@@ -5255,7 +5255,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>&amp;Förenkla till en likformig stång</translation>
     </message>
     <message>
-        <source>Put a &amp;force in place of the hammer</source>
+        <source>Use a &amp;force instead of the hammer</source>
         <translation>Sätt en &amp;kraft i hammarens ställe</translation>
     </message>
     <message>
@@ -5283,7 +5283,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>Detta är nu en likformig stång, genom vilken vågor går lika länge som genom strängen.</translation>
     </message>
     <message>
-        <source>put a force in place of the hammer</source>
+        <source>use a force instead of the hammer</source>
         <translation>sätt en kraft i hammarens ställe</translation>
     </message>
     <message>
@@ -5307,7 +5307,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>Inte för detta scenario: %1</translation>
     </message>
     <message>
-        <source>The rod alone, as long for the waves as the string, struck by a uniform piston</source>
+        <source>Only the rod, as long for the waves as the string, struck by a uniform piston</source>
         <translation>Bara stången, lika lång för vågorna som strängen, slagen av en likformig kolv</translation>
     </message>
     <message>
@@ -5319,7 +5319,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>En kraft driver redan detta scenario</translation>
     </message>
     <message>
-        <source>A force that does not feel what comes back, as a measured blow is</source>
+        <source>A force that reflected waves do not change, as a measured blow is</source>
         <translation>En kraft som inte känner av det som kommer tillbaka, som ett uppmätt slag</translation>
     </message>
     <message>
@@ -5346,7 +5346,7 @@ Att spara skriver över det som det programmet har skrivit.</translation>
         <translation>inget</translation>
     </message>
     <message>
-        <source>What the result is to be: the values of the parameter that give it are marked, and a click takes one</source>
+        <source>Wanted result: the values of the parameter that give it are marked, and a click takes one</source>
         <translation>Vad resultatet ska bli: de värden på parametern som ger det markeras, och ett klick tar ett av dem</translation>
     </message>
 </context>
@@ -5460,8 +5460,8 @@ Fri programvara under GNU General Public License, version 3 eller senare.</trans
         <translation>importera som</translation>
     </message>
     <message>
-        <source>What the signal is for</source>
-        <translation>Vad signalen ska användas till</translation>
+        <source>Use of the signal in the program</source>
+        <translation>Signalens användning i programmet</translation>
     </message>
     <message>
         <source>hammer blow</source>
@@ -6094,47 +6094,47 @@ en projektion av fler dimensioner</translation>
         <translation>%1 = %2 ligger utanför det vanliga området, %3 till %4.</translation>
     </message>
     <message>
-        <source>The first reflection is back while %1 % of the blow is still to come; a real hammer would feel it, here its force is prescribed.</source>
-        <translation>Den första reflexionen är tillbaka medan %1&#xa0;% av slaget återstår; en verklig hammare skulle känna den, här är dess kraft given.</translation>
+        <source>The first reflection returns before the last %1 % of the blow. A real hammer would feel it, but here the force is prescribed. To include it, use a drill string with a hammer.</source>
+        <translation>Den första reflexionen kommer tillbaka före de sista %1 % av slaget. En verklig hammare skulle känna den, men här är kraften given. En borrsträng med hammare tar hänsyn till den.</translation>
     </message>
     <message>
-        <source>The hammer&apos;s impedance is that of the rod, the value assumed where none is given: its blow is one step.</source>
-        <translation>Hammarens impedans är stångens, det värde som antas där inget anges: dess slag är ett steg.</translation>
+        <source>The hammer has the impedance of the rod, which is the default: its blow is one step. Give the data of the piston.</source>
+        <translation>Hammaren har stångens impedans, som är standardvärdet: dess slag är ett steg. Ange kolvens data.</translation>
     </message>
     <message>
-        <source>The hammer is the one assumed where none is given (%1, the material of the rod): give the data of the rock drill&apos;s piston.</source>
-        <translation>Hammaren är den som antas där ingen anges (%1, stångens material): ange data för borrmaskinens kolv.</translation>
+        <source>The hammer is the default one (%1, the material of the rod). Give the data of the rock drill&apos;s piston.</source>
+        <translation>Hammaren är standardhammaren (%1, stångens material). Ange data för borrmaskinens kolv.</translation>
     </message>
     <message>
-        <source>The hammer&apos;s impedance is below the rod&apos;s: it bounces back after one step, so that the rod takes over more than its momentum.</source>
+        <source>The impedance of the hammer is below that of the rod: the hammer bounces back after one step, and the rod receives more than its momentum.</source>
         <translation>Hammarens impedans är lägre än stångens: den studsar tillbaka efter ett steg, så att stången tar över mer än dess rörelsemängd.</translation>
     </message>
     <message>
-        <source>The hammer&apos;s impedance is above the rod&apos;s: it pushes in a staircase of ever smaller steps, assumed to run on as if the rod were long.</source>
-        <translation>Hammarens impedans är högre än stångens: den trycker i en trappa av allt mindre steg, som antas fortsätta som om stången vore lång.</translation>
+        <source>The impedance of the hammer is above that of the rod: the force falls in ever smaller steps, computed for a long rod.</source>
+        <translation>Hammarens impedans är högre än stångens: kraften faller i allt mindre steg, beräknade för en lång stång.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it %3: penetration may swing by 10 % up or down with frequency times length; %2 follows it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %3: inträngningen kan svänga 10&#xa0;% upp eller ned med frekvens gånger längd; %2 följer det.</translation>
+        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %3. Penetration may change by up to 10 % with blow frequency and string length; %2 computes it.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %3. Inträngningen kan ändras med upp till 10 % med slagfrekvens och stränglängd; %2 beräknar det.</translation>
     </message>
     <message>
-        <source>The waves of a blow make only %1 round trips until the next blow, and meet it %4 and nearly in step (close to %2): penetration may swing by 10 % up or down; %3 follows it.</source>
-        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %4 och nästan i takt (nära %2): inträngningen kan svänga 10&#xa0;% upp eller ned; %3 följer det.</translation>
+        <source>The waves of a blow make only %1 round trips before the next blow, and meet it %4 and nearly in step (close to %2). Penetration may change by up to 10 %; %3 computes it.</source>
+        <translation>Slagets vågor hinner bara %1 varv fram och åter till nästa slag och möter det %4 och nästan i takt (nära %2). Inträngningen kan ändras med upp till 10 %; %3 beräknar det.</translation>
     </message>
     <message>
-        <source>share but a cell of time of %1, which would take more work than is permitted</source>
-        <translation>har bara en gemensam tidscell på %1, som skulle kräva mer arbete än vad som är tillåtet</translation>
+        <source>only share a time step of %1, which takes more work than is permitted</source>
+        <translation>har bara ett gemensamt tidssteg på %1, som kräver mer arbete än vad som är tillåtet</translation>
     </message>
     <message>
-        <source>share no cell of time</source>
-        <translation>har ingen gemensam tidscell</translation>
+        <source>share no time step</source>
+        <translation>har inget gemensamt tidssteg</translation>
     </message>
     <message>
-        <source>the force on the rock and the rebound are off: e by up to %1</source>
+        <source>force on the rock and rebound have errors: e by up to %1</source>
         <translation>kraften på berget och studsen avviker: e med upp till %1</translation>
     </message>
     <message>
-        <source>the efficiency may be off by %1</source>
+        <source>the efficiency may have an error of %1</source>
         <translation>verkningsgraden kan avvika med %1</translation>
     </message>
     <message>
@@ -6142,12 +6142,12 @@ en projektion av fler dimensioner</translation>
         <translation>Sektionernas gångtider %1: de avrundades med upp till %2, och %3. %4</translation>
     </message>
     <message>
-        <source>Lengths with a larger common divisor share a longer one.</source>
-        <translation>Längder med en större gemensam delare får en längre gemensam cell.</translation>
+        <source>Lengths with a larger common divisor share a longer time step.</source>
+        <translation>Längder med en större gemensam delare har ett längre gemensamt tidssteg.</translation>
     </message>
     <message>
-        <source>Lengths in whole millimetres of one steel share one and are exact.</source>
-        <translation>Längder i hela millimeter av ett och samma stål får en gemensam cell och är exakta.</translation>
+        <source>Lengths in whole millimetres of one steel share a time step and are exact.</source>
+        <translation>Längder i hela millimeter av ett och samma stål har ett gemensamt tidssteg och är exakta.</translation>
     </message>
     <message>
         <source>the blow is longer than a round trip in the rod (tau = %1 &lt; 0.5)</source>
@@ -6158,7 +6158,7 @@ en projektion av fler dimensioner</translation>
         <translation>borrkronan träffar berget mitt i en våg (delta = %1 är inget heltal)</translation>
     </message>
     <message>
-        <source>the loading curve of the rock is no straight line</source>
+        <source>the loading curve of the rock is not a straight line</source>
         <translation>bergets belastningskurva inte är en rät linje</translation>
     </message>
     <message>
@@ -6166,12 +6166,12 @@ en projektion av fler dimensioner</translation>
         <translation>borrkronan ännu är på berget när nästa reflexion kommer</translation>
     </message>
     <message>
-        <source>The closed form for elastic rock does not hold, because %1: its e = %2 is off by %3.</source>
+        <source>The closed form for elastic rock does not apply, because %1: its e = %2 has an error of %3.</source>
         <translation>Den slutna formen för elastiskt berg gäller inte, eftersom %1: dess e = %2 avviker med %3.</translation>
     </message>
     <message>
-        <source>The bit chatters on the rock (%1 contacts), so that e depends on the last digits of the input: it is known to %2 only, and no calculation knows it better. A longer rod, a shorter blow or a softer rock chatters less.</source>
-        <translation>Borrkronan skallrar mot berget (%1 kontakter), så att e hänger på indatas sista siffror: det är bara känt på %2 när, och ingen beräkning känner det bättre. En längre stång, ett kortare slag eller mjukare berg skallrar mindre.</translation>
+        <source>The bit chatters on the rock (%1 contacts), so e depends on the last digits of the input: no calculation can know it better than to %2. A longer rod, a shorter blow or a softer rock chatters less.</source>
+        <translation>Borrkronan skallrar mot berget (%1 kontakter), så att e beror på indatas sista siffror: ingen beräkning kan känna det bättre än på %2 när. En längre stång, ett kortare slag eller mjukare berg skallrar mindre.</translation>
     </message>
     <message>
         <source>compression</source>
@@ -6186,12 +6186,12 @@ en projektion av fler dimensioner</translation>
         <translation>Spalten har ingen verkan på en rörelse som stel kropp: den flyttar bara tiden för kontakten.</translation>
     </message>
     <message>
-        <source>The rod leaves with more momentum than it came with (e = %1): rigid rock, e = 1, would underestimate the thrust.</source>
-        <translation>Stången lämnar berget med mer rörelsemängd än den kom med (e = %1): stelt berg, e = 1, skulle underskatta matningskraften.</translation>
+        <source>The rod rebounds with more momentum than it had before impact (e = %1). An estimate for rigid rock (e = 1) gives too small a feed force.</source>
+        <translation>Stången studsar med mer rörelsemängd än den hade före anslaget (e = %1). En uppskattning för stelt berg (e = 1) ger för liten matningskraft.</translation>
     </message>
     <message>
-        <source>The bit hits the rock %1 times in this blow: the waves on their way bring it back.</source>
-        <translation>Borrkronan träffar berget %1 gånger i detta slag: vågorna på väg för den tillbaka.</translation>
+        <source>The bit hits the rock %1 times in this blow: reflected waves push it back to the rock.</source>
+        <translation>Borrkronan träffar berget %1 gånger i detta slag: reflekterade vågor trycker den tillbaka mot berget.</translation>
     </message>
     <message>
         <source>The numerical error of e may be as large as %1.</source>
@@ -6202,60 +6202,60 @@ en projektion av fler dimensioner</translation>
         <translation>skulle flyta</translation>
     </message>
     <message>
-        <source>is fatigued by every blow</source>
+        <source>suffers fatigue at every blow</source>
         <translation>överskrider utmattningsgränsen vid varje slag</translation>
     </message>
     <message>
-        <source>After %1 bit or hammer may still meet again: these are the numbers at the next blow, not final ones.</source>
-        <translation>Efter %1 kan borrkronan eller hammaren ännu få kontakt igen: detta är talen vid nästa slag, inte slutliga.</translation>
+        <source>After %1 bit and rock, or hammer and string, may still meet again: these are the values at the next blow, not the final ones.</source>
+        <translation>Efter %1 kan borrkrona och berg, eller hammare och sträng, träffas igen: detta är värdena vid nästa slag, inte de slutliga.</translation>
     </message>
     <message>
-        <source>The largest stresses of the sections take more work than is permitted: they were left out and no strength was checked. A shorter end_time may leave room for them.</source>
-        <translation>Sektionernas största spänningar kräver mer arbete än vad som är tillåtet: de utelämnades och ingen hållfasthet kontrollerades. En kortare sluttid kan ge rum för dem.</translation>
+        <source>The largest stresses of the sections take more work than is permitted. They were not computed, and no strength was checked. Try a shorter end_time.</source>
+        <translation>Sektionernas största spänningar kräver mer arbete än vad som är tillåtet. De beräknades inte, och ingen hållfasthet kontrollerades. Prova en kortare end_time.</translation>
     </message>
     <message>
-        <source>The force stays below the first corner of the loading curve (%1 of %2): the law acts as the bilinear one.</source>
+        <source>The force stays below the first corner of the loading curve (%1 of %2): the law acts like a bilinear one.</source>
         <translation>Kraften stannar under belastningskurvans första hörn (%1 av %2): lagen verkar som den bilinjära.</translation>
     </message>
     <message>
-        <source>The feed, %1, is less than the mean reaction of the blows, %2, or so near to it that gaps grow without bound.</source>
-        <translation>Matningen, %1, är mindre än slagens medelreaktion, %2, eller så nära den att spalter växer utan gräns.</translation>
+        <source>The feed force of %1 is below the mean force of the blows, %2, or too close to it: gaps grow without bound. Increase the feed force.</source>
+        <translation>Matningskraften %1 är lägre än slagens medelkraft, %2, eller för nära den: spalter växer utan gräns. Öka matningskraften.</translation>
     </message>
     <message>
-        <source>Nothing damps the waves: jumps never fade. A wave loss of 1 to 30 % in a round trip is usual.</source>
-        <translation>Inget dämpar vågorna: språng klingar aldrig av. En vågförlust på 1 till 30&#xa0;% under ett varv fram och åter är vanlig.</translation>
+        <source>Nothing damps the waves: jumps never fade. Give a wave loss; 1 to 30 % per round trip is usual.</source>
+        <translation>Inget dämpar vågorna: språng klingar aldrig av. Ange en vågförlust; 1 till 30 % per varv fram och åter är vanlig.</translation>
     </message>
     <message>
-        <source>After it has separated, the piston still passes up to %1 % of its momentum: it is in the way of the rebounding string, where a machine would have drawn it back; “may strike again” switched off (restrike: false in the file) says so.</source>
-        <translation>Sedan kolven har skilts från strängen avger den ännu upp till %1&#xa0;% av sin rörelsemängd: den är i vägen för den studsande strängen, där en maskin skulle ha dragit den tillbaka; ”får slå flera gånger” avstängt (restrike: false i filen) anger det.</translation>
+        <source>After separation the piston still transfers up to %1 % of its momentum: it is in the way of the rebounding string. If the machine has drawn it back by then, switch off “may strike again” (restrike: false in the file).</source>
+        <translation>Efter separationen avger kolven ännu upp till %1 % av sin rörelsemängd: den är i vägen för den studsande strängen. Om maskinen då har dragit den tillbaka, stäng av ”får slå flera gånger” (restrike: false i filen).</translation>
     </message>
     <message>
-        <source>At a blow the shank is up to %1 off its mean place in the machine: the stroke, and so the blow, would be another one. A dashpot lets it creep; the spring of the damper brings it back.</source>
-        <translation>Vid slaget är nacken upp till %1 från sitt medelläge i maskinen: slaglängden, och därmed slaget, skulle bli en annan. En dämpare låter den krypa; dämparens fjäder för den tillbaka.</translation>
+        <source>At a blow the shank is up to %1 away from its mean position in the machine: stroke and blow would differ. With only a dashpot it creeps; give the damper a spring.</source>
+        <translation>Vid ett slag är nacken upp till %1 från sitt medelläge i maskinen: slaglängd och slag skulle bli andra. Med bara en dämpare kryper den; ge dämparen en fjäder.</translation>
     </message>
     <message>
-        <source>The blow frequency is marched as %1, so that blows come at the end of a cell.</source>
-        <translation>Slagfrekvensen räknas som %1, så att slag kommer i slutet av en cell.</translation>
+        <source>The blow frequency is computed as %1, so that each blow falls on a time step.</source>
+        <translation>Slagfrekvensen räknas som %1, så att varje slag faller på ett tidssteg.</translation>
     </message>
     <message>
-        <source>The means of the first and the second half of the blows differ by more than three of their errors: more blows, or more that settle, are needed.</source>
-        <translation>Medelvärdena för första och andra hälften av slagen skiljer sig med mer än tre gånger felet: det behövs fler slag eller längre insvängning.</translation>
+        <source>The means of the first and second half of the blows differ by more than three times their error. Increase the number of blows, or of transient blows.</source>
+        <translation>Medelvärdena för första och andra hälften av slagen skiljer sig med mer än tre gånger felet. Öka antalet slag eller slag för insvängning.</translation>
     </message>
     <message>
-        <source>Two motions coexist. The start or the time step decides which one is computed; which one a machine takes is not known.</source>
-        <translation>Två rörelser är möjliga. Starten eller tidssteget avgör vilken som beräknas; vilken av dem en maskin utför är inte känt.</translation>
+        <source>Two steady motions are possible. The start or the time step decides which one is computed; a real drill may settle into either.</source>
+        <translation>Två jämna rörelser är möjliga. Starten eller tidssteget avgör vilken som beräknas; en verklig maskin kan hamna i vilken som helst av dem.</translation>
     </message>
     <message>
-        <source>The motion does not repeat: means are results, single blows are none.</source>
-        <translation>Rörelsen upprepar sig inte: medelvärden är resultat, enstaka slag är det inte.</translation>
+        <source>The motion does not repeat: use the means, not the values of single blows.</source>
+        <translation>Rörelsen upprepar sig inte: använd medelvärdena, inte värden för enstaka slag.</translation>
     </message>
     <message>
-        <source>The energy of all blows closes to %1 % only: the cells are long for these contacts; shorter ones take it down with their length.</source>
-        <translation>Energin för alla slag stämmer bara på %1&#xa0;% när: cellerna är långa för dessa kontakter; kortare minskar det med sin längd.</translation>
+        <source>The energy balance of all blows has an error of %1 %: the time step is long for these contacts. A shorter one reduces the error in proportion.</source>
+        <translation>Energibalansen för alla slag har ett fel på %1 %: tidssteget är långt för dessa kontakter. Ett kortare minskar felet i samma mån.</translation>
     </message>
     <message>
-        <source>No maker publishes its damper: try dashpots from 0.05 to 0.5 of the impedance of the rod.</source>
-        <translation>Ingen tillverkare offentliggör sin dämpare: prova dämpare från 0,05 till 0,5 av stångens impedans.</translation>
+        <source>The damper is assumed, because makers do not publish theirs. Try dashpots from 0.05 to 0.5 times the impedance of the rod.</source>
+        <translation>Dämparen är antagen, eftersom tillverkare inte offentliggör sin. Prova dämpare från 0,05 till 0,5 gånger stångens impedans.</translation>
     </message>
     <message>
         <source>a dashpot of %1 and a spring of %2</source>
@@ -6314,11 +6314,11 @@ en projektion av fler dimensioner</translation>
         <translation>vid varje spalt</translation>
     </message>
     <message>
-        <source>The feed is not judged: the scenario is given by its dimensionless groups, not in physical units.</source>
+        <source>The feed cannot be judged: the scenario has dimensionless groups, not physical units.</source>
         <translation>Matningen bedöms inte: scenariot ges av sina dimensionslösa tal, inte i fysikaliska enheter.</translation>
     </message>
     <message>
-        <source>The feed is not judged: no blow frequency is given.</source>
+        <source>The feed cannot be judged: no blow frequency is given.</source>
         <translation>Matningen bedöms inte: ingen slagfrekvens är angiven.</translation>
     </message>
     <message>
@@ -6726,7 +6726,7 @@ en projektion av fler dimensioner</translation>
         <translation>Största spänningar i varje sektion</translation>
     </message>
     <message>
-        <source>Places are from the rear end of a section. What a joint reflects is the energy of the waves from the hammer that the far end of the section throws back, of that of the hammer.</source>
+        <source>Places are from the rear end of a section. Reflected at a joint: the energy that the far end of the section reflects of the waves from the hammer, as a share of the hammer energy.</source>
         <translation>Lägen räknas från sektionens bakände. Reflexionen i skarven är den andel av hammarens energi som skarven vid änden mot berget reflekterar av det som kommer från hammaren.</translation>
     </message>
     <message>
@@ -7002,12 +7002,12 @@ en projektion av fler dimensioner</translation>
         <translation>draget når %1</translation>
     </message>
     <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the waves left (which nothing damps here), against a strength of %5.</source>
-        <translation>Stången %1: %2, %3 från hammaren vid %4, efter slaget, i de vågor som är kvar (som inget dämpar här), mot en hållfasthet på %5.</translation>
+        <source>The rod %1: %2, %3 from the hammer at %4, after the blow, in the residual waves (undamped here); its strength is %5.</source>
+        <translation>Stången %1: %2, %3 från hammaren vid %4, efter slaget, i restvågorna (odämpade här); dess hållfasthet är %5.</translation>
     </message>
     <message>
-        <source>The rod %1: %2, %3 from the hammer at %4, during the blow, against a strength of %5.</source>
-        <translation>Stången %1: %2, %3 från hammaren vid %4, under slaget, mot en hållfasthet på %5.</translation>
+        <source>The rod %1: %2, %3 from the hammer at %4, during the blow; its strength is %5.</source>
+        <translation>Stången %1: %2, %3 från hammaren vid %4, under slaget; dess hållfasthet är %5.</translation>
     </message>
     <message>
         <source>must be a finite number</source>
@@ -7326,7 +7326,7 @@ en projektion av fler dimensioner</translation>
         <translation>hör till en borrsträng: en fil som har det börjar med `drillwave: 2`</translation>
     </message>
     <message>
-        <source>belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill string has `string` in place of `rod`, and `hammer` or `pulse`</source>
+        <source>belongs to a uniform rod: a file that has it begins with `drillwave: 1`; a drill string has `string` instead of `rod`, and `hammer` or `pulse`</source>
         <translation>hör till en likformig stång: en fil som har det börjar med `drillwave: 1`; en borrsträng har `string` i stället för `rod`, och `hammer` eller `pulse`</translation>
     </message>
     <message>
@@ -7458,7 +7458,7 @@ en projektion av fler dimensioner</translation>
         <translation>bara en likformig stång har det (`drillwave: 1`), detta är en borrsträng</translation>
     </message>
     <message>
-        <source>only a force in place of the hammer has it (`pulse`), this string is struck by a hammer</source>
+        <source>only a force instead of the hammer has it (`pulse`), this string is struck by a hammer</source>
         <translation>bara en kraft i hammarens ställe har det (`pulse`), denna sträng slås av en hammare</translation>
     </message>
     <message>
@@ -7550,7 +7550,7 @@ en projektion av fler dimensioner</translation>
         <translation>ett ankare (&amp;) godtas inte här: skriv själva värdet</translation>
     </message>
     <message>
-        <source>a tag (!) is not accepted here: write the value alone</source>
+        <source>a tag (!) is not accepted here: write only the value</source>
         <translation>en tagg (!) godtas inte här: skriv bara värdet</translation>
     </message>
     <message>
@@ -7606,7 +7606,7 @@ en projektion av fler dimensioner</translation>
         <translation>referensfallet med en stång som kommer fram utan vågor har ingen hammare</translation>
     </message>
     <message>
-        <source>What comes back to the hammer: the force is that of the hammer on a rod without end.</source>
+        <source>Waves reflected to the hammer are left out: the force is that of the hammer on an endless rod.</source>
         <translation>Det som kommer tillbaka till hammaren: kraften är hammarens på en oändligt lång stång.</translation>
     </message>
     <message>
@@ -8028,7 +8028,7 @@ kraft: största skillnad i kraftförloppet, i alla stegs ändar och mitt; mitt i
 En kraft som är konstant i varje steg kan inte komma närmare än halva sin ändring i ett steg.</translation>
     </message>
     <message>
-        <source>Times: processor time of a solve for e alone. speed: how many times faster than the paper&apos;s choice,
+        <source>Times: processor time of a solve for e only. speed: how many times faster than the paper&apos;s choice,
 the lattice of %1 segments with moved waves.</source>
         <translation>Tider: processortid för att lösa enbart e. fart: hur många gånger snabbare än artikelns val,
 gittret med %1 segment och flyttade vågor.</translation>
@@ -8334,7 +8334,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 (%2 värden)</translation>
     </message>
     <message>
-        <source>nothing, the design of FILE alone</source>
+        <source>nothing, only the design of FILE</source>
         <translation>inget, bara konstruktionen i FILE</translation>
     </message>
     <message>
@@ -8374,7 +8374,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>nominellt bästa</translation>
     </message>
     <message>
-        <source>%1 in place of %2: %3 %4, where all is as in FILE %5.</source>
+        <source>%1 instead of %2: %3 %4, with the values of FILE %5.</source>
         <translation>%1 i stället för %2: %3 %4; där allt är som i FILE %5.</translation>
     </message>
     <message>
@@ -8398,7 +8398,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>verkar i kombination</translation>
     </message>
     <message>
-        <source>What is worth measuring: share of the scatter, # alone, - with others</source>
+        <source>Worth measuring: share of the scatter, # by itself, - with others</source>
         <translation>Vad som är värt att mäta: andel av spridningen, # ensam, - med andra</translation>
     </message>
     <message>
@@ -8430,8 +8430,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 konstruktioner med mer än 0,1&#xa0;% sådana saknar statistik.</translation>
     </message>
     <message>
-        <source>Up to %1 % of the samples of a design have an error of their own that is larger than that of the statistics: blows that chatter.</source>
-        <translation>För upp till %1&#xa0;% av stickproven i en konstruktion är det egna felet större än statistikens: slag som skallrar.</translation>
+        <source>For up to %1 % of the samples of a design, the numerical error is larger than that of the statistics: the bit chatters in these blows.</source>
+        <translation>För upp till %1 % av stickproven i en konstruktion är det numeriska felet större än statistikens: borrkronan skallrar i dessa slag.</translation>
     </message>
     <message>
         <source>%1 or %2</source>
@@ -8442,23 +8442,23 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 eller %2 andra</translation>
     </message>
     <message>
-        <source>The samples do not tell the best designs apart: take any of %1.</source>
+        <source>The samples cannot distinguish the best designs: take any of %1.</source>
         <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst duger: %1.</translation>
     </message>
     <message>
-        <source>The samples do not tell the best designs apart: take any of %1; of them %2 has the largest %3, %4.</source>
+        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the largest %3, %4.</source>
         <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst duger: %1; av dem har %2 störst %3, %4.</translation>
     </message>
     <message>
-        <source>The samples do not tell the best designs apart: take any of %1; of them %2 has the least %3, %4.</source>
+        <source>The samples cannot distinguish the best designs: take any of %1. Among them, %2 has the smallest %3, %4.</source>
         <translation>Stickproven skiljer inte de bästa konstruktionerna åt; vilken som helst duger: %1; av dem har %2 minst %3, %4.</translation>
     </message>
     <message>
-        <source>The robust best is at the upper end of %1: widen the choice.</source>
+        <source>The best design for uncertain rock is at the upper end of %1: widen the choice.</source>
         <translation>Den robustaste konstruktionen ligger vid övre änden av %1: vidga valet.</translation>
     </message>
     <message>
-        <source>The robust best is at the lower end of %1: widen the choice.</source>
+        <source>The best design for uncertain rock is at the lower end of %1: widen the choice.</source>
         <translation>Den robustaste konstruktionen ligger vid nedre änden av %1: vidga valet.</translation>
     </message>
     <message>
@@ -8466,7 +8466,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Valen ändrar slagets energi med upp till %1&#xa0;%: maskiner med olika effekt jämförs; --keep-energy behåller energin.</translation>
     </message>
     <message>
-        <source>The scatter of the efficiency is nearly all that of gamma; loading_work shows what wave and machine can do: --aim max:loading_work@q05.</source>
+        <source>Nearly all scatter of the efficiency comes from gamma. To compare hammers, aim at the loading work: --aim max:loading_work@q05.</source>
         <translation>Spridningen i verkningsgraden kommer nästan helt från gamma; loading_work visar vad våg och maskin kan åstadkomma: --aim max:loading_work@q05.</translation>
     </message>
     <message>
@@ -8594,7 +8594,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>mellan punkter, från %1 till %2</translation>
     </message>
     <message>
-        <source>where it is known by points alone</source>
+        <source>where only points of it are known</source>
         <translation>där det är känt bara i enstaka punkter</translation>
     </message>
     <message>
@@ -8602,7 +8602,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>där det saknar svar</translation>
     </message>
     <message>
-        <source>where it is known by points alone or has no answer</source>
+        <source>where only points of it are known or it has no answer</source>
         <translation>där det är känt bara i enstaka punkter eller saknar svar</translation>
     </message>
     <message>
@@ -9054,7 +9054,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 och %2 %3; variera en av dem</translation>
     </message>
     <message>
-        <source>`all` are all outputs already; give it alone</source>
+        <source>`all` are all outputs already; give nothing else</source>
         <translation>`all` är redan alla resultat; ange det ensamt</translation>
     </message>
     <message>
@@ -9090,7 +9090,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>en logaritmisk axel för %1 måste börja och sluta över 0</translation>
     </message>
     <message>
-        <source>%1 takes whole numbers alone; give a COUNT that hits them, or a list A,B,C</source>
+        <source>%1 takes only whole numbers; give a COUNT that hits them, or a list A,B,C</source>
         <translation>%1 tar bara heltal; ange ett COUNT som träffar dem, eller en lista A,B,C</translation>
     </message>
     <message>
@@ -9118,7 +9118,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>`%1` är ingen axel: skriv KEY=START:STOP eller KEY=START:STOP:log</translation>
     </message>
     <message>
-        <source>%1 has whole numbers alone; make a family of them, or sweep it</source>
+        <source>%1 has only whole numbers; make a family of them, or sweep it</source>
         <translation>%1 har bara heltal; gör en skara av dem, eller använd sweep</translation>
     </message>
     <message>
@@ -9158,7 +9158,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>högst %1 rader kan ritas, inte %2; ta färre</translation>
     </message>
     <message>
-        <source>at most %1 curves can be told apart, and %2 has %3 values; take fewer, or draw a map (drillwave map)</source>
+        <source>at most %1 curves can be distinguished, and %2 has %3 values; take fewer, or draw a map (drillwave map)</source>
         <translation>högst %1 kurvor går att skilja åt, och %2 har %3 värden; ta färre, eller rita en karta (drillwave map)</translation>
     </message>
     <message>
@@ -9560,7 +9560,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>läser standard in; avsluta med Ctrl-D</translation>
     </message>
     <message>
-        <source>%1: cannot be read: %2; copy it to another disk, or get it anew</source>
+        <source>%1: cannot be read: %2; copy it to another disk, or get it again</source>
         <translation>%1: kan inte läsas: %2; kopiera till en annan disk, eller hämta på nytt</translation>
     </message>
     <message>
@@ -9652,7 +9652,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>internt fel: %1; rapportera det, med kommandot som ledde till det</translation>
     </message>
     <message>
-        <source>needs --x KEY=START:STOP:COUNT[:log] and --y likewise; %1 is missing</source>
+        <source>needs --x KEY=START:STOP:COUNT[:log] and --y KEY=START:STOP:COUNT[:log]; %1 is missing</source>
         <translation>behöver --x KEY=START:STOP:COUNT[:log] och --y likaså; %1 saknas</translation>
     </message>
     <message>
@@ -9680,7 +9680,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 av %2 punkter kunde inte lösas och saknar resultat; %3</translation>
     </message>
     <message>
-        <source>--shard: a part of a map has rows alone; add -o FILE.csv</source>
+        <source>--shard: a part of a map has only rows; add -o FILE.csv</source>
         <translation>--shard: en del av en karta har bara rader; lägg till -o FILE.csv</translation>
     </message>
     <message>
@@ -9856,7 +9856,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>alla som FILE har: några kräver slagfrekvens, thrust_margin även matningskraft</translation>
     </message>
     <message>
-        <source>Of many blows, by name alone, as they take a march each; FILE needs drill.blow_frequency and drill.thrust:</source>
+        <source>Results of many blows, only by name (each takes a march); FILE needs drill.blow_frequency and drill.thrust:</source>
         <translation>Över många slag, bara vid namn (en egen beräkning var); FILE behöver drill.blow_frequency, drill.thrust:</translation>
     </message>
     <message>
@@ -9956,7 +9956,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>det som förlorar allt bär ingen våg</translation>
     </message>
     <message>
-        <source>no design has it</source>
+        <source>no design reaches it</source>
         <translation>ingen konstruktion uppfyller det</translation>
     </message>
     <message>
@@ -10546,7 +10546,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>+- innehåller slagens spridning och tre gånger det som hälften eller dubbelt så många celler ändrar. Inträngningar är övre gränser: allt berg under borrkronan ger vika, och borrkaxet försvinner.</translation>
     </message>
     <message>
-        <source>The single-blow estimate does not apply: the waves of a blow are still in the string when the next one comes.</source>
+        <source>The single-blow estimate does not apply: the waves of a blow are still in the string at the next blow.</source>
         <translation>Uppskattningen från ett slag gäller inte: vågorna från ett slag är kvar i strängen när nästa kommer.</translation>
     </message>
     <message>
@@ -10594,7 +10594,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 täcker detta slag (%2 krävs), men inte stelt berg (%3); spalter undersöktes inte.</translation>
     </message>
     <message>
-        <source>No feed force is given: at %1 the weight along the hole alone covers this blow and rigid rock.</source>
+        <source>No feed force is given: at %1 the weight along the hole already covers this blow and rigid rock.</source>
         <translation>Ingen matningskraft är angiven: vid %1 täcker enbart tyngden längs hålet detta slag och stelt berg.</translation>
     </message>
     <message>
@@ -10610,7 +10610,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Ingen matningskraft är angiven: detta slag kräver minst %1 vid %2, stelt berg minst %3.</translation>
     </message>
     <message>
-        <source>The feed is not judged: neither blow frequency nor feed force is given.</source>
+        <source>The feed cannot be judged: neither blow frequency nor feed force is given.</source>
         <translation>Matningen bedöms inte: varken slagfrekvens eller matningskraft är angiven.</translation>
     </message>
     <message>
@@ -10650,8 +10650,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>bara få slag följdes</translation>
     </message>
     <message>
-        <source>the lengths are no whole number of cells</source>
-        <translation>längderna inte är ett helt antal celler</translation>
+        <source>the lengths are not whole numbers of time steps</source>
+        <translation>längderna inte är ett helt antal tidssteg</translation>
     </message>
     <message>
         <source>Give a wave loss (%1); 1 to 30 % of a round trip is usual.</source>
@@ -10662,8 +10662,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Fler slag (%1) minskar felet.</translation>
     </message>
     <message>
-        <source>Smaller cells, or lengths with a common step, lower it.</source>
-        <translation>Mindre celler, eller längder med ett gemensamt steg, minskar det.</translation>
+        <source>Shorter time steps, or lengths with a common step, lower it.</source>
+        <translation>Kortare tidssteg, eller längder med ett gemensamt steg, minskar det.</translation>
     </message>
     <message>
         <source>%1 per blow, %2.</source>
@@ -10674,8 +10674,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>%1 per slag, %2: %3 av ett enstaka slag från vila.</translation>
     </message>
     <message>
-        <source>The machine is pushed back: its motion has no bound.</source>
-        <translation>Maskinen trycks tillbaka: dess rörelse har ingen gräns.</translation>
+        <source>The machine is pushed back without limit.</source>
+        <translation>Maskinen trycks tillbaka utan gräns.</translation>
     </message>
     <message>
         <source>A feed of %1</source>
@@ -10714,8 +10714,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Alla värden ger samma borrsjunkning inom felen, %1.</translation>
     </message>
     <message>
-        <source>%1 gives the most, %2%3.</source>
-        <translation>%1 ger mest, %2%3.</translation>
+        <source>%1 gives the highest rate, %2%3.</source>
+        <translation>%1 ger den högsta takten, %2%3.</translation>
     </message>
     <message>
         <source>Margin over the largest of the four required forces (%1): %2.</source>
@@ -11450,7 +11450,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>Först flyter: %1, av en tryckspänning på %2, %3 av sträckgränsen på %4.</translation>
     </message>
     <message>
-        <source>No section has a strength: give `fatigue_strength` to see which breaks first.</source>
+        <source>No section has a strength: give `fatigue_strength` to find the one that breaks first.</source>
         <translation>Ingen sektion har en hållfasthet: ange `fatigue_strength` för att se vilken som brister först.</translation>
     </message>
     <message>
@@ -11470,11 +11470,11 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>är tomt; en sektion som inte kommer från ett förval skrivs utan det</translation>
     </message>
     <message>
-        <source>%1 %2: %3, %4 from its rear end at %5, against a strength of %6.</source>
+        <source>%1 %2: %3, %4 from its rear end at %5; its strength is %6.</source>
         <translation>%1 %2: %3, %4 från bakänden, efter %5; hållfastheten är %6.</translation>
     </message>
     <message>
-        <source>The waves of this blow are too many to be kept: plots of waves and forces are of a coarser string, whose COR and efficiency differ by at most %1.</source>
+        <source>This blow has too many waves to keep. Plots of waves and forces show a coarser string, whose COR and efficiency differ by at most %1.</source>
         <translation>Slaget har för många vågor för att alla ska kunna sparas: vågor och krafter i diagrammen är från en grövre indelad sträng, vars studstal och verkningsgrad avviker med högst %1.</translation>
     </message>
     <message>
@@ -11510,8 +11510,8 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>med %1 % kvar vid en vågförlust på %2 %</translation>
     </message>
     <message>
-        <source>After %1 the bit may still meet the rock again: these are the numbers at the next blow, not final ones.</source>
-        <translation>Efter %1 kan borrkronan ännu träffa berget igen: detta är talen vid nästa slag, inte slutliga.</translation>
+        <source>After %1 the bit may still hit the rock again: these are the values at the next blow, not the final ones.</source>
+        <translation>Efter %1 kan borrkronan träffa berget igen: detta är värdena vid nästa slag, inte de slutliga.</translation>
     </message>
     <message>
         <source>could not be solved at all gaps: %1</source>
@@ -12192,7 +12192,7 @@ plain: ett gitter av konstanta celler, så som andra har det</translation>
         <translation>&amp;Föregående sida</translation>
     </message>
     <message>
-        <source>of drill strings alone, and this scenario is a uniform rod: a click makes a drill string of it, as Edit ▸ Make a drill string of this does</source>
+        <source>only for drill strings, and this scenario is a uniform rod: a click converts it, as Edit ▸ Make a drill string of this does</source>
         <translation>bara för borrsträngar, och detta scenario är en likformig stång: ett klick gör en borrsträng av det, som Redigera ▸ Gör en borrsträng av detta</translation>
     </message>
 </context>
@@ -12363,7 +12363,7 @@ De är kvar i listan tills fönstret stängs.</translation>
     </message>
     <message>
         <source>%1
-Those that are not on the list here would be lost.</source>
+Runs that are not on the list here would be lost.</source>
         <translation>%1
 De som inte finns i listan här skulle gå förlorade.</translation>
     </message>
@@ -12551,7 +12551,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Kopiera tabellen &amp;under</translation>
     </message>
     <message>
-        <source>What is read at the cursors, or in view, to paste into a spreadsheet</source>
+        <source>The readings at the cursors, or the numbers in view, to paste into a spreadsheet</source>
         <translation>Det som är avläst vid markörerna eller i vyn, att klistra in i ett kalkylark</translation>
     </message>
 </context>
@@ -12608,7 +12608,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>Värdena är inget förvals. Välj ett för att utgå från dess värden.</translation>
     </message>
     <message>
-        <source>Presets are physical values, and this scenario is given by its dimensionless groups alone.</source>
+        <source>Presets are physical values, and this scenario has only dimensionless groups.</source>
         <translation>Förval är fysikaliska värden, och detta scenario är givet enbart av sina dimensionslösa tal.</translation>
     </message>
     <message>
@@ -12882,7 +12882,7 @@ Upp och Ned flyttar det med 0,01, Page Up och Page Down med 0,1.</translation>
         <translation>log</translation>
     </message>
     <message>
-        <source>Even ratios in place of even steps</source>
+        <source>Even ratios instead of even steps</source>
         <translation>Lika förhållanden i stället för lika steg</translation>
     </message>
     <message>
@@ -13562,7 +13562,7 @@ i %4</translation>
         <translation>Detta är redan körningen %1.</translation>
     </message>
     <message>
-        <source>There are %1 runs, which is as many as can be told apart: remove one first.</source>
+        <source>There are %1 runs already, the most that can be distinguished: remove one first.</source>
         <translation>Det finns %1 körningar, så många som går att skilja åt: ta bort en först.</translation>
     </message>
     <message>
@@ -13670,7 +13670,7 @@ i %4</translation>
         <translation>läge x</translation>
     </message>
     <message>
-        <source>Of the gauge, from the struck end; below 0 in the hammer</source>
+        <source>Distance of the gauge from the struck end; negative in the hammer</source>
         <translation>Givarens, från slagänden; under 0 i hammaren</translation>
     </message>
     <message>
@@ -13682,8 +13682,8 @@ i %4</translation>
         <translation>signalen är</translation>
     </message>
     <message>
-        <source>What the numbers are</source>
-        <translation>Vad talen är</translation>
+        <source>Quantity that was recorded</source>
+        <translation>Storhet som spelades in</translation>
     </message>
     <message>
         <source>force</source>
@@ -13702,15 +13702,15 @@ i %4</translation>
         <translation>enhet</translation>
     </message>
     <message>
-        <source>In what the numbers are</source>
-        <translation>Vad talen är angivna i</translation>
+        <source>Unit of the numbers</source>
+        <translation>Talens enhet</translation>
     </message>
     <message>
         <source>positive is</source>
         <translation>positivt är</translation>
     </message>
     <message>
-        <source>What a number greater than 0 means. Here tension is positive in a rod, and pressing is in a blow and on the rock.</source>
+        <source>Meaning of positive numbers. In this program tension is positive in rods; on the rock and in a blow, compression is.</source>
         <translation>Vad ett tal större än 0 betyder. Här är drag positivt i en stång, och tryckande i ett slag och på berget.</translation>
     </message>
     <message>
@@ -13726,7 +13726,7 @@ i %4</translation>
         <translation>nollinje</translation>
     </message>
     <message>
-        <source>What is taken off all samples</source>
+        <source>Zero level, subtracted from all samples</source>
         <translation>Vad som dras från alla mätvärden</translation>
     </message>
     <message>
@@ -14073,7 +14073,7 @@ i %4</translation>
         <translation>Stänger</translation>
     </message>
     <message>
-        <source>Hammer, in place of this one</source>
+        <source>Hammer, instead of this one</source>
         <translation>Hammare, i stället för denna</translation>
     </message>
     <message>
@@ -14192,7 +14192,7 @@ klingning</translation>
         <translation>Sektionens namn; även parametrar går efter det</translation>
     </message>
     <message>
-        <source>Share of the energy of the hammer that the joint behind %1 throws back of what comes from the hammer</source>
+        <source>Share of the hammer energy reflected by the joint after %1</source>
         <translation>Den andel av hammarens energi som skarven bakom %1 reflekterar av det som kommer från hammaren</translation>
     </message>
     <message>
@@ -14222,7 +14222,7 @@ av de vågor som slaget lämnar: %1</translation>
         <translation>Största drag i sektionen medan slaget varar</translation>
     </message>
     <message>
-        <source>Share of the energy of the hammer that the joint behind the section throws back of what comes from the hammer; of a repeat, by the joint that throws back most</source>
+        <source>Share of the hammer energy reflected by the joint after the section; of a repeat, by the joint that reflects most</source>
         <translation>Den andel av hammarens energi som skarven bakom sektionen reflekterar av det som kommer från hammaren; i en upprepning av den skarv som reflekterar mest</translation>
     </message>
     <message>
@@ -14311,7 +14311,7 @@ fastheten</translation>
 <context>
     <name>drillwave::StringPage</name>
     <message>
-        <source>Of uniform sections: threads and shoulders raise stresses locally</source>
+        <source>Stresses of uniform sections: threads and shoulders raise them locally</source>
         <translation>För likformiga sektioner: gängor och ansatser höjer spänningarna lokalt</translation>
     </message>
     <message>
@@ -14548,7 +14548,7 @@ fastheten</translation>
         <translation>skiljetecken</translation>
     </message>
     <message>
-        <source>What stands between the cells</source>
+        <source>Character between the cells</source>
         <translation>Vad som står mellan cellerna</translation>
     </message>
     <message>
@@ -14572,7 +14572,7 @@ fastheten</translation>
         <translation>decimaltecken</translation>
     </message>
     <message>
-        <source>What stands before the decimals of a number</source>
+        <source>Decimal sign of the numbers</source>
         <translation>Vad som står före ett tals decimaler</translation>
     </message>
     <message>
@@ -14940,7 +14940,7 @@ fastheten</translation>
         <translation>Partikelhastighet v</translation>
     </message>
     <message>
-        <source>What the colours show</source>
+        <source>Quantity shown by the colours</source>
         <translation>Vad färgerna visar</translation>
     </message>
     <message>
@@ -15117,7 +15117,7 @@ map.csv.yaml …), namnet på ett inbyggt exempel, eller - för standard in.</tr
     </message>
     <message>
         <source>With -o, DIR gets scenario.yaml, summary.json, histories.csv, events.csv and the plots: each of the
-first four can be run again. Of a drill string the histories hold the waves in the middle of its longest
+first four can be run again. For drill strings, the histories are taken at the middle of the longest
 section. The plots are blow.*, rock.*, wave_picture.* and rod.*.</source>
         <translation>Med -o får DIR scenario.yaml, summary.json, histories.csv, events.csv och diagrammen: var och en av
 de fyra första filerna kan köras igen. För en borrsträng innehåller förloppen vågorna mitt i den
@@ -15216,11 +15216,11 @@ raderna är.</translation>
     </message>
     <message>
         <source>Follows outputs along a parameter by smooth pieces between kinks, which are found where the order
-of events changes; no grid to be chosen. Tells where each output is least and largest, its local
+of events changes; no grid to be chosen. Prints where each output is least and largest, its local
 extremes, kinks, jumps and crossings of the levels, each with its error. Where an output is not
-smooth within the work permitted it is known by points alone, and the table says so.
---goal asks the other way round: where along KEY the output is X. Each place is solved for, with its
-error, and it is told whether there may be others; where there is none, what comes nearest.
+smooth within the work permitted, only points of it are known, and the table says so.
+--goal asks the other way round: where along KEY the output is X. Prints each place with its
+error and whether there may be others; where there is none, the nearest value.
 Values carry units where the parameter has one: --along bit_rock.stiffness=10MN/m:10GN/m:log</source>
         <translation>Följer resultat längs en parameter i släta stycken mellan knäckar, som hittas där händelsernas
 ordning ändras; inget rutnät behöver väljas. Anger var varje resultat är minst och störst, dess
@@ -15268,12 +15268,12 @@ lösaren, inte genom interpolation: FILE_contours.csv anger hur nära nivån den
 resultatet gör ett språng där.</translation>
     </message>
     <message>
-        <source>the first parameter and its values; :log behind for even ratios</source>
-        <translation>den första parametern och dess värden; :log efter ger lika förhållanden</translation>
+        <source>parameter across and its values; :log after the count for even ratios</source>
+        <translation>parameter åt höger och dess värden; :log efter antalet för jämna förhållanden</translation>
     </message>
     <message>
-        <source>the second one likewise</source>
-        <translation>den andra likaså</translation>
+        <source>parameter upwards and its values; also :log</source>
+        <translation>parameter uppåt och dess värden; även :log</translation>
     </message>
     <message>
         <source>place the contour of this value; may be given again</source>
@@ -15486,7 +15486,7 @@ alltsammans. Referenskurvorna finns med både k0 = Z/(2T), som artikeln ritar de
 k0 = Z/t0, som artikeln definierar det.</translation>
     </message>
     <message>
-        <source>where to write; - prints discrepancies.csv alone</source>
+        <source>where to write; - prints only discrepancies.csv</source>
         <translation>vart figurerna skrivs; - skriver bara ut discrepancies.csv</translation>
     </message>
     <message>
@@ -15495,8 +15495,8 @@ k0 = Z/t0, som artikeln definierar det.</translation>
     </message>
     <message>
         <source>Solves the blow exactly, in closed form where that applies, and with the paper&apos;s lattice of
-100 to 20000 segments, and compares errors and run times. Takes some ten seconds. Of a drill
-string: polynomial cells of several sizes beside a plain lattice.</source>
+100 to 20000 segments, and compares errors and run times. Takes some ten seconds. For drill
+strings: polynomial cells of several sizes beside a plain lattice.</source>
         <translation>Löser slaget exakt, i sluten form där den gäller och med artikelns gitter på 100 till 20000
 segment, och jämför fel och beräkningstider. Tar omkring tio sekunder. För en borrsträng:
 polynomceller av flera storlekar bredvid ett enkelt gitter.</translation>
@@ -15552,7 +15552,7 @@ tau under 0,1 med exponentiella slag och kolvslag.</translation>
         <translation>lista stänger, hammare, berg och delar till borrsträngar, med sina källor</translation>
     </message>
     <message>
-        <source>Those that are built in, or those of a file in the same format. A command takes them with --rod
+        <source>Lists the built-in presets, or those of a file in the same format. A command takes them with --rod
 NAME, --hammer NAME and --rock NAME; the beginning of a name will do where only one has it. Pistons,
 adapters, couplings and bits are pieces of drill strings, to be put in on the page String of the window.</source>
         <translation>De inbyggda, eller de i en fil med samma format. Ett kommando tar dem med --rod NAME, --hammer NAME

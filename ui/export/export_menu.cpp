@@ -44,10 +44,9 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
     m_histories->setToolTip(tr("Forces, impulse, momentum, penetration and velocity over time, as CSV"));
     add(tr("&Events…"), {}, tr("Contacts, reversals and separations with their times, as CSV"),
         [this] { saveEvents(); });
-    m_numbers =
-        add(tr("&Numbers as a table"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T),
-            tr("What this page draws, number by number, in a window of its own: to be read and copied"),
-            [this] { showNumbers(); });
+    m_numbers = add(tr("&Numbers as a table"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_T),
+                    tr("The numbers this page draws, in a window of their own, to read and copy"),
+                    [this] { showNumbers(); });
     m_numbers->setObjectName(QStringLiteral("numbersAsTable"));
     addSeparator();
     m_afterPictures = add(tr("&Copy picture"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),

@@ -28,7 +28,7 @@ QString blowCaption(const BlowReport& report) {
                                 : tr("The force N %1 and its waves, the impact force, its impulse and the "
                                      "momentum of the rod over time.");
     return caption.arg(where) +
-           (report.measured.empty() ? QString() : QLatin1Char(' ') + tr("What was measured is dashed."));
+           (report.measured.empty() ? QString() : QLatin1Char(' ') + tr("Measured signals are dashed."));
 }
 
 // Curves are there where the waves were kept. Of a rod, on paper, the first one fills the page of the tables,

@@ -44,9 +44,8 @@ void PresetBox::present(const Scenario& scenario) {
     const Preset* preset = m_library.matching(m_kind, scenario);
     QString help = tr("The values are those of no preset. Choose one to start from its values.");
     if (!physical)
-        help =
-            tr("Presets are physical values, and this scenario is given by its dimensionless groups alone.") +
-            QLatin1Char(' ') + waysToPhysicalUnits();
+        help = tr("Presets are physical values, and this scenario has only dimensionless groups.") +
+               QLatin1Char(' ') + waysToPhysicalUnits();
     else if (preset)
         help = describe(*preset);
     setItemText(0, preset ? coreText(preset->name) : physical ? tr("custom") : tr("none"));

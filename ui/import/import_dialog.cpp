@@ -108,7 +108,7 @@ QWidget* ImportDialog::makeChoices() {
     auto* form = new QFormLayout(top);
     form->setContentsMargins(4, 4, 0, 0);
     form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
-    m_use = addChoice(*form, {"use", tr("import as"), tr("What the signal is for")},
+    m_use = addChoice(*form, {"use", tr("import as"), tr("Use of the signal in the program")},
                       {{tr("hammer blow"), static_cast<int>(ImportUse::blow)},
                        {tr("measured N in a section"), static_cast<int>(ImportUse::normalForce)},
                        {tr("measured force on the rock"), static_cast<int>(ImportUse::impactForce)}});

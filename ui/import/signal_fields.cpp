@@ -88,26 +88,27 @@ QuantityField* SignalFields::quantity(const char* name, const QString& label, co
 SignalFields::~SignalFields() = default;
 
 void SignalFields::addUnit() {
-    m_place = quantity("place", tr("place x"), tr("Of the gauge, from the struck end; below 0 in the hammer"),
+    m_place = quantity("place", tr("place x"),
+                       tr("Distance of the gauge from the struck end; negative in the hammer"),
                        Quantity::length, "m", FieldRange::any, {});
     m_place->setOptional(tr("not given"));
-    m_kind = addChoice(*m_form, {"kind", tr("signal is"), tr("What the numbers are")},
+    m_kind = addChoice(*m_form, {"kind", tr("signal is"), tr("Quantity that was recorded")},
                        {{tr("force"), value(SignalKind::force)},
                         {tr("strain"), value(SignalKind::strain)},
                         {tr("output of a bridge"), value(SignalKind::bridge)},
                         {tr("voltage"), value(SignalKind::voltage)},
                         {tr("stress"), value(SignalKind::stress)},
                         {tr("particle velocity"), value(SignalKind::velocity)}});
-    m_unit = addChoice(*m_form, {"valueUnit", tr("unit"), tr("In what the numbers are")}, {});
+    m_unit = addChoice(*m_form, {"valueUnit", tr("unit"), tr("Unit of the numbers")}, {});
     m_positive = addChoice(*m_form,
                            {"positive", tr("positive is"),
-                            tr("What a number greater than 0 means. Here tension is positive in a rod, and "
-                               "pressing is in a blow and on the rock.")},
+                            tr("Meaning of positive numbers. In this program tension is positive in rods; on "
+                               "the rock and in a blow, compression is.")},
                            {{tr("tension"), tension}, {tr("compression"), compression}});
 }
 
 void SignalFields::addZero() {
-    m_zero = addChoice(*m_form, {"zero", tr("zero line"), tr("What is taken off all samples")},
+    m_zero = addChoice(*m_form, {"zero", tr("zero line"), tr("Zero level, subtracted from all samples")},
                        {{tr("as recorded"), value(ZeroLine::asRecorded)},
                         {tr("mean of the first"), value(ZeroLine::ofFirstSamples)},
                         {tr("a value"), value(ZeroLine::chosen)}});

@@ -55,16 +55,15 @@ TableFields::TableFields(QWidget* parent) : QWidget(parent), m_form(new QFormLay
 }
 
 void TableFields::addFormat() {
-    m_separator = addChoice(*m_form, {"separator", tr("separator"), tr("What stands between the cells")},
+    m_separator = addChoice(*m_form, {"separator", tr("separator"), tr("Character between the cells")},
                             {{tr("tab"), '\t'},
                              {tr("semicolon ;"), ';'},
                              {tr("comma ,"), ','},
                              {tr("bar |"), '|'},
                              {tr("blanks"), ' '}});
-    m_decimal =
-        addChoice(*m_form, {"decimal", tr("decimal sign"), tr("What stands before the decimals of a number")},
-                  {{tr("point 1.5"), static_cast<int>(DecimalSign::point)},
-                   {tr("comma 1,5"), static_cast<int>(DecimalSign::comma)}});
+    m_decimal = addChoice(*m_form, {"decimal", tr("decimal sign"), tr("Decimal sign of the numbers")},
+                          {{tr("point 1.5"), static_cast<int>(DecimalSign::point)},
+                           {tr("comma 1,5"), static_cast<int>(DecimalSign::comma)}});
     m_firstLine = addCount(
         *m_form, {"firstLine", tr("samples from line"), tr("The first line of the file that is a sample")}, 1,
         1, 1);

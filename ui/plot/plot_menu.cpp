@@ -129,7 +129,8 @@ void PlotActions::addCursors() {
     remove->setToolTip(PlotMenu::tr("The table below the plot reads what is in view then"));
     remove->setEnabled(reader.position(PlotCursor::a) || reader.position(PlotCursor::b));
     QAction* copy = m_menu.addAction(PlotMenu::tr("Copy the &table below"), &reader, &CurveReader::copy);
-    copy->setToolTip(PlotMenu::tr("What is read at the cursors, or in view, to paste into a spreadsheet"));
+    copy->setToolTip(
+        PlotMenu::tr("The readings at the cursors, or the numbers in view, to paste into a spreadsheet"));
     copy->setEnabled(!reader.text().isEmpty() && m_plot.isCurrent());
 }
 

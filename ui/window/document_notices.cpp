@@ -106,7 +106,7 @@ FormNotice::FormNotice(Document& document, QWidget* parent)
       m_document(document),
       m_toString(new QAction(tr("&Make a drill string of this"), this)),
       m_toUniformRod(new QAction(tr("&Simplify to a uniform rod"), this)),
-      m_toForce(new QAction(tr("Put a &force in place of the hammer"), this)),
+      m_toForce(new QAction(tr("Use a &force instead of the hammer"), this)),
       m_toRig(new QAction(tr("Make a &rig of these groups…"), this)) {
     m_toRig->setObjectName(QStringLiteral("toRig"));
     m_toForce->setObjectName(QStringLiteral("toForce"));
@@ -124,7 +124,7 @@ FormNotice::FormNotice(Document& document, QWidget* parent)
                 tr("This is a uniform rod now, through which waves travel as long as through the string."));
     });
     connect(m_toForce, &QAction::triggered, this, [this] {
-        convert(forcedStringOf(m_document.scenario()), tr("put a force in place of the hammer"),
+        convert(forcedStringOf(m_document.scenario()), tr("use a force instead of the hammer"),
                 tr("A force drives the string now: any shape, or a measured blow by File ▸ Import."));
     });
     connect(m_toRig, &QAction::triggered, this, [this] { (new RigDialog(m_document, window()))->open(); });
@@ -162,18 +162,18 @@ void FormNotice::offer() {
     const bool isOfSections = hasSections(scenario);
     m_toUniformRod->setEnabled(isOfSections);
     m_toUniformRod->setToolTip(
-        isOfSections ? tr("The rod alone, as long for the waves as the string, struck by a uniform piston")
+        isOfSections ? tr("Only the rod, as long for the waves as the string, struck by a uniform piston")
                      : tr("This scenario is a uniform rod"));
     m_toForce->setEnabled(!isForced(scenario));
     m_toForce->setToolTip(isForced(scenario)
                               ? tr("A force drives this scenario already")
-                              : tr("A force that does not feel what comes back, as a measured blow is"));
+                              : tr("A force that reflected waves do not change, as a measured blow is"));
 }
 
 ExampleNote::ExampleNote(QWidget* parent) : Notice(Tone::information, parent), m_action(new QAction(this)) {
     setObjectName(QStringLiteral("exampleNote"));
     m_action->setText(tr("&About this example"));
-    m_action->setToolTip(tr("What to look at in the example that is open"));
+    m_action->setToolTip(tr("Things to look at in the open example"));
     m_action->setCheckable(true);
     m_action->setEnabled(false);
     connect(m_action, &QAction::toggled, this, &QWidget::setVisible);

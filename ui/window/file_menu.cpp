@@ -110,7 +110,7 @@ void FileMenu::addFileActions(QMenu* exports) {
         addAction(tr("New di&mensionless"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_N), this, [this] {
             if (mayDiscard()) m_document.startFrom(dimensionlessStart, tr("new"));
         });
-    groups->setToolTip(tr("A scenario given by its groups β, γ, τ and δ alone, without units"));
+    groups->setToolTip(tr("A scenario given only by its groups β, γ, τ and δ, without units"));
     addAction(tr("&Open…"), QKeySequence::Open, this, [this] {
         const QString folder = QFileInfo(m_document.suggestedPath()).absolutePath();
         const QString path = m_questions.fileToOpen(m_window, folder);
@@ -158,7 +158,7 @@ void FileMenu::addFigures(QMenu& menu) {
                 dialog->setAttribute(Qt::WA_DeleteOnClose);
                 dialog->show();
             });
-        action->setToolTip(tr("Computed anew, beside the numbers that the paper prints"));
+        action->setToolTip(tr("Computed again, beside the numbers that the paper prints"));
     }
 }
 

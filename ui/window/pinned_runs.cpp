@@ -128,7 +128,7 @@ void PinnedRuns::keep(bool wanted) {
     } else if (const bool hasOthers = m_keeper.holdsOthers();
                !hasOthers ||
                m_questions.confirm(m_window, tr("There are runs beside this file already."),
-                                   tr("%1\nThose that are not on the list here would be lost.").arg(folder),
+                                   tr("%1\nRuns that are not on the list here would be lost.").arg(folder),
                                    tr("Replace"))) {
         const auto existing = hasOthers ? ExistingFiles::replaced : ExistingFiles::kept;
         if (const QString problem = m_keeper.keep(existing); !problem.isEmpty())

@@ -87,7 +87,7 @@ Message wholeNumberProblem(const SweepAxis& axis) {
     if (!axis.parameter->rules.wholeNumber) return {};
     const double most = axis.parameter->hard.high - axis.parameter->hard.low + 1;
     const Message advice{
-        translatable("%1 takes whole numbers alone; give a COUNT that hits them, or a list A,B,C"),
+        translatable("%1 takes only whole numbers; give a COUNT that hits them, or a list A,B,C"),
         {std::string(axis.key())}};
     if (static_cast<double>(axis.count) > most) return advice;
     for (std::uint64_t i = 0; i < axis.count; ++i)
@@ -286,7 +286,7 @@ Message followProblem(const SweepAxis& axis) {
     const std::string key(axis.key());
     if (!axis.parameter) return wordsProblem(*axis.words);
     if (axis.parameter->rules.wholeNumber)
-        return {translatable("%1 has whole numbers alone; make a family of them, or sweep it"), {key}};
+        return {translatable("%1 has only whole numbers; make a family of them, or sweep it"), {key}};
     if (axis.kind != SweepAxis::Kind::linear && axis.kind != SweepAxis::Kind::logarithmic)
         return followedForm(key);
     if (!(axis.start < axis.stop)) return mustRise(axis);

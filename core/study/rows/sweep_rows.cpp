@@ -25,8 +25,8 @@ Message pictureProblem(const Sweep& sweep) {
                 {std::to_string(mostDrawnRows), std::to_string(pointCount(sweep))}};
     for (const SweepAxis& axis : sweep.axes)
         if (&axis != &sweep.axes[along] && axis.count > mostDrawnLines)
-            return {translatable("at most %1 curves can be told apart, and %2 has %3 values; take fewer, or "
-                                 "draw a map (drillwave map)"),
+            return {translatable("at most %1 curves can be distinguished, and %2 has %3 values; take fewer, "
+                                 "or draw a map (drillwave map)"),
                     {std::to_string(mostDrawnLines), std::string(axis.key()), std::to_string(axis.count)}};
     if (sweep.columns.size() > mostDrawnOutputs)
         return {translatable("at most %1 outputs can be drawn, not %2; choose with --outputs"),

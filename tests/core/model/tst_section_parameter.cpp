@@ -180,8 +180,8 @@ void TestSectionParameter::whatIsNotThereIsRefusedWithItsNeighbour_data() {
     row("string.rod.lenght", "did you mean `string.rod.length`?");
     row("sting.rod.length", "did you mean `string.rod.length`?");
     row("rod.length", "only a uniform rod has it");
-    row("pulse.duration", "only a force in place of the hammer has it");
-    row("pulse.shape", "only a force in place of the hammer has it");
+    row("pulse.duration", "only a force instead of the hammer has it");
+    row("pulse.shape", "only a force instead of the hammer has it");
     row("tau", "follows from the lengths of hammer and string");
     row("string", "write it into the scenario file");
 }

@@ -298,7 +298,7 @@ void TestReportWriter::whatWasMeasuredIsLaidOverTheCurves() {
     const QByteArray table = page.mid(page.indexOf("id=\"measured-table\""));
     QVERIFY2(table.contains("<td>gauge &lt;3&gt;</td><td>force N at 1.22\u00a0m</td>"), table.left(600));
     QVERIFY(page.contains("The force N where &quot;gauge &lt;3&gt;&quot; was measured"));
-    QVERIFY(page.contains("What was measured is dashed."));
+    QVERIFY(page.contains("Measured signals are dashed."));
     const auto picture = [](const QByteArray& html) {
         const auto at = html.indexOf("<img", html.indexOf("id=\"blow\""));
         return html.mid(at, html.indexOf('>', at) - at);

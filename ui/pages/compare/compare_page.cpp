@@ -60,8 +60,7 @@ QWidget* ComparePage::makeBar() {
     m_reference = new ChoiceBox(bar);
     m_reference->setObjectName(QStringLiteral("reference"));
     m_reference->setMinimumContentsLength(18);
-    m_reference->setToolTip(
-        tr("What the differences are taken from: here, in the list of runs and in the result"));
+    m_reference->setToolTip(tr("Reference of all differences: here, in the list of runs and in the result"));
     auto* label = new QLabel(tr("Compare with"), bar);
     label->setBuddy(m_reference);
     m_revert = new QPushButton(tr("Revert to this run"), bar);

@@ -54,9 +54,10 @@ void GoalField::read() {
 }
 
 void GoalField::presentProblem() {
-    setToolTip(m_problem.isEmpty() ? tr("What the result is to be: the values of the parameter that give it "
-                                        "are marked, and a click takes one")
-                                   : QStringLiteral("⚠ ") + m_problem);
+    setToolTip(
+        m_problem.isEmpty()
+            ? tr("Wanted result: the values of the parameter that give it are marked, and a click takes one")
+            : QStringLiteral("⚠ ") + m_problem);
     setAccessibleDescription(toolTip());
     setStyleSheet(m_problem.isEmpty() ? QString()
                                       : QStringLiteral("QLineEdit { border: 2px solid #c62828; }"));

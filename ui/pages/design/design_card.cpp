@@ -127,10 +127,10 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
             names << units.designName(best.ties[i]);
         if (best.ties.size() > enough) names << QStringLiteral("…");
         text += QStringLiteral("<p>") +
-                DesignCard::tr("The samples do not tell it apart from %1: any of them will do.")
+                DesignCard::tr("The samples do not distinguish it from %1: any of them will do.")
                     .arg(names.join(QStringLiteral("; ")));
         if (best.nextBest)
-            text += QLatin1Char(' ') + DesignCard::tr("Of them %1 has the %2: %3.")
+            text += QLatin1Char(' ') + DesignCard::tr("Among them, %1 has the %2: %3.")
                                            .arg(units.designName(*best.nextBest), aimWords(study.aims[1]),
                                                 valueText(report, study.aims[1], *best.nextBest, units));
     }
@@ -217,7 +217,7 @@ QString loadLink(const QUrl& to, const QString& words) {
 DesignCard::DesignCard(QWidget* parent) : QTextBrowser(parent) {
     setOpenLinks(false);
     setFrameShape(QFrame::NoFrame);
-    setAccessibleName(tr("What the designs say"));
+    setAccessibleName(tr("Answer of the study"));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
     viewport()->setAutoFillBackground(false);

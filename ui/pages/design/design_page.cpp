@@ -300,7 +300,8 @@ void DesignPage::present() {
         draw(*answer);
     }
     const QString problem = inputProblem();
-    say(problem.isEmpty() ? m_sentence : tr("⚠ %1\nWhat is shown is of the value before.").arg(problem));
+    say(problem.isEmpty() ? m_sentence
+                          : tr("⚠ %1\nThe page shows the answer for the value before.").arg(problem));
     showHere();
     showRuns();
 }
@@ -437,7 +438,7 @@ QString DesignPage::obstacle() const {
     if (!m_problem.isEmpty()) return m_problem;
     if (QString problem = inputProblem(); !problem.isEmpty()) return problem;
     if (QString unfinished = StudyPage::obstacle(); !unfinished.isEmpty()) return unfinished;
-    return m_shown ? QString() : tr("There is no design to be told of.");
+    return m_shown ? QString() : tr("There is no design study to report.");
 }
 
 QByteArray DesignPage::csv() const {

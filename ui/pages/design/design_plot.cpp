@@ -136,7 +136,7 @@ void DesignPlot::addRects() {
     m_best = points();
     constexpr int fewTicks = 3;  // of long numbers in a narrow plot
     m_scatterRect->axis(QCPAxis::atBottom)->ticker()->setTickCount(fewTicks);
-    m_barRect->axis(QCPAxis::atBottom)->setLabel(tr("share of the scatter\n(filled: alone)"));
+    m_barRect->axis(QCPAxis::atBottom)->setLabel(tr("share of the scatter\n(filled: by itself)"));
     m_barRect->axis(QCPAxis::atBottom)->setNumberPrecision(2);
 }
 

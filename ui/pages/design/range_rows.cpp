@@ -143,7 +143,7 @@ void RangeRow::addKind() {
 void RangeRow::addCount() {
     m_logarithmic = new QCheckBox(tr("log"), this);
     m_logarithmic->setObjectName(QStringLiteral("logarithmic"));
-    m_logarithmic->setToolTip(tr("Even ratios in place of even steps"));
+    m_logarithmic->setToolTip(tr("Even ratios instead of even steps"));
     m_count = new QSpinBox(this);
     ignoreUnfocusedWheel(*m_count);
     m_count->setObjectName(QStringLiteral("count"));

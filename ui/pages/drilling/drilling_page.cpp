@@ -279,8 +279,8 @@ void DrillingPage::openBlow(long number, Qt::KeyboardModifiers modifiers) {
         return QString::fromStdString(style.quantity(value * units.length(), Quantity::length, 3));
     };
     emit blowOpened({answer.question.settings, number},
-                    tr("Blow %1 of %2 under the feed, with the waves and the motion that it began with: gap "
-                       "%3, penetration %4. What Result says is of a single blow that begins at rest.")
+                    tr("Blow %1 of %2 under the feed, with the waves and the motion it started with: gap %3, "
+                       "penetration %4. The panel Result shows a single blow from rest.")
                         .arg(number)
                         .arg(answer.question.settings.blows)
                         .arg(length(opened.gap), length(opened.penetration)));

@@ -176,7 +176,7 @@ void StringEdits::addRods(QMenu& menu, const std::function<void(Section)>& then,
 void StringEdits::addPieces(QMenu& menu, SectionPresetKind kind,
                             const std::function<void(const SectionPreset&)>& then) {
     static_assert(sectionPresetKinds.size() == 4, "a title for each kind");
-    const std::array<QString, sectionPresetKinds.size()> titles{tr("Hammer, in place of this one"),
+    const std::array<QString, sectionPresetKinds.size()> titles{tr("Hammer, instead of this one"),
                                                                 tr("Adapters"), tr("Couplings"), tr("Bits")};
     const LocalStyle style = LocalStyle::of(m_document.units());
     QMenu* pieces = newMenu(menu, titles[static_cast<std::size_t>(kind)]);

@@ -261,11 +261,9 @@ QString StringModel::toolTip(const QModelIndex& index) const {
         const RowResult& result = m_results->rows[static_cast<std::size_t>(index.row())];
         if (column == strengthShare) return result.use ? useText(row, result) : tr("No strength is given");
         if (column == reflected)
-            return result.reflected
-                       ? tr("Share of the energy of the hammer that the joint behind %1 throws back of "
-                            "what comes from the hammer")
-                             .arg(row.nameAt(result.reflected->section))
-                       : QString();
+            return result.reflected ? tr("Share of the hammer energy reflected by the joint after %1")
+                                          .arg(row.nameAt(result.reflected->section))
+                                    : QString();
         const bool isTension = column == tension;
         const auto text = [&](const RowPeak& peak) {
             return row.nameAt(peak.section) + QStringLiteral(": ") + peakText(peak);
@@ -292,8 +290,8 @@ QVariant StringModel::headerData(int section, Qt::Orientation orientation, int r
         if (section == tension) return tr("Largest tension of the section while the blow lasts");
         if (section == reflected)
             return tr(
-                "Share of the energy of the hammer that the joint behind the section throws back of what "
-                "comes from the hammer; of a repeat, by the joint that throws back most");
+                "Share of the hammer energy reflected by the joint after the section; of a repeat, by the "
+                "joint that reflects most");
         if (section == strengthShare)
             return tr(
                 "Largest stress while the blow lasts as a share of the strength: tension of the fatigue "

@@ -47,7 +47,7 @@ StringPage::StringPage(Document& document, QWidget* parent)
     m_words->setMargin(4);
     // Three lines are reserved: nothing jumps.
     m_words->setMinimumHeight(3 * m_words->fontMetrics().lineSpacing() + 8);
-    m_words->setToolTip(tr("Of uniform sections: threads and shoulders raise stresses locally"));
+    m_words->setToolTip(tr("Stresses of uniform sections: threads and shoulders raise them locally"));
     m_words->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);

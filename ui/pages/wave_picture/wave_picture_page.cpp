@@ -85,7 +85,7 @@ QHBoxLayout* WavePicturePage::makeBar() {
     m_field->addItem(tr("Force N"));
     m_field->addItem(tr("Particle velocity v"));
     m_field->setMinimumWidth(90);
-    m_field->setAccessibleName(tr("What the colours show"));
+    m_field->setAccessibleName(tr("Quantity shown by the colours"));
     m_field->setToolTip(
         tr("Normal force (tension positive) or particle velocity (towards the rock positive)"));
     m_fronts->setObjectName(QStringLiteral("fronts"));

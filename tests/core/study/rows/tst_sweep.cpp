@@ -321,7 +321,7 @@ void TestSweep::impossibleSweepsAreRefused_data() {
         << "string.3.length and string.rod.length set one section: section 3 of the string is called rod";
     QTest::newRow("a shape over a string")
         << sweepOf(withString(), {"pulse.shape=rectangular,half_sine"}, "cor")
-        << "the axis pulse.shape has no meaning here: only a force in place of the hammer has it";
+        << "the axis pulse.shape has no meaning here: only a force instead of the hammer has it";
     QTest::newRow("too many points") << sweepOf(groups, {"beta=1:2:1000001", "delta=0:1:1000000"}, "cor")
                                      << "more than 1000000000000 points";
     QTest::newRow("SI without units")

@@ -316,8 +316,8 @@ void TestThrustPage::whatLacksIsSaidAndCanBeEntered() {
     m_document->clear(*findParameter("drill.blow_frequency"), m_document->newGesture());
     m_document->clear(*findParameter("drill.thrust"), m_document->newGesture());
     m_page->show();
-    QTRY_COMPARE(words(),
-                 QStringLiteral("The feed is not judged: neither blow frequency nor feed force is given."));
+    QTRY_COMPARE(words(), QStringLiteral(
+                              "The feed cannot be judged: neither blow frequency nor feed force is given."));
     QVERIFY(m_page->command().isEmpty());
     QVERIFY(!m_page->exports().first().obstacle().isEmpty());
     auto* field = m_page->findChild<QuantityField*>(QStringLiteral("missing.drill.blow_frequency"));
