@@ -35,7 +35,7 @@ std::optional<double> goalOf(const Arguments& arguments, const std::vector<Outpu
     if (!word) return std::nullopt;
     if (columns.size() != 1)
         throw CommandError(ExitCode::usage,
-                           Message(translatable("--goal is about one output; --outputs names %1"),
+                           Message(translatable("--goal needs one output; --outputs names %1"),
                                    {std::to_string(columns.size())}));
     const OutputColumn& column = columns.front();
     const Quantity quantity = column.output->siQuantity();
@@ -112,10 +112,8 @@ void writeCsv(const CurveReport& report, const Arguments& arguments, const RowOp
 void checkGoalFile(const Arguments& arguments, const RowOptions& options, const ScenarioDocument& base) {
     if (!arguments.has("goal") || !arguments.has("o")) return;
     if (isStream(options.path))
-        throw CommandError(
-            ExitCode::usage,
-            translatable(
-                "--goal has no place where -o - prints the curve; leave out -o, or give -o FILE.csv"));
+        throw CommandError(ExitCode::usage, translatable("--goal cannot be used with -o -, which prints the "
+                                                         "curve; leave out -o, or give -o FILE.csv"));
     const std::string path = goalName(options.path);
     checkOutputIsNoInput(path, arguments, base);
     checkOverwrite(path, options.overwrite);
@@ -175,14 +173,14 @@ ExitCode runCurve(const Arguments& arguments, const Drawing* drawing) {
 
 std::vector<OptionSpec> curveOptions() {
     std::vector<OptionSpec> options = scenarioOptions(
-        {{"along", "KEY=RANGE", "the parameter to go along: START:STOP or START:STOP:log"},
-         {"family", "KEY=VALUES", "a line for each value: A,B,C, or START:STOP:COUNT[:log]"},
+        {{"along", "KEY=RANGE", "parameter to vary: START:STOP or START:STOP:log"},
+         {"family", "KEY=VALUES", "one line per value: A,B,C, or START:STOP:COUNT[:log]"},
          {"outputs", "A,B|all", "outputs to follow, see below (default: cor)"},
          {"level", "X", "also where the outputs cross this value, in the unit of their columns",
           OptionSpec::Times::repeated},
          {"goal", "X",
-          "every value of KEY that gives the only output this value, in the unit of its column; exit code 6 "
-          "where none does"},
+          "find every value of KEY at which the output is X, in the unit of its column; exit code 6 if there "
+          "is none"},
          {"json", "", "print one JSON object instead of the tables"},
          {"si", "", "outputs in SI"}});
     for (const OptionSpec& option : methodOptionSpecs()) options.push_back(option);
@@ -214,7 +212,7 @@ const Command& curveCommand() {
     static const Command command{
         .name = "curve",
         .operands = "FILE",
-        .summary = "outputs along a parameter: extremes, kinks and crossings with places and errors",
+        .summary = "follow outputs along a parameter; print extremes, kinks and crossings with errors",
         .details = details,
         .furtherHelp = outputHelp,
         .options = curveOptions(),

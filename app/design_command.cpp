@@ -34,8 +34,7 @@ const std::string& fileOf(const Arguments& arguments) {
     for (const std::string& word : arguments.operands()) {
         if (isAimWord(word)) continue;
         if (file)
-            throw CommandError(ExitCode::usage,
-                               Message(translatable("takes one FILE; `%1` is a second one"), {word}));
+            throw CommandError(ExitCode::usage, Message(translatable("takes one FILE; remove `%1`"), {word}));
         file = &word;
     }
     if (!file) throw CommandError(ExitCode::usage, translatable("needs FILE"));
@@ -65,8 +64,8 @@ void checkFeasible(const DesignStudy& study, const DesignFindings& findings, con
     for (const DesignSamples& design : findings.designs) {
         if (design.hasStatistics(study.samples) || !lines.empty()) continue;
         lines.emplace_back(
-            translatable("%1: of too many samples there is no answer, so that designs have no statistics: %2 "
-                         "of %3; the first: %4"),
+            translatable("%1: too many samples could not be solved, so designs have no statistics: %2 of %3; "
+                         "the first: %4"),
             std::vector<Message>{path, std::to_string(design.unsolved), std::to_string(study.samples),
                                  reasonWithHint(design.reason, study.workLimit)});
     }
@@ -76,7 +75,8 @@ void checkFeasible(const DesignStudy& study, const DesignFindings& findings, con
         for (Message& line : nearestToLimits(study, findings, style)) lines.push_back(std::move(line));
     }
     if (lines.empty())
-        lines.push_back(about(path, translatable("the scenario as it is could not be solved")));
+        lines.push_back(
+            about(path, translatable("the scenario could not be solved with the values entered")));
     throw CommandError(ExitCode::unsolvedOrFailed, std::move(lines), CommandError::Begin::withOption);
 }
 
@@ -97,8 +97,9 @@ FolderFiles filesOf(const DesignReport& report, ScenarioDocument document, std::
 void remarkOnSamples(const Arguments& arguments, std::uint64_t taken) {
     const std::optional<std::string> asked = arguments.value("samples");
     if (asked && *asked != std::to_string(taken))
-        printRemark({translatable("--samples %1: takes %2, a power of two"), {*asked, std::to_string(taken)}},
-                    arguments.style());
+        printRemark(
+            {translatable("--samples %1: rounded up to %2, a power of two"), {*asked, std::to_string(taken)}},
+            arguments.style());
 }
 
 ExitCode runDesignCommand(const Arguments& arguments, const Drawing* drawing) {
@@ -173,15 +174,15 @@ const Command& designCommand() {
     static const Command command{
         .name = "design",
         .operands = "FILE",
-        .summary = "which choice is best over what is not known, what it costs, what to measure",
+        .summary = "find the best design for uncertain inputs, its cost, and what to measure",
         .details = details,
         .furtherHelp = outputHelp,
         .options = scenarioOptions(
-            {{"uncertain", "KEY=LOW:HIGH", "what is not known; see below", Times::list},
-             {"draws", "FILE.csv", "rows of values that belong together, headed as for table",
+            {{"uncertain", "KEY=LOW:HIGH", "uncertain input; see below", Times::list},
+             {"draws", "FILE.csv", "samples of uncertain inputs, one per row; header as for table",
               Times::repeated},
              {"choose", "KEY=START:STOP:COUNT",
-              "what can be chosen; also :log after it, KEY=A,B,C or hammer=NAME", Times::list},
+              "design variable and its values; also :log, KEY=A,B,C or hammer=NAME", Times::list},
              {"aim", "max:OUTPUT@STATISTIC", "or min:…; one to three, the first decides", Times::repeated},
              {"at-most", "OUTPUT@STATISTIC=VALUE", "upper limit for every design", Times::list},
              {"at-least", "OUTPUT@STATISTIC=VALUE", "lower limit for every design", Times::list},

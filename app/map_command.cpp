@@ -67,14 +67,16 @@ MapFiles filesOf(const Arguments& arguments, const RowOptions& options, const Sc
     MapFiles files{options, {}};
     const bool hasFile = arguments.has("o") && !isStream(options.path);
     if (arguments.has("force") && (!arguments.has("o") || options.path == "-"))
-        throw CommandError(ExitCode::usage, translatable("--force is about the file of -o; add -o FILE.csv"));
+        throw CommandError(ExitCode::usage,
+                           translatable("--force applies to the file of -o; add -o FILE.csv"));
     if (isStream(options.path) && arguments.has("o"))
         for (const char* option : {"level", "json"})
             if (arguments.has(option))
                 throw CommandError(
                     ExitCode::usage,
-                    Message(translatable("%1 has no place where -o - prints the map; give -o FILE.csv"),
-                            {std::string("--") + option}));
+                    Message(
+                        translatable("%1 cannot be used with -o -, which prints the map; give -o FILE.csv"),
+                        {std::string("--") + option}));
     if (!hasFile) return files;
     checkRows(options, arguments, document);
     if (!arguments.has("level")) return files;

@@ -43,8 +43,8 @@ Message chosenMessage(const DesignStudy& study) {
                    {translatable("%1 (%2 values)"), {std::string(axis.key()), std::to_string(axis.count)}});
     }
     if (list.isEmpty()) list = translatable("nothing, only the design of FILE");
-    return {study.keepsEnergy ? translatable("Chosen: %1; every blow has the energy of FILE's.")
-                              : translatable("Chosen: %1."),
+    return {study.keepsEnergy ? translatable("Design variables: %1; every blow has the energy of FILE.")
+                              : translatable("Design variables: %1."),
             {list}};
 }
 
@@ -97,8 +97,8 @@ class DesignTable {
 std::string bestText(const DesignReport& report, const ReadingStyle& style) {
     const BestDesigns& best = report.findings.best;
     DesignTable table(report, "", style);
-    table.add(style.said(translatable("robust best")), *best.robust);
-    if (best.nominal) table.add(style.said(translatable("nominal best")), *best.nominal);
+    table.add(style.said(translatable("best for uncertain rock")), *best.robust);
+    if (best.nominal) table.add(style.said(translatable("best for the values entered")), *best.nominal);
     if (const auto file = presentDesign(report.study); file && report.study.designCount() > 1)
         table.add("FILE", *file);
     return table.text();
@@ -125,7 +125,7 @@ std::string costText(const DesignReport& report, const ReadingStyle& style) {
 
 std::string paretoText(const DesignReport& report, const ReadingStyle& style) {
     if (report.study.aims.size() < 2 || report.study.designCount() < 2) return {};
-    DesignTable table(report, style.said(translatable("none is better in all aims")), style);
+    DesignTable table(report, style.said(translatable("no design is better in all aims")), style);
     constexpr std::size_t enough = 12;
     std::size_t told = 0, all = 0;
     for (std::size_t d = 0; d < report.findings.designs.size(); ++d) {
@@ -168,7 +168,7 @@ void addOutput(const DesignReport& report, std::size_t o, const ReadingStyle& st
                   style.number(index.total.value, 3) + " +- " + style.number(index.total.error, 1)});
     }
     constexpr double nearlyAll = 0.9;
-    if (alone < nearlyAll) grid.add({"", style.said(translatable("acts in combination"))});
+    if (alone < nearlyAll) grid.add({"", style.said(translatable("acts with others"))});
 }
 
 std::string sensitivityText(const DesignReport& report, const ReadingStyle& style) {
@@ -200,10 +200,10 @@ Message worstMessage(const DesignReport& report, std::size_t a, const ReadingSty
     const WorstCase& worst = *report.findings.worst[a];
     const DesignAim& aim = report.study.aims[a];
     return {aim.sense == Sense::largest
-                ? translatable("Least %1 of the robust best found in the ranges: %2 at %3 (samples alone: "
+                ? translatable("Smallest %1 of the best design within the ranges: %2 at %3 (samples only: "
                                "%4; %5 searches, %6 of them ended here).")
-                : translatable("Largest %1 of the robust best found in the ranges: %2 at %3 (samples alone: "
-                               "%4; %5 searches, %6 of them ended here)."),
+                : translatable("Largest %1 of the best design within the ranges: %2 at %3 (samples only: %4; "
+                               "%5 searches, %6 of them ended here)."),
             {std::string(aim.output->name), outputText(report.study, *aim.output, worst.value, style),
              placeText(report.study, worst.at, style),
              outputText(report.study, *aim.output, worst.sampled, style), std::to_string(worst.searches),

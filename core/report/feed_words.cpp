@@ -167,7 +167,7 @@ std::vector<Message> estimateSentences(const Scenario& scenario, const std::opti
                                        const ReadingStyle& style) {
     std::vector<Message> sentences{requiredFeedMessage(scenario, estimate, style)};
     if (estimate)
-        sentences.push_back({translatable("Estimate from single blows; %1 follows consecutive blows."),
+        sentences.push_back({translatable("Estimate from single blows; %1 solves consecutive blows."),
                              {drillingWords(style)}});
     return sentences;
 }

@@ -114,7 +114,7 @@ bool checkKeysOfFormat(SectionReader& reader, const YamlEntries& file, int forma
 }
 
 constexpr const char* notBesideGroups =
-    translatable("cannot stand beside `dimensionless`: give one or the other");
+    translatable("cannot be combined with `dimensionless`: give one or the other");
 
 /// All that `bit_rock` may say there is the loading curve.
 void readLawBesideGroups(SectionReader& reader, const YamlEntries& file) {

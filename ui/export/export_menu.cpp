@@ -50,7 +50,7 @@ ExportMenu::ExportMenu(Document& document, Questions& questions, Sources sources
     m_numbers->setObjectName(QStringLiteral("numbersAsTable"));
     addSeparator();
     m_afterPictures = add(tr("&Copy picture"), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_C),
-                          tr("As it is zoomed, to paste into a report"), [this] { copyPicture(); });
+                          tr("The present view, to paste into a report"), [this] { copyPicture(); });
     m_afterPictures->setObjectName(QStringLiteral("copyPicture"));
     addSeparator();
     add(tr("Everything into a &folder…"), QKeySequence(Qt::CTRL | Qt::Key_E),
@@ -126,7 +126,7 @@ bool ExportMenu::eventFilter(QObject* watched, QEvent* event) {
 
 void ExportMenu::saveHistories() {
     if (const SolvedBlowPtr blow = m_sources.blow(); blow && blow->isSolved() && !blow->impact.hasHistories())
-        return fail(tr("The waves of this blow are more than can be kept: there are no histories."));
+        return fail(tr("This blow has too many waves to keep: there are no histories."));
     saveFile(tr("Export the histories"), QStringLiteral("_histories.csv"), historiesFile);
 }
 

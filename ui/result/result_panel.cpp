@@ -220,12 +220,12 @@ QString ResultPanel::followedText(const DrillingResult* result) const {
         if (lacksWaveLoss(*result)) words << link(lossLink, tr("Set wave loss 10 %"));
         return (words << page).join(QLatin1Char(' '));
     }
-    if (m_sequence.isAwaited()) return tr("Estimate from single blows; consecutive blows are followed …");
+    if (m_sequence.isAwaited()) return tr("Estimate from single blows; solving consecutive blows …");
     if (const std::optional<double> seconds = m_sequence.secondsOnRequest())
         return tr("Estimate from single blows.") + QLatin1Char(' ') +
-               link(sequenceLink, tr("Follow consecutive blows (about %1 s)")
+               link(sequenceLink, tr("Solve consecutive blows (about %1 s)")
                                       .arg(numberText(std::ceil(*seconds), 3, QLocale())));
-    return tr("Estimate from single blows; %1 follows consecutive blows.").arg(page);
+    return tr("Estimate from single blows; %1 solves consecutive blows.").arg(page);
 }
 
 void ResultPanel::goToAlerts() {

@@ -35,11 +35,10 @@ RunPanel::RunPanel(Runs& runs, QWidget* parent)
     m_list->setObjectName(QStringLiteral("runs"));
     m_list->setAccessibleName(tr("Runs"));
     m_list->setToolTip(
-        tr("Ticked runs are drawn over the plots. F2 renames, Del removes, the menu key or a right "
-           "click has the rest"));
+        tr("Ticked runs are shown in the plots. F2 renames, Del removes; right-click for more"));
     m_list->setColumnCount(columns);
     m_list->setHeaderLabels({tr("run"), QStringLiteral("e"), tr("Δ")});
-    m_list->headerItem()->setToolTip(change, tr("How far e is off that of the reference"));
+    m_list->headerItem()->setToolTip(change, tr("Difference of e from the reference"));
     m_list->setRootIsDecorated(false);
     m_list->setIconSize(lineSize);
     m_list->setUniformRowHeights(true);
@@ -124,9 +123,10 @@ void RunPanel::fill() {
     const RunList& runs = *m_runs.list();
     m_list->clear();
     m_list->setVisible(!runs.empty());
-    m_hint->setText(runs.empty()
-                        ? tr("F7 pins this result to compare with.")
-                        : tr("Gone when the window closes, unless File ▸ Keep runs beside the file."));
+    m_hint->setText(
+        runs.empty()
+            ? tr("F7 pins this result to compare with.")
+            : tr("Lost when the window closes, unless you choose File ▸ Keep runs beside the file."));
     m_hint->setVisible(runs.empty() || !m_kept);
     if (!runs.empty()) {
         auto* now = new QTreeWidgetItem(m_list, {tr("● now")});

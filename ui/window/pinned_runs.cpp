@@ -121,9 +121,9 @@ void PinnedRuns::revertTo(int number) {
 void PinnedRuns::keep(bool wanted) {
     const QString folder = QDir::toNativeSeparators(m_keeper.folder());
     if (!wanted) {
-        if (m_questions.confirm(m_window, tr("Shall the kept runs be taken away?"),
+        if (m_questions.confirm(m_window, tr("Delete the kept runs?"),
                                 tr("%1\nThey stay on the list until the window is closed.").arg(folder),
-                                tr("Take away")))
+                                tr("Delete")))
             m_keeper.giveUp();
     } else if (const bool hasOthers = m_keeper.holdsOthers();
                !hasOthers ||

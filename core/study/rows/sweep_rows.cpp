@@ -18,8 +18,8 @@ Message pictureProblem(const Sweep& sweep) {
                 {std::to_string(sweep.axes.size())}};
     const std::size_t along = lineAxis(sweep.axes);
     if (along == sweep.axes.size())
-        return translatable("no axis has two numbers or more to draw a curve along");
-    if (sweep.shard.count > 1) return translatable("a part of the rows cannot be drawn; leave out --shard");
+        return translatable("no axis has two or more numeric values to draw a curve along");
+    if (sweep.shard.count > 1) return translatable("pictures need all rows; leave out --shard");
     if (pointCount(sweep) > mostDrawnRows)
         return {translatable("at most %1 rows can be drawn, not %2; take fewer"),
                 {std::to_string(mostDrawnRows), std::to_string(pointCount(sweep))}};

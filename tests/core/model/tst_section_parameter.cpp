@@ -245,7 +245,7 @@ void TestSectionParameter::keysOfOneSectionAreRivals_data() {
     const auto row = [](const char* one, const char* other, const char* problem) {
         QTest::addRow("%s, %s", one, other) << QByteArray(one) << QByteArray(other) << problem;
     };
-    const char* const places = "set one section, which a repeat brings to both places";
+    const char* const places = "both are the same section of a repeat; set one of them";
     row("string.3.length", "string.5.length", places);
     row("string.3.area", "string.7.diameter", places);
     row("string.3.length", "string.4.length", "");

@@ -146,7 +146,7 @@ void TestFeedWords::eachStateHasItsSentence() {
     scenario.drill.blowFrequency = frequency;
     const QStringList sentences = sentencesOf(reportOf(scenario));
     QCOMPARE(sentences.front(), text);
-    QCOMPARE(sentences.at(1), QString("Estimate from single blows; `drill` follows consecutive blows."));
+    QCOMPARE(sentences.at(1), QString("Estimate from single blows; `drill` solves consecutive blows."));
 }
 
 void TestFeedWords::whatIsMissingIsSaid_data() {

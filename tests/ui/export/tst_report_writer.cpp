@@ -262,7 +262,7 @@ void TestReportWriter::thePreviewHasThePagesAndKeepsTheHead() {
 
 void TestReportWriter::pinnedRunsStandBesideTheBlow() {
     writeTo(path("alone.html"));
-    QVERIFY(!read(path("alone.html")).contains("Beside other runs"));
+    QVERIFY(!read(path("alone.html")).contains("Comparison with other runs"));
     QTRY_VERIFY_WITH_TIMEOUT(part<SolveStatus>(window()).isCurrent(), 60000);
     const double before = window().shown()->summary.cor;
     part<PinnedRuns>(window()).pinAction()->trigger();
@@ -275,16 +275,17 @@ void TestReportWriter::pinnedRunsStandBesideTheBlow() {
     QVERIFY(table.contains("<td data-value=\"" + QByteArray::fromStdString(formatNumber(before)) + "\">"));
     // Both have the margin, of which the window knows that of its blow alone.
     static const QRegularExpression margins(
-        QStringLiteral("thrust margin at every gap \\[%\\]</td><td data-value=\"[^\"]+\">[^<]+</td>"
+        QStringLiteral("feed force margin at every gap \\[%\\]</td><td data-value=\"[^\"]+\">[^<]+</td>"
                        "<td data-value=\"10\\.29[^\"]*\">\\+10\\.292</td>"));
     QVERIFY2(margins.match(QString::fromUtf8(table)).hasMatch(),
-             table.mid(table.indexOf("thrust margin at every gap [%]"), 250));
+             table.mid(table.indexOf("feed force margin at every gap [%]"), 250));
 }
 
 void TestReportWriter::whatWasMeasuredIsLaidOverTheCurves() {
     writeTo(path("computed.html"));
     const QByteArray computed = read(path("computed.html"));
-    QVERIFY(!computed.contains("Beside what was measured") && computed.contains("at the middle of the rod"));
+    QVERIFY(!computed.contains("Comparison with measurements") &&
+            computed.contains("at the middle of the rod"));
     QTRY_VERIFY_WITH_TIMEOUT(part<SolveStatus>(window()).isCurrent(), 60000);
     // Ten times what is computed at most: the axis that has it says so.
     const double peak =

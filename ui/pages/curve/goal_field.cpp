@@ -9,7 +9,7 @@ namespace drillwave {
 
 GoalField::GoalField(QWidget* parent) : QLineEdit(parent), m_unit(&unitsOf(Quantity::ratio).front()) {
     setObjectName(QStringLiteral("goal"));
-    setAccessibleName(tr("Goal: what the result is to be"));
+    setAccessibleName(tr("Goal: wanted result"));
     setPlaceholderText(tr("none"));
     setClearButtonEnabled(true);
     setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("0.0000 MN/m")) + 40);

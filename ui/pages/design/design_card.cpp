@@ -139,19 +139,22 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
     const double robust = aimedValue(report, first, *best.robust).value;
     const double other = aimedValue(report, first, *best.nominal).value;
     const QString where = statisticWords(first.statistic, first.sense);
-    text += QStringLiteral("<p>") +
-            (first.sense == Sense::largest
-                 ? DesignCard::tr("The nominal best, %1, would lose %2 % of it %3.")
-                 : DesignCard::tr("The nominal best, %1, would have %2 % more of it %3."))
-                .arg(units.designName(*best.nominal), percentBetween(other, robust, units), where);
+    text +=
+        QStringLiteral("<p>") +
+        (first.sense == Sense::largest
+             ? DesignCard::tr("The best design for the values entered, %1, would lose %2 % of it %3.")
+             : DesignCard::tr("The best design for the values entered, %1, would have %2 % more of it %3."))
+            .arg(units.designName(*best.nominal), percentBetween(other, robust, units), where);
     const std::size_t output = report.study.placeOf(*first.output, {}).output;
     const auto asInFile = [&](std::size_t design) { return report.findings.designs[design].nominal[output]; };
     if (!std::isfinite(asInFile(*best.robust))) return text;  // that one blow could not be solved
     const QString costs = percentBetween(asInFile(*best.robust), asInFile(*best.nominal), units);
     return text + QLatin1Char(' ') +
            (first.sense == Sense::largest
-                ? DesignCard::tr("Where all is as in the file, the robust best has %1 % less.").arg(costs)
-                : DesignCard::tr("Where all is as in the file, the robust best has %1 % more.").arg(costs));
+                ? DesignCard::tr("With the values entered, the best design for uncertain rock has %1 % less.")
+                      .arg(costs)
+                : DesignCard::tr("With the values entered, the best design for uncertain rock has %1 % more.")
+                      .arg(costs));
 }
 
 QString measureSentence(const DesignReport& report, const DesignUnits& units) {
@@ -185,12 +188,12 @@ QString worstSentence(const DesignReport& report, std::size_t a, const DesignUni
                           places.join(QStringLiteral(", "))};
     const std::size_t robust = *report.findings.best.robust;
     if (!report.study.choices.empty() && shownDesign(report) != robust)
-        return (aim.sense == Sense::largest ? DesignCard::tr("Least %1 found with %4: <b>%2</b>, at %3.")
+        return (aim.sense == Sense::largest ? DesignCard::tr("Smallest %1 found with %4: <b>%2</b>, at %3.")
                                             : DesignCard::tr("Largest %1 found with %4: <b>%2</b>, at %3."))
             .arg(words[0], words[1], words[2], units.designName(robust));
     return (aim.sense == Sense::largest
-                ? DesignCard::tr("Least %1 found of the robust best: <b>%2</b>, at %3.")
-                : DesignCard::tr("Largest %1 found of the robust best: <b>%2</b>, at %3."))
+                ? DesignCard::tr("Smallest %1 found for the best design: <b>%2</b>, at %3.")
+                : DesignCard::tr("Largest %1 found for the best design: <b>%2</b>, at %3."))
         .arg(words[0], words[1], words[2]);
 }
 
@@ -199,12 +202,12 @@ QString remarkText(const DesignRemark& remark) {
     if (remark.code == "flat_optimum") return {};  // said already
     if (remark.code == "energy_varies")
         return DesignCard::tr(
-            "The choices change the energy of the blow: machines of different power are "
-            "compared. “keep the energy” keeps it.");
+            "The choices change the blow energy: machines of different power are compared. “keep the energy” "
+            "holds it constant.");
     if (remark.code == "gamma_dominates")
         return DesignCard::tr(
-            "The scatter of the efficiency is nearly all that of γ; work of loading shows "
-            "what wave and machine can do.");
+            "Nearly all scatter of the efficiency comes from γ. To compare hammers, aim at the work of "
+            "loading.");
     return translated(withTitles(remark.text)).toHtmlEscaped();
 }
 
@@ -237,10 +240,11 @@ void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
     if (!report.study.choices.empty() && headlineOf(report) != DesignHeadline::noDifference) {
         if (!isToStay(report))
             paragraphs << loadLink(linkToDesign(shown), shown == *best.robust
-                                                            ? tr("Load the robust best")
+                                                            ? tr("Load the best design for uncertain rock")
                                                             : tr("Load %1").arg(units.designName(shown)));
         if (best.nominal && *best.nominal != shown)
-            paragraphs << loadLink(linkToDesign(*best.nominal), tr("Load the nominal best"));
+            paragraphs << loadLink(linkToDesign(*best.nominal),
+                                   tr("Load the best design for the values entered"));
     }
     if (const QString measure = measureSentence(report, units); !measure.isEmpty()) paragraphs << measure;
     for (std::size_t a = 0; a < report.findings.worst.size(); ++a)

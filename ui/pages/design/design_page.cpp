@@ -51,7 +51,7 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
     static_cast<QBoxLayout*>(layout())->insertWidget(0, questions);
     setLeastLines(plotLinesOfDesigns);
     m_plot = new DesignPlot(widget);
-    useFrame(*m_plot, tr("Designs over what is not known"));
+    useFrame(*m_plot, tr("Designs for uncertain inputs"));
     watch(m_study.job());
     m_study.job().setTimeLimit(
         std::chrono::milliseconds(0));  // it ends after its own seconds, with whole stages
@@ -70,17 +70,16 @@ DesignPage::DesignPage(Document& document, QWidget* parent)
 QWidget* DesignPage::makeQuestions() {
     auto* questions = new QWidget(this);
     m_uncertain =
-        new RangeRows(RangeUse::uncertain, tr("not known"), 1, mostUncertain, document().units(), this);
+        new RangeRows(RangeUse::uncertain, tr("uncertain"), 1, mostUncertain, document().units(), this);
     m_uncertain->setObjectName(QStringLiteral("uncertain"));
-    m_choices =
-        new RangeRows(RangeUse::chosen, tr("to be chosen"), 0, mostChoicesOfPage, document().units(), this);
+    m_choices = new RangeRows(RangeUse::chosen, tr("design variables"), 0, mostChoicesOfPage,
+                              document().units(), this);
     m_choices->setObjectName(QStringLiteral("choices"));
     m_aims = new AimRows(this);
     m_keepEnergy = new QCheckBox(tr("keep the energy"), this);
     m_keepEnergy->setObjectName(QStringLiteral("keepEnergy"));
     m_keepEnergy->setToolTip(
-        tr("The blow of every design is scaled to the energy of this one: by its impulse, "
-           "or by the velocity of the hammer"));
+        tr("Scales the blow of every design to the present blow energy, by impulse or hammer velocity"));
     m_keepEnergy->setChecked(true);
     m_samples = new ChoiceBox(this);
     m_samples->setObjectName(QStringLiteral("samples"));
@@ -286,12 +285,11 @@ void DesignPage::present() {
     if (!answer->hasBest()) {
         if (m_study.job().state() == StudyState::running) return;
         if (answer->secondsLeft)
-            return refuse(
-                tr("Nothing is solved yet: this study takes more than 10 s. The button Refine starts it."));
+            return refuse(tr("Not solved yet: this study takes more than 10 s. Press Refine to start it."));
         Message reason;
         for (const DesignSamples& design : answer->report.findings.designs)
             if (reason.isEmpty()) reason = design.reason;
-        return refuse(tr("Too many of the samples have no answer: %1").arg(translated(withTitles(reason))));
+        return refuse(tr("Too many samples could not be solved: %1").arg(translated(withTitles(reason))));
     }
     const ShownUnits units = shownUnitsOf(answer->report.study.base);
     if (answer != m_shown || !(units == m_shownUnits)) {

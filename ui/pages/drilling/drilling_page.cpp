@@ -73,22 +73,21 @@ QWidget* DrillingPage::makeScanControls() {
     m_scanButton = new QPushButton(tr("Scan"), controls);
     m_scanButton->setObjectName(QStringLiteral("scan"));
     m_scanButton->setToolTip(
-        tr("The statistics at values of this parameter, each from rest and from bouncing"));
+        tr("Statistics at values of this parameter, each started at rest and started bouncing"));
     connect(m_scanButton, &QPushButton::clicked, this, &DrillingPage::scan);
     m_bracket = new QCheckBox(tr("bracket"), controls);
     m_bracket->setObjectName(QStringLiteral("bracket"));
     m_bracket->setToolTip(
-        tr("Also under a constant force, and with a dashpot of half the impedance where there is a machine "
-           "mass: no maker publishes its damper"));
+        tr("Also with a constant feed force and, given a machine mass, with a dashpot of half the impedance: "
+           "makers do not publish their dampers"));
     row->addWidget(m_scanButton);
     row->addWidget(m_bracket);
     return controls;
 }
 
 QString DrillingPage::elsewhere() const {
-    return tr("Drilling is of scenarios in physical units, and this one is given by its dimensionless "
-              "groups: "
-              "it has no blow frequency and no thrust.") +
+    return tr("Drilling needs a scenario in physical units. This one has dimensionless groups, so it has no "
+              "blow frequency and no feed force.") +
            QLatin1Char(' ') + waysToPhysicalUnits();
 }
 
@@ -184,7 +183,7 @@ void DrillingPage::draw(const DrillingAnswer& answer) {
         m_table->present(*answer.result, document().units());
     else
         m_table->clearNumbers();
-    say(answer.result ? wordsOf(answer) : tr("Following the blows one after another …"));
+    say(answer.result ? wordsOf(answer) : tr("Solving the blows one after another …"));
     redraw();
 }
 
@@ -223,7 +222,7 @@ QString DrillingPage::wordsOf(const DrillingAnswer& answer) const {
                                numberText(result.groups.roundTrips, 4, locale()));
     if (result.statistics)
         numbers +=
-            tr("; in contact is within %1 of the rock; %2")
+            tr("; in contact means within %1 of the rock; %2")
                 .arg(QString::fromStdString(style.quantity(
                          contactLimit / lawUnitOfPenetration * result.units.length(), Quantity::length, 2)),
                      translated(regimeWords(result, style)));

@@ -63,7 +63,7 @@ MarchRects::Series MarchRects::addSeries(int column) {
     series.before = addPoints(series.rect);
     series.before->setLayer(ghostLayer(m_plot));
     series.now = addPoints(series.rect);
-    below(series.rect)->setLabel(tr("blow (shaded: used for statistics)"));
+    below(series.rect)->setLabel(tr("blow (shaded: counted)"));
     below(series.rect)->ticker()->setTickCount(fewTicksOfMarch);
     return series;
 }
@@ -88,7 +88,7 @@ void MarchRects::addMiddle() {
     right->setVisible(true);
     right->setTickLabels(true);
     right->ticker()->setTickCount(fewTicksOfMarch);
-    right->setLabel(tr("e of this gap"));
+    right->setLabel(tr("e at this gap"));
     m_cor = addCurve(below(m_partsRect), right);
     m_cor->setSelectable(QCP::stNone);
     m_returnPoints = addPoints(m_returnRect);
@@ -97,7 +97,7 @@ void MarchRects::addMiddle() {
     m_energy = new QCPBars(beside(m_energyRect), below(m_energyRect));
     m_energy->setSelectable(QCP::stNone);
     m_energy->setWidth(0.7);
-    below(m_energyRect)->setLabel(tr("of the energy [%]"));
+    below(m_energyRect)->setLabel(tr("share of the energy [%]"));
     for (QCPAxis* axis : {below(m_energyRect), beside(m_energyRect)})
         axis->grid()->setVisible(false);  // it would strike the numbers through
 }
@@ -128,7 +128,7 @@ void MarchRects::present(const MarchPicture& picture, const BlowPoints& before, 
     for (const QPointF& step : picture.lastReturns) path.append({double(path.size()), step.x(), step.y()});
     m_returns->data()->set(path, true);
     below(m_returnRect)
-        ->setLabel(units.length.axisLabel(tr("gap")) + tr("\na projection of more dimensions"));
+        ->setLabel(units.length.axisLabel(tr("gap")) + tr("\na projection from more dimensions"));
     beside(m_returnRect)->setLabel(units.length.axisLabel(tr("next gap")));
     showEnergy(picture);
 }

@@ -36,16 +36,16 @@ ScanRects::ScanRects(QCustomPlot& plot, QCPLegend& legend, QObject* parent)
     QCPAxis *left = m_rates->axis(QCPAxis::atLeft), *right = m_rates->axis(QCPAxis::atRight);
     right->setVisible(true);
     right->setTickLabels(true);
-    right->setLabel(tr("from contact [%]"));  // blows, as the legend has them
+    right->setLabel(tr("blows in contact [%]"));  // blows, as the legend has them
     right->ticker()->setTickCount(fewTicksOfScan);
     m_low = add(m_rates, left, {}, false);
     m_high = add(m_rates, left, {}, false);
     m_high->setChannelFillGraph(m_low);
-    m_share = add(m_rates, right, tr("blows from contact"), false);
+    m_share = add(m_rates, right, tr("blows in contact"), false);
     m_constantForce = add(m_rates, left, tr("constant force"), false);
     m_strongDamper = add(m_rates, left, tr("dashpot of half the impedance"), false);
     m_rate = add(m_rates, left, tr("penetration rate"), false);
-    m_other = add(m_rates, left, tr("begun bouncing"), true);
+    m_other = add(m_rates, left, tr("started bouncing"), true);
     m_dots = add(m_gaps, m_gaps->axis(QCPAxis::atLeft), {}, true);
     m_otherDots = add(m_gaps, m_gaps->axis(QCPAxis::atLeft), {}, true);
     for (QCPGraph* graph : {m_low, m_high, m_dots, m_otherDots}) graph->setSelectable(QCP::stNone);

@@ -125,8 +125,8 @@ QWidget* StringPage::makeBar() {
     m_allColumns->setText(tr("All columns"));
     m_allColumns->setCheckable(true);
     m_allColumns->setFocusPolicy(Qt::TabFocus);
-    m_allColumns->setToolTip(tr(
-        "Also cross-section, Young's modulus, density and strengths where no section has them of its own"));
+    m_allColumns->setToolTip(
+        tr("Also shows cross-section, Young's modulus, density and strengths that no section gives itself"));
     m_allColumns->setChecked(Settings().value(allColumnsKey, false).toBool());
     connect(m_allColumns, &QToolButton::toggled, this, [this](bool all) {
         Settings().setValue(allColumnsKey, all);

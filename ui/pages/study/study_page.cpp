@@ -42,12 +42,12 @@ PlotWidget* StudyPage::arrange(const QList<QWidget*>& controls, QWidget* beside)
     for (QWidget* control : controls) row->addWidget(control);
     auto* copy = new QPushButton(tr("Copy as command line"), this);
     copy->setObjectName(QStringLiteral("copyCommand"));
-    copy->setToolTip(tr("The command that writes the same numbers as CSV, for a terminal"));
+    copy->setToolTip(tr("Copies the command that writes the same numbers as CSV"));
     connect(copy, &QPushButton::clicked, this, &StudyPage::copyCommand);
     row->addWidget(copy);
     auto* copyAnswer = new QPushButton(tr("Copy answer"), this);
     copyAnswer->setObjectName(QStringLiteral("copyAnswer"));
-    copyAnswer->setToolTip(tr("The sentence below, as text"));
+    copyAnswer->setToolTip(tr("Copies the sentence below as text"));
     connect(copyAnswer, &QPushButton::clicked, this,
             [this] { QGuiApplication::clipboard()->setText(m_words->text()); });
     row->addWidget(copyAnswer);

@@ -239,7 +239,7 @@ DesignStudy studyOf(std::initializer_list<const char*> uncertain) {
 
 }  // namespace
 
-// Over a whole period, all gaps alike: the statistics of the curve, which is exact.
+// Over a whole period, all gaps equally likely: the statistics of the curve, which is exact.
 void TestDesignStudy::gapsAloneAreThoseOfTheGapStudy() {
     DesignStudy study = studyOf({"bit_rock.gap=0mm:1mm"});
     const Scales scales = scalesOf(study.base);

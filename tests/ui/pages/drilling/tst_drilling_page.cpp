@@ -122,7 +122,7 @@ void TestDrillingPage::blowsTableAndSentenceAreThoseOfTheStudy() {
     }
     QCOMPARE(march.parts()->dataCount(), 20);
     QVERIFY(march.cor()->dataCount() > 20);
-    // Where the energy went is all of what was given, but for the residual of the cells.
+    // Energy balance is all of what was given, but for the residual of the cells.
     double share = 0;
     for (const QCPBarsData& part : *march.energy()->data()) share += part.value;
     QVERIFY(std::abs(share - 100) < 1);

@@ -430,7 +430,7 @@ void TestThrustPage::aStringIsToldOfItsBlowAndRigidRock() {
         QVERIFY2(std::abs(QLocale().toDouble(shown) * 1000 / need.thrust - 1) < 1e-3, qPrintable(shown));
     }
     QCOMPARE(legendNames(), (QStringList{QStringLiteral("this blow"), QStringLiteral("rigid rock"),
-                                         QStringLiteral("installed thrust")}));
+                                         QStringLiteral("installed feed force")}));
     QVERIFY(!m_page->thrustPlot().textSummary().contains(QStringLiteral("95 %")));
 }
 
