@@ -69,7 +69,7 @@ bool isToStay(const DesignReport& report) {
     return headline == DesignHeadline::keep || headline == DesignHeadline::noDifference;
 }
 
-/// The heading of the card, of the design that it is about.
+/// Heading of the card: the design that it is about.
 QString designTitle(const DesignReport& report, const DesignUnits& units) {
     const std::size_t shown = shownDesign(report);
     if (report.study.choices.empty()) return DesignCard::tr("<b>This scenario</b>");
@@ -104,7 +104,8 @@ QString markLines(const DesignReport& report, const DesignUnits& units) {
             names << (names.size() < enough ? units.designName(d) : QStringLiteral("…"));
         }
         if (!names.isEmpty())
-            lines += QStringLiteral("<br>") + words.arg(names.join(QStringLiteral("; ")).toHtmlEscaped());
+            lines += (lines.isEmpty() ? QStringLiteral("<br>") : QStringLiteral(" · ")) +
+                     words.arg(names.join(QStringLiteral("; ")).toHtmlEscaped());
     }
     return lines;
 }
@@ -117,7 +118,7 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
     const std::size_t shown = shownDesign(report);
     QString text = designTitle(report, units);
     for (const DesignAim& aim : study.aims)
-        text += QStringLiteral("<br>%1 %2").arg(aimName(aim), valueText(report, aim, shown, units));
+        text += QStringLiteral(" · %1 %2").arg(aimName(aim), valueText(report, aim, shown, units));
     text += markLines(report, units);
     if (headlineOf(report) == DesignHeadline::noDifference) return text;
     if (!best.ties.empty() && !isToStay(report) && shown == *best.robust) {
@@ -126,7 +127,7 @@ QString bestSentences(const DesignAnswer& answer, const DesignUnits& units) {
         for (std::size_t i = 0; i < std::min(enough, best.ties.size()); ++i)
             names << units.designName(best.ties[i]);
         if (best.ties.size() > enough) names << QStringLiteral("…");
-        text += QStringLiteral("<p>") +
+        text += QStringLiteral("<br>") +
                 DesignCard::tr("The samples do not distinguish it from %1: any of them will do.")
                     .arg(names.join(QStringLiteral("; ")));
         if (best.nextBest)
@@ -222,6 +223,7 @@ DesignCard::DesignCard(QWidget* parent) : QTextBrowser(parent) {
     setFrameShape(QFrame::NoFrame);
     setAccessibleName(tr("Answer of the study"));
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    setVerticalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setWordWrapMode(QTextOption::WrapAtWordBoundaryOrAnywhere);
     viewport()->setAutoFillBackground(false);
     connect(this, &QTextBrowser::anchorClicked, this, &DesignCard::follow);
@@ -233,8 +235,6 @@ void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
     const LocalStyle style = units.style();
     const CardNames names(report.study, units, style);
     QStringList paragraphs;
-    if (const Message headline = headlineMessage(report, names); !headline.isEmpty())
-        paragraphs << QStringLiteral("<b>%1</b>").arg(translated(headline).toHtmlEscaped());
     paragraphs << bestSentences(answer, units);
     const std::size_t shown = shownDesign(report);
     if (!report.study.choices.empty() && headlineOf(report) != DesignHeadline::noDifference) {
@@ -257,9 +257,24 @@ void DesignCard::present(const DesignAnswer& answer, const DesignUnits& units) {
     paragraphs << (answer.isRefined()
                        ? tr("%1 samples of each design; errors are of 95 %.").arg(samples)
                        : tr("%1 samples so far, %2 to come.").arg(samples, QString::number(answer.wanted)));
-    QString html =
-        QStringLiteral("<p>") + paragraphs.join(QStringLiteral("</p><p>")) + QStringLiteral("</p>");
+    QString html = paragraphs.join(QStringLiteral("<br/>"));
     setHtml(html.replace(QLatin1String(" %"), QStringLiteral("\u00a0%")));  // "5 %" stays in one line
+    fitHeight();
+}
+
+QString DesignCard::headline(const DesignReport& report, const DesignUnits& units) {
+    return translated(headlineMessage(report, CardNames(report.study, units, units.style())));
+}
+
+void DesignCard::resizeEvent(QResizeEvent* event) {
+    QTextBrowser::resizeEvent(event);
+    fitHeight();
+}
+
+/// As high as the text, so that it needs no scroll bar.
+void DesignCard::fitHeight() {
+    const int height = static_cast<int>(std::ceil(document()->size().height())) + 2 * frameWidth();
+    if (height != maximumHeight()) setFixedHeight(height);
 }
 
 QUrl DesignCard::linkToDesign(std::uint64_t design) {

@@ -17,6 +17,7 @@
 #include "core/study/design/constant_energy.h"
 #include "core/study/design/design_texts.h"
 #include "ui/form/choice_box.h"
+#include "ui/form/section_box.h"
 #include "ui/pages/design/aim_rows.h"
 #include "ui/pages/design/design_card.h"
 #include "ui/pages/design/design_plot.h"
@@ -32,7 +33,6 @@ namespace {
 
 constexpr std::size_t mostChoicesOfPage = 2;
 constexpr int samplesOffered[] = {256, 1024, 4096, 16384, 65536};
-constexpr int cardCharacters = 16;
 constexpr int plotLinesOfDesigns = 30;   // two rows of axes, legend and readout
 constexpr int plotLinesBesideBars = 22;  // the same without the inside of the row below
 
@@ -40,15 +40,16 @@ constexpr int plotLinesBesideBars = 22;  // the same without the inside of the r
 
 DesignPage::DesignPage(Document& document, QWidget* parent)
     : StudyPage(document, parent), m_card(new DesignCard), m_study(answerDesign) {
-    m_card->setMinimumWidth(fontMetrics().averageCharWidth() * cardCharacters);
     QWidget* questions = makeQuestions();
     m_refine = new QPushButton(this);
     m_refine->setObjectName(QStringLiteral("refine"));
     m_refine->setToolTip(tr("Solve all samples of this study; the time is an estimate"));
     m_refine->hide();
     connect(m_refine, &QPushButton::clicked, this, &DesignPage::refine);
-    PlotWidget* widget = arrange({m_keepEnergy, labelled(tr("samples"), m_samples, this), m_refine}, m_card);
-    static_cast<QBoxLayout*>(layout())->insertWidget(0, questions);
+    PlotWidget* widget = arrange({questions, m_keepEnergy, labelled(tr("samples"), m_samples, this)});
+    settingsBox().rememberAs(QStringLiteral("design/settings"), SectionBox::Begin::folded);
+    addAbove(m_card, PartOf::answer);
+    addAbove(m_refine, PartOf::question);
     setLeastLines(plotLinesOfDesigns);
     m_plot = new DesignPlot(widget);
     useFrame(*m_plot, tr("Designs for uncertain inputs"));
@@ -298,8 +299,9 @@ void DesignPage::present() {
         draw(*answer);
     }
     const QString problem = inputProblem();
-    say(problem.isEmpty() ? m_sentence
-                          : tr("⚠ %1\nThe page shows the answer for the value before.").arg(problem));
+    say(problem.isEmpty() ? m_headline
+                          : tr("⚠ %1\nThe page shows the answer for the value before.").arg(problem),
+        m_sentence);
     showHere();
     showRuns();
 }
@@ -329,10 +331,11 @@ void DesignPage::draw(const DesignAnswer& answer) {
     plot()->reader().setUsual(picture.map ? nullptr : m_plot->graphs()[picture.marked]);
     if (m_plot->isMap() != wasMap) plot()->keyPoint().offer(m_plot->keyPlaces());
     m_card->present(answer, units);
+    m_headline = DesignCard::headline(answer.report, units);
     QStringList aims;
     for (const DesignAim& aim : answer.report.study.aims) aims << aimWords(aim);
     m_sentence =
-        aims.join(QStringLiteral(" · ")) + QLatin1Char('\n') +
+        aims.join(QStringLiteral(" · ")) + QStringLiteral(" · ") +
         (answer.isRefined()   ? tr("%1 samples of each design").arg(answer.wanted)
          : answer.secondsLeft ? tr("%1 samples of each design so far").arg(answer.report.study.samples)
                               : tr("%1 samples of each design so far, refined to %2")

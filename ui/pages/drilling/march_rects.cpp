@@ -33,14 +33,12 @@ void setPoints(QCPGraph& graph, const QVector<QPointF>& points) {
 }  // namespace
 
 MarchRects::MarchRects(QCustomPlot& plot, QObject* parent)
-    : QObject(parent), m_plot(plot), m_above(new QCPLayoutGrid), m_middle(new QCPLayoutGrid) {
-    for (QCPLayoutGrid* grid : {m_above, m_middle}) {
-        grid->setColumnSpacing(6);
-        plot.plotLayout()->addElement(grid);
-    }
-    m_gaps = addSeries(0);
-    m_penetrations = addSeries(1);
-    addMiddle();
+    : QObject(parent), m_plot(plot), m_details(new QCPLayoutGrid) {
+    m_details->setColumnSpacing(6);
+    plot.plotLayout()->addElement(m_details);
+    m_gaps = addSeries();
+    m_penetrations = addSeries();
+    addDetails();
     m_runs = new RunMarks(&plot, below(m_penetrations.rect), beside(m_penetrations.rect));
 }
 
@@ -51,11 +49,11 @@ QCPGraph* MarchRects::addPoints(QCPAxisRect* rect) {
     return graph;
 }
 
-MarchRects::Series MarchRects::addSeries(int column) {
+MarchRects::Series MarchRects::addSeries() {
     Series series{};
     series.rect = newAxisRect(m_plot, Sides::linked);
     series.rect->setMinimumMargins(QMargins(4, 6, 10, 4));
-    m_above->addElement(0, column, series.rect);
+    m_plot.plotLayout()->addElement(series.rect);
     series.settled = addItem<QCPItemRect>(series.rect, QStringLiteral("grid"));
     for (QCPItemPosition* corner : {series.settled->topLeft, series.settled->bottomRight})
         corner->setTypeY(QCPItemPosition::ptAxisRectRatio);
@@ -68,7 +66,7 @@ MarchRects::Series MarchRects::addSeries(int column) {
     return series;
 }
 
-void MarchRects::addMiddle() {
+void MarchRects::addDetails() {
     m_partsRect = newAxisRect(m_plot, Sides::free);
     m_returnRect = newAxisRect(m_plot, Sides::linked);
     m_energyRect = newAxisRect(m_plot, Sides::linked);
@@ -77,7 +75,7 @@ void MarchRects::addMiddle() {
     for (QCPAxisRect* rect : {m_partsRect, m_returnRect, m_energyRect}) {
         rect->setMinimumMargins(QMargins(4, 6, 10, 4));
         rect->setMarginGroup(QCP::msBottom, bottoms);
-        m_middle->addElement(0, column++, rect);
+        m_details->addElement(0, column++, rect);
         below(rect)->ticker()->setTickCount(fewestTicksOfMarch);
     }
     m_parts = new QCPBars(below(m_partsRect), beside(m_partsRect));

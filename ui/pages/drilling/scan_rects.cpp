@@ -11,27 +11,17 @@ namespace drillwave {
 namespace {
 
 constexpr double roomAboveScan = 0.16;  // the marks have their words there
-constexpr double noStretchOfLegend = 1e-3;
 constexpr int fewTicksOfScan = 4;
 
 }  // namespace
 
 ScanRects::ScanRects(QCustomPlot& plot, QCPLegend& legend, QObject* parent)
-    : QObject(parent), m_plot(plot), m_legend(legend), m_grid(new QCPLayoutGrid) {
-    plot.plotLayout()->addElement(m_grid);
-    m_grid->setRowSpacing(0);
-    m_grid->addElement(0, 0, &legend);
-    if (!legend.layer()) legend.setLayer(QStringLiteral("legend"));
-    m_grid->setRowStretchFactor(0, noStretchOfLegend);
-    auto* rects = new QCPLayoutGrid;
-    rects->setColumnSpacing(6);
-    m_grid->addElement(1, 0, rects);
+    : QObject(parent), m_plot(plot), m_legend(legend) {
     m_rates = newAxisRect(plot, Sides::free);
     m_gaps = newAxisRect(plot, Sides::linked);
-    int column = 0;
     for (QCPAxisRect* rect : {m_rates, m_gaps}) {
         rect->setMinimumMargins(QMargins(4, 4, 10, 4));
-        rects->addElement(0, column++, rect);
+        plot.plotLayout()->addElement(rect);
     }
     QCPAxis *left = m_rates->axis(QCPAxis::atLeft), *right = m_rates->axis(QCPAxis::atRight);
     right->setVisible(true);

@@ -203,7 +203,7 @@ void MapPage::draw() {
 }
 
 void MapPage::speak() {
-    say(m_plot->textSummary() + QLatin1Char('\n') + (m_readout.isEmpty() ? hereText() : m_readout));
+    say(m_plot->textSummary(), m_readout.isEmpty() ? hereText() : m_readout);
 }
 
 // The blow of the crosshair, solved on its own.

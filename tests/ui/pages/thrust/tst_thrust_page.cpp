@@ -12,6 +12,7 @@
 #include "core/report/thrust_report.h"
 #include "core/study/thrust/thrust_study.h"
 #include "core/yaml/examples.h"
+#include "tests/support/page_words.h"
 #include "tests/support/program.h"
 #include "tests/support/window.h"
 #include "ui/form/quantity_field.h"
@@ -67,7 +68,7 @@ class TestThrustPage : public QObject {
     QStringList legendNames() const;
     void showPage();
     bool isAnswered() const;
-    QString words() const { return m_page->findChild<QLabel*>(QStringLiteral("words"))->text(); }
+    QString words() const { return pageWords(*m_page); }
     QString wordsOf(const ThrustStudy& study) const;
     QPointF feedPixel() const;
     void drag(QPointF from, double pixels) const;
