@@ -17,7 +17,7 @@
 #include "ui/result/alert_list.h"
 #include "ui/result/event_table.h"
 #include "ui/result/feed_text.h"
-#include "ui/result/output_text.h"
+#include "ui/job/output_text.h"
 #include "ui/result/result_row.h"
 #include "ui/text/lightness.h"
 #include "ui/text/number_text.h"

@@ -15,7 +15,7 @@
 #include "core/model/blow_traits.h"
 #include "ui/form/section_box.h"
 #include "ui/result/feed_text.h"
-#include "ui/result/output_text.h"
+#include "ui/job/output_text.h"
 #include "ui/runs/difference_text.h"
 #include "ui/text/lightness.h"
 #include "ui/text/number_text.h"

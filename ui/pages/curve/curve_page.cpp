@@ -19,7 +19,7 @@
 #include "ui/pages/study/labelled_control.h"
 #include "ui/pages/study/output_box.h"
 #include "ui/plot/plot_widget.h"
-#include "ui/result/output_text.h"
+#include "ui/job/output_text.h"
 #include "ui/text/shown_text.h"
 #include "ui/text/typed_quantity.h"
 #include "ui/text/unfocused_wheel.h"
