@@ -86,9 +86,8 @@ ChoiceBox* RunPanel::makeChoice() {
     box->setObjectName(QStringLiteral("runOutput"));
     box->setAccessibleName(tr("Result shown of each run"));
     box->setToolTip(box->accessibleName());
-    for (const std::string_view name : listedOutputs)
-        box->addItem(coreText(findOutput(name)->label()),
-                     QString::fromUtf8(name.data(), qsizetype(name.size())));
+    for (const std::string_view listed : listedOutputs)
+        box->addItem(coreText(findOutput(listed)->label()), fromView(listed));
     box->setCurrentIndex(std::max(0, box->findData(Settings().value(outputSetting))));
     connect(box, &QComboBox::currentIndexChanged, this, [this] {
         Settings().setValue(outputSetting, m_output->currentData());
