@@ -26,7 +26,7 @@ void solveTimed(Blow& blow, Detail detail, const std::stop_token& stop, MethodSo
     blow.runTime = std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Whether the numbers are any: says why not in place of the result.
+/// Returns whether all numbers are finite; otherwise replaces the result by the reason.
 bool holdsNumbers(Blow& blow, Detail detail) {
     Message problem = overflowProblem({blow.summary, blow.scenario}, blow.scales, detail);
     if (problem.isEmpty()) return true;
@@ -36,7 +36,7 @@ bool holdsNumbers(Blow& blow, Detail detail) {
     return false;
 }
 
-/// What follows from the solution, whose numbers are in the summary.
+/// Derives feed, forces and alerts from the solution, whose numbers are in the summary.
 void conclude(Blow& blow, Detail detail) {
     if (!holdsNumbers(blow, detail)) return;
     blow.feed =

@@ -39,16 +39,16 @@ struct Blow {
     /// The feed that it requires; nothing where thrustProblem() says why. The cases of all gaps are known
     /// where a study of them was made: core/study/thrust.
     std::optional<FeedEstimate> feed;
-    std::vector<Alert> alerts;  ///< of the scenario and, behind them, of the result
-    double runTime = 0;         ///< of the solve alone [s]
-    /// There of a blow of many: then `summary` has what its pages draw and no rebound, and there is no feed.
+    std::vector<Alert> alerts;  ///< of the scenario, followed by those of the result
+    double runTime = 0;         ///< of the solver only [s]
+    /// Start of a blow of many: `summary` then has only what its pages draw, without rebound; no `feed`.
     std::optional<MarchedStart> marched = {};
 
     bool isSolved() const { return impact.isSolved(); }
-    bool isOfString() const { return isString(scenario); }  ///< and so solved on polynomial cells
-    /// What shares of energy are of [W0]: the energy of a hammer that is followed, or the work of the force.
+    bool isOfString() const { return isString(scenario); }  ///< solved on polynomial cells
+    /// Returns the energy that energy shares refer to [W0]: of the followed hammer, or the work of the force.
     double drivenEnergy() const { return drillwave::drivenEnergy(summary, scenario); }
-    /// Effective feed force over the largest of the four needs, less 1, where it and they are known.
+    /// Returns the effective feed force over the largest of the four required, less 1; nullopt if unknown.
     std::optional<double> thrustMargin() const { return feed ? feed->margin() : std::nullopt; }
 };
 

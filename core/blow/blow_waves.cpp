@@ -15,10 +15,10 @@ namespace drillwave {
 
 namespace {
 
-/// Of forces in F0 and velocities in v0: what is less is no jump, and no bend.
+/// Smallest change that counts as a jump or bend, in forces [F0] and velocities [v0].
 constexpr double negligible = 1e-4;
 
-/// How far two instants are apart in what may jump.
+/// Returns the largest difference of two instants in the quantities that may jump.
 double distance(const RodState& a, const RodState& b) {
     return std::max({std::abs(a.impactForce - b.impactForce), std::abs(a.faceForce - b.faceForce),
                      std::abs(a.positiveWave - b.positiveWave), std::abs(a.negativeWave - b.negativeWave),
@@ -219,7 +219,7 @@ std::vector<FrontRun> BlowWaves::frontRuns(double start, double begin, double en
 
 std::vector<ContactInterval> BlowWaves::contacts() const {
     std::vector<ContactInterval> contacts = contactIntervals(m_blow->impact);
-    // Of a string that was not followed to the separation that time is of an earlier contact, or none.
+    // For a string not followed to that separation, the time is that of an earlier contact, or none.
     const bool isOpen = !contacts.empty() && !(contacts.back().end >= contacts.back().begin);
     if (m_string && isOpen) contacts.back().end = end();
     return contacts;

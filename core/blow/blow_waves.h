@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a blow does over place and time, be it on a rod or on a drill string.
+// Waves and motions of a blow over place and time, on a rod or a drill string.
 #pragma once
 
 #include <optional>
@@ -63,41 +63,41 @@ class StringHistory {
 /// shank: the hammer is below 0, the bit at 1.
 std::vector<double> sectionJoints(const DrillString& drillString);
 
-/// The one look at the waves of rods and strings for pictures of them. Places x/L, 0 at the struck end (of a
-/// string at the shank, the hammer is below it) and 1 at the bit; times in t0, forces in F0, velocities in
-/// F0/Z, lengths in d0. Of a rod known at all times, of a string to its end; NaN beyond.
+/// Access to the waves of rods and strings for pictures. Places x/L are 0 at the struck end (the shank of a
+/// string; the hammer is below 0) and 1 at the bit; times in t0, forces in F0, velocities in F0/Z, lengths
+/// in d0. A rod is known at all times; a string until end(), later values are NaN.
 class BlowWaves {
   public:
-    /// Of a blow with its histories (Impact::hasHistories()), which must outlive it.
+    /// Requires a blow with histories (Impact::hasHistories()), which must outlive this object.
     explicit BlowWaves(const Blow& blow);
 
-    /// Where what is looked at begins: 0, or the rear of the hammer.
+    /// Returns the place where the picture begins: 0, or the rear end of the hammer.
     double rear() const { return m_string ? m_string->rear() : 0; }
-    /// Until when all is known; infinite for a rod.
+    /// Returns the time until which everything is known; infinite for a rod.
     double end() const;
     WaveRaster raster(WaveQuantity quantity, const RasterGrid& grid) const;
     double value(WaveQuantity quantity, double x, double t) const;
-    /// Of a string at end() where t is later; units of impulse and momentum as in its results.
+    /// Returns the state of a string at end() for later t; impulse and momentum in units of the results.
     RodState state(double x, double t) const;
-    /// Over all the time that was recorded, a time twice where something jumps: of a string at a place of it,
-    /// of a rod at the bit as sampledStates().
+    /// Returns the states over the recorded time, twice where something jumps: at a place of a string,
+    /// or at the bit of a rod as sampledStates().
     std::vector<RodState> sampled(const StringPlace& place) const;
 
-    /// From the first touch of hammer and string, or the beginning of the pulse, to a round trip after bit
-    /// and rock last part; not more than a dozen round trips.
+    /// Returns the span from the first touch of hammer and string, or the start of the pulse, to a round trip
+    /// after the last separation of bit and rock; at most a dozen round trips.
     TimeSpan interesting() const;
     /// When the first wave reaches the bit, and how long one takes from there to the struck end and back.
     double arrival() const;
     double roundTrip() const;
-    /// Times at which fronts start at the struck end; the way of one of them between two times.
+    /// Returns the times at which fronts start at the struck end; frontRuns() follows one between two times.
     std::vector<double> fronts() const;
     std::vector<FrontRun> frontRuns(double start, double begin, double end) const;
 
-    /// When bit and rock touch, in order; a contact that was not followed to its end lasts to end().
+    /// Returns the contacts of bit and rock, in order; one that was not followed to its end lasts to end().
     std::vector<ContactInterval> contacts() const;
-    /// Likewise hammer and string; nothing for a rod.
+    /// Returns the contacts of hammer and string, in the same way; none for a rod.
     std::vector<ContactInterval> faceContacts() const;
-    /// Of the bit; `contacts` as above.
+    /// Returns the state of the bit; `contacts` as returned by contacts().
     BitState bit(const std::vector<ContactInterval>& contacts, double t) const;
     double impactForce(double t) const;
 

@@ -11,10 +11,10 @@
 
 namespace drillwave {
 
-// What many blows under a feed come to (drilling §5): of what the outputs `drill_…` are taken.
+// Results of many blows under a feed (drilling §5), from which the outputs `drill_…` are taken.
 
-/// Gaps and penetrations are multiples of d0, impulses of I0, forces of F0. Nothing where there is no number:
-/// no statistics of a machine that is pushed back, and nothing that was not asked for.
+/// Gaps and penetrations are multiples of d0, impulses of I0, forces of F0. Empty where there is no number:
+/// no statistics of a machine that is pushed back, and no numbers that were not requested.
 struct DrillNumbers {
     using Number = std::optional<double>;
     Number gapMean, gapDeviation, gap05, gap50, gap95;  ///< at the blow; ≥ 0
@@ -45,21 +45,21 @@ struct DrillWishes {
 /// says nothing of either.
 inline constexpr long scanBlows = 300, scanSettle = 100;
 
-/// How many blows are followed, and how many at first no statistic counts.
+/// Number of blows that are followed, and of transient blows at the start that are excluded from statistics.
 struct DrillLength {
     long blows = scanBlows;
     long settle = scanSettle;
 };
 
-/// Of a study of many values: what the scenario says; a fifth of the blows settle where it says nothing of
-/// that alone.
+/// Returns the length for studies of many values, as the scenario sets it. By default a fifth of the blows is
+/// excluded as transient.
 DrillLength scanLengthOf(const Scenario& scenario);
 
-/// Why a valid scenario cannot be drilled with, each with its key: "drill.thrust: is missing …". Empty where
-/// it can.
+/// Returns why a valid scenario cannot be drilled with, each with its key: "drill.thrust: is missing …".
+/// Empty if it can be.
 std::vector<Message> drillProblems(const Scenario& scenario, const DrillLength& length);
 
-/// All of them in a line, of a study of many values.
+/// Returns the problems of a study of many values, in one line.
 Message drillProblem(const Scenario& scenario);
 
 }  // namespace drillwave

@@ -16,12 +16,12 @@ namespace {
 
 constexpr double standardGravity = 9.80665;  // [m/s²]
 
-/// Of degrees, exact where the hole is level or plumb.
+/// Returns the sine of an angle in degrees, exact where the hole is level or plumb.
 double sineOf(double degrees) {
     return std::abs(degrees) == 90 ? std::copysign(1.0, degrees) : std::sin(degrees * std::numbers::pi / 180);
 }
 
-/// Forces that differ by less are the same: a weight that is added and taken off again leaves so much.
+/// Relative difference of equal forces: adding and removing a weight leaves an error of this size.
 constexpr double rounding = 1e-12;
 
 ThrustNeed needOf(const Scenario& scenario, const Estimate& cor, double transferred) {

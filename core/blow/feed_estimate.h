@@ -16,7 +16,7 @@
 
 namespace drillwave {
 
-// What the thrust is wanted for.
+// Cases for which the required feed force is estimated.
 
 /// From the case at hand to the worst.
 enum class ThrustCase {
@@ -48,36 +48,35 @@ struct FeedForce {
     bool operator==(const FeedForce&) const = default;
 
     double effective() const { return thrust + weight.value_or(0); }  ///< F [N]
-    /// How much more it is than a thrust that is needed [N], over that.
+    /// Returns the excess over a required feed force [N], as a share of the required force.
     double marginOver(double needed) const { return effective() / needed - 1; }
 };
 
 /// nullopt where no thrust is installed.
 std::optional<FeedForce> feedForceOf(const Scenario& scenario);
 
-/// (machine mass + rod mass) g sin(inclination) [N]; nullopt without units or an inclination. Without a
-/// machine mass it is the weight of the rod alone.
+/// Returns (machine mass + rod mass) g sin(inclination) [N]; nullopt without units or an inclination. A
+/// missing machine mass counts as 0.
 std::optional<double> weightAlongHole(const Scenario& scenario);
 
 // The feed force that blows need for full penetration.
 
-/// Mean thrust f·I0·(1 + e) [N] (T34) [paper (9)]: the impulse that the rock gives back with every blow that
-/// begins at rest on the rock. Of a drill string (strings §7) I0 is what its hammer hands on, `transferred`
-/// of its momentum (ImpactSummary::transferred), and a string that still moves to the rock counts as e = 0.
-/// nullopt where thrustProblem() says why.
+/// Returns the mean feed force f·I0·(1 + e) [N] (T34) [paper (9)]: the impulse that the rock returns with
+/// every blow that starts at rest on the rock. For drill strings (strings §7) I0 is what the hammer
+/// transfers, `transferred` of its momentum (ImpactSummary::transferred); a string still moving to the rock
+/// counts as e = 0. nullopt where thrustProblem() says why.
 std::optional<double> thrustNeeded(const Scenario& scenario, double cor, double transferred = 1);
 
-/// Why there is no thrust for a scenario and what to do; empty when there is one.
+/// Returns why a scenario has no required feed force, and what to do; empty if it has one.
 Message thrustProblem(const Scenario& scenario);
 
-/// Why there is no margin of the installed thrust, likewise.
+/// Returns why a scenario has no margin of the installed feed force, and what to do; empty if it has one.
 Message thrustMarginProblem(const Scenario& scenario);
 
-/// Why there is nothing per time for a scenario, `what` being "the feed force" or the like; empty when there
-/// is.
+/// Returns why a scenario has no blow frequency; `what` needs it ("the thrust" or the like). Empty if it has.
 Message frequencyProblem(const Scenario& scenario, const char* what);
 
-// What a rod does between blows if nothing damps its rebound.
+// Motion of a rod between blows without damping of its rebound.
 
 /// The steady motion of a rigid rod that is struck f times a second, is pressed by a constant force and
 /// rebounds with e (theory §10).

@@ -10,7 +10,7 @@ namespace drillwave {
 
 namespace {
 
-/// What a hammer that is followed takes back.
+/// Adds the rebound and the waves of a followed hammer.
 void addHammer(ImpactSummary& summary, const Impact& impact, const Problem& problem) {
     const double mass = impact.hammerImpulse / problem.velocity();
     const double back = -impact.hammerMomentum / mass;
@@ -61,7 +61,7 @@ ImpactSummary summarize(const Impact& impact, const Problem& problem) {
                           .corError = impact.corError,
                           .growth = impact.growth,
                           .contacts = impact.contacts};
-    // of a hammer what it has handed on [paper (2)]
+    // for a hammer, the share that it has transferred [paper (2)]
     summary.workRatio = problem.isForced() ? work * 2 * problem.mass()
                                            : 1 - impact.hammerEnergy / work - impact.faceEnergy / work;
     summary.transferred = impact.faceImpulse / given;

@@ -25,7 +25,7 @@ struct EnergyLedger {
     bool operator==(const EnergyLedger&) const = default;
 };
 
-/// Of an impact solved with Detail::ledger or more.
+/// Requires an impact solved with Detail::ledger or more.
 EnergyLedger ledgerOf(const Impact& impact, const Problem& problem);
 
 /// Everything of files §4, dimensionless.
@@ -47,18 +47,18 @@ struct ImpactSummary {
     std::optional<int> forcePeaks = {};       ///< forcePeaks(), where the histories were kept
     std::optional<RodForces> rodForces = {};  ///< [F0] of a uniform rod, where they were asked for
 
-    double transferred = 1;      ///< what the drive hands on to rod or string [I0; p0]
+    double transferred = 1;      ///< momentum that the drive transfers to rod or string [I0; p0]
     double loadingWork = 0;      ///< A(Fm), work on the rock up to the largest force, of the hammer work
     double efficiencyError = 0;  ///< stated error of energy.rockWork, where cells give it
     double stressError = 0;      ///< stated error of the largest stresses of a string, as a share of them
 
-    // Energies in W, or in E0 of a hammer that is followed; momenta likewise
+    // Energies in W, or in E0 of a followed hammer; momenta in I0, or in p0 of a followed hammer
     double stringMomentum = 0;                  ///< towards the rock
     double stringEnergy = 0;                    ///< of string or rod
     double jointLoss = 0;                       ///< energy lost in joints
     double rodLoss = 0;                         ///< energy lost on the way through sections
     double hammerReboundVelocity = 0;           ///< of a followed hammer, away from the rock [v0]
-    double hammerReboundEnergy = 0;             ///< of that
+    double hammerReboundEnergy = 0;             ///< energy of that motion
     double hammerWaveEnergy = 0;                ///< of waves left in the hammer
     double faceEnergy = 0;                      ///< in the stiffness of the faces
     double faceSeparationTime = Impact::never;  ///< when hammer and string first part [t0]
@@ -69,13 +69,13 @@ struct ImpactSummary {
     OfLoads<std::optional<double>> largest = {};
 
     double efficiencyRecovered() const { return energy.rockWork + hammerReboundEnergy; }
-    /// Those of a uniform rod.
+    /// Sets the forces of a uniform rod.
     void setForces(const RodForces& forces);
 };
 
-/// Of an impact solved with Detail::ledger or more. From one of less detail what that asks for means
-/// something; the rest is not a number or zero. From Detail::cor only `cor`, `impulse` and `corError` mean
-/// anything.
+/// Summarises an impact solved with Detail::ledger or more. With less detail only the numbers of that
+/// detail mean anything; the rest is NaN or zero. With Detail::cor these are `cor`, `impulse` and
+/// `corError`.
 ImpactSummary summarize(const Impact& impact, const Problem& problem);
 
 /// Returns the energy that shares of energy refer to [W0]: the energy of a hammer that is followed, or the

@@ -27,17 +27,17 @@ enum class Method {
 /// "closed_form" and so on, as on the command line.
 std::string_view name(Method method);
 std::optional<Method> findMethod(std::string_view name);
-/// The name in a sentence, in English as it is asked for.
+/// Returns the name as used in a sentence, as a message in English.
 Message nameMessage(Method method);
-/// All names, in the order of Method.
+/// Returns all names, in the order of Method.
 std::span<const std::string_view> methodNames();
-/// Why a name is that of no method: "must be exact, lattice or closed_form"; empty when it is.
+/// Returns why no method has that name: "must be exact, lattice or closed_form"; empty if one has.
 Message methodProblem(std::string_view name);
-/// What results of drill strings say, which have one method.
+/// Name of the only method for drill strings, as written into results.
 inline constexpr std::string_view methodOfStrings = "polynomial_cells";
 
-/// The segments of a lattice from text; nothing where they are no whole number that is permitted, for which
-/// segmentsProblem() is the reason.
+/// Returns the segments of a lattice read from text; nothing if they are no permitted whole number, for which
+/// segmentsProblem() gives the reason.
 std::optional<int> segmentsIn(std::string_view text);
 Message segmentsProblem();
 
@@ -53,16 +53,16 @@ Message methodMessage(const MethodChoice& choice);
 /// The same in English, as files have it.
 std::string describe(const MethodChoice& choice);
 
-/// Why a method says nothing about a blow that others can solve; empty when it does.
+/// Returns why a method cannot solve a blow that others can; empty if it can.
 Message methodRefusal(Method method, const Problem& problem);
 
 /// A wave piece of the exact solver is worth so many cells of a string.
 inline constexpr long cellsOfPiece = 30;
 
-/// What one blow may take; more, and it is not solved.
+/// Limits of the work of one blow; a blow that needs more is not solved.
 struct WorkLimits {
-    long pieces = defaultWorkLimit;  ///< of wave, of the exact solver
-    long cells = mostNetworkCells;   ///< of a string
+    long pieces = defaultWorkLimit;  ///< wave pieces of the exact solver
+    long cells = mostNetworkCells;   ///< cells of a string
 };
 
 /// Solves one blow after another by any method, keeping the workspace. One solver per thread.
@@ -76,10 +76,10 @@ class MethodSolver {
     Impact solve(const Problem& problem, Detail detail, const MethodChoice& choice = {},
                  const std::stop_token& stop = {});
 
-    /// The exact solver from now on: as ExactSolver::leaveOutLedger().
+    /// Applies ExactSolver::leaveOutLedger() to the exact solver from now on.
     void leaveOutLedger() { m_exact.leaveOutLedger(); }
 
-    /// Of drill strings, which have one method. The cells that are permitted are those of the limits.
+    /// Solves drill strings, which have only one method. The allowed number of cells is that of the limits.
     ChainSolution solveString(const Scenario& scenario, NetworkSettings settings,
                               const std::stop_token& stop = {});
     long mostCells() const { return m_mostCells; }

@@ -35,7 +35,7 @@ Number number(const From& from) {
     return from.summary.*member;
 }
 
-/// Of a scenario that is none of them.
+/// Returns why an output is not defined for a scenario that is none of `which`.
 Message whyNone(OutputOf which, const Scenario& scenario) {
     if (which == OutputOf::uniformRod) return translatable("only for uniform rods (`drillwave: 1`)");
     if (!concerns(OutputOf::drillString, scenario))
@@ -55,7 +55,7 @@ Message whyNoRate(const Scenario& scenario) {
 
 constexpr std::string_view thrustMarginName = "thrust_margin";
 
-/// Of all names of drillOutputs().
+/// Prefix of all names of drillOutputs().
 constexpr std::string_view drillPrefix = "drill_";
 
 constexpr auto outputTable = std::to_array<Output>({

@@ -17,32 +17,32 @@
 
 namespace drillwave {
 
-/// What an output is a multiple of, and so how it reads.
+/// Reference quantity of an output, which decides how it is shown.
 enum class Measure {
     number,       ///< a plain number
     error,        ///< a number of which only the size matters
     work,         ///< W0: a plain number in SI, too
     share,        ///< W, the work of the hammer: a plain number in SI, too
-    energy,       ///< such a share; in SI J
+    energy,       ///< such a share; in SI [J]
     time,         ///< t0
     impulse,      ///< I0
     force,        ///< F0
     penetration,  ///< d0
     stress,       ///< F0/A
     velocity,     ///< v0
-    newton,       ///< N: there is no dimensionless number, nor for those that follow
-    watt,         ///< W
-    speed,        ///< m/s
+    newton,       ///< [N]: neither this nor those below have a dimensionless number
+    watt,         ///< [W]
+    speed,        ///< [m/s]
 };
 
-/// Under which heading the window lists an output.
+/// Heading under which the window lists an output.
 enum class OutputGroup { none, work, share, penetration, rebound, stress, contact };
 
-/// Of which blows an output is a number at all, be it given or not.
+/// Blows for which an output is defined, whether its value is known or not.
 enum class OutputOf { anyBlow, uniformRod, drillString, hammer, elasticFaces };
 bool concerns(OutputOf which, const Scenario& scenario);
 
-/// Where the work of the hammer goes, in the order of a bar; of a hammer that is followed, its energy.
+/// Destinations of the work of the hammer, in the order of a bar; of the energy of a followed hammer.
 enum class EnergyPart {
     rock,
     rebound,
@@ -51,7 +51,7 @@ enum class EnergyPart {
     losses,  ///< of a drill string: in joints, on the way, and between the faces
 };
 
-/// What outputs are taken from: parts of a Blow.
+/// Sources of outputs: parts of a Blow.
 struct OutputSource {
     const ImpactSummary& summary;
     const Scenario& scenario;
@@ -65,7 +65,7 @@ struct Output {
     std::string_view meaning;  ///< one line
     Measure measure;
     Detail detail;  ///< what the solver must be asked for
-    /// Of what the output is of; without the waves nothing.
+    /// Returns the value in units of `measure`; nullopt without the waves or where problem() says why.
     std::optional<double> (*number)(const OutputSource&);
     std::string_view title;  ///< in reports: "peak force"
     OutputOf of = OutputOf::anyBlow;
@@ -73,7 +73,7 @@ struct Output {
     std::string_view note = {};           ///< in the window, what it is in a sentence without its end
     std::optional<EnergyPart> part = {};  ///< what it belongs to, or is
     std::optional<Load> load = {};        ///< which one, where it is a largest force in the rod
-    /// problem(), for what not every blow of those has.
+    /// Returns why a scenario for which the output is defined has no value; nullptr if every one has a value.
     Message (*lack)(const Scenario&) = nullptr;
     std::string_view shortTitle = {};  ///< in the window, where it is another one
     int order = 0;                     ///< of its group: what stays before what is largest for a moment
@@ -104,27 +104,27 @@ struct Output {
 /// All outputs of one blow, in the order of files §4.
 std::span<const Output> outputs();
 
-/// Those of many blows under a feed, `drill_…`: the rows of the table that come behind. Each case takes a
-/// march, so that they are computed only where they are asked for by name.
+/// Returns the outputs of many blows under a feed, `drill_…`: the rows of the table after those of one blow.
+/// Each case takes a march, so they are computed only when requested by name.
 std::span<const Output> drillOutputs();
 
-/// What is to be marched for some of them.
+/// Returns what an output of drillOutputs() requires to be computed.
 DrillWishes drillWishesOf(const Output& output);
 
-/// Why a blow that was solved with `detail` is no result: "max_penetration is beyond the range of …" where an
-/// output, or its number in SI, is infinite or not a number. Empty when there is none: a time may be not a
-/// number, of what never happens.
+/// Returns why a blow that was solved with `detail` is no result: "max_penetration is beyond the range of …"
+/// if an output, or its number in SI, is infinite or NaN. Empty otherwise; times of what never happens may be
+/// NaN.
 Message overflowProblem(const OutputSource& source, const Scales& scales, Detail detail);
-/// The same of a single number of an output.
+/// Returns the same for a single value of an output.
 Message overflowProblem(const Output& output, double value);
 
-/// What a blow is judged by first, and its error: the efficiency where cells state that of it, else e.
+/// Main output of a blow and its error: the efficiency where cells estimate its error, else e.
 struct MainOutput {
     const Output *value, *error;
 };
 MainOutput mainOutput(const Scenario& scenario);
 
-/// The output of that name, of one blow or of many, or nullptr.
+/// Returns the output of that name, of one blow or of many; nullptr if there is none.
 const Output* findOutput(std::string_view name);
 
 }  // namespace drillwave

@@ -16,12 +16,12 @@ namespace drillwave {
 
 namespace {
 
-/// The largest error of e that an engineer need not be told about: what the solver promises in its whole
+/// Largest error of e that needs no alert: what the solver promises in its whole
 /// domain.
 constexpr double promisedError = 1e-9;
 
-/// The largest error of e that no shown digit has: half of the fourth decimal. Beyond it the result is to be
-/// doubted.
+/// Largest error of e that changes no shown digit: half of the fourth decimal. With a larger one the result
+/// is doubtful.
 constexpr double shownError = 5e-5;
 
 void addThrust(const Scenario& scenario, const ImpactSummary& summary, std::vector<Alert>& alerts) {

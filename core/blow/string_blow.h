@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What follows from a solved blow for the sections of the chain: their stresses, alerts. A rod is one
+// Stresses and alerts of the sections of the chain, derived from a solved blow. A rod is one
 // section.
 #pragma once
 
@@ -14,26 +14,26 @@
 
 namespace drillwave {
 
-/// A largest stress of a section, in SI, and where.
+/// Largest stress of a section, in SI, with place and time.
 struct StressPeak {
     double stress = 0;  ///< [Pa], ≥ 0
     double place = 0;   ///< [m] from the rear end of the section
     double time = 0;    ///< [s]
 };
 
-/// Those of a section, in the spans of time of SectionForces.
+/// Largest stresses of a section, in the spans of time of SectionForces.
 using SectionStress = OfLoads<StressPeak>;
-/// Of every section of the hammer and then of the string, where the forces were asked for.
+/// Returns the stresses of all sections, hammer first; empty unless the forces were requested.
 std::vector<SectionStress> sectionStresses(const Scenario& scenario, const Impact& impact);
-/// Of a uniform rod in physical units.
+/// Returns the stresses of a uniform rod in physical units.
 std::vector<SectionStress> sectionStresses(const Scenario& scenario, const RodForces& forces);
 
-/// A largest stress of a string, and where.
+/// Largest stress of a string, and its section.
 struct StringPeak {
     std::size_t section = 0;  ///< of sectionStresses()
     StressPeak peak;
 };
-/// That of a load over all sections, of the first where several are as large. Requires sections.
+/// Returns the largest stress of a load over all sections, the first if several are equal. Requires sections.
 StringPeak largestStress(const std::vector<SectionStress>& stresses, Load load);
 
 /// Writes the largest stresses of all sections and their stated error into the summary, where the forces were
@@ -41,7 +41,7 @@ StringPeak largestStress(const std::vector<SectionStress>& stresses, Load load);
 void addStresses(ImpactSummary& summary, const Scenario& scenario, const Impact& impact,
                  const std::vector<int>& pieces);
 
-/// Whether the blow was followed beyond its end, so that there are stresses after it.
+/// Returns whether the blow was followed beyond its end, so that there are stresses after it.
 bool hasStressesAfter(const Impact& impact);
 
 /// `stress_above_yield` when the largest stress in a section exceeds its yield strength,
@@ -49,8 +49,8 @@ bool hasStressesAfter(const Impact& impact);
 /// lasts, a remark where only the waves left do. Each says where and when. None without strengths.
 std::vector<Alert> stressAlerts(const Scenario& scenario, const std::vector<SectionStress>& stresses);
 
-/// What else cells give reason to say: lengths that were rounded, a blow that was not over, stresses that
-/// were too much work.
+/// Returns the alerts of solutions on cells: lengths that were rounded, a blow that was not over, stresses
+/// that were too much work.
 std::vector<Alert> stringAlerts(const Scenario& scenario, const Impact& impact);
 
 // Shares of the strengths of sections that the largest stresses of a blow use.

@@ -13,7 +13,7 @@ namespace drillwave {
 
 namespace {
 
-/// Of the exact solver. A table has as many at least as points, most of them many times.
+/// Limit of wave pieces for the exact solver. Most tables have as many as points, or several times as many.
 constexpr long mostPieces = 10'000'000;
 
 std::optional<Impact> solved(Scenario scenario, const TablePoints& points, MethodSolver& solver,

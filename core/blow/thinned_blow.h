@@ -12,14 +12,14 @@
 
 namespace drillwave {
 
-// What it does to e that of a measured blow some samples alone are kept.
+// Change of e of a measured blow when only some of its samples are kept.
 
-/// More samples are not followed: those of the longest table of a scenario.
+/// Maximum number of samples followed: that of the longest table of a scenario.
 inline constexpr std::size_t mostSamplesFollowed = 100'000;
 
 struct ThinningEffect {
-    double cor = 0;     ///< of the points that are kept
-    double change = 0;  ///< that less the e of all samples, or of mostSamplesFollowed of them
+    double cor = 0;     ///< of the kept points
+    double change = 0;  ///< `cor` less the e of all samples, or of mostSamplesFollowed of them
     double error = 0;   ///< bound on the numerical error of the change
 };
 
