@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the force between bit and rock depends on, beside the penetration.
+// Parameters of the force between bit and rock.
 #pragma once
 
 #include <cstddef>

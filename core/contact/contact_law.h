@@ -16,7 +16,7 @@ namespace drillwave {
 /// I0/Z, the unit of penetrations in the law, in d0 = 2 I0/Z, that of results (T7).
 inline constexpr double lawUnitOfPenetration = 0.5;
 
-/// What the force is on, between two corners of the law.
+/// State of the force, between two corners of the law.
 enum class ContactLine {
     apart,    ///< no force
     primary,  ///< first loading, of slope β, behind a corner s_j β
@@ -88,19 +88,19 @@ class ContactLaw {
     }
     /// Whether that line is left as soon as the bit turns back: the primary one, but for γ = 1.
     bool isOneWay(ContactLine line) const { return line == ContactLine::primary && !isElastic(); }
-    /// The slope of a line in contact.
+    /// Returns the slope of a line in contact.
     Real slope(ContactLine line) const {
         return line == ContactLine::primary ? m_slopes.primary : m_slopes.elastic;
     }
-    /// Which of the loading lines the largest force is on, from 0; at a corner the one behind it.
+    /// Returns the loading line of the largest force, from 0; at a corner the one after it.
     std::size_t loadingLine() const { return m_line; }
-    /// That of a loading line, whichever is in use; 0 of one that is not there.
+    /// Returns the slope of any loading line, in use or not; 0 if there is no such line.
     Real loadingSlope(std::size_t line) const {
         if (!m_lines) return line == 0 ? m_slopes.primary : Real(0);
         return line < m_lines->size() ? (*m_lines)[line].slope : Real(0);
     }
     bool hasCorner() const { return m_cornerForce < std::numeric_limits<Real>::infinity(); }
-    /// Where that line ends; infinite where it goes on for ever.
+    /// Returns the force at which that line ends; infinite if it never ends.
     Real cornerForce() const { return m_cornerForce; }
     /// The loading goes on behind the next corner, which must be there.
     void passCorner() {
@@ -147,24 +147,24 @@ class ContactLaw {
             if (penetration >= (*m_lines)[j].penetration) on = (*m_lines)[j];
         return on.force + on.slope * (penetration - on.penetration);
     }
-    /// The way along the elastic line over which the force changes by as much.
+    /// Returns the penetration along the elastic line over which the force changes by as much.
     Real elasticWay(Real change) const { return change / m_slopes.elastic; }
 
     // Work on the rock
 
-    /// What unloading from a force F ≤ Fm gives back: γF²/(2β).
+    /// Returns the energy released by unloading from a force F ≤ Fm: γF²/(2β).
     Real givenBack(Real force) const { return force * elasticWay(force) / 2; }
-    /// What has gone into the rock up to the largest force: A(Fm) (T40).
+    /// Returns the work on the rock up to the largest force: A(Fm) (T40).
     Real loadingWork() const {
         return m_from.work + (m_largest - m_from.force) * (m_largest + m_from.force) / (2 * m_slopes.primary);
     }
-    /// What stays in the rock: A(Fm) − γFm²/(2β), (1 − γ) Fm²/(2β) without corners.
+    /// Returns the energy left in the rock: A(Fm) − γFm²/(2β), (1 − γ) Fm²/(2β) without corners.
     Real kept() const {
         if (m_isBilinear) [[likely]]
             return m_largest * residualPenetration() / 2;
         return loadingWork() - m_gamma * m_largest * m_largest / (2 * m_beta);
     }
-    /// ∫F dU of all that has happened, when the force is F ≤ Fm.
+    /// Returns ∫F dU from the first touch until the force is F ≤ Fm.
     Real worked(Real force) const { return kept() + givenBack(force); }
 
   private:
@@ -206,7 +206,7 @@ class ContactLaw {
         findCorner();
     }
 
-    /// What the line now in use makes of the law.
+    /// Updates the flags that describe the law for the line now in use.
     void tellLine() {
         m_isBilinear = m_isBilinear && m_slopes.primary == m_beta;
         m_isElastic = m_isElastic && m_slopes.primary == m_slopes.elastic;

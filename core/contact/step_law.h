@@ -24,7 +24,7 @@ namespace drillwave {
 /// is the only one because the mean force of the law grows with the increment and 2g − dU/Δ falls.
 class StepLaw {
   public:
-    /// What happened in a step: the corners that it passed, as bits.
+    /// Events of a step, as bits: the corners that it passed.
     enum Change : unsigned {
         none = 0,
         contact = 1,         ///< the gap closed

@@ -18,10 +18,10 @@
 namespace drillwave {
 namespace {
 
-/// What may be pushed after the first reflection has returned before it is worth a remark.
+/// Largest share of the impulse after the return of the first reflection that needs no alert.
 constexpr double negligibleImpulse = 1e-3;
 
-/// Hammer and rod within one percent pass for equal.
+/// Relative difference up to which hammer and rod have equal impedances.
 constexpr double matchedImpedances = 0.01;
 
 void addImplausibleValue(const Parameter& parameter, const Scenario& scenario, std::vector<Alert>& alerts) {
@@ -67,7 +67,7 @@ void addImplausibleSection(SectionAddress::Chain chain, std::uint64_t place, con
     }
 }
 
-/// Of a string, each section as often as it stands in a file.
+/// Adds the sections of a string, each as often as it stands in a file.
 void addImplausibleSections(const DrillString& drillString, std::vector<Alert>& alerts) {
     using Chain = SectionAddress::Chain;
     for (std::size_t i = 0; i < drillString.hammer.sections.size(); ++i)

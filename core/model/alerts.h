@@ -14,7 +14,7 @@ namespace drillwave {
 
 enum class AlertLevel { information, warning };
 
-/// What is remarked on (files §5.1).
+/// Subjects of alerts (files §5.1).
 enum class AlertCode {
     implausibleValue,
     longPulse,

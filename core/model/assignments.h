@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What one scenario is given by keys: the order in which to set them, and which of them contradict.
+// Keys and values that one scenario is given: the order in which to set them, and contradictions.
 #pragma once
 
 #include <cstddef>
@@ -38,8 +38,8 @@ struct AssignedKey {
     KeptParameter parameter;
 };
 
-/// Keys that are set together, numbered as they were added. What each is set to stays with who asks: a word
-/// of the command line, an axis of a sweep, a cell of a table.
+/// Keys that are set together, numbered as they were added. Their values stay with the caller: a word of the
+/// command line, an axis of a sweep, a cell of a table.
 class Assignments {
   public:
     Assignments() = default;
@@ -77,16 +77,16 @@ class Assignments {
     Pairs m_mayMeet;  // in one section
 };
 
-// In which parameters scenarios differ.
+// Parameters in which scenarios differ.
 
-/// The value in SI of a parameter; of the material of a rod also that of all sections of a string, and the
-/// other way round. Nothing where it does not apply or is not given.
+/// Returns the value of a parameter in SI; for the material of a rod also that of all sections of a string,
+/// and vice versa. Nothing where it does not apply or is not given.
 std::optional<double> valueIn(const Scenario& scenario, const Parameter& parameter);
 
-/// The parameters that at least one of the scenarios gives (isGiven()) and that have not the same value in
-/// all of them, in the order of the table, and of sections after it by place. What only follows from others,
-/// such as the groups of a scenario in physical units, is not among them; nor is one of two parameters that
-/// are the same number of a rod and of a string.
+/// Returns the parameters that at least one scenario gives (isGiven()) and that differ between scenarios, in
+/// the order of the table, then those of sections by place. Values that only follow from others are left out,
+/// such as the groups of a scenario in physical units; so is one of two parameters that are the same number
+/// of a rod and of a string.
 std::vector<KeptParameter> differingParameters(std::span<const Scenario* const> scenarios);
 
 }  // namespace drillwave

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is true of the blow of a scenario, for those who must know before it is solved.
+// Properties of the blow of a scenario that are known before it is solved.
 #pragma once
 
 #include "core/model/scenario.h"
@@ -18,8 +18,8 @@ inline bool isFollowedByEvents(const Scenario& scenario) {
     return followsFromGroups(scenario);
 }
 
-/// Whether the gap has a period, after which every blow comes again (theory §4): waves come back as they
-/// left. Then shares of all gaps and the worst one can be told.
+/// Returns whether blows repeat with the period of the gap (theory §4), because waves return as they left.
+/// Only then are shares of all gaps and the worst gap known.
 inline bool gapHasPeriod(const Scenario& scenario) {
     return followsFromGroups(scenario);
 }

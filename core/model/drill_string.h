@@ -25,10 +25,10 @@ struct Section {
         preset;  ///< "T38, 190 mm": the preset that the section is from; may be empty, changes no result
     double length = 0;    ///< L [m]
     double diameter = 0;  ///< outer diameter [m], of a cone at its rear end; unused when `area` is given
-    double bore = 0;      ///< flushing hole diameter [m]; likewise
-    std::optional<double> area;           ///< A [m²] when given instead of diameter and bore, likewise
+    double bore = 0;      ///< flushing hole diameter [m]; unused when `area` is given
+    std::optional<double> area;           ///< A [m²], of a cone at its rear end; replaces diameter and bore
     std::optional<double> endDiameter;    ///< [m] of a cone at its far end; unused when `area` is given
-    std::optional<double> endArea;        ///< [m²] likewise; unused unless `area` is given
+    std::optional<double> endArea;        ///< [m²] of a cone at its far end; unused unless `area` is given
     std::optional<double> youngsModulus;  ///< E [Pa], the material's when not given
     std::optional<double> density;        ///< ρ [kg/m³], the material's when not given
     double massAfter = 0;                 ///< M [kg], lumped at the far end; behind the last section M_b
@@ -47,10 +47,10 @@ struct StringPart {
     bool operator==(const StringPart&) const = default;
 };
 
-/// What strikes, all of it with the same velocity.
+/// Hammer: the sections that strike, all with the same velocity.
 struct Hammer {
     double velocity = 10;                 ///< v0 [m/s] at impact
-    std::vector<Section> sections;        ///< from the rear to the face; none: a force is in its place
+    std::vector<Section> sections;        ///< from the rear to the face; none: a force drives the string
     std::optional<double> faceStiffness;  ///< k_c [N/m] between hammer and string; rigid when not given
     bool restrike = true;  ///< the hammer stays there to be hit again; false: withdrawn once separated
     bool operator==(const Hammer&) const = default;

@@ -18,7 +18,7 @@ namespace drillwave {
 
 namespace {
 
-/// What is said of a scenario's form behind its title.
+/// Additions to the title of a scenario that state its form.
 constexpr std::string_view asString = ", as a drill string", asRod = ", as a uniform rod";
 
 std::string titleAs(std::string title, std::string_view form) {
@@ -81,12 +81,12 @@ Hammer hammerOf(const Scenario& scenario, std::vector<Message>& lost) {
     return hammer;
 }
 
-/// Whether a uniform hammer makes that force; any other stays a force.
+/// Returns whether a uniform hammer makes that force; any other shape stays a force.
 bool isOfHammer(PulseShape shape) {
     return shape == PulseShape::rectangular || shape == PulseShape::piston;
 }
 
-/// What differs from the section that is kept, in words; the rod itself not.
+/// Adds a sentence on each difference from the section that is kept.
 void nameLostSections(const DrillString& drill, std::vector<Message>& lost) {
     const double kept = propertiesOf(ruleSection(drill), drill.material).impedance;
     int others = 0, losses = 0;

@@ -13,13 +13,13 @@ namespace drillwave {
 /// A scenario in another form.
 struct Conversion {
     Scenario scenario;
-    std::vector<Message> lost;  ///< what it does not say any more, or not exactly: sentences
+    std::vector<Message> lost;  ///< sentences on what it no longer contains, or not exactly
 };
 
-/// A rod as a section of that name; its material is told where it is another one.
+/// Returns a rod as a section of that name; sets its own material only if it differs from `material`.
 Section sectionOf(const Rod& rod, const Material& material);
 
-/// Why a scenario cannot be a string: it has no units, or no hammer. Empty where it can.
+/// Returns why a scenario cannot be a string: it has no units, or no hammer. Empty if it can.
 Message whyNoString(const Scenario& scenario);
 
 /// The rod as the only section of a string under the same force, whatever its shape. Requires a uniform rod

@@ -24,17 +24,17 @@ KeptParameter findLawParameter(std::string_view key);
 /// there, or nothing.
 KeptParameter inScales(const Parameter& parameter);
 
-/// What the key is about in that scenario.
+/// Returns the parameter that the same key means in that scenario.
 KeptParameter inFormOf(const Scenario& scenario, const Parameter& parameter);
 
-/// What the scenario measures in scales of the blow, but for corners: nothing of one with units.
+/// Returns the parameters in scales of the blow, except corners; none for a scenario with units.
 std::vector<KeptParameter> numbersInScales(const Scenario& scenario);
 
-/// Those of the scenario: force and slope of every corner that there may be, then numbersInScales(). Other
-/// numbers of a law are rows of the table of parameters.
+/// Returns force and slope of every corner that the scenario has, then numbersInScales(). Other numbers of a
+/// law are rows of the table of parameters.
 std::vector<KeptParameter> loadingNumbers(const Scenario& scenario);
 
-/// Which corner a parameter is about, from 1; 0 for none.
+/// Returns the corner that a parameter belongs to, from 1; 0 for none.
 std::size_t cornerOf(const Parameter& parameter);
 
 /// "bit_rock.corner.2.force".

@@ -112,7 +112,7 @@ KeptParameter findParameter(std::string_view key) {
 Message Range::problem(double value, const Unit& unit) const {
     if (!std::isfinite(value)) return translatable("must be a finite number");
     if (contains(value)) return {};
-    // Who gives nothing, or less, need not be told how little or how much would do.
+    // A missing or negative value does not call for the limits of the range.
     if (low >= 0 && value <= 0 && !unit.name.empty())
         return low > 0 || lowOpen ? translatable("must be greater than 0")
                                   : translatable("must be at least 0");

@@ -19,8 +19,8 @@ namespace drillwave {
 struct Parameter;
 struct SectionAddress;
 
-// A parameter to keep: of axes, families, table columns and edits. What refers to one only while it is used
-// takes a const Parameter&.
+// A parameter to keep: of axes, families, table columns and edits. References that are only used at once take
+// a const Parameter&.
 
 /// A row of the table of parameters, the repeat of a string, or a number of a section, which lives as long as
 /// something keeps it; or none. A value: copies are cheap, and two are equal that have the same key.
@@ -109,14 +109,14 @@ enum class Presence {
     required,
     either,    ///< exactly one of it and its rival is required
     assumed,   ///< where it is missing, it has the value of a new scenario
-    unusual,   ///< likewise; a new file tells it only where it has another value
+    unusual,   ///< as `assumed`, but written to a new file only if the value is another one
     optional,  ///< need not have a value, or follows from its rival
 };
 
-/// What may be left out, and what excludes what.
+/// Rules on parameters that may be left out or exclude each other.
 struct ParameterRules {
     Presence presence = Presence::required;
-    /// Key of the parameter that setting this one overrides, and the other way round; each pair is told once.
+    /// Key of the parameter that setting this one overrides, and vice versa; only one of a pair has it.
     std::string_view rival = {};
     std::string_view shortLabel = {};  ///< label in its own section of a form, where that is another one
     /// Back to "not given"; nullptr where there is always a value.
@@ -146,9 +146,9 @@ struct Parameter {
     ParameterRules rules = {};
     const SectionAddress* address = nullptr;  ///< of a number of a section, else nullptr
 
-    /// Whether the parameter has a meaning in this scenario.
+    /// Returns whether the parameter has a meaning in this scenario.
     bool applies(const Scenario& scenario) const;
-    /// The customary unit.
+    /// Returns the unit in which values are shown.
     const Unit& displayUnit() const;
     bool isGroup() const;                  ///< one of the four dimensionless groups
     std::string_view section() const;      ///< "rod", "pulse", "bit_rock", "drill", …, "groups", or none

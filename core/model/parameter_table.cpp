@@ -32,7 +32,7 @@ void assignDiameter(S& s, double value) {
     s.rod.diameter = value;
 }
 
-/// A mean force that was given is kept, an impulse that was given likewise.
+/// Sets the duration; keeps the mean force if that was given, else the impulse.
 void assignDuration(S& s, double value) {
     Pulse& pulse = s.pulse;
     if (pulse.impulseFromForce) pulse.impulse = meanForce(pulse) * value;

@@ -109,7 +109,7 @@ Message whyNotInString(const Parameter& parameter) {
     return {translatable("%1; set its sections, as `string.1.length`"), {notOfString}};
 }
 
-/// Of a parameter that only one law of the rock has.
+/// Returns why a parameter of another law of the rock does not apply.
 Message whyNotOfLaw(const Parameter& parameter, const Scenario& scenario) {
     const RockLaw law = *parameter.rules.law;
     if (scenario.bitRock.law != law)

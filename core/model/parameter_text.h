@@ -14,7 +14,7 @@
 
 namespace drillwave {
 
-// What of a scenario is one word out of a list: the shape of the blow, the law of the rock.
+// Parameters whose value is a word from a list: the shape of the blow, the law of the rock.
 
 struct WordParameter {
     std::string_view key;                          ///< "pulse.shape"
@@ -29,10 +29,10 @@ struct WordParameter {
 };
 
 std::span<const WordParameter> wordParameters();
-/// Or nullptr.
+/// Returns the parameter of that key, or nullptr.
 const WordParameter* findWordParameter(std::string_view key);
 
-/// What `true` and `false` mean, in the spellings of YAML; nothing for another word.
+/// Returns the value of `true` or `false`, in the spellings of YAML; nothing for another word.
 std::optional<bool> findTruth(std::string_view word);
 
 /// "rectangular, triangular, …", for messages.
@@ -62,7 +62,7 @@ Message notAParameter(std::string_view key);
 /// not to be used.
 Message assignText(Scenario& scenario, std::string_view key, std::string_view text,
                    const Unit* unit = nullptr);
-/// Likewise of a parameter.
+/// Assigns a text to a parameter in the same way.
 Message assignText(Scenario& scenario, const Parameter& parameter, std::string_view text,
                    const Unit* unit = nullptr);
 

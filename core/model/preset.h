@@ -31,7 +31,7 @@ struct PresetValue {
     bool operator==(const PresetValue&) const = default;
 };
 
-/// What it names it sets; everything else of the scenario stays. A rock has a loading curve, named or not.
+/// Named set of values; assigning it changes only these. A rock has a loading curve, named or not.
 struct Preset {
     PresetKind kind = PresetKind::rod;
     std::string name;
@@ -83,7 +83,7 @@ struct SectionPreset {
 /// own.
 std::string description(const SectionPreset& preset, const ReadingStyle& style);
 
-/// The piston in place of the hammer's sections, and its velocity where it has one. Requires a piston.
+/// Returns the hammer with the sections of a piston, and its velocity if it has one. Requires a piston.
 Hammer withPiston(Hammer hammer, const SectionPreset& piston);
 
 // Presets as values to choose from: hammers, rods and bits by their names.

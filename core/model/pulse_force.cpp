@@ -17,10 +17,10 @@ namespace {
 
 using Kind = PulseSegment::Kind;
 
-/// What may be cut off a pulse without end, as a fraction of its impulse: e^−46.06.
+/// Natural logarithm of the share of the impulse at which an endless pulse is cut off: e^−46.06.
 constexpr double cutOff = 46.06;
 
-/// Scales the forces, whose largest is 1, so that the impulse is 1, and fills in what follows from the
+/// Scales the forces, whose largest is 1, so that the impulse is 1, and completes what follows from the
 /// segments.
 void finish(PulseForce& force) {
     if (force.segments.empty()) return;

@@ -61,21 +61,21 @@ bool movesPulseForce(std::string_view key, PulseShape shape);
 /// The force of a shape with the default shape parameters, as in a dimensionless scenario; not for `table`.
 PulseForce pulseForceOf(PulseShape shape, double impedanceRatio = 1);
 
-// What can be seen of a hammer force: the tails of an exponential blow and of a staircase are long and empty.
+// Visible part of a hammer force: the tails of an exponential blow and of a staircase are long and empty.
 
-/// Times t/t0, ascending from 0, at which a curve of the impulse of the hammer is drawn: it is smooth inside
-/// a segment. Only 0 in the reference case.
+/// Returns the times t/t0, ascending from 0, at which a curve of the impulse of the hammer is drawn: it is
+/// smooth inside a segment. Only 0 in the reference case.
 std::vector<double> impulseTimes(const PulseForce& pulse);
 
-/// The first of these times [t0] at which the rod has practically the whole impulse: what follows cannot be
-/// seen in a curve of the impulse or the momentum. 0 in the reference case.
+/// Returns the first of these times [t0] at which the rod has practically the whole impulse; later changes
+/// are invisible in a curve of the impulse or the momentum. 0 in the reference case.
 double visibleImpulseEnd(const PulseForce& pulse);
 
-/// The end [t0] of the segment in which that happens, of an exponential one just the time of it: what follows
-/// cannot be seen among the waves, which show a segment from front to end. 0 in the reference case.
+/// Returns the end [t0] of the segment in which that happens, or its time for an exponential segment; later
+/// changes are invisible among the waves, which show whole segments. 0 in the reference case.
 double visibleWavesEnd(const PulseForce& pulse);
 
-/// Until when [t0] the curve of the force itself can be told from zero. 0 in the reference case.
+/// Returns the time [t0] from which the curve of the force looks like zero. 0 in the reference case.
 double visibleForceEnd(const PulseForce& pulse);
 
 }  // namespace drillwave

@@ -11,7 +11,7 @@ namespace drillwave {
 
 namespace {
 
-/// What the force pushes: the rod, or the rear end of the first section of a string.
+/// Section that the force pushes: the rod, or the first section of a string, at its rear end.
 struct RearEnd {
     Material material;
     double impedance = 0;
@@ -60,7 +60,7 @@ void add(ChainProperties& sum, const Section& section, const Material& material,
     sum.mass += times * (properties.mass + section.massAfter);
 }
 
-/// What stands for all of it in the scales: the rod, or the ruleSection() of a string.
+/// Returns the properties that the scales refer to: of the rod, or of the ruleSection() of a string.
 RodProperties ruleProperties(const Scenario& scenario) {
     if (!hasSections(scenario)) return propertiesOf(scenario.rod);
     return propertiesOf(ruleSection(scenario.drillString), scenario.drillString.material);

@@ -8,9 +8,9 @@
 
 namespace drillwave {
 
-/// Characteristic quantities (paper, section 5.1; theory §2), SI. Dimensionless × scale = SI. Those of a
-/// hammer that is followed stand behind the semicolon; of a string Z and A are those of its ruleSection(), m
-/// and L those of all of it.
+/// Characteristic quantities (paper, section 5.1; theory §2), SI. Dimensionless × scale = SI. After a
+/// semicolon: the meaning for a followed hammer. For a string, Z and A are those of its ruleSection(), m and
+/// L those of the whole string.
 struct Scales {
     double time = 1;              ///< t0 [s]; twice the transit time of the hammer
     double impulse = 1;           ///< I0 [N s]; momentum of the hammer
@@ -35,7 +35,7 @@ struct RodProperties {
 };
 RodProperties propertiesOf(const Rod& rod);
 
-/// Of a section of a hammer or a string, without the mass lumped behind it.
+/// Returns the properties of a section of a hammer or a string, without the mass lumped at its far end.
 RodProperties propertiesOf(const Section& section, const Material& material);
 
 /// Sums over the sections of a hammer, or of a string with its repeats written out.
@@ -46,7 +46,7 @@ struct ChainProperties {
 };
 ChainProperties hammerProperties(const DrillString& drillString);
 ChainProperties stringProperties(const DrillString& drillString);
-/// Those of the uniform rod, or of the string.
+/// Returns the sums of the uniform rod, or of the string.
 ChainProperties chainProperties(const Scenario& scenario);
 
 /// Impedance of the hammer of a piston pulse over that of what it pushes (the `impedanceRatio` itself in a
@@ -73,7 +73,7 @@ Groups groupsOf(const Scenario& scenario);
 /// hammer and a string that are not empty where it is a string.
 Scales scalesOf(const Scenario& scenario);
 
-// What the waves of a blow have until the next one: round trips in the rod.
+// Round trips of waves in the rod between two blows.
 
 /// n_b = 1/(2 T f), round trips of a wave between two blows (T37). nullopt without units or a blow frequency.
 std::optional<double> roundTripsBetweenBlows(const Scenario& scenario);

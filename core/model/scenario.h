@@ -131,7 +131,7 @@ std::optional<RockLaw> findRockLaw(std::string_view name);
 /// All names, in the order of RockLaw.
 std::span<const std::string_view> rockLawNames();
 
-/// Where the loading curve gets another slope. What is not a number is not given yet.
+/// Corner of the loading curve, from which it has another slope. NaN: not given yet.
 struct RockCorner {
     double force = std::numeric_limits<double>::quiet_NaN();  ///< [N], in a dimensionless scenario [F0]
     double slope = std::numeric_limits<double>::quiet_NaN();  ///< from there on, as a multiple of k
@@ -153,7 +153,7 @@ struct BitRock {
     bool operator==(const BitRock&) const = default;
 };
 
-/// What the buttons of the bit hit at the next blow.
+/// State of the rock that the buttons of the bit hit at the next blow.
 enum class RockIndexing {
     fresh,  ///< new rock: the bit has turned
     same,   ///< the crater of the blow before

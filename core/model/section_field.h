@@ -31,11 +31,11 @@ struct SectionField {
     std::optional<double> (*value)(const Section&);
     void (*assign)(Section&, double);
     void (*clear)(Section&) = nullptr;  ///< nullptr where there is always a value
-    /// What it goes with: an outer diameter, or an area in its place.
+    /// Form of the section to which the field applies: given by outer diameter, or by area.
     enum class With { both, diameter, area } with = With::both;
 
     const Unit& displayUnit() const;
-    /// Whether it has a meaning for that section.
+    /// Returns whether the field has a meaning for that section.
     bool applies(const Section& section) const {
         return with == With::both || (with == With::area) == section.area.has_value();
     }
@@ -112,15 +112,15 @@ void visitSections(const SectionAddress& address, String& drillString, const Vis
     visitNumberedSections(address, drillString, [&](auto& section, std::size_t) { visit(section); });
 }
 
-/// Why no section is meant, where there is none: "no section of the string is called `adaptor`; did you mean
+/// Returns why an address matches no section: "no section of the string is called `adaptor`; did you mean
 /// `adapter`?".
 Message whyNoneThere(const SectionAddress& address, const DrillString& drillString);
 
-/// The known key most like a mistyped one of a section, as far as it can be told without a scenario; empty
-/// when none is close.
+/// Returns the known key of a section that is most like a mistyped one, as far as it is known without a
+/// scenario; empty when none is close.
 std::string nearestSectionKey(std::string_view key);
 
-/// Why a section cannot have that name: "must be …"; empty when it can.
+/// Returns why a section cannot have that name: "must be …"; empty when it can.
 Message sectionNameProblem(std::string_view name);
 
 }  // namespace drillwave

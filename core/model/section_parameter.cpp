@@ -53,7 +53,7 @@ void clearAt(const SectionAddress& address, Scenario& scenario) {
     });
 }
 
-/// Of the first repeat; 0 for what is no number of times at all.
+/// Sets the count of the first repeat; to 0 for a value that is no count.
 void assignRepeat(Scenario& scenario, double value) {
     constexpr double most = std::numeric_limits<int>::max();
     std::vector<StringPart>& parts = scenario.drillString.parts;

@@ -28,20 +28,20 @@ bool mayMeet(const Parameter& one, const Parameter& other);
 Message meetingProblem(const Parameter& one, const Scenario& ofOne, const Parameter& other,
                        const Scenario& ofOther);
 
-/// Why not: "no section of the string is called `adaptor`; did you mean `adapter`?".
+/// Returns why there is no such section: "no section of the string is called `adaptor`; did you mean …?".
 Message whyNoSection(const Parameter& parameter, const Scenario& scenario);
 
-/// Every number that a section of a string scenario has, by place, in the order of a file; and the repeat.
+/// Returns every number that a section of a string scenario has, in the order of a file; and the repeat.
 std::vector<KeptParameter> sectionParameters(const Scenario& scenario);
 
-/// What the section is called that a parameter is about; empty where it is about none or one without a name.
+/// Returns the name of the section that a parameter belongs to; empty without a section or a name.
 std::string sectionName(const Parameter& parameter, const Scenario& scenario);
 
 // The numbers of sections that are worth varying, to be chosen from a list.
 
-/// Of a string scenario every number of a section that changes results, once, in the order of a file, the
+/// Returns every number of a section that changes the results of a string, once, in the order of a file, the
 /// repeat before the sections of the string: by name ("string.coupling.diameter") where all sections of that
-/// name agree in it, else by place. None of a uniform rod.
+/// name agree in it, else by place. Empty for a uniform rod.
 std::vector<KeptParameter> variableSectionParameters(const Scenario& scenario);
 
 /// The diameter, or the area, of what a string is first asked for: of the sections called "coupling", else of

@@ -31,12 +31,12 @@ double meanArea(const Section& section, double from = 0, double to = 1);
 /// Key of the size of its far end: "end_diameter".
 std::string_view endKey(const Section& section);
 
-/// What is wrong with sizes that are each in their range.
+/// Contradiction between sizes that are each in their range.
 struct ShapeProblem {
     std::string_view field;  ///< key of one of them
     Message reason;          ///< "must be less than the diameter of 39 mm"
 };
-/// Every one.
+/// Returns all of them.
 std::vector<ShapeProblem> shapeProblems(const Section& section);
 
 /// "3660 mm × 39 mm … 45 mm / 14 mm": length, sizes from the rear end to the far one, and bore.

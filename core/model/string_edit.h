@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Edits of a hammer and a string as a list of sections: where they stand, and how they come, go, move and
-// repeat. What an edit would leave invalid for a moment (two sections of one bore) is not its matter.
+// Edits of a hammer and a string as a list of sections: places, inserting, removing, moving and repeating. An
+// edit may leave a scenario that is invalid for a moment (two sections of one bore).
 #pragma once
 
 #include <cstddef>
@@ -62,11 +62,11 @@ enum class MoveTo { rear, bit };
 /// it is at the end of its hammer or string.
 std::optional<SectionSpot> moveSection(DrillString& drillString, const SectionSpot& spot, MoveTo direction);
 
-/// Whether these sections follow one another in the string and are in no repeat.
+/// Returns whether these sections follow one another in the string and are in no repeat.
 bool canRepeat(const DrillString& drillString, const std::vector<SectionSpot>& spots);
 /// Makes a repeat of them. Requires canRepeat() and a `times` of 1 or more.
 void repeatSections(DrillString& drillString, const std::vector<SectionSpot>& spots, int times);
-/// Once is no repeat: its sections then stand alone. Requires a part that is a repeat.
+/// Sets the count of a repeat; 1 dissolves it into its sections. Requires a part that is a repeat.
 void setRepeat(DrillString& drillString, std::size_t part, int times);
 
 // Lengths of sections in common steps, so that few cells make up a string and its waves can be kept.

@@ -41,7 +41,7 @@ inline constexpr Range stiffness{0, 1e18};    // [N/m]
 namespace drillwave::usual_ranges {
 
 inline constexpr Range modulus{60e9, 250e9};           // [Pa] aluminium to steel, with some room
-inline constexpr Range density{2500, 9000};            // [kg/m³] likewise
+inline constexpr Range density{2500, 9000};            // [kg/m³] aluminium to steel, with some room
 inline constexpr Range yieldStrength{200e6, 2000e6};   // [Pa]
 inline constexpr Range fatigueStrength{50e6, 1500e6};  // [Pa]
 

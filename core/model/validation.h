@@ -21,12 +21,12 @@ struct InputProblem {
     int line = 0;
     int column = 0;
     std::string source = {};  ///< the file it is in, where that is not the scenario file (a pulse table)
-    /// "bit_rock.gamma must be in (0, 1]", whatever the value is: to be counted. From validate() alone.
+    /// "bit_rock.gamma must be in (0, 1]", without the value: for counts. Set by validate() only.
     Message reason = {};
     bool operator==(const InputProblem&) const = default;
 };
 
-/// A key, its value or none where it has none, and why it will not do: "must be in (0, 1]".
+/// Returns a problem from a key, its value or none where it has none, and a reason: "must be in (0, 1]".
 InputProblem valueProblem(std::string_view key, std::string_view value, const Message& reason);
 
 /// Every hard-range violation and inconsistency (rise + fall > 1, bore ≥ diameter, table times not
@@ -37,17 +37,17 @@ std::vector<InputProblem> validate(const Scenario& scenario);
 /// All problems in a line: why a function of the core does not take the scenario; empty when it is valid.
 Message invalidity(const Scenario& scenario);
 
-/// The first reason why points are no hammer force, and the point (from 0) that it is about.
+/// First reason why points are no hammer force, and its point (from 0).
 struct PointProblem {
     std::size_t index = 0;
     Message reason;  ///< "point 3 must be later than the one before it"; empty when the points will do
 };
 PointProblem pointProblem(const TablePoints& points);
 
-// What can be wrong with the sections of a hammer and a string.
+// Problems of the sections of a hammer and a string.
 
-/// Every problem of the sections: none at all, too many, numbers out of range, names that are places, a bore
-/// as wide as the section, derived values that overflow. Keys are by place ("string.3.bore").
+/// Returns every problem of the sections: none at all, too many, numbers out of range, names that are places,
+/// a bore as wide as the section, derived values that overflow. Keys are by place ("string.3.bore").
 std::vector<InputProblem> sectionProblems(const DrillString& drillString);
 
 /// Returns the message on more than maximumSections of a string or a hammer.
