@@ -75,7 +75,7 @@ std::uint64_t sectionCount(const DrillString& drillString);
 /// times. Requires at most maximumSections of them.
 std::vector<const Section*> expandedSections(const DrillString& drillString);
 
-/// Those of the hammer from its rear, then those of the string, likewise: the order of results.
+/// Returns the sections of the hammer from its rear, then those of the string, expanded: order of results.
 std::vector<const Section*> allSections(const DrillString& drillString);
 
 /// A section as it stands in a file, once, and the first place (from 1) that it has in the string.

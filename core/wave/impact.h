@@ -25,11 +25,11 @@ enum class Detail {
     histories,  ///< g(s) and F(s), from which every wave field follows by delays
 };
 
-/// What ended the solution.
+/// Reason why the solution ended.
 enum class Outcome {
     rebounded,  ///< proven: no contact can follow (theory §3; strings §8)
-    endTime,    ///< followed to the time that was asked for
-    nextBlow,   ///< followed to the next blow, and not proven to be over: not final
+    endTime,    ///< followed to the end time that was set
+    nextBlow,   ///< followed to the next blow without proof that it is over: not final
     notSolved,  ///< work limit reached or undecidable; `reason` says why, numbers are not to be used
 };
 
@@ -41,7 +41,7 @@ enum class Hindrance {
     histories,  ///< more than can be kept: with less detail it may be solved
 };
 
-/// What happened at the bit–rock interface.
+/// Events at the bit–rock interface.
 enum class ContactEvent {
     contact,         ///< the gap closes
     unloading,       ///< the force leaves the primary line at a maximum
@@ -93,22 +93,22 @@ struct Impact {
     double hammerImpulse = 1;  ///< ∫Fa dt [I0]; p0 of a hammer that is followed
     double rockWork = 0;       ///< ∫F dU = A(Fm) − γFm²/(2β) [I0²/(Z t0)]: what the law has kept (T6)
 
-    // Detail::ledger and above; of the exact solver not a number below
+    // Detail::ledger and above; NaN from the exact solver with less
     double finalMomentum = 0;  ///< of rod or string, towards the rock, independent of `impulse`: ∫g; −e
     double finalEnergy = 0;    ///< of rod or string [I0²/(Z t0)]: ∫g² over the last period
 
-    // What a uniform rod under a force has not: of a hammer that is followed, of joints and losses
+    // Absent from a uniform rod under a force: followed hammer, joints and losses
     double hammerMomentum = 0, hammerEnergy = 0;  ///< left in the hammer [I0], [I0²/(Z t0)]
-    double faceImpulse = 1;                       ///< what hammer or force has given to the string [I0]
+    double faceImpulse = 1;                       ///< transferred from hammer or force to the string [I0]
     double faceEnergy = 0;                        ///< in the stiffness of the faces [I0²/(Z t0)]
-    double faceSeparation = never;                ///< when hammer and string first part
+    double faceSeparation = never;                ///< when hammer and string first separate
     double jointLoss = 0, rodLoss = 0;            ///< energy lost in joints and on the way [I0²/(Z t0)]
-    double externalMomentum = 0;                  ///< given away in joints and rods [I0]
+    double externalMomentum = 0;                  ///< lost in joints and rods [I0]
     double efficiencyError = 0;                   ///< stated error of efficiency()
 
-    // Of a string
-    double endTime = 0;  ///< to when it was followed
-    /// When the blow is over for the forces of the sections: infinite where bit and rock do not part.
+    // Drill strings only
+    double endTime = 0;  ///< time to which it was followed
+    /// Time when the blow is over for the forces of the sections: infinite if bit and rock do not separate.
     double endOfBlow = std::numeric_limits<double>::infinity();
     std::vector<SectionForces> sections;  ///< where wanted, and not too much work
     double forcesError = 0;               ///< stated error of the largest of them, as a share of it
@@ -151,15 +151,15 @@ struct Impact {
     /// Returns whether lengths differ by more than they are given to.
     bool isRounded() const { return rounding > 1e-7; }
     double efficiency() const { return rockWork / hammerWork; }
-    /// What is left of the hammer's work anywhere but in the rock [I0²/(Z t0)].
+    /// Returns the hammer work that is left anywhere but in the rock [I0²/(Z t0)].
     double energyLeft() const { return finalEnergy + hammerEnergy + jointLoss + rodLoss + faceEnergy; }
-    /// What the balance of the energies leaves, of W, or of 1e-3 I0²/(Z t0) where that is larger: a hammer
-    /// that pushes a rod against rigid rock does next to no work, and the sums round at I0²/(Z t0). Not a
-    /// number without Detail::ledger.
+    /// Returns the error of the energy balance, as a share of W, or of 1e-3 I0²/(Z t0) where that is larger:
+    /// a hammer that pushes a rod against rigid rock does next to no work, and the sums round at I0²/(Z t0).
+    /// NaN without Detail::ledger.
     double energyResidual() const {
         return (hammerWork - rockWork - energyLeft()) / std::max(hammerWork, 1e-3);
     }
-    /// What the balance of the momenta leaves, of what the hammer gives.
+    /// Returns the error of the momentum balance, as a share of what the hammer gives.
     double momentumResidual() const {
         return (hammerImpulse - impulse - hammerMomentum - finalMomentum - externalMomentum) / hammerImpulse;
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is solved: one blow on one rod or drill string and one rock, dimensionless.
+// Problem to solve: one blow on one rod or drill string and one rock, dimensionless.
 #pragma once
 
 #include <cstddef>
@@ -43,12 +43,12 @@ struct ElasticHammer {
 /// F0, impulses in I0 = F0 t0, velocities in F0/Zr, displacements in I0/Zr, energies in I0²/(Zr t0). A solver
 /// takes a problem or refuses it with a reason.
 struct Problem {
-    /// Fa(t)/F0 at the rear end of the first section, or what strikes it.
+    /// Force Fa(t)/F0 on the rear end of the first section, or the hammer that strikes it.
     std::variant<PulseForce, ElasticHammer> drive;
-    /// Of the hammer from its rear end, where it is elastic, then of the string to the bit: one, of impedance
-    /// 1, is a uniform rod.
+    /// Sections of an elastic hammer from its rear end, then of the string to the bit; a single one, of
+    /// impedance 1, is a uniform rod.
     std::vector<UniformSection> sections = {{}};
-    /// How many of them stand for each section of the chain, of equal transit times; empty: one for each.
+    /// Number of these for each section of the chain, of equal transit times; empty: one for each.
     std::vector<int> pieces;
     BitRockLaw law;                  ///< β = k t0/Zr and γ of bit and rock
     double gap = 0;                  ///< δ = d/d0 between bit and rock, d0 = 2 I0/Zr; ≥ 0
@@ -94,11 +94,11 @@ std::string_view rodRefusal(const Problem& problem);
 /// problem.
 Problem problemOf(const Scenario& scenario, const std::vector<int>& pieces = {});
 
-/// The blow of this force on the rear end of a uniform rod, on the rod and rock of these groups.
+/// Returns the blow of this force on the rear end of a uniform rod, on the rod and rock of these groups.
 Problem problemOf(PulseForce force, const Groups& groups);
-/// Another uniform rod and rock for the force of this one; the corners of the law stay where they are.
+/// Sets another uniform rod and rock for the same force; the corners of the law stay as they are.
 void setGroups(Problem& rod, const Groups& groups);
-/// Those of a valid scenario.
+/// Sets rod and rock of a valid scenario.
 void setRod(Problem& rod, const Scenario& scenario);
 
 }  // namespace drillwave

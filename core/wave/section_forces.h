@@ -34,7 +34,7 @@ struct OfLoads {
                                               &OfLoads::compressionAfter, &OfLoads::tensionAfter};
 };
 
-/// What `map` makes of each.
+/// Returns `map` of each load.
 template <class T>
 auto eachOf(const OfLoads<T>& from, const auto& map) -> OfLoads<decltype(map(from.compression))> {
     return {map(from.compression), map(from.tension), map(from.compressionAfter), map(from.tensionAfter)};

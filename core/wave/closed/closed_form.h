@@ -37,13 +37,13 @@ double neglectedOverlap(double beta, double tau);
 /// Whether the contact ends before the next wave arrives, and none follows.
 bool overlapIsSmall(double beta, double tau);
 
-/// Why the closed form says nothing about this blow: γ ≠ 1, a gap that is no whole δ, another pulse, or a
-/// pulse longer than a round trip. Empty when it does.
+/// Returns why the closed form does not cover this blow: γ ≠ 1, a gap that is no whole δ, another pulse, or a
+/// pulse longer than a round trip. Empty if it does.
 Message closedFormRefusal(const Problem& problem);
 
-/// The closed form as an impact like that of the other solvers. `corError` is the neglected overlap; the
-/// histories are those of the paper, each pulse alone, so that the balances of momentum and energy are out by
-/// the overlap. Not solved, with the reason, where it is refused or the overlap is not small.
+/// Returns the closed form as an impact like that of the other solvers. `corError` is the neglected overlap.
+/// Histories are those of the paper, each pulse by itself, so the balances of momentum and energy miss the
+/// overlap. Not solved, with the reason, where it is refused or the overlap is not small.
 Impact solveClosedForm(const Problem& problem, Detail detail = Detail::cor);
 
 }  // namespace drillwave

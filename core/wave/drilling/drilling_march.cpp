@@ -136,7 +136,7 @@ double DrillingMarch::work() const {
     return cells + workOfPiece * static_cast<double>(m_bit.pieces());
 }
 
-/// Of rod or string, machine and masses, each on its own clock.
+/// Returns the momentum of rod or string, machine and masses, each on its own clock.
 double DrillingMarch::momentum() const {
     double sum = m_rear.bodyMass() * m_rear.state().bodyVelocity;
     for (std::size_t j = m_hammer; j < m_lines.size(); ++j) {
@@ -206,7 +206,7 @@ void DrillingMarch::beginBlow() {
     m_rearMoved = 0;
 }
 
-/// What the bit is away from the rock when the next blow comes at the rear end, and what it has felt so far.
+/// Notes the gap between bit and rock at the next blow, and what the bit has felt so far.
 void DrillingMarch::noteGap(const WaveCell& arriving) {
     const BitNode::Part there = m_bit.partOfStep(arriving, static_cast<int>(m_gapPart), m_gapShare, 0);
     m_next.gap = there.state.isApart() ? std::max(0.0, there.state.distance) : 0;
@@ -303,12 +303,12 @@ void DrillingMarch::step(std::size_t part, const WaveCell* force) {
         addSamples(part, m_rear.mobility() * (rear.sum() - 2.0 * returning[hammer]), rear.damper.end(), down);
 }
 
-/// Where on the clock of the kept waves a part of this cell begins.
+/// Returns where a part of this cell begins on the clock of the kept waves.
 double DrillingMarch::keptClock(std::size_t part) const {
     return (static_cast<double>(m_cells + m_cell - m_keptCell) + m_grid.cuts.places()[part]) * m_grid.cell;
 }
 
-/// Of a hammer only those behind the blow: before it the piston comes that is thrown anew.
+/// Adds the waves of a part; of a hammer only after the blow, since a new piston arrives for every blow.
 void DrillingMarch::addWaves(std::size_t part, const RearNode::Forces& rear) {
     if (!m_kept->waves) return;
     if (m_kept->waves->isFull()) return m_kept->waves.reset();

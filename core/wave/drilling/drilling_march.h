@@ -20,10 +20,10 @@
 
 namespace drillwave {
 
-// A loss that hands no momentum to the surroundings: what a joint or the attenuation takes from a wave comes
-// back over the time between two blows (drilling §3).
+// Loss that transfers no momentum to the surroundings: what a joint or the attenuation takes from a wave
+// returns over the time between two blows (drilling §3).
 
-/// One place and direction, of waves x of a section with impedance Z:
+/// A place and direction, for waves x of a section with impedance Z:
 ///
 ///     out = s x + (1 − s) m,   m' = f (x − m)                                                       (D5)
 ///
@@ -59,12 +59,12 @@ class ReturnedLoss {
     double m_lost = 0;
 };
 
-/// What can be watched at the rear end, at the end of every part of a cell.
+/// State of the rear end at the end of a part of a cell.
 struct RearSample {
     double time = 0;  ///< since the first blow
     double velocity = 0;
     double damperForce = 0;
-    double bodyPlace = 0;  ///< x_b, of a constant force that of the rear end
+    double bodyPlace = 0;  ///< x_b; that of the rear end under a constant force
 };
 
 /// The same at the bit, whose clock is behind by the transit time: here it is put right.
@@ -100,36 +100,36 @@ class DrillingMarch {
     /// The problem must outlive it.
     DrillingMarch(const DrillingProblem& problem, const DrillingGrid& grid);
 
-    /// One blow and the cycle behind it. False where it was stopped, or cannot go on: see trouble().
+    /// Follows one blow and the cycle after it. False after a stop, or if it cannot go on: see trouble().
     bool takeBlow(const std::stop_token& stop);
-    /// The last one.
+    /// Returns the last blow.
     const DrillingBlow& blow() const { return m_blow; }
     long blows() const { return m_count; }
-    /// Of all cycles so far.
+    /// Returns the energies of all cycles so far.
     const DrillingLedger& ledger() const { return m_ledger; }
-    /// Σ rock impulse − N Fe/f + p_end − p_start, which is rounding [I0].
+    /// Returns Σ rock impulse − N Fe/f + p_end − p_start [I0], which is rounding.
     double momentumResidual() const;
-    /// What passed the face after its first separation, in the last cycle, as a share of m_h v0.
+    /// Returns the impulse of the face after its first separation, in the last cycle, as a share of m_h v0.
     double lateShare() const { return m_lateShare; }
-    /// Work of all blows so far [cells times nodes], with that of events at the bit.
+    /// Returns the work of all blows so far [cells × nodes], including events at the bit.
     double work() const;
-    /// Why it could not go on; empty where it could.
+    /// Returns why it could not go on; empty if it could.
     std::string_view trouble() const { return m_trouble; }
-    /// m_h v0; 1 under a prescribed force.
+    /// Returns m_h v0; 1 under a prescribed force.
     double hammerMomentum() const { return m_hammerMomentum; }
 
-    /// Watches the blows that follow; nullptr: none.
+    /// Records the following blows in `samples`; nullptr: none.
     void watch(DrillingSamples* samples) { m_samples = samples; }
-    /// Keeps the waves of the next blow with those of the cycle before it, which is taken first; of the first
-    /// blow nothing is before it. Where it comes to that blow they are complete with it.
+    /// Follows a cycle and the blow after it, keeping the waves of both; the first blow has no cycle before
+    /// it. Has no waves if the march stopped or cannot go on, or if they are too many.
     MarchedWaves takeBlowWithWaves(const std::stop_token& stop);
 
-    /// Moves waves and bit a little, to where approach() can bring it nearer.
+    /// Moves waves and bit a little, so that approach() can reduce the distance.
     void displace(double distance);
-    /// How far this state is from another of the same problem, between blows: waves, place of the bit, v_b, x
-    /// where there is a spring.
+    /// Returns the distance between this state and another one of the same problem, between blows: of waves,
+    /// place of the bit, v_b, and x with a spring.
     double distanceTo(const DrillingMarch& other) const;
-    /// Moves the state towards the other one until it is so far away from it.
+    /// Moves the state towards the other one until this distance remains.
     void approach(const DrillingMarch& other, double distance);
 
   private:

@@ -11,7 +11,7 @@
 
 namespace drillwave {
 
-/// What rides on the feed and presses on the rear end (D2).
+/// Drill body that rides on the feed and presses on the rear end (D2).
 struct MachineBody {
     double mass = 1;       ///< M/(Zr t0); > 0
     double damping = 0;    ///< ζ = c_d/Zr; ≥ 0
@@ -25,17 +25,17 @@ enum class DrillingStart {
     bouncing,  ///< rod or string moves with v0/2 towards the rock
 };
 
-/// What is marched, in the units of Problem: the blow, and what lives on between blows.
+/// Blow and everything that stays between blows, in the units of Problem.
 struct DrillingProblem {
-    Problem blow;          ///< what joints and sections take from a wave comes back (D5)
+    Problem blow;          ///< joints and sections return what they take from a wave (D5)
     double interval = 1;   ///< 1/(f t0)
     double feedForce = 0;  ///< Fe/F0
     std::optional<MachineBody>
         machine;                     ///< nothing: a constant force, Fe less the mean reaction of the blows
-    std::vector<double> waveLosses;  ///< η_j of every section beside that, 0 ≤ η_j < 1 (drilling §3)
+    std::vector<double> waveLosses;  ///< η_j of every section in addition, 0 ≤ η_j < 1 (drilling §3)
     bool isFresh = true;             ///< new rock for every blow
-    double intervalScatter = 0;      ///< normal deviation of an interval over its mean, cut at three of them
-    std::uint32_t seed = 1;          ///< of that
+    double intervalScatter = 0;      ///< normal deviation of an interval over its mean, cut at three of these
+    std::uint32_t seed = 1;          ///< of the scatter
     DrillingStart start = DrillingStart::rest;
     bool operator==(const DrillingProblem&) const = default;
 };
@@ -43,16 +43,16 @@ struct DrillingProblem {
 /// Returns whether waves fade in the rod or string.
 bool losesWaves(const DrillingProblem& problem);
 
-/// What one blow and the cycle behind it came to, in the units of Problem. What is not there is not a number.
+/// Results of one blow and the cycle after it, in the units of Problem. NaN: not available.
 struct DrillingBlow {
     double time = 0;           ///< of the blow
     double gap = 0;            ///< between bit and bottom of the crater at that time; 0 in contact
     double velocity = 0;       ///< momentum of rod or string over its mass at that time
-    double rockImpulse = 0;    ///< of the cycle, like all that follows
-    double penetration = 0;    ///< what stays
-    double holeDepth = 0;      ///< with all cycles before
+    double rockImpulse = 0;    ///< of the cycle, as are all below
+    double penetration = 0;    ///< left in the rock
+    double holeDepth = 0;      ///< sum over all cycles so far
     double peakForce = 0;      ///< of the rock
-    double contacts = 0;       ///< that began
+    double contacts = 0;       ///< contacts begun
     double contactTime = 0;    ///< sum
     double damperPeak = 0;     ///< largest D
     double faceImpulse = 0;    ///< J, of a rod I0
@@ -92,21 +92,21 @@ struct DrillingGrid {
     /// The round trips of other sections in the same cells.
     void setSections(const std::vector<UniformSection>& sections);
     bool hasWholeTrips() const;
-    /// A section whose round trip is less than a cell, which no march takes.
+    /// Returns the first section whose round trip is shorter than a cell, which no march accepts.
     std::optional<std::size_t> shortSection() const;
-    /// What a blow takes, in cells times nodes.
+    /// Returns the estimated work of a blow [cells × nodes].
     double work(const DrillingProblem& problem) const {
         return static_cast<double>(cellsOfInterval) * static_cast<double>(cuts.count()) *
                static_cast<double>(problem.blow.sections.size() + 1);
     }
 };
 
-/// At least so many cells per t0, and one in every round trip where up to eight times as many do. Intervals
-/// become whole cells; round trips do where they share a cell that is not much smaller than is wanted.
+/// Returns a grid of at least that many cells per t0, and one in every round trip if up to eight times as
+/// many do. Intervals become whole cells; so do round trips that share a cell not much smaller than wanted.
 DrillingGrid drillingGridOf(const DrillingProblem& problem, int cellsPerDuration);
-/// The same with cells twice as large, or half as large where the round trips of a string share no larger
-/// ones: what it changes is due to them alone, for the interval is the same. Its hammer always separates at
-/// once: so a separation shorter than a cell, which the cells decide, is part of what they change.
+/// Returns the same grid with cells twice as large, or half as large where the round trips of a string share
+/// no larger ones. The interval is the same, so differences are due to the cells only. The hammer always
+/// separates at once: a separation shorter than a cell, which the cells decide, is part of the difference.
 DrillingGrid comparedDrillingGridOf(const DrillingProblem& problem, int cellsPerDuration);
 
 }  // namespace drillwave

@@ -203,7 +203,7 @@ class LossyLine {
         m_oldestSquare = m_line.arriving()->meanSquare();
         m_next = isLossy() ? other.m_next + share * (m_next - other.m_next) : m_mean;
     }
-    /// A wave that is added to all that is stored.
+    /// Adds a wave to all stored ones.
     void displace(double wave) {
         for (WaveCell& cell : stored()) {
             cell.c[0] += wave;
@@ -221,15 +221,15 @@ class LossyLine {
     double m_ofRoundTrip = 1;
     double m_kept = 1;  ///< 1 − η
     double m_rate = 0;  ///< λ
-    /// Of a part of a cell.
+    /// Coefficients of a part of a cell.
     struct Part {
         double width;           ///< Δ
         double loss;            ///< 2λΔ
-        double nextKept;        ///< e^−λΔ of the part behind it: what A keeps there of itself …
-        double ofHeld, ofFlux;  ///< … and takes of B before this part, and of B' over it
+        double nextKept;        ///< e^−λΔ of the part after it: factor of A for the next A; also …
+        double ofHeld, ofFlux;  ///< … factors of B before this part, and of B' over it
     };
-    /// The end of a part, over which B' and Q' were these. What A comes to over the next one is ready as soon
-    /// as B' is: every node waits for it.
+    /// Ends a part with the means B' and Q'. The next A is ready as soon as B' is, because every node waits
+    /// for it.
     void pass(double flux, double power, std::size_t part) {
         const Part& of = m_parts[part];
         if (isLossy()) {

@@ -272,7 +272,7 @@ RearNode::Forces RearNode::push(const WaveCell& f1, const WaveCell& b2, const Wa
     return forces;
 }
 
-/// What machine and damper have done to each other, which is known by its ends.
+/// Balances the work of machine and damper, which follows from the states at both ends of the cycle.
 void RearNode::endCycle(double duration, double rearMoved) {
     if (!m_machine) {
         m_sums.damperImpulse = m_meanForce * duration;
@@ -292,7 +292,7 @@ void RearNode::separate() {
     if (!m_parts.face.restrike) m_now.released = true;
 }
 
-/// What the damper does over the first `end` of a piece, which lasts `unit`.
+/// Adds impulse and work of the damper over the first `end` of a piece of width `unit`.
 void RearNode::addDamper(const Piece& piece, double end, double unit) {
     const auto damperAt = [&](double v) { return polynomialValue(piece.damper.data(), piece.count, v); };
     double peak = std::max(damperAt(0), damperAt(end));

@@ -26,7 +26,7 @@ struct RearState {
     bool operator==(const RearState&) const = default;
 };
 
-/// What has passed the rear end since the blow.
+/// Sums at the rear end since the blow.
 struct RearSums {
     double faceImpulse = 0;    ///< ∫P dt, or ∫Fa dt
     double lateImpulse = 0;    ///< of that, after the first separation
@@ -46,7 +46,7 @@ struct RearSums {
 /// without a body D = S. The face of the hammer, P = f1 + b1 ≥ 0, is that of FaceNode.
 class RearNode {
   public:
-    /// What of it stays the same over all blows.
+    /// Properties that are the same for all blows.
     struct Parts {
         double hammerImpedance = 0;  ///< Z1 of the last section of a hammer; 0 under a prescribed force
         double impedance = 1;        ///< Z2

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the march along the front end of the rod keeps from event to event, and what its steps are: the class
-// alone, its parts beside it.
+// State of the march along the front end of the rod between events, and its steps: only the class, without
+// the parts it uses.
 #pragma once
 
 #include <algorithm>
@@ -95,16 +95,16 @@ class WaveQueue {
     std::size_t m_mask = 0;
 };
 
-/// What a march may cost, and when it must end.
+/// Limits of the work of a march, and of its duration.
 struct MarchLimits {
     long pieces = 30'000'000;               ///< smooth pieces
     const std::stop_token* stop = nullptr;  ///< none: to the end
     InputMove move = {};
-    /// Where it is set, it is given what has been recorded whenever that has as many pieces as it returned
-    /// before (or piecesHandedOver): histories may then be as long as they like.
+    /// Receives the recorded histories whenever they have as many pieces as it returned before (or
+    /// piecesHandedOver), so that their length is unlimited; may be nullptr.
     const HandOver* handOver = nullptr;
-    bool ledger = true;  ///< the sums of Detail::ledger, where as much detail is asked for
-    /// Of e: a march whose error has become larger is not wanted.
+    bool ledger = true;  ///< whether to sum up for Detail::ledger, if as much detail is requested
+    /// Largest useful error of e: a march with a larger one is given up.
     double error = std::numeric_limits<double>::infinity();
 };
 
@@ -113,7 +113,7 @@ struct MarchLimits {
 ///     F' = a(2g − F),  a = β, s_j β behind a corner, β/γ or 0             [paper (5)] [paper (8)]
 ///
 /// `Basis` represents functions on an interval: it solves one piece of contact exactly, finds first zeros,
-/// and cuts and integrates pieces. What it cannot represent it says through Basis::failed().
+/// and cuts and integrates pieces. Basis::failed() reports what it cannot represent.
 template <class Basis>
 class ContactMarch {
   public:
@@ -131,7 +131,7 @@ class ContactMarch {
         Real length;
         Ending ending;
     };
-    /// What is noted of it; not of none.
+    /// Returns the event that is recorded for an ending; not for `none`.
     static ContactEvent eventOf(Ending ending) {
         switch (ending) {
             case Ending::none:
@@ -222,7 +222,7 @@ class ContactMarch {
         return true;
     }
 
-    /// What the basis cannot decide, or not represent.
+    /// Fails with an order of events that the basis cannot decide; returns false.
     bool undecided() {
         fail(translatable("the order of two events hangs on rounding"));
         return false;

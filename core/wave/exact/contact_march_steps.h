@@ -232,7 +232,7 @@ bool ContactMarch<Basis>::mayStay(const Response& response) {
                                           : end <= m_law.largestForce() + rounding;
 }
 
-/// What the stretch makes of joined pieces of wave.
+/// Counts the effect of joined wave pieces on the stretch.
 template <class Basis>
 void ContactMarch<Basis>::countJoining(const Response& response, Real length, Ending ending) {
     if constexpr (Basis::joinsPieces) {

@@ -35,7 +35,7 @@ bool isSolved(const Impact& impact) {
     return impact.outcome == Outcome::rebounded;
 }
 
-/// What overflowed is infinite; what was not asked for may be not a number.
+/// Marks an impact as not solved if a number is infinite by overflow; numbers not requested may be NaN.
 void refuseOverflow(Impact& impact) {
     const auto isBeyond = [](double number) { return std::isinf(number); };
     const double numbers[]{impact.peakForce,       impact.firstContactTime, impact.separationTime,
@@ -48,7 +48,7 @@ void refuseOverflow(Impact& impact) {
 
 }  // namespace
 
-/// One march into a new `impact`: in closed form where that suits and comes to its end, else in series.
+/// Marches once into a new `impact`: in closed form if that suits and reaches its end, else in series.
 void ExactSolver::Workspace::march(const Problem& problem, Detail detail, const MarchLimits& limits,
                                    Impact& impact) {
     if (suitsExponentials(problem)) {

@@ -65,23 +65,23 @@ using HandOver = std::function<std::size_t(Impact&)>;
 /// Histories of more pieces are too long to be kept for some numbers: 90 MB. The closed form has no more.
 inline constexpr long mostPiecesKept = 100'000;
 
-/// How many pieces are handed over at first.
+/// Number of pieces in the first hand-over.
 inline constexpr std::size_t piecesHandedOver = 20'000;
 
-/// Solves a blow once more that ExactSolver has solved in `pieces`, more than mostPiecesKept and so in power
-/// series, and hands its histories over. What is left of them is in the impact returned.
+/// Solves a blow again that ExactSolver has solved in `pieces`, more than mostPiecesKept and so in power
+/// series, and passes its histories to `handOver`. The impact returned has the rest of them.
 Impact marchInPassing(const Problem& problem, long pieces, const HandOver& handOver,
                       const std::stop_token& stop);
 
-// The exact solution once more, with more digits.
+// Exact solution in extended precision.
 
-/// Solves like ExactSolver, in power series throughout and in long double: 64 bits of mantissa in place of 53
+/// Solves like ExactSolver, but always in power series and in long double: 64 bits of mantissa instead of 53
 /// on x86. Several times slower. corError holds for that arithmetic, moved inputs included (input_move.h):
 /// where the bit chatters, long double has few digits more than double.
 ///
-/// The difference to ExactSolver shows the rounding and truncation of the latter, and what its closed
-/// exponential pieces get wrong where it uses them. It does not show a mistake in the order or kind of
-/// events: both march with the same code (ContactMarch). equationResiduals() does.
+/// The difference to ExactSolver shows its rounding and truncation, and the errors of its closed exponential
+/// pieces where it uses them. It does not show mistakes in the order or kind of events, because both march
+/// with the same code (ContactMarch). equationResiduals() does.
 Impact solveInExtendedPrecision(const Problem& problem, Detail detail = Detail::cor,
                                 const std::stop_token& stop = {});
 

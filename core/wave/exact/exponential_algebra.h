@@ -68,7 +68,7 @@ inline void negate(const ExponentialSum<lines>& f, ExponentialSum<lines>& out) {
     out.rates = f.rates;
 }
 
-// What a response in closed form comes to at the end of a stretch of contact, and how far that may be wrong.
+// Values of a response in closed form at the end of a stretch of contact, and bounds of their errors.
 
 /// Largest values of φ_m, at y = m.
 inline constexpr double largestDecays[Coefficients::capacity] = {1,

@@ -7,10 +7,10 @@
 namespace drillwave {
 namespace {
 
-/// A sum of terms so much larger than any wave force cancels, and loses as many digits.
+/// Ratio above which terms cancel: a sum of terms much larger than any wave force loses as many digits.
 constexpr double mostCancellation = 1024;
 
-/// Of the roundings that could be seen: terms of less are dropped.
+/// Size of terms that are dropped, relative to the largest wave force: less than visible rounding.
 constexpr double negligibleShare = 0x1p-62;
 
 /// F' + aF = 2a g for the terms of the same rate: F_{m+1} = 2 g_m; F_0 is left to the initial condition.
@@ -76,8 +76,8 @@ bool neverComesBack(const ExponentialSum<lines>& g) {
            (course.isConcave() && g.startValue() >= 0);
 }
 
-/// Whether a force that is positive at the end has been so all the way: once it has vanished, which takes
-/// g < 0, F' = a(2g − F) keeps it below zero until g comes back. Of sines it costs more than it saves.
+/// Returns whether a force that is positive at the end has been so all the way: once it has vanished, which
+/// takes g < 0, F' = a(2g − F) keeps it below zero until g returns. For sines this costs more than it saves.
 template <class Response>
 bool cannotVanish(const Response& r) {
     if (r.incident->hasSine()) return false;
@@ -185,7 +185,7 @@ typename ExponentialBasis<lines>::Response& ExponentialBasis<lines>::respond(Pie
     return r;
 }
 
-/// What ramps and curved blows make of it; false where that needs more terms than there is room for.
+/// Adds the response to ramps and curved blows; false if that needs more terms than there is room for.
 template <int lines>
 bool ExponentialBasis<lines>::respondToCurve(const Curve& g, int line, Curve& force) const {
     const double rate = m_rates[line];
@@ -336,9 +336,9 @@ double ExponentialBasis<lines>::largestIntegral(const Piece& g) {
     return most;
 }
 
-/// The coefficients of the force are wrong by their rounding, and so is the wave that they leave. What the
-/// force at the end is wrong by, δF, it takes back in 1/a: the bit stands δF/a off, and that persists. On
-/// soft rock constant and decays cancel; then the change from the start has digits that their sum has not.
+/// The coefficients of the force have rounding errors, and so has the wave that they leave. An error δF of
+/// the force at the end returns in 1/a: the bit is off by δF/a, and that persists. On soft rock constant and
+/// decays cancel; then the change from the start has digits that their sum has not.
 template <int lines>
 StretchEnd<double> ExponentialBasis<lines>::endAt(Response& r, double length) const {
     const bool isCut = length != r.length;

@@ -21,8 +21,8 @@ namespace drillwave {
 /// of the rates; so it fails(), and the caller turns to power series, after a few reflections, for lines
 /// nearly as steep as another, and where an event is tangential within rounding.
 ///
-/// `lines` are those of the law whose slopes it has: the first loading line, the elastic one, and those
-/// behind the first corners. It fails where the contact comes to a line beyond them.
+/// `lines` counts the lines of the law whose slopes it has: the first loading line, the elastic one, and
+/// those after the first corners. It fails where the contact reaches a line beyond them.
 template <int lines>
 class ExponentialBasis {
   public:
@@ -30,20 +30,20 @@ class ExponentialBasis {
     using Piece = ExponentialSum<lines>;
     using Sum = double;                         ///< its pieces are few
     static constexpr bool joinsPieces = false;  ///< there are few
-    /// What each term added to a Sum is wrong by, relative to the sum.
+    /// Error of each term added to a Sum, relative to the sum.
     static constexpr double roundingOfSums = std::numeric_limits<double>::epsilon() / 2;
 
     struct Response {
         double length = 0;
         double rate = 0;
-        int line = 0;                     ///< whose rate that is
+        int line = 0;                     ///< line with that rate
         const Piece* incident = nullptr;  ///< the arriving wave, which must outlive the response
         Piece force;
         double start = 0;       ///< the force at the start
         double arrived = 0;     ///< ∫g up to its end, by endAt() of curved forces
-        double left = 0;        ///< ∫(g − F), likewise
-        double dropped = 0;     ///< what has been left out of it as rounding
-        bool hasDrive = false;  ///< drive() has been asked for
+        double left = 0;        ///< ∫(g − F) up to its end, by endAt() of curved forces
+        double dropped = 0;     ///< rounding that has been left out of it
+        bool hasDrive = false;  ///< drive() has been called
     };
 
     void begin(const Problem& problem, const ContactLaw<double>& law);
@@ -91,7 +91,7 @@ class ExponentialBasis {
     }
     /// ∫g over the piece.
     static double impulse(const Piece& g) { return g.impulse(); }
-    /// What the rounding of that is relative to.
+    /// Returns the size that the rounding of impulse() is relative to.
     static double impulseSize(const Piece& g) { return g.integralOfSizes(); }
     void tidy(Piece& piece) const {
         piece.rates = &m_rates;

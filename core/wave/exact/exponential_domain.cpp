@@ -33,10 +33,10 @@ constexpr Stiffness leastForCornerSteps{0.5, 0.1}, leastForCornerDecays{0.2, 0.0
 /// Pulses of fewer linear pieces are those of a formula.
 constexpr std::size_t leastTable = 12;
 
-/// The slopes beside the rate of an exponential blow, 1/t0: the response is divided by the difference.
+/// Least distance of the slopes from the rate of an exponential blow, 1/t0: the response is divided by it.
 constexpr double leastDetuning = 0.1;
 
-/// What the blow is made of decides how many terms it leaves.
+/// Returns the least stiffness for a blow: its kind of segments decides how many terms it leaves.
 Stiffness leastFor(const PulseForce& hammer, const BitRockLaw& law) {
     using Kind = PulseSegment::Kind;
     const auto& segments = hammer.segments;

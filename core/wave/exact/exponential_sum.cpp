@@ -96,7 +96,7 @@ double ExponentialSum<lines>::impulseOfCurved() const {
     return curve.impulse;
 }
 
-/// What has risen until then becomes a constant.
+/// Turns the rises up to x into a constant.
 template <int lines>
 void ExponentialSum<lines>::dropFrontOfCurve(double x, const std::array<double, lines>& decaysTo) {
     c0 += curve.c1 * x;

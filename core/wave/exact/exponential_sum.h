@@ -18,7 +18,7 @@ inline constexpr double doubleEpsilon = std::numeric_limits<double>::epsilon();
 /// Coefficients c_m, m = 0, 1, …, of one kind of term of one rate: of the decays φ_m(y) = e^{−y} y^m/m! or of
 /// the rises ω_m(y) = ∫0..y φ_m = 1 − Σ_{k≤m} φ_k(y), y = λx.
 ///
-/// The factorials make the resonant response a mere shift: F' + λF = 2λ φ_m gives F = 2 φ_{m+1}, and likewise
+/// The factorials make the resonant response a mere shift: F' + λF = 2λ φ_m gives F = 2 φ_{m+1}, and the same
 /// for ω_m.
 struct Coefficients {
     static constexpr int capacity = 8;
@@ -244,9 +244,9 @@ struct ExponentialSum {
     }
     bool isConstant() const { return !isCurved && !hasDecays(); }
     bool isZero() const { return c0 == 0 && isConstant(); }
-    /// Whether terms of that rate are in it.
+    /// Returns whether it has terms of that rate.
     bool hasLine(int i) const { return decays[i].count || (isCurved && curve.rises[i].count); }
-    /// What of it rises at that rate.
+    /// Returns the rises of that rate.
     const Coefficients& risesOf(int i) const { return isCurved ? curve.rises[i] : noTerms; }
     bool hasHammer() const { return isCurved && curve.hammer.present; }
     bool hasSine() const { return hasHammer() && curve.hammer.hasSine(); }

@@ -27,7 +27,7 @@ struct ExponentialSlope {
     }
 
   private:
-    // That of Σ q_m ω_m is Σ q_m φ_m, times the rate.
+    // The derivative of Σ q_m ω_m is Σ q_m φ_m, times the rate.
     static void addRises(const Coefficients& rises, double rate, Coefficients& slope) {
         const int common = std::min(slope.count, rises.count);
         for (int m = 0; m < common; ++m) slope.c[m] += rate * rises.c[m];

@@ -11,10 +11,10 @@ namespace drillwave {
 struct Search {
     double start = 0;
     bool startsAtZero = false;  ///< by construction, whatever rounding says
-    double negligible = 0;      ///< a function that stays below has no zero any more
+    double negligible = 0;      ///< a function that stays below has no zero
 };
 
-/// Whether the first zero of f is a formula: that of up to three decays of one rate alone.
+/// Returns whether a formula gives the first zero of f: for up to three decays, all of one rate.
 template <int lines>
 bool hasZeroByFormula(const ExponentialSum<lines>& f);
 

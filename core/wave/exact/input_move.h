@@ -22,29 +22,29 @@ struct InputMove {
 /// worst case) the rounding that a march sums up, multiplied by it, covers it.
 inline constexpr double coveredGrowth = 8;
 
-/// What rounding does to a march without that growth, whatever it sums up: an upper bound of what was seen.
+/// Rounding of e in a march without that growth, whatever it sums up: an upper bound of all cases seen.
 inline constexpr double ordinaryRounding = 1e-13;
 
-/// Whether the rounding of a solved blow may have grown beyond what is stated for it.
+/// Returns whether the rounding of a solved blow may have grown beyond its stated error.
 inline bool mayOutgrowItsError(const Impact& impact) {
     return impact.growth > coveredGrowth && impact.growth * ordinaryRounding > impact.corError;
 }
 
-/// What the rounding of a given hammer force is worth in e: it arrives once, and the rock may send it back.
+/// Returns the error of e due to the rounding of a given hammer force; the rock may reflect it once.
 inline double roundingOfHammer(const PulseForce& hammer) {
     return 2 * hammer.rounding;
 }
 
-/// Makes the error that a march has summed up, impact.corError, cover what contacts have made of it.
+/// Raises impact.corError, the error that a march has summed up, to cover its growth in contacts.
 ///
-/// Where they may have multiplied it by more than is covered, a march cannot see how much of that growth is
-/// real, but a second one with moved input makes the same experience: solve(InputMove) marches again for e
-/// alone. Where a moved blow cannot be solved, neither is the impact.
+/// Where contacts may have multiplied it by more than is covered, a single march cannot show how much of that
+/// growth is real, but a second one with moved input grows in the same way: solve(InputMove) marches again
+/// for e only. Where a moved blow cannot be solved, neither is the impact.
 ///
-/// β and τ are moved together, 16 ε up and down, since moves that keep βτ may hardly be felt; the second
-/// unless the first changes far less than is stated anyway, for a small change may be luck. Eight times the
-/// larger one beside what is summed up covers the error of more than 999 in 1000 chattering blows
-/// (tst_chatter).
+/// β and τ are moved together, 16 ε up and down, since moves that keep βτ may have little effect; the second
+/// move is left out if the first changes far less than is stated anyway, for a small change may be luck.
+/// Eight times the larger change, added to the sum, covers the error of more than 999 in 1000 chattering
+/// blows (tst_chatter).
 template <class Solve>
 void coverGrowth(Impact& impact, const Solve& solve) {
     if (impact.outcome != Outcome::rebounded) return;

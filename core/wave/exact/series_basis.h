@@ -247,11 +247,11 @@ class SeriesBasis {
         return most;
     }
 
-    /// An upper bound of that.
+    /// Returns an upper bound of that.
     Real mostIntegral(const Piece& g, Real, Real) const { return g.way().most; }
-    /// ∫g over the piece.
+    /// Returns ∫g over the piece.
     static Real impulse(const Piece& g) { return g.way().whole; }
-    /// What the rounding of that is relative to.
+    /// Returns the size that the rounding of impulse() is relative to.
     static Real impulseSize(const Piece& g) { return g.way().size; }
 
     void tidy(Piece& piece) const { piece.trim(m_negligible); }

@@ -12,14 +12,14 @@
 
 namespace drillwave {
 
-// How much joined wave pieces may cost, from how much they save.
+// Allowed error of joined wave pieces, from how much work they save.
 
 /// The bounds of joining for one blow, in double precision. A contact with soft rock lasts about 1.6/√(βτ)
-/// round trips, or 1.6/√β with small γ, where the front end comes back at every pass of the blow alone. Each
+/// round trips, or 1.6/√β with small γ, where the front end returns only at every pass of the blow. Each trip
 /// leaves its kinks, and every later one passes them: work grows with the square of the trips. From hundreds
-/// of trips on e is given fewer digits for that.
+/// of trips on, fewer digits of e are required.
 struct JoiningBudget {
-    double passes = 1;         ///< about as many times a piece of wave meets the rock, ≥ 1
+    double passes = 1;         ///< about how many times a piece of wave meets the rock, ≥ 1
     double smoothEffect = 0;   ///< of one joint on the impulse in all passes, without events in it
     double mostDisplaced = 0;  ///< of the way of the bit by one joint, I0
     double mostDeviation = 0;  ///< of the wave force, F0
@@ -40,9 +40,9 @@ struct JoiningBudget {
         const double share = std::min(1.0, leastError / mostError * excess);
         const double error = share * mostError;
         smoothEffect = error / passes;
-        // A peak of the way that errs by D displaces √(βτ/γ) D while the rod is thrown back, D at most. With
-        // the peaks of all trips it is some sixteen times that, from hundreds on growing with the trips; more
-        // where γ is larger, and work no matter.
+        // An error D of a peak of the way displaces √(βτ/γ) D while the rod rebounds, D at most. The peaks of
+        // all trips displace some sixteen times that, growing with the trips from hundreds on; more where γ
+        // is larger, and work no matter.
         const double perDisplacement = std::min(1.0, std::sqrt(beta * tau / gamma));
         const double peaks = std::max(16.0, trips / 12) * std::clamp(2000 * gamma, 1.0, 4.0);
         mostDisplaced = error / (perDisplacement * peaks);
@@ -52,20 +52,20 @@ struct JoiningBudget {
     }
 
   private:
-    static constexpr double fewPasses = 100;     ///< cheap, whatever each leaves
-    static constexpr double leastError = 1e-15;  ///< of e, up to so many
-    static constexpr double mostError = 5e-10;   ///< of e, however many there are
+    static constexpr double fewPasses = 100;     ///< cheap, whatever each one leaves
+    static constexpr double leastError = 1e-15;  ///< of e, for up to so many passes
+    static constexpr double mostError = 5e-10;   ///< of e, for any number of passes
 };
 
-// What joined wave pieces do to the impulse of the rock, through the events that fall into them.
+// Effect of joined wave pieces on the impulse of the rock, through the events that fall into them.
 
 /// Sums up what joining does to e. The force depends on the way of the bit and on the largest one before. The
 /// way is displaced inside a joined piece only, by D there; but a peak inside keeps D for ever: until the
 /// primary line is reached again the force errs by (β/γ) 2D, at most, and by no more than 2D in impulse after
 /// each change, as F follows the wave.
 ///
-/// An impulse displaced before the last peak changes the energy that is stored there, of which the rod gets
-/// the share γ: it counts √γ times. Those after it count in full.
+/// An impulse displaced before the last peak changes the energy stored there, of which the rod gets the share
+/// γ: it counts √γ times. Impulses displaced after it count in full.
 template <class Real>
 class JoiningError {
   public:
@@ -89,11 +89,11 @@ class JoiningError {
         }
     }
 
-    /// Of e. Errors are up to half of the plain sum (tst_joining), and the bound four times that.
+    /// Returns the bound of e, four times the plain sum. Errors are up to half of that sum (tst_joining).
     Real bound() const { return 4 * (m_rebound + m_loadingWeight * m_loading); }
 
   private:
-    /// The impulse that a displaced way of the bit displaces while the force follows it for `length`.
+    /// Returns the impulse displaced by a displaced way of the bit while the force follows it for `length`.
     Real displacedBy(Real way, Real length) const { return 2 * way * std::min(Real(1), m_fastest * length); }
 
     Real m_fastest = 0;        ///< β/γ
@@ -116,7 +116,7 @@ struct WavePiece : PowerSeries<Real> {
     WavePiece() = default;
     WavePiece(const PowerSeries<Real>& exact) : PowerSeries<Real>(exact) {}
 
-    /// What free flight asks of every piece in every round trip: computed once.
+    /// Integrals that free flight needs of every piece in every round trip: computed once.
     struct Way {
         Real whole;  ///< ∫ over the length
         Real most;   ///< an upper bound of ∫ over [0, x] for every x up to the length, and 0
@@ -164,8 +164,8 @@ struct WavePiece : PowerSeries<Real> {
 /// carry thousands of pieces each. Most of these kinks are far too small to matter.
 ///
 /// A joined piece keeps the moments 0 to 3 of both. A contact that passes it without an event then ends as it
-/// would have, to the fourth order of aℓ: what is left of that is counted here. What an event inside it makes
-/// of the displaced way of the bit is counted when it happens (JoiningError).
+/// would have, to the fourth order of aℓ: the rest is counted here. The effect of an event inside it on the
+/// displaced way of the bit is counted when it happens (JoiningError).
 template <class Real>
 class SeriesJoiner {
   public:

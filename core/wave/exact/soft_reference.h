@@ -13,9 +13,9 @@ bool isSoftReference(const Problem& problem);
 
 /// The reference case for βτ → 0, expanded to the first order (the next, (βτ)^(3/2), is below rounding):
 ///   e = √γ + (1 − γ)βτ/(6√γ),   Fm = √(β/τ)(1 − βτ/6)      (T30),
-/// loading for (π/2)√(τ/β)(1 + βτ/6), unloading for √γ times as long with βτ/γ in place of βτ (T31).
-/// |error of e| ≤ corError = (βτ)^(3/2)/γ + rounding, held against the march where both can be had. Without
-/// histories: Detail::histories is refused as not solved.
+/// loading for (π/2)√(τ/β)(1 + βτ/6), unloading for √γ times as long with βτ/γ instead of βτ (T31). |error of
+/// e| ≤ corError = (βτ)^(3/2)/γ + rounding, checked against the march where both exist. Has no histories:
+/// Detail::histories is refused as not solved.
 Impact softReference(const Problem& problem, Detail detail);
 
 }  // namespace drillwave

@@ -65,7 +65,7 @@ class StepHistory {
 template <class Waves>
 class LatticeMarch {
   public:
-    /// Solves into `impact`, whose corError it leaves alone.
+    /// Solves into `impact`; does not set its corError.
     void solve(const Problem& problem, int segments, Detail detail, const std::stop_token& stop,
                Impact& impact);
 
